@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "io/write_json.h"
+#include "plane/measure_cells_twofold.h"
+#include "report.h"
+#include "session.h"
+
+namespace findspace::app {
+namespace {
+
+/// The scene with the moving shape at the position, without a region.
+std::string picture(const Session& session, const situation::World& world, const situation::Formula* formula,
+                    const exact::RealPoint& at, std::string title, std::string subtitle) {
+  io::Picture p;
+  p.title = std::move(title);
+  p.subtitle = std::move(subtitle);
+  p.position = {plane::Twofold(at.x).value(), plane::Twofold(at.y).value()};
+  session.add_scenery(p, world, formula);
+  return io::picture_svg(p);
+}
+
+}  // namespace
+
+Outcome run_check(const Options& options, Talk& talk) {
+  if (!options.at) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y");
+  check_outputs(options, {".svg", ".json"});
+  const Session session(options, talk);
+  session.require_positions(true);
+  const exact::RealPoint at = session.position();
+  const situation::Formula formula = session.where();
+  const situation::Solver solver(session.world());
+  talk.stage("checking");
+  const situation::Solver::Check check = solver.check(formula, at);
+  const auto json = [&] { return io::check_json(check, at, session.step(), session.unit()); };
+  const auto svg = [&] {
+    return picture(session, solver.world(), &formula, at, check.holds ? "Feasible" : "Not feasible",
+                   session.scene().where.text);
+  };
+  write_outputs(options, {{".json", json}, {".svg", svg}});
+  return {options.json ? json() : check_text(check, at, session.unit()), check.holds ? kDone : kEmpty};
+}
+
+Outcome run_measure(const Options& options, Talk& talk) {
+  check_outputs(options, {".svg", ".json"});
+  const Session session(options, talk);
+  session.require_positions(true);
+  const exact::RealPoint at = session.position();
+  const situation::Solver solver(session.world());
+  talk.stage("measuring");
+  const std::vector<situation::DistanceAt> distances = solver.measure(at);
+  const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
+  const auto svg = [&] { return picture(session, solver.world(), nullptr, at, "Measured here", ""); };
+  write_outputs(options, {{".json", json}, {".svg", svg}});
+  return {options.json ? json() : measure_text(distances, at, session.unit()), kDone};
+}
+
+}  // namespace findspace::app

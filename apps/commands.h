@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The verbs. Each reads its scene, writes the files of -o and returns the text for standard output and the exit status.
+// Errors are thrown (findspace::Error); then nothing has been written.
+#pragma once
+
+#include "options.h"
+#include "talk.h"
+
+namespace findspace::app {
+
+Outcome run_map(const Options& options, Talk& talk);
+Outcome run_check(const Options& options, Talk& talk);
+Outcome run_measure(const Options& options, Talk& talk);
+Outcome run_describe(const Options& options, Talk& talk);
+Outcome run_convert(const Options& options, Talk& talk);
+Outcome run_phi_verb(const Options& options, Talk& talk);
+
+}  // namespace findspace::app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "io/write_json.h"
+#include "io/write_wkt.h"
+#include "report.h"
+#include "session.h"
+
+namespace findspace::app {
+namespace {
+
+/// The shape asked for; of a scene with a single one its name may be left out.
+std::string chosen_shape(const Session& session) {
+  const Options& o = session.options();
+  if (o.shapes.size() == 1) return o.shapes[0];
+  const auto& shapes = session.scene().shapes;
+  if (o.shapes.empty() && shapes.size() == 1) return shapes[0]->name;
+  std::string names;
+  for (const auto& s : shapes) names += (names.empty() ? "" : ", ") + s->name;
+  throw Error(ErrorCode::kUsage, fmt::format("which shape? The scene has {}", names));
+}
+
+std::string wkt(const Session& session, const plane::Region& region) {
+  io::WktText text = io::region_wkt(region, session.step());
+  if (!text.lost.empty()) session.talk().note(text.lost);
+  return text.text;
+}
+
+}  // namespace
+
+Outcome run_describe(const Options& options, Talk& talk) {
+  check_outputs(options, {".svg", ".wkt", ".json"});
+  const Session session(options, talk);
+  const std::string name = chosen_shape(session);
+  const plane::Region region = session.region(name);
+  const plane::Summary summary = plane::summarize(region, session.step());
+  const auto json = [&] { return io::region_json(region, summary, session.step(), session.unit()); };
+  const auto svg = [&] {
+    io::Picture picture;
+    picture.title = name;
+    picture.subtitle = session.scene().file;
+    picture.step = session.step();
+    picture.unit = session.unit();
+    picture.region = &region;
+    picture.summary = &summary;
+    picture.of_positions = false;
+    return io::picture_svg(picture);
+  };
+  write_outputs(options, {{".json", json}, {".svg", svg}, {".wkt", [&] { return wkt(session, region); }}});
+  return {options.json ? json() : summary_text(name, summary, session.unit()), summary.empty ? kEmpty : kDone};
+}
+
+Outcome run_convert(const Options& options, Talk& talk) {
+  check_outputs(options, {".svg", ".wkt", ".json"});
+  const Session session(options, talk);
+  const std::string name = chosen_shape(session);
+  const plane::Region region = session.region(name);
+  const auto json = [&] {
+    return io::region_json(region, plane::summarize(region, session.step()), session.step(), session.unit());
+  };
+  const auto svg = [&] {
+    io::DrawingText text = io::shape_svg(region, session.step(), name, session.scene().unit);
+    if (!text.lost.empty()) talk.note(text.lost);
+    return text.text;
+  };
+  write_outputs(options, {{".json", json}, {".svg", svg}, {".wkt", [&] { return wkt(session, region); }}});
+  if (options.json) return {json(), kDone};
+  return {options.outputs.empty() ? wkt(session, region) : "", kDone};
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The program `findspace`: reads the command line, runs one verb, and turns whatever happens into an exit status and a
+// line that says what was wrong. docs/commands.md is its manual.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "commands.h"
+#include "deadline.h"
+#include "plane/parallel.h"
+#include "situation/names.h"
+
+namespace findspace::app {
+namespace {
+
+constexpr const char* kAbout = "Where can this part go? The exact set of its positions, from a scene file.";
+constexpr const char* kExamples = R"(
+Examples:
+  findspace map scene.json                         the feasible region in words
+  findspace map scene.json -o map.svg --json       a picture, and the region as JSON
+  findspace map scene.json --apply boundary        its boundary
+  findspace check scene.json --at 12.5,7           is this position feasible, and why (not)
+  findspace measure scene.json --at 12.5,7         all distances there
+  findspace describe scene.json board              a shape as a point set
+  findspace convert scene.json board -o board.wkt  a shape in another format
+  findspace convert part.dxf -o part.svg           a drawing in another format
+  cat scene.json | findspace map -                 the scene from standard input
+
+Exit status: 0 done, and not empty or true; 1 proven empty or false; 2 wrong usage; 3 bad input;
+4 a limit was reached; 70 internal error; 130 interrupted.)";
+
+using Verb = Outcome (*)(const Options&, Talk&);
+
+struct VerbEntry {
+  const char* name;
+  const char* about;
+  Verb run;
+};
+
+constexpr VerbEntry kVerbs[] = {
+    {"map", "the region of all feasible positions", run_map},
+    {"check", "is a position feasible: every atom's value and truth", run_check},
+    {"measure", "all distances of the moving shape to the others", run_measure},
+    {"describe", "a shape of the scene as a point set", run_describe},
+    {"convert", "a shape or a drawing in another format", run_convert},
+    {"phi", "the Phi-function of two polytopes", run_phi_verb},
+};
+
+bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
+
+void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
+  command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required();
+  if (is(verb, "describe") || is(verb, "convert")) {
+    command.add_option("SHAPE", o.shapes, "the shape; may be left out where there is one only")->expected(0, 1);
+  }
+  if (is(verb, "phi")) command.add_option("SHAPE", o.shapes, "the two shapes")->required()->expected(2);
+  command.add_option("-o,--output", o.outputs, "a file for the result, its format by the ending; may be repeated")
+      ->type_name("FILE")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);
+  command.add_flag("--json", o.json, "the result as JSON on standard output");
+  if (is(verb, "check") || is(verb, "measure") || is(verb, "phi")) {
+    command.add_option("--at", o.at, "the position, decimals taken exactly")
+        ->type_name(is(verb, "phi") ? "X,Y,Z" : "X,Y");
+  }
+  if (is(verb, "map")) {
+    command.add_option("--apply", o.apply, "an operation on the region")
+        ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));
+  }
+  if (is(verb, "convert")) {
+    command.add_option("--unit", o.unit, "of a drawing that states none")->type_name("um|mm|cm|m|in|mil");
+    command.add_option("--id", o.id, "the element of a drawing (SVG)");
+    command.add_option("--layer", o.layer, "the layer of a drawing (DXF)");
+    command.add_option("--index", o.index, "which of the drawing's shapes, from 0");
+  }
+  command.add_option("--threads", o.threads, "threads to use; 0: one for each core")->type_name("N");
+  command.add_option("--time-limit", o.time_limit, "seconds after which to give up")->type_name("S");
+  command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written");
+}
+
+Outcome run(const VerbEntry& verb, const Options& options, Talk& talk) {
+  const plane::ThreadLimit threads(options.threads);
+  const Deadline deadline(options.time_limit);
+  return verb.run(options, talk);
+}
+
+/// What went wrong, as an exit status; said on standard error.
+int report(Talk& talk) {
+  try {
+    throw;
+  } catch (const Error& e) {
+    talk.error(e);
+    return e.code() == ErrorCode::kUsage ? kUsage : kBadInput;
+  } catch (const std::bad_alloc&) {
+    talk.error("out of memory");
+    return kLimit;
+  } catch (const std::exception& e) {
+    talk.error(
+        fmt::format("internal error: {}\nThis is a bug of findspace. Please report it with the scene.", e.what()));
+  } catch (...) {
+    talk.error("internal error\nThis is a bug of findspace. Please report it with the scene.");
+  }
+  return kInternal;
+}
+
+int finish(const Outcome& outcome, const Options& options, Talk& talk) {
+  talk.stage("");
+  const bool wanted = !outcome.text.empty() && (options.json || !options.quiet || options.outputs.empty());
+  if (wanted) std::fwrite(outcome.text.data(), 1, outcome.text.size(), stdout);
+  if (std::fflush(stdout) != 0) {
+    talk.error("standard output cannot be written");
+    return kBadInput;
+  }
+  return outcome.status;
+}
+
+/// "mpa": an unknown verb is answered with the nearest one.
+bool is_unknown_verb(int argc, char** argv, Talk& talk) {
+  if (argc < 2 || argv[1][0] == '-') return false;
+  const std::string word = argv[1];
+  std::vector<std::string> names;
+  for (const VerbEntry& verb : kVerbs) names.push_back(verb.name);
+  if (std::find(names.begin(), names.end(), word) != names.end()) return false;
+  const std::string near = situation::nearest(word, names);
+  talk.error(fmt::format("there is no verb '{}'{}; the verbs are {}", word,
+                         near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(names, " ")));
+  return true;
+}
+
+int program(int argc, char** argv) {
+  CLI::App app(kAbout, "findspace");
+  app.set_version_flag("--version", "findspace " FINDSPACE_VERSION);
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  Options options;
+  for (const VerbEntry& verb : kVerbs) add_options(*app.add_subcommand(verb.name, verb.about), verb, options);
+  Talk errors;
+  if (is_unknown_verb(argc, argv, errors)) return kUsage;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    app.exit(asked);
+    return kDone;
+  } catch (const CLI::ParseError& e) {
+    errors.error(fmt::format("{}\nTry 'findspace --help'.", e.what()));
+    return kUsage;
+  }
+  Talk talk(options.quiet);
+  try {
+    const std::string name = app.get_subcommands().front()->get_name();
+    const VerbEntry& verb =
+        *std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const VerbEntry& v) { return is(v, name); });
+    return finish(run(verb, options, talk), options, talk);
+  } catch (...) {
+    return report(talk);
+  }
+}
+
+}  // namespace
+}  // namespace findspace::app
+
+int main(int argc, char** argv) {
+  findspace::app::end_on_interrupt();
+  try {
+    return findspace::app::program(argc, argv);
+  } catch (...) {
+    findspace::app::Talk talk;
+    return findspace::app::report(talk);
+  }
+}

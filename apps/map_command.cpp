@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "io/write_json.h"
+#include "io/write_wkt.h"
+#include "plane/topology.h"
+#include "report.h"
+#include "session.h"
+
+namespace findspace::app {
+namespace {
+
+plane::Region applied(plane::Region region, const std::string& operation) {
+  if (operation == "interior") return plane::interior(std::move(region));
+  if (operation == "closure") return plane::closure(std::move(region));
+  if (operation == "boundary") return plane::boundary(std::move(region));
+  if (operation == "regularize") return plane::regularize(std::move(region));
+  if (operation == "complement") return plane::complement(std::move(region));
+  return region;
+}
+
+/// The answer to a scene's question.
+struct Map {
+  plane::Region region;
+  std::optional<plane::Region> feasible;  // where the region is a part of it: the best positions
+  std::optional<io::ExtremeValue> extreme;
+};
+
+io::ExtremeValue value_of(const situation::Optimum& optimum, bool maximum, Talk& talk) {
+  if (optimum.value && !optimum.proven) {
+    talk.note("the optimum is no number that square roots express: given to 13 digits, with one position each");
+  }
+  return {maximum, optimum.value ? std::optional(optimum.value->to_double()) : std::nullopt, optimum.unbounded,
+          optimum.attained, optimum.proven || !optimum.value};
+}
+
+Map solve(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
+  Talk& talk = session.talk();
+  const std::optional<Session::Goal> goal = session.goal();
+  talk.stage("solving");
+  Map map{solver.feasible(formula), std::nullopt, std::nullopt};
+  if (goal) {
+    talk.stage("optimizing");
+    situation::Optimum best = situation::optimize(map.region, goal->objective, goal->sense, solver);
+    map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, talk);
+    map.feasible = std::exchange(map.region, std::move(best.at));
+  } else if (const auto least = situation::minimum_of(formula, solver)) {
+    map.extreme = value_of(*least, false, talk);
+  }
+  map.region = applied(std::move(map.region), session.options().apply);
+  return map;
+}
+
+std::string title(const Session& session) {
+  std::string out = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
+  if (const auto goal = session.goal()) {
+    out += fmt::format(" with the {} {}", goal->sense == distance::Sense::kMinimum ? "least" : "greatest", goal->text);
+  }
+  const std::string& apply = session.options().apply;
+  return apply.empty() ? out : fmt::format("{}, {}", out, apply);
+}
+
+Outcome map_of_line(const Session& session, const plane::Region& region) {
+  const io::Free& free = session.scene().free;
+  const auto intervals =
+      plane::along_line(region, {free.through[0], free.through[1]}, {free.direction[0], free.direction[1]});
+  const auto json = [&] { return io::intervals_json(intervals, session.step(), session.unit()); };
+  write_outputs(session.options(), {{".json", json}});
+  const std::string text = intervals_text(title(session) + " on the line", intervals, session.step(), session.unit());
+  return {session.options().json ? json() : text, intervals.empty() ? kEmpty : kDone};
+}
+
+Outcome map_of_plane(const Session& session, const Map& map, const situation::World& world,
+                     const situation::Formula& formula) {
+  const plane::Summary summary = plane::summarize(map.region, session.step());
+  const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
+  const auto json = [&] { return io::region_json(map.region, summary, session.step(), session.unit(), extreme); };
+  const auto svg = [&] {
+    io::Picture picture;
+    picture.title = title(session) + (summary.empty ? ": none" : "");
+    picture.subtitle = session.scene().where.text;
+    picture.region = &map.region;
+    picture.summary = &summary;
+    picture.around = map.feasible ? &*map.feasible : nullptr;
+    session.add_scenery(picture, world, &formula);
+    return io::picture_svg(picture);
+  };
+  const auto wkt = [&] {
+    io::WktText text = io::region_wkt(map.region, session.step());
+    if (!text.lost.empty()) session.talk().note(text.lost);
+    return text.text;
+  };
+  session.talk().stage("writing");
+  write_outputs(session.options(), {{".json", json}, {".svg", svg}, {".wkt", wkt}});
+  return {session.options().json ? json() : summary_text(title(session), summary, session.unit(), extreme),
+          summary.empty ? kEmpty : kDone};
+}
+
+}  // namespace
+
+Outcome run_map(const Options& options, Talk& talk) {
+  check_outputs(options, {".svg", ".wkt", ".json"});
+  const Session session(options, talk);
+  const bool line = session.scene().free.kind == io::Free::Kind::kLine;
+  if (line) check_outputs(options, {".json"});
+  if (line && !options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line");
+  session.require_positions(true);
+  const io::Scene& scene = session.scene();
+  if (line && session.goal())
+    throw Error(ErrorCode::kUnsupported, "an objective on a line is not computed", scene.file);
+  if (scene.where.empty() && !session.goal()) {
+    throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene.file);
+  }
+  const situation::Formula formula = session.where();
+  const situation::Solver solver(session.world());
+  const Map map = solve(session, solver, formula);
+  return line ? map_of_line(session, map.region) : map_of_plane(session, map, solver.world(), formula);
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The command line as values, and what a verb gives back.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace findspace::app {
+
+struct Options {
+  std::string scene;                           // a path, or "-": standard input
+  std::vector<std::string> shapes;             // of describe, convert, phi
+  std::vector<std::filesystem::path> outputs;  // format by ending
+  std::optional<std::string> at;               // "x,y": decimals, taken exactly
+  std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
+  std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
+  std::optional<unsigned> index;
+  bool json = false, quiet = false;
+  unsigned threads = 0;   // 0: one for each core
+  double time_limit = 0;  // seconds; 0: none
+};
+
+/// Exit statuses (interface.md 4).
+enum ExitStatus { kDone = 0, kEmpty = 1, kUsage = 2, kBadInput = 3, kLimit = 4, kInternal = 70, kInterrupted = 130 };
+
+struct Outcome {
+  std::string text;  // for standard output
+  ExitStatus status = kDone;
+};
+
+}  // namespace findspace::app

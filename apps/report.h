@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Results as text for people. Numbers have six digits here; --json gives them all.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/write_json.h"
+#include "plane/locate_line.h"
+#include "plane/summary.h"
+#include "situation/solve.h"
+
+namespace findspace::app {
+
+/// `extreme` may be null.
+std::string summary_text(std::string_view title, const plane::Summary& summary, std::string_view unit,
+                         const io::ExtremeValue* extreme = nullptr);
+std::string intervals_text(std::string_view title, const std::vector<plane::LineInterval>& intervals,
+                           const exact::Real& step, std::string_view unit);
+std::string check_text(const situation::Solver::Check& check, const exact::RealPoint& at, std::string_view unit);
+std::string measure_text(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
+                         std::string_view unit);
+
+}  // namespace findspace::app

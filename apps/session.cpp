@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <iostream>
+#include <iterator>
+#include <set>
+
+#include "io/write_file.h"
+#include "io/write_json.h"
+#include "plane/build.h"
+#include "plane/parallel.h"
+
+namespace findspace::app {
+namespace {
+
+using exact::Real;
+
+constexpr std::array<std::string_view, 4> kDrawings{".svg", ".dxf", ".wkt", ".geojson"};
+
+/// A scene that holds the one shape of a drawing.
+std::string scene_around(const std::filesystem::path& drawing, const Options& o) {
+  std::string text =
+      fmt::format("{{\"findspace\": 1, \"shapes\": {{{}: {{\"file\": {}", io::json_string(drawing.stem().string()),
+                  io::json_string(drawing.filename().string()));
+  auto add = [&](const char* key, const std::optional<std::string>& value) {
+    if (value) text += fmt::format(", \"{}\": {}", key, io::json_string(*value));
+  };
+  add("unit", o.unit);
+  add("id", o.id);
+  add("layer", o.layer);
+  if (o.index) text += fmt::format(", \"index\": {}", *o.index);
+  return text + fmt::format("}}}}, \"unit\": {}}}", io::json_string(o.unit.value_or("mm")));
+}
+
+io::Scene read(const Options& o) {
+  if (o.scene == "-") {
+    const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+    return io::read_scene_text(text, std::filesystem::current_path(), "standard input");
+  }
+  const std::filesystem::path path(o.scene);
+  if (std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) == kDrawings.end())
+    return io::read_scene(path);
+  return io::read_scene_text(scene_around(path, o), path.parent_path(), path.filename().string());
+}
+
+/// "LINE:COLUMN" within the formula, as a place in the scene file.
+Error placed(const Error& e, const io::FormulaText& formula) {
+  int line = 1, column = 1;
+  const char* end = e.place().data() + e.place().size();
+  const char* colon = std::from_chars(e.place().data(), end, line).ptr;
+  if (colon != end) std::from_chars(colon + 1, end, column);
+  if (line != 1)
+    return Error(e.code(), e.message(), fmt::format("{}:{}: formula {}", formula.file, formula.line, e.place()));
+  return Error(e.code(), e.message(), fmt::format("{}:{}:{}", formula.file, formula.line, formula.column + column - 1));
+}
+
+}  // namespace
+
+Session::Session(const Options& options, Talk& talk) : options_(options), talk_(talk) {
+  talk.stage("reading the scene");
+  scene_ = read(options);
+  for (const std::string& note : scene_.notes) talk.note(note);
+}
+
+std::string Session::unit() const { return scene_.unit ? std::string(situation::name(*scene_.unit)) : ""; }
+
+plane::Region Session::region(std::string_view name) const {
+  talk_.stage(fmt::format("shape {}", name));
+  return std::move(regions({scene_.shape(name)})[0]);
+}
+
+std::vector<plane::Region> Session::regions(const std::vector<plane::ShapePtr>& shapes) const {
+  if (scene_.dimension != 2) throw Error(ErrorCode::kUnsupported, "the scene has 3D shapes", scene_.file);
+  std::vector<plane::BuildResult> built(shapes.size());
+  plane::parallel_for(shapes.size(), [&](std::size_t k) { built[k] = plane::build(*shapes[k]); });
+  std::vector<plane::Region> out;
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    const plane::Rounding& moved = built[k].rounding;
+    if (moved.points > 0) {
+      talk_.note(fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g} {}",
+                             shapes[k]->name, moved.points, moved.largest * scene_.grid.step_size(), unit()));
+    }
+    out.push_back(std::move(built[k].region));
+  }
+  return out;
+}
+
+void Session::require_positions(bool line) const {
+  using Kind = io::Free::Kind;
+  auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::kUnsupported, what + " is not computed by this version", scene_.file);
+  };
+  if (scene_.dimension != 2) refuse("a map of a 3D scene");
+  if (scene_.motion.given()) refuse("a scene with \"motion\"");
+  if (scene_.free.kind != Kind::kPosition && !(line && scene_.free.kind == Kind::kLine))
+    refuse("this kind of \"free\"");
+  if (scene_.moving.empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
+}
+
+situation::Context Session::context() const {
+  situation::Context context;
+  for (const plane::ShapePtr& s : scene_.shapes) context.shapes.push_back(s->name);
+  context.moving = scene_.moving;
+  context.motion = scene_.motion.given();
+  context.unit = scene_.unit;
+  context.dimension = scene_.dimension;
+  return context;
+}
+
+situation::Formula Session::where() const {
+  if (scene_.where.empty()) return {};
+  try {
+    return situation::parse_formula(scene_.where.text, context());
+  } catch (const Error& e) {
+    throw placed(e, scene_.where);
+  }
+}
+
+std::optional<Session::Goal> Session::goal() const {
+  const bool least = !scene_.minimize.empty();
+  const io::FormulaText& text = least ? scene_.minimize : scene_.maximize;
+  if (text.empty()) return std::nullopt;
+  if (least && !scene_.maximize.empty()) {
+    throw Error(ErrorCode::kBadValue, "the scene has both \"minimize\" and \"maximize\"", scene_.file);
+  }
+  try {
+    return Goal{situation::parse_objective(text.text, context()),
+                least ? distance::Sense::kMinimum : distance::Sense::kMaximum, text.text};
+  } catch (const Error& e) {
+    throw placed(e, text);
+  }
+}
+
+situation::World Session::world() const {
+  talk_.stage("building the shapes");
+  situation::World world;
+  std::vector<plane::Region> built = regions(scene_.shapes);
+  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(scene_.shapes[k]->name, std::move(built[k]));
+  world.moving = scene_.moving;
+  world.step = step();
+  return world;
+}
+
+exact::RealPoint Session::position() const {
+  if (!options_.at) return {};
+  const std::string& text = *options_.at;
+  try {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) throw Error(ErrorCode::kSyntax, "one number");
+    exact::RealPoint p{Real::parse_decimal(text.substr(0, comma)), Real::parse_decimal(text.substr(comma + 1))};
+    scene_.grid.steps(p.x);  // throws where it is too far out
+    scene_.grid.steps(p.y);
+    return p;
+  } catch (const Error& e) {
+    if (e.code() == ErrorCode::kOutOfRange)
+      throw Error(ErrorCode::kUsage, fmt::format("--at {}: {}", text, e.message()));
+    throw Error(ErrorCode::kUsage, fmt::format("--at wants two decimal numbers x,y, not '{}'", text));
+  }
+}
+
+void Session::add_scenery(io::Picture& picture, const situation::World& world,
+                          const situation::Formula* formula) const {
+  picture.step = world.step;
+  picture.unit = unit();
+  std::set<std::string> named;
+  if (formula != nullptr) {
+    for (const situation::Atom& a : formula->atoms()) {
+      named.insert(a.distance.first.begin(), a.distance.first.end());
+      named.insert(a.distance.second.begin(), a.distance.second.end());
+    }
+  }
+  for (const plane::ShapePtr& s : scene_.shapes) {
+    const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
+    if (moves)
+      picture.moving.push_back({s->name, &world.shapes.at(s->name)});
+    else if (named.empty() || named.count(s->name) != 0)
+      picture.fixed.push_back({s->name, &world.shapes.at(s->name)});
+  }
+}
+
+void check_outputs(const Options& options, const std::vector<std::string>& formats) {
+  for (const auto& path : options.outputs) {
+    if (std::find(formats.begin(), formats.end(), path.extension().string()) != formats.end()) continue;
+    throw Error(ErrorCode::kUsage,
+                fmt::format("-o {}: the ending must be one of {}", path.string(), fmt::join(formats, " ")));
+  }
+}
+
+void write_outputs(const Options& options, const Writers& writers) {
+  std::vector<std::string> texts;
+  for (const auto& path : options.outputs) texts.push_back(writers.at(path.extension().string())());
+  for (std::size_t i = 0; i < texts.size(); ++i) io::write_file(options.outputs[i], texts[i]);
+}
+
+}  // namespace findspace::app

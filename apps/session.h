@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What the verbs share: the scene, its shapes as regions, its formula, and the files that results go to.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/scene.h"
+#include "io/write_svg.h"
+#include "options.h"
+#include "situation/optimize.h"
+#include "situation/parse.h"
+#include "talk.h"
+
+namespace findspace::app {
+
+class Session {
+ public:
+  /// Reads the scene; its notes are said. Throws Error.
+  Session(const Options& options, Talk& talk);
+
+  const Options& options() const { return options_; }
+  const io::Scene& scene() const { return scene_; }
+  const exact::Real& step() const { return scene_.grid.step(); }
+  std::string unit() const;
+  Talk& talk() const { return talk_; }
+
+  /// The exact set of a shape; what had to be rounded is said once.
+  plane::Region region(std::string_view name) const;
+  /// The formula of `where`, true without one; a mistake is reported at its place in the scene.
+  situation::Formula where() const;
+  /// What `minimize` or `maximize` asks for.
+  struct Goal {
+    situation::Objective objective;
+    distance::Sense sense = distance::Sense::kMinimum;
+    std::string text;
+  };
+  std::optional<Goal> goal() const;
+  /// All shapes, and which of them move.
+  situation::World world() const;
+  /// Throws where the scene asks for more than positions in the plane (or on a line of it, if `line`).
+  void require_positions(bool line) const;
+  /// --at, or (0, 0), in the scene's unit.
+  exact::RealPoint position() const;
+
+  /// The moving shapes of a picture, and the fixed ones of which the formula speaks (all without one). The regions are
+  /// those of `world`.
+  void add_scenery(io::Picture& picture, const situation::World& world, const situation::Formula* formula) const;
+
+ private:
+  situation::Context context() const;
+  std::vector<plane::Region> regions(const std::vector<plane::ShapePtr>& shapes) const;
+
+  const Options& options_;
+  Talk& talk_;
+  io::Scene scene_;
+};
+
+/// How a verb writes its result in one format, e.g. {".svg", ...}.
+using Writers = std::map<std::string, std::function<std::string()>>;
+
+/// Throws Error(kUsage) where an output has an ending that is not among the formats.
+void check_outputs(const Options& options, const std::vector<std::string>& formats);
+/// Makes all texts first, then writes them: a failure leaves no file.
+void write_outputs(const Options& options, const Writers& writers);
+
+}  // namespace findspace::app

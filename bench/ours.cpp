@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Our side: from the integer vertices to the marked complex, nothing prepared beforehand; where all pairs of parts are summed,
+// each part is checked and made a region once, within the measured time.
+#include <array>
+
+#include "contenders.h"
+#include "plane/contour.h"
+#include "plane/level.h"
+#include "plane/minkowski.h"
+#include "plane/overlay.h"
+#include "plane/primitives.h"
+
+namespace bench {
+namespace {
+
+using namespace findspace::plane;
+
+Region region(const Polygon& polygon) {
+  Contour ring;
+  for (const Point& p : polygon) ring.push_back({.start = {p.x, p.y}});
+  return region_of_rings(make_rings({std::move(ring)}, 1).contours);
+}
+
+std::size_t sum(const Polygon& a, const Polygon& b) { return contact_map(region(a), region(b)).vertices.size(); }
+
+std::size_t pairs(const std::vector<Polygon>& parts, std::size_t step) {
+  std::vector<Region> regions;
+  for (const Polygon& p : parts) regions.push_back(region(p));
+  std::size_t total = 0, n = parts.size();
+  for (std::size_t k = 0; k < n * n; k += step) total += contact_map(regions[k / n], regions[k % n]).vertices.size();
+  return total;
+}
+
+std::size_t offset(const Polygon& a, double r) {
+  SignMap base = remark(region(a), [](Mark m) { return Mark(m > 0 ? -1 : 1); });
+  for (Vertex& v : base.vertices) v.mark = 0;
+  for (Edge& e : base.edges) e.mark = 0;
+  return level_map(base, findspace::exact::Real::from_double(r)).vertices.size();
+}
+
+std::size_t unite_all(const std::vector<Polygon>& all) {
+  std::vector<Region> regions;
+  std::vector<const Region*> operands;
+  for (const Polygon& p : all) regions.push_back(region(p));
+  for (const Region& r : regions) operands.push_back(&r);
+  return unite(operands).vertices.size();
+}
+
+}  // namespace
+
+std::vector<Contender> ours() { return {Contender{.name = "findspace", .sum = sum, .pairs = pairs, .offset = offset, .unite = unite_all}}; }
+
+}  // namespace bench

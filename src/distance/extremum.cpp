@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/extremum.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "distance/extremum_candidates.h"
+#include "distance/point_set.h"
+#include "plane/overlay.h"
+#include "plane/topology.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Index;
+using plane::Mark;
+using plane::Region;
+using plane::SignMap;
+
+namespace {
+
+constexpr Mark kOn = 1, kBeyond = 2;  // positions of S at the level; beyond it
+constexpr int kMostProbes = 120;
+
+bool has_mark(const CellComplex& c, Mark wanted) {
+  auto is = [wanted](const auto& cell) { return cell.mark == wanted; };
+  return std::any_of(c.faces.begin(), c.faces.end(), is) || std::any_of(c.edges.begin(), c.edges.end(), is) ||
+         std::any_of(c.vertices.begin(), c.vertices.end(), is);
+}
+
+/// A number between the two with few digits.
+double simple_between(double low, double high) {
+  double grain = std::exp2(std::floor(std::log2(high - low)) - 2);
+  double middle = low + (high - low) / 2, round = std::round(middle / grain) * grain;
+  return round > low && round < high ? round : middle;
+}
+
+class Search {
+ public:
+  Search(const TDistance& f, const Region& s, Sense sense)
+      : f_(f), s_(s), closure_(plane::closure(s)), whole_(plane::is_whole(s)), turn_(sense == Sense::kMinimum ? 1 : -1) {}
+
+  Extremum run();
+
+ private:
+  CellComplex probe(const Real& level, const Region& over) const;
+  RealPoint start() const { return whole_ || closure_.vertices.empty() ? f_.seed() : closure_.geometry.exact(closure_.vertices[0].point); }
+  double number(const Real& level) const { return turn_ * near_value(level); }
+  bool reaches(const Real& level);
+  bool accept(const Real& level);
+  void bracket();
+  bool try_candidates();
+  Extremum finished(const Real& level, bool proven) const;
+
+  const TDistance& f_;
+  const Region& s_;
+  Region closure_;
+  bool whole_;
+  int turn_;
+  double bad_ = 0, good_ = 0, scale_ = 1;  // turned so that less is better: the extremum is in (bad, good]
+  CellComplex reached_;                    // of the last level that was reached
+  std::vector<Real> refused_;
+  Real level_;
+};
+
+/// On the cells of S: kBeyond where f is better than the level, kOn where it is equal.
+CellComplex Search::probe(const Real& level, const Region& over) const {
+  SignMap m = f_.sign_map(level);
+  int turn = turn_;
+  auto rule = [turn](Mark k) { return Mark(turn * k < 0 ? kBeyond : k == 0 ? kOn : 0); };
+  if (whole_) return plane::remark(std::move(m), rule);
+  std::array<const CellComplex*, 2> both{&m, &over};
+  return plane::overlay(both, [&](std::span<const Mark> k) { return k[1] > 0 ? rule(k[0]) : Mark(0); });
+}
+
+bool Search::reaches(const Real& level) {
+  CellComplex c = probe(level, closure_);
+  bool yes = has_mark(c, kOn) || has_mark(c, kBeyond);
+  (yes ? good_ : bad_) = number(level);
+  if (yes) reached_ = std::move(c);
+  return yes;
+}
+
+/// Is this the extremum? Narrows the bracket if not.
+bool Search::accept(const Real& level) {
+  CellComplex c = probe(level, closure_);
+  if (has_mark(c, kBeyond)) {
+    good_ = number(level);
+    reached_ = std::move(c);
+    return false;
+  }
+  if (!has_mark(c, kOn)) {
+    bad_ = number(level);
+    return false;
+  }
+  level_ = level;
+  return true;
+}
+
+void Search::bracket() {
+  auto value = f_.value(start());
+  good_ = turn_ * value->value.to_double();
+  scale_ = std::max(1.0, std::abs(good_));
+  for (const auto& v : closure_.vertices) {
+    const auto& p = closure_.geometry.points[v.point];
+    scale_ = std::max({scale_, std::abs(p.x), std::abs(p.y)});
+  }
+  good_ += scale_ * 0x1p-30;
+  double step = std::max(1.0, scale_ / 8);
+  for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) bad_ = good_ - step;
+}
+
+bool Search::try_candidates() {
+  double low = bad_ - scale_ * 0x1p-48, high = good_ + scale_ * 0x1p-48;
+  auto all = extremum_candidates(f_, whole_ ? nullptr : &closure_, reached_, std::min(turn_ * low, turn_ * high),
+                                 std::max(turn_ * low, turn_ * high));
+  std::erase_if(all, [&](const Real& l) {
+    return std::any_of(refused_.begin(), refused_.end(), [&](const Real& r) { return near_value(r) == near_value(l); });
+  });
+  if (all.empty()) return false;
+  // Candidates of one value are tried; several values are told apart by bisection first.
+  double spread = std::abs(near_value(all.front()) - near_value(all.back()));
+  if (spread > scale_ * 0x1p-40) return false;
+  for (std::size_t k = 0; k < all.size() && k < 3; ++k) {
+    if (accept(all[k])) return true;
+    refused_.push_back(all[k]);
+  }
+  return false;
+}
+
+Extremum Search::finished(const Real& level, bool proven) const {
+  Extremum e;
+  e.exists = true, e.level = level, e.proven = proven;
+  if (proven) {
+    auto on = [](Mark k) { return Mark(k == kOn); };
+    e.at = plane::remark(probe(level, s_), on);
+    e.attained = !plane::is_empty(e.at);
+    if (!e.attained) e.at = plane::remark(probe(level, closure_), on);
+    return e;
+  }
+  e.at = point_set(one_point_a_component(reached_));
+  e.attained = true;
+  return e;
+}
+
+Extremum Search::run() {
+  if (plane::is_empty(s_) || !f_.defined()) return {};
+  if (turn_ < 0 && s_.faces[0].mark > 0) {
+    Extremum e;
+    e.unbounded = true;
+    return e;
+  }
+  for (const Real& l : f_.special_levels())
+    if (accept(l)) return finished(level_, true);
+  bracket();
+  for (int probes = 0; probes < kMostProbes; ++probes) {
+    double width = good_ - bad_;
+    if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return finished(level_, true);
+    width = good_ - bad_;
+    double least = std::max(std::abs(good_) * 0x1p-44, scale_ * 0x1p-50);
+    if (width <= least) break;
+    reaches(Real::from_double(turn_ * simple_between(bad_, good_)));
+  }
+  return finished(Real::from_double(turn_ * good_), false);
+}
+
+}  // namespace
+
+Extremum extremum(const TDistance& f, const Region& s, Sense sense) { return Search(f, s, sense).run(); }
+
+Extremum least(const TDistance& f) { return extremum(f, CellComplex::uniform(1), Sense::kMinimum); }
+
+}  // namespace findspace::distance

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/farthest_from_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "distance/peak_search.h"
+#include "plane/nearest.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::Index;
+using plane::Mark;
+using plane::Region;
+
+namespace {
+
+constexpr double kSamePlace = 0x1p-20, kRounded = 0x1p-42;  // of the scale
+constexpr std::size_t kMostPeaks = 10;
+
+bool inside(Mark m) { return m > 0; }
+
+RealPoint operator+(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
+
+/// In p: where edge e of B + p, a straight one, passes through the place between two lines of A at equal distance `level`.
+std::optional<Front> corner_front(const Front& edge, const Front& f, const Front& g) {
+  Real d = f.a * g.b - f.b * g.a;
+  if (d.sign() == 0) return std::nullopt;
+  Real x0 = (f.c * g.b - g.c * f.b) / d, y0 = (f.a * g.c - g.a * f.c) / d;
+  Real x1 = (f.k * g.b - g.k * f.b) / d, y1 = (f.a * g.k - g.a * f.k) / d;
+  return Front::line(edge.a, edge.b, edge.a * x0 + edge.b * y0 - edge.c, edge.a * x1 + edge.b * y1);
+}
+
+/// In p: where the edge's greatest distance from the inside of a circle of A is `level`: its least distance to the centre is r - level.
+std::vector<Front> hollow_fronts(const Front& edge, const Front& circle) {
+  if (edge.circle) {
+    Real x = circle.a - edge.a, y = circle.b - edge.b;
+    return {Front::ring(x, y, circle.c + edge.c, circle.k), Front::ring(x, y, edge.c - circle.c, -circle.k)};
+  }
+  Real n = sqrt(edge.a * edge.a + edge.b * edge.b), c = edge.a * circle.a + edge.b * circle.b - edge.c;
+  return {Front::line(edge.a, edge.b, c - n * circle.c, -n * circle.k), Front::line(edge.a, edge.b, c + n * circle.c, n * circle.k)};
+}
+
+}  // namespace
+
+FarthestFromSet::FarthestFromSet(const Region& b, const Region& a)
+    : b_(b), a_(a), a_sites_(sites(a, inside)), b_sites_(sites(b, inside)) {
+  for (const auto* list : {&a_sites_, &b_sites_})
+    for (const Site& s : *list)
+      scale_ = std::max({scale_, std::abs(s.x0), std::abs(s.y0), std::abs(s.x1), std::abs(s.y1), std::abs(s.r)});
+}
+
+std::vector<Index> FarthestFromSet::near_sites(double x, double y, double room) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Site& s : a_sites_) least = std::min(least, s.distance(x, y));
+  std::vector<Index> out;
+  for (Index k = 0; k < a_sites_.size(); ++k)
+    if (a_sites_[k].distance(x, y) <= least + room) out.push_back(k);
+  return out;
+}
+
+double FarthestFromSet::scale(double px, double py) const { return scale_ + std::abs(px) + std::abs(py); }
+
+std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, double least_value) const {
+  double scale = this->scale(px, py);
+  std::vector<Peak> out;
+  for (const Peak& k : PeakSearch(a_, b_, a_sites_, b_sites_, px, py, scale, room, least_value).run()) {
+    bool known = std::any_of(out.begin(), out.end(), [&](const Peak& u) {
+      return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * kSamePlace;
+    });
+    if (!known) out.push_back(k);
+    if (out.size() == kMostPeaks) break;
+  }
+  return out;
+}
+
+std::optional<Real> FarthestFromSet::greatest(const RealPoint& p, double least_value) const {
+  double px = near_value(p.x), py = near_value(p.y);
+  std::optional<Real> best;
+  for (const Peak& k : peaks(px, py, scale(px, py) * kSamePlace, least_value)) {
+    Real v = value(k, p);
+    if (!best || v.to_double() > best->to_double()) best = v;
+  }
+  return best;
+}
+
+/// The event's level is the distance to A there, not only to some of its parts.
+bool FarthestFromSet::is_distance(const Event& e) const {
+  double x = near_value(e.at->x), y = near_value(e.at->y), least = std::numeric_limits<double>::infinity();
+  for (const Site& s : a_sites_) least = std::min(least, s.distance(x, y));
+  return std::abs(near_value(e.level) - least) <= (scale_ + std::abs(x) + std::abs(y)) * kRounded;
+}
+
+Real FarthestFromSet::value(const Peak& peak, const RealPoint& p) const {
+  if (peak.cell.dimension == 0) {
+    RealPoint at = b_.geometry.exact(b_.vertices[peak.cell.index].point) + p;
+    return plane::nearest(a_, inside, at)->distance;
+  }
+  double scale = scale_ + std::abs(peak.x) + std::abs(peak.y), px = near_value(p.x), py = near_value(p.y);
+  std::vector<Front> fronts;
+  for (Index k : near_sites(peak.x, peak.y, scale * kSamePlace))
+    if (fronts.size() < kMostPeaks) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
+  std::optional<Front> edge;
+  std::optional<Site> edge_part;
+  if (peak.cell.dimension == 1) {
+    edge_part = edge_site(b_, peak.cell.index);
+    edge = still_front(b_, *edge_part).moved({-p.x, -p.y});
+  }
+  std::optional<Real> best;
+  auto take = [&](const std::vector<Event>& all) {
+    for (const Event& e : all) {
+      if (!e.at || (best && near_value(e.level) <= near_value(*best))) continue;
+      double x = near_value(e.at->x), y = near_value(e.at->y);
+      if (!(std::hypot(x - peak.x, y - peak.y) <= scale * kSamePlace) || !is_distance(e)) continue;
+      if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * kRounded)) continue;
+      best = e.level;
+    }
+  };
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    if (edge && (edge->circle || fronts[i].circle)) take(events(fronts[i], *edge));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (edge) take(events(fronts[i], fronts[j], *edge));
+      for (std::size_t k = 0; !edge && k < j; ++k) take(events(fronts[i], fronts[j], fronts[k]));
+    }
+  }
+  if (best) return *best;
+  return plane::nearest(a_, inside, {Real::from_double(peak.x), Real::from_double(peak.y)})->distance;
+}
+
+void FarthestFromSet::add_fronts(const Peak& peak, const RealPoint& p, double room, std::vector<NearFront>& out) const {
+  auto put = [&](const Front& f) { out.push_back({f, std::abs(peak.value)}); };
+  if (peak.cell.dimension == 2) return put(Front::ring(Real(), Real(), -value(peak, p), 1));
+  std::vector<Front> fronts;
+  for (Index k : near_sites(peak.x, peak.y, room)) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
+  if (peak.cell.dimension == 0) {
+    RealPoint b = b_.geometry.exact(b_.vertices[peak.cell.index].point);
+    for (const Front& f : fronts) put(f.moved(b));
+    return;
+  }
+  Front edge = still_front(b_, edge_site(b_, peak.cell.index));
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    if (fronts[i].circle && fronts[i].k.sign() < 0)
+      for (const Front& f : hollow_fronts(edge, fronts[i])) put(f);
+    if (edge.circle) {
+      // The far side of the arc: the front of its centre at level - radius.
+      Front f = fronts[i];
+      f.c -= f.k * edge.c;
+      put(f.moved({edge.a, edge.b}));
+    }
+    for (std::size_t j = 0; j < i && !edge.circle; ++j)
+      if (!fronts[i].circle && !fronts[j].circle)
+        if (auto f = corner_front(edge, fronts[i], fronts[j])) put(*f);
+  }
+}
+
+}  // namespace findspace::distance

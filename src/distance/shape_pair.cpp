@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/shape_pair.h"
+
+#include <algorithm>
+
+#include "distance/derived.h"
+#include "distance/farthest.h"
+#include "distance/farthest_pair.h"
+#include "distance/hausdorff.h"
+#include "plane/topology.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+
+ShapePair::ShapePair(plane::Region b, plane::Region a) : b_(std::move(b)), a_(std::move(a)) {}
+
+TDistancePointer ShapePair::distance(Which which) const {
+  std::lock_guard lock(guard_);
+  auto& slot = known_[std::size_t(which)];
+  if (!slot) slot = made(which);
+  return slot;
+}
+
+TDistancePointer ShapePair::farthest(Which base) const {
+  return std::make_shared<Farthest>(static_cast<const SignedDistance&>(*distance(base)).base());
+}
+
+TDistancePointer ShapePair::diameter() const {
+  auto gamma2 = distance(Which::kGamma2);
+  if (!gamma2->defined()) return gamma2;
+  const RealPoint origin{Real(), Real()};
+  return cut_off(gamma2, std::max(farthest_pair(a_, a_, origin).distance, farthest_pair(b_, b_, origin).distance));
+}
+
+TDistancePointer ShapePair::made(Which which) const {
+  auto shared = [](SignedDistance d) { return std::make_shared<SignedDistance>(std::move(d)); };
+  switch (which) {
+    case Which::kGamma1: return shared(SignedDistance::gamma1(b_, a_));
+    case Which::kEta1: return shared(SignedDistance::eta1(b_, a_));
+    case Which::kDelta1: return shared(SignedDistance::delta1(b_, a_));
+    case Which::kGamma2: return farthest(Which::kGamma1);
+    case Which::kEta2: return farthest(Which::kEta1);
+    case Which::kDelta2: return farthest(Which::kDelta1);
+    case Which::kMu: return std::make_shared<DirectedHausdorff>(b_, a_);
+    case Which::kMuBack: return reflected(std::make_shared<DirectedHausdorff>(a_, b_));
+    case Which::kHausdorff: return greater(distance(Which::kMu), distance(Which::kMuBack));
+    case Which::kD1: return cut_off(distance(Which::kGamma1), Real());
+    case Which::kH: return cut_off(distance(Which::kMu), Real());
+    case Which::kHBack: return cut_off(distance(Which::kMuBack), Real());
+    case Which::kDstar: return cut_off(distance(Which::kDelta1), Real(), true);
+    case Which::kDstarBack: return cut_off(distance(Which::kEta1), Real(), true);
+    case Which::kDiameter: return diameter();
+    case Which::kPenetration: return cut_off(distance(Which::kGamma1), Real(), true);
+  }
+  return nullptr;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What every T-distance f(p) of a moving shape B at p and a fixed shape A offers (distances.md 3): its sign map at a level, its
+// value at a position, and the elementary distances ("fronts") that can decide it near a position, from which exact extrema are
+// made. f is 1-Lipschitz in p and tends to infinity with |p|. Lengths are in grid steps.
+// Guarantee: sign maps and values are exact unless the family says otherwise. Keywords: T-distance, level set, sublevel set.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "distance/front.h"
+#include "plane/cell_complex.h"
+
+namespace findspace::distance {
+
+struct Value {
+  exact::Real value;                           // f(p)
+  std::optional<exact::RealPoint> nearest;     // signed distances: the nearest position where f = 0, if f(p) is not 0
+};
+
+class TDistance {
+ public:
+  virtual ~TDistance() = default;
+
+  /// False where the distance is +infinity everywhere.
+  virtual bool defined() const = 0;
+  /// The sign of f - level at every position; + everywhere if undefined.
+  virtual plane::SignMap sign_map(const exact::Real& level) const = 0;
+  /// f at a position; nothing if undefined.
+  virtual std::optional<Value> value(const exact::RealPoint& p) const = 0;
+
+  /// A position where a search may begin.
+  virtual exact::RealPoint seed() const = 0;
+  /// The fronts with a gap of at most `room` at p.
+  virtual std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const = 0;
+  /// Levels at which f may have a minimum or a plateau that no fronts explain.
+  virtual std::vector<exact::Real> special_levels() const { return {}; }
+};
+
+using TDistancePointer = std::shared_ptr<const TDistance>;
+
+}  // namespace findspace::distance

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "exact/decimal.h"
+
+#include "exact/real_node.h"
+#include "findspace/error.h"
+
+namespace findspace::exact {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+[[noreturn]] void refuse(std::string_view text, const char* why, ErrorCode code = ErrorCode::kSyntax) {
+  constexpr std::size_t kShown = 40;
+  std::string shown(text.substr(0, kShown));
+  if (text.size() > kShown) shown += "...";
+  throw Error(code, "\"" + shown + "\" " + why);
+}
+
+/// Reads digits from `at` on, appending them to `digits`; how many.
+std::size_t read_digits(std::string_view text, std::size_t& at, std::string& digits) {
+  const std::size_t start = at;
+  while (at < text.size() && is_digit(text[at])) digits += text[at++];
+  return at - start;
+}
+
+/// [+-] digits up to the end of the text; values past kMaxExponent are reported as kMaxExponent * 1000.
+std::int64_t read_exponent(std::string_view text, std::size_t at) {
+  bool negative = false;
+  if (at < text.size() && (text[at] == '+' || text[at] == '-')) negative = text[at++] == '-';
+  if (at == text.size()) refuse(text, "is not a decimal number");
+  std::int64_t value = 0;
+  for (; at < text.size(); ++at) {
+    if (!is_digit(text[at])) refuse(text, "is not a decimal number");
+    if (value < Decimal::kMaxExponent * 1000) value = value * 10 + (text[at] - '0');
+  }
+  return negative ? -value : value;
+}
+
+mpz_class power_of_ten(std::int64_t exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
+  return power;
+}
+
+OnGrid nearest_on_grid(const Real& in_steps, std::string_view text) {
+  if (compare(abs(in_steps), kMaxGridCoordinate + 1) >= 0) {
+    refuse(text, "is more than 2^40 grid steps", ErrorCode::kOutOfRange);
+  }
+  const auto value = static_cast<std::int64_t>(round(in_steps));
+  if (value > kMaxGridCoordinate || value < -kMaxGridCoordinate) {
+    refuse(text, "is more than 2^40 grid steps", ErrorCode::kOutOfRange);
+  }
+  return {value, in_steps - value};
+}
+
+}  // namespace
+
+Decimal Decimal::parse(std::string_view text) {
+  Decimal result;
+  std::size_t at = 0;
+  if (at < text.size() && (text[at] == '+' || text[at] == '-')) result.negative = text[at++] == '-';
+  const std::size_t whole = read_digits(text, at, result.digits);
+  std::size_t fraction = 0;
+  if (at < text.size() && text[at] == '.') fraction = read_digits(text, ++at, result.digits);
+  if (whole + fraction == 0) refuse(text, "is not a decimal number");
+  if (at < text.size()) {
+    if (text[at] != 'e' && text[at] != 'E') refuse(text, "is not a decimal number");
+    result.exponent = read_exponent(text, at + 1);
+  }
+  result.digits.erase(0, result.digits.find_first_not_of('0'));
+  if (result.digits.empty()) return {};  // zero, whatever its sign and exponent
+  result.exponent -= static_cast<std::int64_t>(fraction);
+  while (result.digits.back() == '0') {
+    result.digits.pop_back();
+    ++result.exponent;
+  }
+  const auto size = static_cast<std::int64_t>(result.digits.size());
+  if (size > kMaxExponent || result.exponent > kMaxExponent || result.exponent < -kMaxExponent) {
+    refuse(text, "has too many digits or too large an exponent", ErrorCode::kOutOfRange);
+  }
+  return result;
+}
+
+Real Decimal::value() const {
+  if (digits.empty()) return 0;
+  mpz_class numerator(digits, 10), denominator = 1;
+  if (negative) numerator = -numerator;
+  if (exponent >= 0) {
+    numerator *= power_of_ten(exponent);
+  } else {
+    denominator = power_of_ten(-exponent);
+  }
+  return detail::make_real(detail::closed_ratio(std::move(numerator), std::move(denominator)));
+}
+
+OnGrid to_grid(std::string_view text, int grid_exponent) {
+  Decimal decimal = Decimal::parse(text);
+  if (!decimal.digits.empty()) decimal.exponent -= grid_exponent;
+  if (decimal.exponent > Decimal::kMaxExponent) refuse(text, "is too large for the grid", ErrorCode::kOutOfRange);
+  if (decimal.exponent < -2 * Decimal::kMaxExponent) {
+    refuse(text, "is too fine for the grid", ErrorCode::kOutOfRange);
+  }
+  return nearest_on_grid(decimal.value(), text);
+}
+
+OnGrid to_grid(std::string_view text, const Real& step) {
+  if (!step.is_rational() || step.sign() <= 0) {
+    throw Error(ErrorCode::kBadValue, "the grid step must be a positive rational number");
+  }
+  return nearest_on_grid(Decimal::parse(text).value() / step, text);
+}
+
+}  // namespace findspace::exact

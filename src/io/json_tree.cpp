@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The only file that includes the JSON library, and only its event (SAX) parser: events carry no places, so the
+// parser reads through an iterator that counts bytes, and the start of each token is found from the end of the last.
+#include "io/json_tree.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <unordered_set>
+
+#include "findspace/error.h"
+
+namespace findspace::io {
+namespace {
+
+constexpr std::size_t kMaxDepth = 200;
+
+/// Input iterator over the text that leaves behind how far the parser has read.
+struct CountingIterator {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at = nullptr;
+  const char** reached = nullptr;
+
+  reference operator*() const { return *at; }
+  CountingIterator& operator++() {
+    ++at;
+    *reached = at;
+    return *this;
+  }
+  CountingIterator operator++(int) {
+    CountingIterator old = *this;
+    ++*this;
+    return old;
+  }
+  friend bool operator==(const CountingIterator& a, const CountingIterator& b) { return a.at == b.at; }
+  friend bool operator!=(const CountingIterator& a, const CountingIterator& b) { return a.at != b.at; }
+};
+
+/// Byte offsets to lines and columns, for offsets that only grow.
+class LineCounter {
+ public:
+  explicit LineCounter(std::string_view text) : text_(text) {}
+  void place(std::size_t offset, int& line, int& column) {
+    for (; at_ < offset && at_ < text_.size(); ++at_) {
+      if (text_[at_] == '\n') {
+        ++line_;
+        line_start_ = at_ + 1;
+      }
+    }
+    line = line_;
+    column = static_cast<int>(offset - line_start_) + 1;
+  }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0, line_start_ = 0;
+  int line_ = 1;
+};
+
+class TreeBuilder {
+ public:
+  using Json = nlohmann::json;
+
+  TreeBuilder(std::string_view text, const std::string& name, const char* const* reached)
+      : text_(text), name_(name), reached_(reached), lines_(text) {}
+
+  JsonValue take() { return std::move(root_); }
+
+  bool null() { return begin(JsonValue::Kind::kNull) != nullptr; }
+  bool boolean(bool value) {
+    begin(JsonValue::Kind::kBoolean)->boolean = value;
+    return true;
+  }
+  bool number_integer(Json::number_integer_t) { return begin(JsonValue::Kind::kNumber) != nullptr; }
+  bool number_unsigned(Json::number_unsigned_t) { return begin(JsonValue::Kind::kNumber) != nullptr; }
+  bool number_float(Json::number_float_t, const std::string&) { return begin(JsonValue::Kind::kNumber) != nullptr; }
+  bool string(std::string& value) {
+    begin(JsonValue::Kind::kString)->text = std::move(value);
+    return true;
+  }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(JsonValue::Kind::kObject); }
+  bool start_array(std::size_t) { return open(JsonValue::Kind::kArray); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(std::string& value) {
+    std::size_t start = token_start();
+    if (!seen_.back().insert(value).second) fail("the key '" + value + "' stands twice in one object", start);
+    open_.back()->keys.push_back(value);
+    end_ = offset();
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const Json::exception& error) {
+    std::string message = error.what();
+    std::size_t cut = message.find("parse error at ");
+    cut = cut == std::string::npos ? message.find("] ") : message.find(": ", cut);
+    if (cut != std::string::npos) message.erase(0, cut + 2);
+    fail("this is not JSON: " + message, std::max<std::size_t>(offset(), 1) - 1);
+  }
+
+ private:
+  std::size_t offset() const { return static_cast<std::size_t>(*reached_ - text_.data()); }
+
+  /// Start of the token just read: what follows the token before but blanks, separators and comments.
+  std::size_t token_start() const {
+    std::size_t i = end_;
+    while (i < text_.size()) {
+      if (text_.substr(i, 2) == "//") {
+        i = std::min(text_.find('\n', i), text_.size());
+      } else if (text_.substr(i, 2) == "/*") {
+        i = std::min(text_.find("*/", i + 2), text_.size() - 2) + 2;
+      } else if (text_.substr(i, 3) == "\xEF\xBB\xBF") {
+        i += 3;
+      } else if (std::string_view(" \t\r\n,:").find(text_[i]) != std::string_view::npos) {
+        ++i;
+      } else {
+        break;
+      }
+    }
+    return i;
+  }
+
+  JsonValue* begin(JsonValue::Kind kind) {
+    std::size_t start = token_start();
+    JsonValue* value = open_.empty() ? &root_ : &open_.back()->items.emplace_back();
+    value->kind = kind;
+    lines_.place(start, value->line, value->column);
+    end_ = offset();
+    if (kind == JsonValue::Kind::kNumber) {  // the parser has read one byte too many
+      end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start), text_.size());
+      value->text = std::string(text_.substr(start, end_ - start));
+    }
+    return value;
+  }
+
+  bool open(JsonValue::Kind kind) {
+    if (open_.size() >= kMaxDepth) fail("more than 200 levels of nesting", token_start());
+    open_.push_back(begin(kind));  // stays valid: a value gets no sibling while it is open
+    seen_.emplace_back();
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    seen_.pop_back();
+    end_ = offset();
+    return true;
+  }
+
+  [[noreturn]] void fail(const std::string& message, std::size_t start) {
+    int line = 0, column = 0;
+    lines_.place(start, line, column);
+    throw Error(ErrorCode::kSyntax, message, name_ + ":" + std::to_string(line) + ":" + std::to_string(column));
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  const char* const* reached_;
+  LineCounter lines_;
+  std::size_t end_ = 0;  // just behind the last token
+  JsonValue root_;
+  std::vector<JsonValue*> open_;
+  std::vector<std::unordered_set<std::string>> seen_;
+};
+
+}  // namespace
+
+const JsonValue* JsonValue::find(std::string_view key) const {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i] == key) return &items[i];
+  }
+  return nullptr;
+}
+
+const char* JsonValue::kind_name() const {
+  switch (kind) {
+    case Kind::kNull:
+      return "null";
+    case Kind::kBoolean:
+      return "a truth value";
+    case Kind::kNumber:
+      return "a number";
+    case Kind::kString:
+      return "a text";
+    case Kind::kArray:
+      return "a list";
+    case Kind::kObject:
+      return "an object";
+  }
+  return "nothing";
+}
+
+JsonValue parse_json(std::string_view text, const std::string& name) {
+  const char* reached = text.data();
+  TreeBuilder builder(text, name, &reached);
+  CountingIterator first{text.data(), &reached}, last{text.data() + text.size(), &reached};
+  nlohmann::json::sax_parse(first, last, &builder, nlohmann::json::input_format_t::json, true, true);
+  return builder.take();
+}
+
+}  // namespace findspace::io

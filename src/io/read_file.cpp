@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/read_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "findspace/error.h"
+#include "io/read_outline.h"
+#include "io/read_text.h"
+
+namespace findspace::io {
+namespace {
+
+using Reader = plane::ShapePtr (*)(std::string_view, const std::string&, const FileChoice&, ReadContext&);
+struct Format {
+  std::string_view ending;
+  Reader read;
+};
+constexpr std::array<Format, 5> kFormats{
+    {{".svg", read_svg}, {".dxf", read_dxf}, {".wkt", read_wkt}, {".geojson", read_geojson}, {".json", read_geojson}}};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : char(c); });
+  return text;
+}
+
+}  // namespace
+
+plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context) {
+  std::string name = path.string();
+  if (!context.files) throw Error(ErrorCode::kUnsupported, "shapes from files are switched off here", name);
+  std::string ending = lower(path.extension().string());
+  for (const Format& format : kFormats) {
+    if (format.ending == ending) return format.read(read_text(path), name, choice, context);
+  }
+  throw Error(ErrorCode::kFile,
+              fmt::format("a file of unknown kind '{}'; 2D shapes come from .svg .dxf .wkt .geojson", ending), name);
+}
+
+exact::Real file_scale(const std::optional<exact::Real>& millimetres, const std::string& name, const FileChoice& choice,
+                       ReadContext& context) {
+  if (choice.unit || millimetres) {
+    if (!context.unit) {
+      throw Error(ErrorCode::kBadValue, "the shape's file has a unit, so the scene needs \"unit\" too", name);
+    }
+    if (choice.unit) return situation::factor(*choice.unit, *context.unit);
+    return *millimetres * situation::factor(Unit::kMillimetre, *context.unit);
+  }
+  if (context.unit)
+    context.notes.push_back(fmt::format("{} states no unit: read as {}", name, situation::name(*context.unit)));
+  return 1;
+}
+
+plane::ShapePtr chosen(std::vector<plane::ShapePtr> parts, const std::string& name, const FileChoice& choice) {
+  if (parts.empty()) throw Error(ErrorCode::kGeometry, "there is no shape in it", name);
+  if (!choice.index) return united(std::move(parts), name, true);
+  if (*choice.index < parts.size()) return parts[*choice.index];
+  throw Error(ErrorCode::kBadValue,
+              fmt::format("\"index\" {} is too large: it has {} shapes, counted from 0", *choice.index, parts.size()),
+              name);
+}
+
+void refuse_choice(bool given, const char* key, const char* format, const std::string& name) {
+  if (given) throw Error(ErrorCode::kBadValue, fmt::format("\"{}\" has no meaning for {}", key, format), name);
+}
+
+std::string text_place(std::string_view text, std::size_t offset, const std::string& name) {
+  offset = std::min(offset, text.size());
+  std::string_view before = text.substr(0, offset);
+  auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  std::size_t start = before.rfind('\n');
+  return fmt::format("{}:{}:{}", name, line, start == std::string_view::npos ? offset + 1 : offset - start);
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Files written whole or not at all: the text goes to a temporary file beside the target, which is then renamed over
+// it. A reader never sees half a file, and a failure leaves what was there before. Keywords: atomic write, rename.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace findspace::io {
+
+/// Throws Error(kFile) with the path and the system's reason.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace findspace::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Results as JSON, as docs/results.md describes them. Numbers are the shortest decimals that read back as the same
+// double, whole ones without a point; the same result always gives the same bytes. Keywords: serialisation, round trip.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/write_curves.h"
+#include "plane/locate_line.h"
+#include "situation/solve.h"
+
+namespace findspace::io {
+
+/// "0.1", "3", "1e-07"; "-inf" (quoted) for minus infinity, null for what no number is.
+std::string json_number(double value);
+/// With quotes; control characters, quotes and backslashes escaped.
+std::string json_string(std::string_view text);
+
+/// What `minimize`, `maximize` or `distance -> min` found.
+struct ExtremeValue {
+  bool maximum = false;
+  std::optional<double> value;  // none: there is none, or no bound
+  bool unbounded = false, attained = false, proven = true;
+};
+
+/// The result of `map` and `describe`. `unit` may be empty, `extreme` null.
+std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
+                        std::string_view unit, const ExtremeValue* extreme = nullptr);
+/// The result of `map` along a line: lengths from the point the line goes through.
+std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
+                           std::string_view unit);
+
+/// The results of `check` and `measure` at a position in the scene's unit.
+std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+                       std::string_view unit);
+std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
+                         const exact::Real& step, std::string_view unit);
+
+}  // namespace findspace::io

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Pictures in SVG. A map shows the region of positions among the fixed shapes, with the moving shape at one position,
+// frame, scale bar and legend; arcs are true arcs, an unbounded region is cut off at the frame and said to be so. A
+// shape alone is written as a drawing in its unit, which reads back as the same shape. Keywords: vector graphics, plot,
+// drawing, export.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plane/summary.h"
+#include "situation/units.h"
+
+namespace findspace::io {
+
+struct NamedRegion {
+  std::string name;
+  const plane::Region* region = nullptr;
+};
+
+struct Picture {
+  std::string title, subtitle;
+  exact::Real step;                         // one grid step in the scene's unit
+  std::string unit;                         // its name, or empty
+  const plane::Region* region = nullptr;    // the region, if there is one
+  const plane::Summary* summary = nullptr;  // of the region
+  const plane::Region* around = nullptr;    // positions of which the region is a part, drawn faintly
+  bool of_positions = true;                 // the region is one of positions; else it is a shape
+  std::vector<NamedRegion> fixed;           // in outline
+  std::vector<NamedRegion> moving;          // drawn at `position`
+  std::optional<plane::Place> position;     // none: the sample of the region's largest component
+};
+
+std::string picture_svg(const Picture& picture);
+
+struct DrawingText {
+  std::string text;
+  std::string lost;  // what it does not say of the region, for people; empty if nothing
+};
+
+/// The region alone: one path in the scene's unit, y turned down as SVG has it. Throws Error(kUnsupported) for an
+/// unbounded region.
+DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std::string_view name,
+                      std::optional<situation::Unit> unit);
+
+}  // namespace findspace::io

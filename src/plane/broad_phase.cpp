@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/broad_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace findspace::plane {
+namespace {
+
+/// Relative width that covers the rounding of the box arithmetic itself, far above 2^-53.
+constexpr double kRelativeSlack = 0x1p-44;
+
+/// Up to here a sweep along x costs less than the cells.
+constexpr std::size_t kFewPieces = 256;
+
+/// y of the carrier at x, clamped into the piece's box by the caller.
+double y_at(const exact::Geometry& g, const Piece& p, double x) {
+  const exact::Carrier& k = g.carriers[p.carrier];
+  if (!k.circle) {
+    const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
+    double w = b.x - a.x;
+    return w > 0 ? a.y + (b.y - a.y) * ((x - a.x) / w) : a.y;
+  }
+  double dx = x - k.x.value, h = k.z.value * k.z.value - dx * dx;
+  double s = h > 0 ? std::sqrt(h) : 0;
+  return k.y.value + (p.half > 0 ? s : -s);
+}
+
+}  // namespace
+
+CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
+  set_boxes(g, pieces, extra);
+  if (pieces.size() <= kFewPieces) {
+    enter_sorted();
+  } else {
+    set_resolution(pieces.size());
+    enter(g, pieces);
+  }
+}
+
+void CellGrid::enter_sorted() {
+  column_scale_ = 1 / std::max(box_.x1 - box_.x0, 1e-300);  // no sign: keeps the scale of a flat box finite
+  row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);  // no sign: keeps the scale of a flat box finite
+  std::vector<std::pair<double, Index>> order;
+  order.reserve(boxes_.size());
+  for (Index i = 0; i < boxes_.size(); ++i) order.push_back({boxes_[i].x0, i});
+  std::sort(order.begin(), order.end());
+  items_.reserve(order.size());
+  for (const auto& [x0, i] : order) items_.push_back(i);
+  start_ = {0, Index(items_.size())};
+}
+
+void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
+  double inf = std::numeric_limits<double>::infinity(), largest = 0;
+  box_ = {inf, inf, -inf, -inf};
+  auto take = [&](const exact::Point& p) {
+    slack_ = std::max(slack_, p.error);
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  };
+  for (const Piece& p : pieces) take(g.points[p.p0]), take(g.points[p.p1]);
+  for (Index p : extra) take(g.points[p]);
+  slack_ = slack_ * 2 + largest * kRelativeSlack;
+  auto grow = [&](const PieceBox& b) {
+    box_ = {std::min(box_.x0, b.x0), std::min(box_.y0, b.y0), std::max(box_.x1, b.x1), std::max(box_.y1, b.y1)};
+  };
+  boxes_.reserve(pieces.size());
+  for (const Piece& p : pieces) {
+    const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
+    PieceBox box{a.x - slack_, std::min(a.y, b.y) - slack_, b.x + slack_, std::max(a.y, b.y) + slack_};
+    if (p.half != 0) {
+      const exact::Carrier& k = g.carriers[p.carrier];
+      double e = slack_ + k.z.error + k.y.error + std::abs(k.z.value) * kRelativeSlack;
+      if (p.half > 0) box.y1 = std::max(box.y1, k.y.value + k.z.value + e);
+      else box.y0 = std::min(box.y0, k.y.value - k.z.value - e);
+      if (k.x.value > box.x1 || k.x.value < box.x0) {  // monotone on this part: the ends bound it
+        box.y0 = std::min(a.y, b.y) - slack_, box.y1 = std::max(a.y, b.y) + slack_;
+      }
+    }
+    boxes_.push_back(box);
+    grow(box);
+  }
+  for (Index p : extra) {
+    const exact::Point& q = g.points[p];
+    grow({q.x - slack_, q.y - slack_, q.x + slack_, q.y + slack_});
+  }
+  if (!(box_.x0 <= box_.x1)) box_ = {0, 0, 1, 1};
+}
+
+void CellGrid::set_resolution(std::size_t pieces) {
+  double w = std::max(box_.x1 - box_.x0, 1e-300), h = std::max(box_.y1 - box_.y0, 1e-300);  // no sign: keeps the scale of a flat box finite
+  double cells = std::clamp(double(pieces), 1.0, 4.0e6), aspect = std::sqrt(w / h);
+  double side = std::sqrt(cells);
+  columns_ = Index(std::clamp(side * aspect, 1.0, cells));
+  rows_ = Index(std::clamp(side / aspect, 1.0, cells));
+  column_scale_ = columns_ / w;
+  row_scale_ = rows_ / h;
+}
+
+void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
+  start_.assign(std::size_t(columns_) * rows_ + 1, 0);
+  rows_start_.reserve(pieces.size() + 1);
+  first_column_.reserve(pieces.size());
+  piece_rows_.reserve(2 * pieces.size());
+  rows_start_.assign(1, 0);
+  for (Index i = 0; i < pieces.size(); ++i) {
+    const PieceBox& b = boxes_[i];
+    Index c0 = column(b.x0), c1 = column(b.x1);
+    first_column_.push_back(c0);
+    const exact::Carrier& k = g.carriers[pieces[i].carrier];
+    for (Index c = c0; c <= c1; ++c) {
+      double xa = std::clamp(box_.x0 + c / column_scale_ - 2 * slack_, b.x0, b.x1);
+      double xb = std::clamp(box_.x0 + (c + 1) / column_scale_ + 2 * slack_, b.x0, b.x1);
+      double ya = y_at(g, pieces[i], xa), yb = y_at(g, pieces[i], xb), lo = std::min(ya, yb), hi = std::max(ya, yb);
+      bool whole = c0 == c1 || b.x1 - b.x0 < 8 * slack_ || (pieces[i].half != 0 && xa <= k.x.value && k.x.value <= xb);
+      double steep = pieces[i].half == 0 ? 0 : k.z.error + k.y.error;
+      Rows r = whole ? Rows{row(b.y0), row(b.y1)}
+                     : Rows{row(std::max(lo - 4 * slack_ - steep, b.y0)), row(std::min(hi + 4 * slack_ + steep, b.y1))};
+      piece_rows_.push_back(r);
+      for (Index y = r.lo; y <= r.hi; ++y) ++start_[std::size_t(c) * rows_ + y + 1];
+    }
+    rows_start_.push_back(Index(piece_rows_.size()));
+  }
+  for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
+  items_.resize(start_.back());
+  std::vector<Index> at(start_.begin(), start_.end() - 1);
+  for (Index i = 0; i < pieces.size(); ++i)
+    for (Index k = rows_start_[i]; k < rows_start_[i + 1]; ++k) {
+      std::size_t column_base = std::size_t(first_column_[i] + (k - rows_start_[i])) * rows_;
+      for (Index y = piece_rows_[k].lo; y <= piece_rows_[k].hi; ++y) items_[at[column_base + y]++] = i;
+    }
+}
+
+bool CellGrid::first_common_cell(Index i, Index j, Index column, Index row) const {
+  const Rows& a = piece_rows_[rows_start_[i] + column - first_column_[i]];
+  const Rows& b = piece_rows_[rows_start_[j] + column - first_column_[j]];
+  if (row != std::max(a.lo, b.lo)) return false;
+  if (column == first_column_[i] || column == first_column_[j]) return true;
+  const Rows& p = piece_rows_[rows_start_[i] + column - 1 - first_column_[i]];
+  const Rows& q = piece_rows_[rows_start_[j] + column - 1 - first_column_[j]];
+  return std::max(p.lo, q.lo) > std::min(p.hi, q.hi);
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Checking and normalising rings. Pairs of edges whose boxes meet are found by a tree of boxes over all edges (median
+// splits, the tree descended against itself); each pair is then decided exactly in contour_meet.cpp.
+#include "plane/contour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "findspace/error.h"
+#include "plane/contour_boxes.h"
+#include "plane/contour_meet.h"
+
+namespace findspace::plane {
+namespace {
+
+using exact::Real;
+
+/// A ring without its repeated points, and where its edges stood in the input.
+struct Ring {
+  Contour edges;
+  std::vector<std::size_t> source;
+  std::string label;
+
+  GridPoint end(std::size_t i) const { return edges[i + 1 == edges.size() ? 0 : i + 1].start; }
+  Span span(std::size_t i) const { return {edges[i].start, end(i), edges[i].arc ? &edges[i] : nullptr}; }
+};
+
+[[noreturn]] void fail(const std::string& message, double x, double y, double step) {
+  throw Error(ErrorCode::kGeometry, message).at(x * step, y * step);
+}
+
+std::string show(double x, double y, double step) { return fmt::format("({:.10g}, {:.10g})", x * step, y * step); }
+
+Ring clean(const Contour& input, std::string label, std::int64_t& repeated, double step) {
+  Ring ring;
+  ring.label = std::move(label);
+  std::size_t arcs = 0;
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    if (input[i].start == input[i + 1 == input.size() ? 0 : i + 1].start) {
+      ++repeated;
+      continue;
+    }
+    ring.edges.push_back(input[i]);
+    ring.source.push_back(i);
+    arcs += input[i].arc ? 1 : 0;
+  }
+  if (ring.edges.size() < (arcs > 0 ? 2u : 3u)) {
+    GridPoint p = input.empty() ? GridPoint{} : input[0].start;
+    fail(fmt::format("{} has no area: fewer than three different points", ring.label), double(p.x), double(p.y), step);
+  }
+  return ring;
+}
+
+bool straight(const Ring& ring) {
+  return std::none_of(ring.edges.begin(), ring.edges.end(), [](const ContourEdge& e) { return e.arc; });
+}
+
+/// A ring of segments that all lie on one line: told apart from self-intersection for the sake of the message.
+bool flat(const Ring& ring) {
+  GridPoint o = ring.edges[0].start, a = ring.end(0);
+  return straight(ring) && std::all_of(ring.edges.begin(), ring.edges.end(),
+                                       [&](const ContourEdge& e) { return cross(o, a, e.start) == 0; });
+}
+
+std::string edge_label(const Ring& ring, std::size_t i, double step) {
+  GridPoint p = ring.edges[i].start, q = ring.end(i);
+  return fmt::format("{} {} from {} to {}", ring.edges[i].arc ? "arc" : "edge", ring.source[i],
+                     show(double(p.x), double(p.y), step), show(double(q.x), double(q.y), step));
+}
+
+struct EdgeId {
+  std::uint32_t ring, edge;
+};
+
+[[noreturn]] void fail_meeting(const Ring& a, std::size_t i, const Ring& b, std::size_t j, const Meeting& m,
+                               double step) {
+  const char* how = m.along ? "run along each other" : "meet";
+  std::string what = &a == &b ? fmt::format("{} touches or crosses itself", a.label)
+                              : fmt::format("{} touches or crosses {}", b.label, a.label);
+  std::string first = edge_label(a, i, step), second = edge_label(b, j, step);
+  if (&a != &b) {
+    first = a.label + ", " + first;
+    second = b.label + ", " + second;
+  }
+  fail(fmt::format("{}: {} and {} {} at {}", what, first, second, how, show(m.x, m.y, step)), m.x, m.y, step);
+}
+
+void check_pair(const std::vector<Ring>& rings, EdgeId f, EdgeId g, double step) {
+  if (f.ring > g.ring || (f.ring == g.ring && f.edge > g.edge)) std::swap(f, g);
+  const Ring &a = rings[f.ring], &b = rings[g.ring];
+  Span s = a.span(f.edge), t = b.span(g.edge);
+  bool same = f.ring == g.ring;
+  bool next = same && f.edge + 1 == g.edge;
+  bool wrap = same && f.edge == 0 && g.edge + 1 == a.edges.size();
+  const GridPoint* joined = next ? &s.to : wrap ? &s.from : nullptr;
+  if (auto m = meet(s, t, joined, next && wrap)) fail_meeting(a, f.edge, b, g.edge, *m, step);
+}
+
+Box box_of(const Span& s) {
+  Box box{std::min(s.from.x, s.to.x), std::min(s.from.y, s.to.y), std::max(s.from.x, s.to.x),
+          std::max(s.from.y, s.to.y)};
+  if (!s.arc) return box;
+  // Near a half circle the apothem is the root of a difference of rounded squares: off by up to sqrt(2^-51) * r.
+  constexpr double kSlack = 0x1p-24;
+  auto reach = std::int64_t(sagitta(*s.arc, s.to) + s.arc->r.to_double() * kSlack) + 2;
+  return {box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
+}
+
+void check_edges(const std::vector<Ring>& rings, double step) {
+  std::vector<EdgeId> ids;
+  std::vector<Box> boxes;
+  for (std::uint32_t r = 0; r < rings.size(); ++r) {
+    for (std::uint32_t e = 0; e < rings[r].edges.size(); ++e) {
+      ids.push_back({r, e});
+      boxes.push_back(box_of(rings[r].span(e)));
+    }
+  }
+  for_meeting_boxes(boxes, [&](std::size_t i, std::size_t j) { check_pair(rings, ids[i], ids[j], step); });
+}
+
+Box box_of(const Ring& ring) {
+  Box all = box_of(ring.span(0));
+  for (std::size_t i = 1; i < ring.edges.size(); ++i) all = all.joined(box_of(ring.span(i)));
+  return all;
+}
+
+std::vector<Ring> clean_and_check(const std::vector<Contour>& rings, const std::vector<std::string>& labels,
+                                  std::int64_t& repeated, double step) {
+  std::vector<Ring> clean_rings;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    clean_rings.push_back(clean(rings[i], labels[i], repeated, step));
+    const Ring& ring = clean_rings.back();
+    GridPoint p = ring.edges[0].start;
+    if (flat(ring)) {
+      fail(fmt::format("{} has no area: all its points are on one line", ring.label), double(p.x), double(p.y), step);
+    }
+  }
+  check_edges(clean_rings, step);
+  return clean_rings;
+}
+
+Contour directed(Contour ring, int wanted, std::int64_t& turned) {
+  if (orientation(ring) == wanted) return ring;
+  ++turned;
+  return reversed(ring);
+}
+
+void check_holes(const std::vector<Ring>& rings, double step) {
+  std::vector<Box> boxes;
+  for (const Ring& ring : rings) boxes.push_back(box_of(ring));
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    GridPoint p = rings[i].edges[0].start;
+    if (!encloses(rings[0].edges, p)) {
+      fail(fmt::format("{} is not inside {}: its vertex {} is outside", rings[i].label, rings[0].label,
+                       show(double(p.x), double(p.y), step)),
+           double(p.x), double(p.y), step);
+    }
+    for (std::size_t j = 1; j < rings.size(); ++j) {
+      if (i == j || !boxes[j].holds(p.x, p.y) || !encloses(rings[j].edges, p)) continue;
+      fail(fmt::format("{} is inside {}", rings[i].label, rings[j].label), double(p.x), double(p.y), step);
+    }
+  }
+}
+
+/// The direction in which the edge leaves its end `at`, as a vector with exact coordinates, and its curvature's sign
+/// and radius, positive to the left.
+struct Departure {
+  Real x, y;
+  int bend = 0;
+  Real radius;
+};
+
+Departure departure(const Span& s, GridPoint at) {
+  GridPoint other = at == s.from ? s.to : s.from;
+  if (!s.arc) return {Real(other.x - at.x), Real(other.y - at.y), 0, {}};
+  Real dx = Real(at.x) - s.arc->cx, dy = Real(at.y) - s.arc->cy;
+  bool ccw = (at == s.first());
+  return ccw ? Departure{-dy, dx, 1, s.arc->r} : Departure{dy, -dx, -1, s.arc->r};
+}
+
+int compare_bend(const Departure& a, const Departure& b) {
+  if (a.bend != b.bend) return a.bend < b.bend ? -1 : 1;
+  return a.bend == 0 ? 0 : a.bend * compare(b.radius, a.radius);
+}
+
+/// Orientation at a vertex with the ring all to its right (or straight above and below): counter-clockwise when the
+/// ring comes in above the way it goes out.
+int orientation_at(const Span& in, const Span& out) {
+  Departure u = departure(out, out.from), w = departure(in, in.to);
+  int turn = (u.x * w.y - u.y * w.x).sign();
+  if (turn != 0) return turn;
+  if ((u.x * w.x + u.y * w.y).sign() < 0) return u.y.sign() < 0 ? 1 : -1;
+  return compare_bend(u, w) < 0 ? 1 : -1;
+}
+
+}  // namespace
+
+Contour reversed(const Contour& ring) {
+  Contour result;
+  result.reserve(ring.size());
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    std::size_t i = ring.size() - 1 - k;
+    ContourEdge edge = ring[i];
+    edge.start = ring[i + 1 == ring.size() ? 0 : i + 1].start;
+    edge.ccw = !edge.ccw || !edge.arc;
+    result.push_back(std::move(edge));
+  }
+  return result;
+}
+
+int orientation(const Contour& ring) {
+  Ring r{ring, {}, {}};
+  if (straight(r)) {
+    int128 area = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += cross(ring[0].start, ring[i].start, ring[i + 1].start);
+    return area > 0 ? 1 : -1;
+  }
+  std::size_t low = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    if (ring[i].start < ring[low].start) low = i;
+  }
+  Real left(ring[low].start.x);
+  int answer = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (!ring[i].arc) continue;
+    Real x = ring[i].cx - ring[i].r;
+    if (compare(x, left) >= 0) continue;
+    GridPoint a = r.span(i).first(), b = r.span(i).last();
+    Real side = Real(b.x - a.x) * (ring[i].cy - Real(a.y)) - Real(b.y - a.y) * (x - Real(a.x));
+    if (side.sign() >= 0) continue;  // the circle's leftmost point is not on this arc
+    left = x;
+    answer = ring[i].ccw ? 1 : -1;
+  }
+  if (answer != 0) return answer;
+  return orientation_at(r.span(low == 0 ? ring.size() - 1 : low - 1), r.span(low));
+}
+
+bool encloses(const Contour& ring, GridPoint p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    GridPoint a = ring[i].start, b = ring[i + 1 == ring.size() ? 0 : i + 1].start;
+    int128 side = cross(a, b, p);
+    // A point on the chord counts as a little right of it and, far less, above: one rule for both tests below.
+    if (side == 0) side = b.y != a.y ? a.y - b.y : b.x - a.x;
+    if ((a.y > p.y) != (b.y > p.y) && (side > 0) == (b.y > a.y)) inside = !inside;
+    if (!ring[i].arc || (side < 0) != ring[i].ccw) continue;
+    Real dx = Real(p.x) - ring[i].cx, dy = Real(p.y) - ring[i].cy;
+    if (compare(dx * dx + dy * dy, ring[i].r * ring[i].r) < 0) inside = !inside;  // between chord and arc
+  }
+  return inside;
+}
+
+RingSet make_rings(std::vector<Contour> input, double step) {
+  std::vector<std::string> labels;
+  for (std::size_t i = 0; i < input.size(); ++i) labels.push_back(i == 0 ? "the ring" : fmt::format("hole {}", i - 1));
+  RingSet set;
+  std::vector<Ring> rings = clean_and_check(input, labels, set.repeated_points, step);
+  check_holes(rings, step);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    std::int64_t ignored = 0;  // either direction of a hole is usual
+    set.contours.push_back(directed(std::move(rings[i].edges), i == 0 ? 1 : -1, i == 0 ? set.turned_rings : ignored));
+  }
+  return set;
+}
+
+std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
+  std::vector<std::string> labels;
+  for (std::size_t i = 0; i < input.size(); ++i) labels.push_back(fmt::format("ring {}", i));
+  std::int64_t repeated = 0, ignored = 0;
+  std::vector<Ring> rings = clean_and_check(input, labels, repeated, step);
+  std::vector<Box> boxes;
+  for (const Ring& ring : rings) boxes.push_back(box_of(ring));
+  std::vector<std::vector<std::size_t>> around(rings.size());
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    GridPoint p = rings[i].edges[0].start;
+    for (std::size_t j = 0; j < rings.size(); ++j) {
+      if (i != j && boxes[j].holds(p.x, p.y) && encloses(rings[j].edges, p)) around[i].push_back(j);
+    }
+  }
+  std::vector<RingSet> sets;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    if (around[i].size() % 2 != 0) continue;
+    RingSet& set = sets.emplace_back();
+    set.contours.push_back(directed(rings[i].edges, 1, ignored));
+    for (std::size_t h = 0; h < rings.size(); ++h) {
+      bool mine = around[h].size() == around[i].size() + 1 &&
+                  std::find(around[h].begin(), around[h].end(), i) != around[h].end();
+      if (mine) set.contours.push_back(directed(rings[h].edges, -1, ignored));
+    }
+  }
+  if (!sets.empty()) sets[0].repeated_points = repeated;
+  return sets;
+}
+
+Contour make_chain(Contour chain, std::int64_t& repeated) {
+  Contour result;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (i + 1 < chain.size() && chain[i].start == chain[i + 1].start) {
+      ++repeated;
+    } else {
+      result.push_back(std::move(chain[i]));
+    }
+  }
+  if (result.size() < 2) throw Error(ErrorCode::kGeometry, "a polyline needs two different points");
+  return result;
+}
+
+}  // namespace findspace::plane

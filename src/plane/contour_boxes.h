@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// All pairs of boxes that meet, by a tree of boxes descended against itself: O(n log n + pairs) for boxes that are
+// small beside the whole, whatever their order. Used by contour.cpp only.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace findspace::plane {
+
+/// Closed box, in grid steps.
+struct Box {
+  std::int64_t x0, y0, x1, y1;
+
+  Box joined(const Box& b) const {
+    return {std::min(x0, b.x0), std::min(y0, b.y0), std::max(x1, b.x1), std::max(y1, b.y1)};
+  }
+  bool meets(const Box& b) const { return x0 <= b.x1 && b.x0 <= x1 && y0 <= b.y1 && b.y0 <= y1; }
+  bool holds(std::int64_t x, std::int64_t y) const { return x0 <= x && x <= x1 && y0 <= y && y <= y1; }
+};
+
+class BoxTree {
+ public:
+  explicit BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), order_(boxes.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    nodes_.reserve(2 * boxes.size());
+    if (!boxes.empty()) build(0, boxes.size());
+  }
+
+  template <class Visit>
+  void meeting_pairs(Visit visit) const {
+    if (!nodes_.empty()) within(0, visit);
+  }
+
+ private:
+  struct Node {
+    Box box;
+    std::size_t leaf;   // the box's index where right == 0
+    std::size_t right;  // the left child is the next node
+  };
+
+  std::size_t build(std::size_t begin, std::size_t end) {
+    Box all = boxes_[order_[begin]];
+    for (std::size_t i = begin + 1; i < end; ++i) all = all.joined(boxes_[order_[i]]);
+    std::size_t self = nodes_.size();
+    nodes_.push_back({all, order_[begin], 0});
+    if (end - begin == 1) return self;
+    bool wide = all.x1 - all.x0 >= all.y1 - all.y0;
+    auto key = [&](std::size_t i) { return wide ? boxes_[i].x0 + boxes_[i].x1 : boxes_[i].y0 + boxes_[i].y1; };
+    auto less = [&](std::size_t a, std::size_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; };
+    std::size_t middle = begin + (end - begin) / 2;
+    auto first = order_.begin();
+    std::nth_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(middle), first + std::ptrdiff_t(end), less);
+    build(begin, middle);
+    std::size_t right = build(middle, end);
+    nodes_[self].right = right;
+    return self;
+  }
+
+  template <class Visit>
+  void within(std::size_t n, Visit& visit) const {
+    if (nodes_[n].right == 0) return;
+    within(n + 1, visit);
+    within(nodes_[n].right, visit);
+    between(n + 1, nodes_[n].right, visit);
+  }
+
+  template <class Visit>
+  void between(std::size_t a, std::size_t b, Visit& visit) const {
+    if (!nodes_[a].box.meets(nodes_[b].box)) return;
+    bool leaf_a = nodes_[a].right == 0, leaf_b = nodes_[b].right == 0;
+    if (leaf_a && leaf_b) return visit(nodes_[a].leaf, nodes_[b].leaf);
+    if (leaf_b || (!leaf_a && a < b)) {
+      between(a + 1, b, visit);
+      between(nodes_[a].right, b, visit);
+    } else {
+      between(a, b + 1, visit);
+      between(a, nodes_[b].right, visit);
+    }
+  }
+
+  const std::vector<Box>& boxes_;
+  std::vector<std::size_t> order_;
+  std::vector<Node> nodes_;
+};
+
+template <class Visit>
+void for_meeting_boxes(const std::vector<Box>& boxes, Visit visit) {
+  BoxTree(boxes).meeting_pairs(visit);
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Where two edges of contours meet. Used by contour.cpp only.
+#pragma once
+
+#include <optional>
+
+#include "plane/shape.h"
+
+namespace findspace::plane {
+
+using int128 = exact::int128;
+
+inline int128 cross(GridPoint o, GridPoint a, GridPoint b) {
+  return int128(a.x - o.x) * (b.y - o.y) - int128(a.y - o.y) * (b.x - o.x);
+}
+
+/// An edge with both ends; `arc` is null for a segment.
+struct Span {
+  GridPoint from, to;
+  const ContourEdge* arc = nullptr;
+
+  /// Ends in counter-clockwise order of the arc: it is the part of its circle not to the left of first -> last.
+  GridPoint first() const { return arc && !arc->ccw ? to : from; }
+  GridPoint last() const { return arc && !arc->ccw ? from : to; }
+};
+
+struct Meeting {
+  double x = 0, y = 0;  // a common point, rounded, in grid steps
+  bool along = false;   // a whole piece is shared
+};
+
+/// A common point of two edges other than the ends they share as neighbours: `joined` is such an end (or null),
+/// `both` says that the two ends of one are the two ends of the other, both as neighbours (a ring of two edges).
+std::optional<Meeting> meet(const Span& f, const Span& g, const GridPoint* joined, bool both);
+
+}  // namespace findspace::plane

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A region along a line: the intervals of {through + t * direction / |direction|} that belong to it, t the signed
+// length from `through`. Guarantee: exact, end points with their membership; a single point is an interval of length 0.
+// Method: all parameters where the line meets an edge or a vertex, in order, and the cells there and between. Cost:
+// O(n) and one point location for each parameter. Keywords: ray, chord, cross section, one-dimensional slice.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "plane/cell_complex.h"
+#include "plane/shape.h"
+
+namespace findspace::plane {
+
+/// Open to infinity where an end is missing; then its `_in` is false.
+struct LineInterval {
+  std::optional<exact::Real> from, to;
+  bool from_in = false, to_in = false;
+};
+
+/// Disjoint, from small to large t, in grid steps; no two could be joined. `direction` is not (0, 0).
+std::vector<LineInterval> along_line(const Region& region, const GridPoint& through, const GridPoint& direction);
+
+}  // namespace findspace::plane

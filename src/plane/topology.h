@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The topological operators on exact point sets of the plane, plain (not regularised). With star(c) the set of cells
+// whose closure contains the cell c, c itself included (so a vertex sees the faces around it directly):
+//     interior    int S  = cells c whose whole star belongs to S
+//     closure     cl S   = cells c with some cell of the star in S
+//     boundary    bd S   = cl S minus int S
+//     regularize  reg S  = cl(int S), not int(cl S)
+//     complement         = R^2 minus S
+// Every operator keeps the cells and sets new marks; cells that agree are then merged. Guarantee: exact, no coordinate
+// is looked at. Cost: linear in the cells. Source: distances.md 8.1; Requicha 1980 for regularisation.
+// Keywords: open set, closed set, regular set, whisker, crack, puncture.
+#pragma once
+
+#include "plane/cell_complex.h"
+
+namespace findspace::plane {
+
+Region interior(Region s);
+Region closure(Region s);
+Region boundary(Region s);
+Region regularize(Region s);
+Region complement(Region s);
+
+/// interior(s) = s. The empty set and the plane are open and closed.
+bool is_open(const Region& s);
+/// closure(s) = s.
+bool is_closed(const Region& s);
+/// regularize(s) = s: a regular closed set. The empty set is one.
+bool is_regular(const Region& s);
+bool is_empty(const Region& s);
+/// s is the plane.
+bool is_whole(const Region& s);
+bool is_bounded(const Region& s);
+
+/// The least and the greatest mark in the star of every edge and vertex: with marks 0/1 those of the interior and of
+/// the closure.
+struct StarMarks {
+  std::vector<Mark> edge_least, edge_greatest, vertex_least, vertex_greatest;
+};
+StarMarks star_marks(const CellComplex& c);
+
+}  // namespace findspace::plane

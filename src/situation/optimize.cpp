@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "situation/optimize.h"
+
+#include "distance/coordinate.h"
+#include "distance/farthest.h"
+#include "findspace/error.h"
+
+namespace findspace::situation {
+
+using distance::Axis;
+using distance::Sense;
+using exact::Real;
+
+namespace {
+
+Sense opposite(Sense s) { return s == Sense::kMinimum ? Sense::kMaximum : Sense::kMinimum; }
+
+Optimum optimum(distance::Extremum e, const Real& step, bool negated) {
+  Optimum out;
+  out.unbounded = e.unbounded;
+  if (!e.exists) {
+    out.at = plane::CellComplex::uniform(0);
+    return out;
+  }
+  out.value = negated ? -(e.level * step) : e.level * step;
+  out.attained = e.attained, out.proven = e.proven;
+  out.at = std::move(e.at);
+  return out;
+}
+
+}  // namespace
+
+Optimum optimize(const plane::Region& region, const Objective& objective, Sense sense, const Solver& solver) {
+  const Real& step = solver.world().step;
+  switch (objective.kind) {
+    case Objective::Kind::kX: return optimum(coordinate_extremum(region, Axis::kX, sense), step, false);
+    case Objective::Kind::kY: return optimum(coordinate_extremum(region, Axis::kY, sense), step, false);
+    case Objective::Kind::kZ: throw Error(ErrorCode::kUnsupported, "the objective z needs a scene in three dimensions");
+    case Objective::Kind::kDistanceToPoint: {
+      auto f = distance::Farthest::from_point({objective.point.at(0) / step, objective.point.at(1) / step});
+      return optimum(extremum(f, region, sense), step, false);
+    }
+    case Objective::Kind::kDistance: break;
+  }
+  Sense of_distance = objective.negated ? opposite(sense) : sense;
+  return optimum(extremum(*solver.distance(objective.distance), region, of_distance), step, objective.negated);
+}
+
+std::optional<Optimum> minimum_of(const Formula& formula, const Solver& solver) {
+  for (const SignMap& m : formula.sign_maps())
+    if (m.minimum) return optimum(solver.least(m.distance), solver.world().step, false);
+  return std::nullopt;
+}
+
+}  // namespace findspace::situation

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A formula over a world of shapes, answered for all positions at once and for single ones. All sign maps of the formula are
+// laid over each other once; every vertex, edge and face of the overlay gets the truth of the formula (architecture.md 1).
+// Guarantee: the exact set, slots, points, open and closed boundaries included. Lengths are in the scene's unit; the region that
+// comes back is in grid steps. Cost: one convolution a pair of shapes, one more for each level other than 0, one overlay.
+// Keywords: feasible region, configuration space, situation.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "distance/extremum.h"
+#include "distance/shape_pair.h"
+#include "situation/formula.h"
+
+namespace findspace::situation {
+
+struct World {
+  std::map<std::string, plane::Region> shapes;  // in grid steps
+  std::vector<std::string> moving;
+  exact::Real step;                             // one grid step in the scene's unit
+};
+
+/// One distance at one position.
+struct DistanceAt {
+  std::string text;              // canonical: "gamma1(B, A)"
+  std::optional<double> value;   // in the scene's unit; nothing: undefined, +infinity
+  std::optional<exact::RealPoint> nearest;  // in grid steps: the nearest position where it is 0, if that is known
+};
+
+struct AtomAt {
+  Atom atom;
+  DistanceAt distance;
+  bool holds = false;            // exact, also on a boundary
+};
+
+class Solver {
+ public:
+  explicit Solver(World world);
+  ~Solver();
+
+  /// {p : the formula holds at p}. Throws Error(kUnsupported) for distances this version does not compute.
+  plane::Region feasible(const Formula& formula) const;
+
+  /// Every atom of the formula at position p (in the scene's unit), and whether the formula holds there.
+  struct Check {
+    bool holds = false;
+    std::vector<AtomAt> atoms;
+  };
+  Check check(const Formula& formula, const exact::RealPoint& p) const;
+
+  /// All distances of the moving shapes to every other shape at p (in the scene's unit).
+  std::vector<DistanceAt> measure(const exact::RealPoint& p) const;
+
+  /// The T-distance that a formula means, in grid steps.
+  distance::TDistancePointer distance(const Distance& wanted) const;
+  /// Its global minimum and the positions that have it: `distance -> min`.
+  distance::Extremum least(const Distance& wanted) const;
+
+  const World& world() const { return world_; }
+
+ private:
+  using Names = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
+  struct Cache;
+
+  plane::Region shape(const std::vector<std::string>& names) const;
+  std::shared_ptr<const distance::ShapePair> pair(const Names& names) const;
+  plane::SignMap sign_map(const SignMap& wanted) const;
+  std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
+  DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;
+  exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
+
+  World world_;
+  std::unique_ptr<Cache> cache_;
+};
+
+}  // namespace findspace::situation

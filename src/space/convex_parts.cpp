@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/convex_parts.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string>
+
+#include "space/half_spaces.h"
+#include "space/mesh.h"
+#include "space/partition.h"
+#include "space/triangulate.h"
+
+namespace findspace::space {
+namespace {
+
+using exact::Real;
+using Cell = std::vector<PlaneVertex>;
+using Kind = plane::Shape::Kind;
+
+constexpr std::size_t kMostFaces = 2000;
+
+/// The least number by which all coordinates become whole, or 0 if that exceeds `limit`.
+std::int64_t common_scale(const std::vector<Cell>& cells, std::int64_t limit) {
+  int128 scale = 1;
+  for (const Cell& cell : cells) {
+    for (const PlaneVertex& v : cell) {
+      for (const Real& c : v.at) {
+        if (c.integer()) continue;
+        const auto whole = (c * Real(v.determinant)).integer();
+        if (!whole || v.determinant == 0) return 0;
+        const int128 denominator =
+            (v.determinant < 0 ? -v.determinant : v.determinant) / exact::gcd(*whole, v.determinant);
+        scale = scale / exact::gcd(scale, denominator);
+        if (denominator > limit || scale > limit / denominator) return 0;
+        scale *= denominator;
+      }
+    }
+  }
+  return static_cast<std::int64_t>(scale);
+}
+
+std::int64_t largest_coordinate(const std::vector<Cell>& cells) {
+  std::int64_t largest = 1;
+  for (const Cell& cell : cells) {
+    for (const PlaneVertex& v : cell) {
+      for (const Real& c : v.at)
+        largest = std::max(largest, static_cast<std::int64_t>(std::ceil(std::fabs(c.to_double()))));
+    }
+  }
+  return largest;
+}
+
+Real six_volumes(const Polytope& p) {
+  Mesh mesh{{p.vertices().begin(), p.vertices().end()}, {}};
+  for (int f = 0; f < p.facet_count(); ++f) mesh.faces.push_back(p.circuit(f));
+  return six_volumes(mesh);
+}
+
+/// The union of two parts without common interior if it is convex: then they share a plane, and the hull adds nothing.
+std::optional<Polytope> joined(const Polytope& p, const Polytope& q) {
+  const bool touch = std::any_of(p.planes().begin(), p.planes().end(), [&](const Plane& a) {
+    return std::any_of(q.planes().begin(), q.planes().end(),
+                       [&](const Plane& b) { return a.normal == -b.normal && a.offset == -b.offset; });
+  });
+  if (!touch) return std::nullopt;
+  std::vector<Point> points(p.vertices().begin(), p.vertices().end());
+  points.insert(points.end(), q.vertices().begin(), q.vertices().end());
+  Polytope hull = Polytope::hull(points);
+  if (six_volumes(hull) != six_volumes(p) + six_volumes(q)) return std::nullopt;
+  return hull;
+}
+
+void join_neighbours(std::vector<Polytope>& parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t j = i + 1; j < parts.size();) {
+      std::optional<Polytope> whole = joined(parts[i], parts[j]);
+      if (!whole) {
+        ++j;
+        continue;
+      }
+      parts[i] = std::move(*whole);
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
+      j = i + 1;
+    }
+  }
+}
+
+/// Cells as polytopes, on the grid or on a finer one.
+ConvexParts from_cells(const std::vector<std::vector<Plane>>& half_spaces) {
+  std::vector<Cell> cells;
+  for (const auto& planes : half_spaces) cells.push_back(half_space_vertices(planes));
+  ConvexParts result;
+  result.scale = common_scale(cells, kCoordinateLimit / largest_coordinate(cells));
+  const bool exact = result.scale > 0;
+  if (!exact) result.scale = 1;
+  for (const Cell& cell : cells) {
+    std::vector<Point> points;
+    for (const PlaneVertex& v : cell) {
+      std::array<std::int64_t, 3> c{};
+      double square = 0;
+      for (int k = 0; k < 3; ++k) {
+        const Real at = v.at[k] * Real(result.scale);
+        c[k] = static_cast<std::int64_t>(round(at));
+        const double rest = (at - Real(c[k])).to_double();
+        square += rest * rest;
+      }
+      if (square > 0) {
+        ++result.rounded;
+        result.moved = std::max(result.moved, std::sqrt(square));
+      }
+      points.push_back({c[0], c[1], c[2]});
+    }
+    try {
+      result.parts.push_back(Polytope::hull(points));
+    } catch (const Error&) {
+      // A cell without volume: of a mesh that crosses itself, or made flat by rounding. The volume check has the last word.
+      continue;
+    }
+  }
+  if (exact) join_neighbours(result.parts);
+  return result;
+}
+
+double surface_area(const Polytope& p) {
+  double twice = 0;
+  for (int f = 0; f < p.facet_count(); ++f) {
+    for (int h = p.first_half_edge(f) + 1; h + 1 < p.first_half_edge(f + 1); ++h) {
+      const Point base = p.vertices()[p.half_edges()[p.first_half_edge(f)].origin];
+      const Shadow3 n =
+          exact::shadow(exact::cross(p.vertices()[p.half_edges()[h].origin] - base, p.vertices()[p.target(h)] - base));
+      twice += std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    }
+  }
+  return twice / 2;
+}
+
+/// The parts of a surface that does not meet itself have exactly its volume; else it encloses some space twice, or not.
+/// Where vertices were rounded the volume may change by the surface times the longest move, here taken twice.
+void check_volume(const ConvexParts& parts, const Real& six_enclosed) {
+  Real sum;
+  double slack = 0;
+  for (const Polytope& p : parts.parts) {
+    sum += six_volumes(p);
+    if (parts.rounded > 0) slack += 6 * 2 * parts.moved * surface_area(p);
+  }
+  const Real enclosed = six_enclosed * Real(parts.scale) * Real(parts.scale) * Real(parts.scale);
+  if (abs(sum - enclosed) <= Real::from_double(slack)) return;
+  throw Error(ErrorCode::kGeometry, "the mesh meets or crosses itself: its convex parts have " +
+                                        std::to_string(sum.to_double() / enclosed.to_double()) +
+                                        " times the volume that it encloses");
+}
+
+std::array<Real, 3> real(const Point& p) { return {Real(p.x), Real(p.y), Real(p.z)}; }
+
+/// The box about the mesh: without it a surface that crosses itself could leave cells unbounded.
+std::vector<Plane> bounding_box(const Mesh& mesh) {
+  Point low = mesh.vertices[0], high = low;
+  for (const Point& p : mesh.vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return {{{1, 0, 0}, -high.x}, {{0, 1, 0}, -high.y}, {{0, 0, 1}, -high.z},
+          {{-1, 0, 0}, low.x},  {{0, -1, 0}, low.y},  {{0, 0, -1}, low.z}};
+}
+
+/// A prism over the convex parts of its polygon.
+ConvexParts prism_parts(const Solid& solid) {
+  std::vector<std::vector<Point2>> rings;
+  for (const plane::Contour& contour : solid.contours) {
+    std::vector<Point2>& ring = rings.emplace_back();
+    for (const plane::ContourEdge& edge : contour) {
+      if (edge.arc) throw Error(ErrorCode::kUnsupported, "a prism with arcs has no convex polyhedral parts");
+      ring.push_back({edge.start.x, edge.start.y});
+    }
+  }
+  ConvexParts result;
+  for (const ConvexPolygon& part : convex_parts(rings)) {
+    std::vector<Point> points;
+    for (const Point2& p : part.vertices())
+      points.insert(points.end(), {{p.x, p.y, solid.low}, {p.x, p.y, solid.high}});
+    result.parts.push_back(Polytope::hull(points));
+  }
+  return result;
+}
+
+ConvexParts one(Polytope p) {
+  ConvexParts result;
+  result.parts.push_back(std::move(p));
+  return result;
+}
+
+ConvexParts solid_parts(const Solid& solid) {
+  switch (solid.form) {
+    case Solid::Form::kPolytope:
+      return one(Polytope::hull(solid.mesh.vertices));
+    case Solid::Form::kPrism:
+      return prism_parts(solid);
+    case Solid::Form::kMesh:
+      return convex_parts(solid.mesh);
+    case Solid::Form::kBall:
+      break;
+  }
+  throw Error(ErrorCode::kUnsupported, "a ball has no convex polyhedral parts");
+}
+
+void add(ConvexParts& sum, ConvexParts more) {
+  const std::int64_t scale = std::lcm(sum.scale, more.scale);
+  std::vector<Polytope> parts = at_scale(sum, scale), others = at_scale(more, scale);
+  parts.insert(parts.end(), others.begin(), others.end());
+  sum.parts = std::move(parts);
+  sum.scale = scale;
+  sum.rounded += more.rounded;
+  sum.moved = std::max(sum.moved, more.moved);
+}
+
+ConvexParts all_children(const plane::Shape& shape) {
+  ConvexParts sum;
+  for (const plane::ShapePtr& child : shape.children) add(sum, convex_parts(*child));
+  return sum;
+}
+
+ConvexParts hull_of(ConvexParts parts) {
+  std::vector<Point> points;
+  for (const Polytope& p : parts.parts) points.insert(points.end(), p.vertices().begin(), p.vertices().end());
+  parts.parts = {Polytope::hull(points)};
+  return parts;
+}
+
+/// A sum of unions is the union of the sums of their parts.
+ConvexParts sum_of(const plane::Shape& a, const plane::Shape& b) {
+  ConvexParts p = convex_parts(a), q = convex_parts(b), result;
+  result.scale = std::lcm(p.scale, q.scale);
+  result.rounded = p.rounded + q.rounded;
+  result.moved = std::max(p.moved, q.moved);
+  const std::vector<Polytope> qs = at_scale(q, result.scale);
+  for (const Polytope& x : at_scale(p, result.scale)) {
+    for (const Polytope& y : qs) {
+      std::vector<Point> points;
+      for (const Point& v : x.vertices()) {
+        for (const Point& w : y.vertices()) points.push_back(v + w);
+      }
+      result.parts.push_back(Polytope::hull(points));
+    }
+  }
+  return result;
+}
+
+ConvexParts moved_by(ConvexParts parts, const Point& t) {
+  const auto shifted = [&](std::int64_t c, std::int64_t by) {
+    const int128 sum = c + int128(by) * parts.scale;
+    if (sum > kCoordinateLimit || sum < -kCoordinateLimit) {
+      throw Error(ErrorCode::kOutOfRange, "a translation takes a vertex beyond 2^40 grid steps");
+    }
+    return static_cast<std::int64_t>(sum);
+  };
+  for (Polytope& p : parts.parts) {
+    std::vector<Point> points;
+    for (const Point& v : p.vertices()) points.push_back({shifted(v.x, t.x), shifted(v.y, t.y), shifted(v.z, t.z)});
+    p = Polytope::hull(points);
+  }
+  return parts;
+}
+
+ConvexParts node_parts(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) return solid_parts(*solid);
+  switch (shape.kind) {
+    case Kind::kUnion:
+      return all_children(shape);
+    case Kind::kRegularize:
+    case Kind::kClosure:
+      return convex_parts(*shape.children[0]);
+    case Kind::kHull:
+      return hull_of(all_children(shape));
+    case Kind::kMinkowskiSum:
+      return sum_of(*shape.children[0], *shape.children[1]);
+    case Kind::kMirror: {
+      ConvexParts parts = convex_parts(*shape.children[0]);
+      for (Polytope& p : parts.parts) p = p.mirrored();
+      return parts;
+    }
+    case Kind::kTranslate:
+      return moved_by(convex_parts(*shape.children[0]), {shape.points[0].x, shape.points[0].y, shape.lift});
+    default:
+      break;
+  }
+  throw Error(ErrorCode::kUnsupported,
+              "this kind of shape has no convex polyhedral parts; state it as a union of polytopes");
+}
+
+}  // namespace
+
+ConvexParts convex_parts(const Mesh& mesh) {
+  if (is_convex(mesh)) return one(Polytope::hull(mesh.vertices));
+  if (mesh.faces.size() > kMostFaces) {
+    throw Error(ErrorCode::kUnsupported, "a non-convex mesh of " + std::to_string(mesh.faces.size()) +
+                                             " faces is not cut into convex parts; state it as a union of polytopes");
+  }
+  std::vector<FacetPiece> facets;
+  for (const auto& face : mesh.faces) {
+    const Wide3 normal = exact::primitive(area_vector(mesh, face));
+    FacetPiece piece{{normal, -exact::dot(normal, mesh.vertices[face[0]])}, {}};
+    for (const int v : face) piece.corners.push_back(real(mesh.vertices[v]));
+    facets.push_back(std::move(piece));
+  }
+  ConvexParts parts = from_cells(partition(std::move(facets), bounding_box(mesh)));
+  check_volume(parts, six_volumes(mesh));
+  return parts;
+}
+
+ConvexParts convex_parts(const plane::Shape& shape) {
+  try {
+    return node_parts(shape);
+  } catch (const Error& e) {
+    if (shape.place.empty() || !e.place().empty()) throw;
+    throw e.within(shape.place);
+  }
+}
+
+std::vector<Polytope> at_scale(const ConvexParts& parts, std::int64_t scale) {
+  const std::int64_t factor = scale / parts.scale;
+  if (factor == 1) return parts.parts;
+  std::vector<Polytope> scaled;
+  for (const Polytope& p : parts.parts) {
+    std::vector<Point> points;
+    for (const Point& v : p.vertices()) {
+      for (const std::int64_t c : {v.x, v.y, v.z}) {
+        if (c > kCoordinateLimit / factor || c < -kCoordinateLimit / factor) {
+          throw Error(ErrorCode::kOutOfRange,
+                      "the common grid of the convex parts exceeds 2^40 steps; choose a coarser grid");
+        }
+      }
+      points.push_back({v.x * factor, v.y * factor, v.z * factor});
+    }
+    scaled.push_back(Polytope::hull(points));
+  }
+  return scaled;
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The program as users meet it: exit status, what goes to which stream, and files written whole or not at all.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kScene = R"json({"findspace": 1, "unit": "mm", "shapes": {
+  "A": {"box": {"min": [0, 0], "max": [10, 6]}}, "B": {"box": {"min": [-1, -1], "max": [1, 1]}}},
+  "moving": "B", "where": "inside(B, A)"})json";
+
+class Program : public testing::Test {
+ protected:
+  struct Result {
+    int status = -1;
+    std::string out, err;
+  };
+
+  Program() { fs::create_directories(folder_); }
+  ~Program() override { fs::remove_all(folder_); }
+
+  /// The arguments as a shell takes them, in a folder with scene.json.
+  Result run(const std::string& arguments, const std::string& scene = kScene) const {
+    std::ofstream(folder_ / "scene.json") << scene;
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" FINDSPACE_PROGRAM "' " + arguments + " > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("out.txt"), read("err.txt")};
+  }
+  std::string read(const char* name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  bool exists(const char* name) const { return fs::exists(folder_ / name); }
+
+  static std::string scene_where(const std::string& formula) {
+    std::string scene = kScene;
+    return scene.replace(scene.find("inside(B, A)"), 12, formula);
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("findspace_program_" + std::to_string(getpid()));
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(Program, HelpAndVersion) {
+  Result help = run("--help");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_TRUE(contains(help.out, "Examples:"));
+  EXPECT_TRUE(contains(run("--version").out, "findspace 0."));
+  EXPECT_EQ(run("map --help").status, 0);
+}
+
+TEST_F(Program, WrongUsage) {
+  for (const char* arguments :
+       {"", "mpa scene.json", "map", "map scene.json --aply closure", "map scene.json --apply close",
+        "map scene.json -o x.png", "check scene.json", "check scene.json --at 1", "check scene.json --at 1,b",
+        "check scene.json --at 1e30,0", "describe scene.json", "map scene.json --threads x"}) {
+    Result r = run(arguments);
+    EXPECT_EQ(r.status, 2) << arguments;
+    EXPECT_TRUE(contains(r.err, "findspace:")) << arguments;
+    EXPECT_EQ(r.out, "") << arguments;
+  }
+  EXPECT_TRUE(contains(run("mpa scene.json").err, "did you mean 'map'?"));
+}
+
+TEST_F(Program, BadInputHasAPlaceAndWritesNothing) {
+  Result r = run("map scene.json -o x.svg", "{\"findspace\": 1,\n  \"shapes\": {},}");
+  EXPECT_EQ(r.status, 3);
+  EXPECT_TRUE(contains(r.err, "scene.json:2:"));
+  EXPECT_FALSE(exists("x.svg"));
+  EXPECT_EQ(run("map nowhere.json").status, 3);
+  Result formula = run("map scene.json", scene_where("insde(B, A)"));
+  EXPECT_EQ(formula.status, 3);
+  EXPECT_TRUE(contains(formula.err, "scene.json:3:"));
+  EXPECT_TRUE(contains(formula.err, "inside"));
+  EXPECT_EQ(run("describe scene.json C").status, 3);
+}
+
+TEST_F(Program, MapAsTextJsonAndFiles) {
+  Result text = run("map scene.json");
+  EXPECT_EQ(text.status, 0);
+  EXPECT_TRUE(contains(text.out, "area    32 mm²"));
+  EXPECT_EQ(text.err, "");
+  Result r = run("map scene.json --json -o x.svg -o x.wkt -o x.json");
+  EXPECT_EQ(json::parse(r.out)["area"], 32);
+  EXPECT_EQ(read("x.json"), r.out);
+  EXPECT_TRUE(contains(read("x.svg"), "</svg>"));
+  EXPECT_EQ(read("x.wkt"), "POLYGON ((1 1, 9 1, 9 5, 1 5, 1 1))\n");
+}
+
+TEST_F(Program, EmptyIsOne) {
+  Result r = run("map scene.json --json", scene_where("inside(B, A, 5mm)"));
+  EXPECT_EQ(r.status, 1);
+  EXPECT_EQ(json::parse(r.out)["empty"], true);
+}
+
+TEST_F(Program, FilesAreAllOrNone) {
+  // WKT cannot hold the unbounded region: the picture is not written either.
+  Result r = run("map scene.json -o x.svg -o x.wkt", scene_where("not inside(B, A)"));
+  EXPECT_EQ(r.status, 3);
+  EXPECT_FALSE(exists("x.svg") || exists("x.wkt"));
+}
+
+TEST_F(Program, Apply) {
+  EXPECT_EQ(json::parse(run("map scene.json --json --apply boundary").out)["dangling_length"], 24);
+  EXPECT_EQ(json::parse(run("map scene.json --json --apply complement").out)["bounded"], false);
+  EXPECT_EQ(json::parse(run("map scene.json --json --apply interior").out)["open"], true);
+}
+
+TEST_F(Program, Check) {
+  Result yes = run("check scene.json --at 1,1 --json"), no = run("check scene.json --at 0.9999999999,1 --json");
+  EXPECT_EQ(yes.status, 0);
+  EXPECT_EQ(json::parse(yes.out)["true"], true);
+  EXPECT_EQ(json::parse(yes.out)["distances"]["eta1(B, A)"], 0);
+  EXPECT_EQ(no.status, 1);
+  EXPECT_EQ(json::parse(no.out)["true"], false);
+  EXPECT_TRUE(contains(run("check scene.json --at -3,4").out, "is not feasible"));
+}
+
+TEST_F(Program, Measure) {
+  json r = json::parse(run("measure scene.json --at 5,3 --json").out);
+  EXPECT_EQ(r["at"], json::parse("[5, 3]"));
+  EXPECT_EQ(r["distances"]["eta1(B, A)"], -2);
+}
+
+TEST_F(Program, DescribeAndConvert) {
+  EXPECT_EQ(json::parse(run("describe scene.json A --json").out)["area"], 60);
+  EXPECT_EQ(run("convert scene.json A").out, "POLYGON ((0 0, 10 0, 10 6, 0 6, 0 0))\n");
+  EXPECT_EQ(run("convert scene.json A -o a.svg -q").status, 0);
+  EXPECT_EQ(run("convert a.svg").out, "POLYGON ((0 0, 10 0, 10 6, 0 6, 0 0))\n");
+}
+
+TEST_F(Program, SceneFromStandardInput) { EXPECT_EQ(run("map - < scene.json").out, run("map scene.json").out); }
+
+TEST_F(Program, QuietSaysNothingWhereFilesAreWritten) {
+  Result r = run("map scene.json -q -o x.svg");
+  EXPECT_EQ(r.out + r.err, "");
+  EXPECT_TRUE(exists("x.svg"));
+}
+
+TEST_F(Program, ThreadsGiveTheSameBytes) {
+  const std::string scene = scene_where("inside(B, A) and gamma1(B, A) <= -1.5 or gap(B, A) = 2");
+  EXPECT_EQ(run("map scene.json --json --threads 1", scene).out, run("map scene.json --json --threads 2", scene).out);
+}
+
+TEST_F(Program, FullDiskIsNotSilent) {
+  Result r = run("map scene.json --json -o /dev/full");
+  EXPECT_EQ(r.status, 2);  // no ending
+  EXPECT_NE(run("map scene.json --json > /dev/full; exit $? #").status, 0);
+}
+
+}  // namespace

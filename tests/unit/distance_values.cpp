@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "distance/farthest_pair.h"
+#include "distance/shape_pair.h"
+#include "distance_shapes.h"
+
+// Values and sign maps of every distance against the closed forms of distances.md 3.11.
+namespace findspace::distance {
+namespace {
+
+using namespace findspace::testing;
+using exact::Real;
+using plane::Region;
+
+double value(const ShapePair& pair, Which which, const exact::RealPoint& p) {
+  auto v = pair.distance(which)->value(p);
+  return v ? v->value.to_double() : INFINITY;
+}
+
+/// The sign map agrees with the value: at the value's own level, a little above and below.
+void expect_signs(const ShapePair& pair, Which which, const exact::RealPoint& p) {
+  auto f = pair.distance(which);
+  auto v = f->value(p);
+  ASSERT_TRUE(v);
+  EXPECT_EQ(sign_at(f->sign_map(v->value), p), 0) << int(which);
+  EXPECT_EQ(sign_at(f->sign_map(v->value + Real::ratio(1, 1000)), p), -1) << int(which);
+  EXPECT_EQ(sign_at(f->sign_map(v->value - Real::ratio(1, 1000)), p), 1) << int(which);
+}
+
+TEST(Values, TwoDiscs) {
+  Region a = plane::region_of_disc(0, 0, 5), b = plane::region_of_disc(0, 0, 2);
+  ShapePair pair(b, a);
+  for (int d : {0, 1, 3, 4, 7, 11}) {
+    exact::RealPoint p = at(d, 0);
+    EXPECT_DOUBLE_EQ(value(pair, Which::kGamma1, p), d - 7);
+    EXPECT_DOUBLE_EQ(value(pair, Which::kGamma2, p), d + 7);
+    EXPECT_DOUBLE_EQ(value(pair, Which::kEta1, p), d - 3);
+    EXPECT_DOUBLE_EQ(value(pair, Which::kEta2, p), d + 3);
+    EXPECT_EQ(value(pair, Which::kDelta1, p), INFINITY);
+    EXPECT_NEAR(value(pair, Which::kMu, p), d - 3, 1e-12);
+    EXPECT_NEAR(value(pair, Which::kMuBack, p), d + 3, 1e-12);
+    EXPECT_NEAR(value(pair, Which::kHausdorff, p), d + 3, 1e-12);
+    EXPECT_DOUBLE_EQ(value(pair, Which::kDiameter, p), std::max(10, d + 7));
+  }
+}
+
+TEST(Values, BoxInABox) {
+  ShapePair pair(box(-1, -1, 1, 1), box(-4, -3, 4, 3));
+  exact::RealPoint p = at(6, 5);
+  EXPECT_DOUBLE_EQ(value(pair, Which::kGamma1, p), std::hypot(1, 1));
+  EXPECT_DOUBLE_EQ(value(pair, Which::kGamma2, p), std::hypot(11, 9));
+  EXPECT_DOUBLE_EQ(value(pair, Which::kEta1, p), std::hypot(3, 3));
+  EXPECT_DOUBLE_EQ(value(pair, Which::kEta2, p), std::hypot(9, 7));
+  EXPECT_DOUBLE_EQ(value(pair, Which::kMu, p), std::hypot(3, 3));
+  EXPECT_DOUBLE_EQ(value(pair, Which::kMuBack, p), std::hypot(9, 7));
+  EXPECT_EQ(value(pair, Which::kDstarBack, p), 0);
+  EXPECT_EQ(value(pair, Which::kDstar, p), 0);
+  EXPECT_EQ(value(pair, Which::kDstarBack, at(0, 0)), 2);
+  for (Which w : {Which::kGamma1, Which::kGamma2, Which::kEta1, Which::kEta2, Which::kMu, Which::kMuBack, Which::kHausdorff}) {
+    expect_signs(pair, w, p);
+    expect_signs(pair, w, at(1, 0));
+  }
+}
+
+TEST(Values, HoleCoveredByB) {
+  // A square ring and the full square: mu = max(1, |p|) near the origin (distances.md 3.6).
+  Region a = polygon({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}, {{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}});
+  ShapePair pair(box(-3, -3, 3, 3), a);
+  EXPECT_DOUBLE_EQ(value(pair, Which::kMu, {Real::ratio(1, 2), Real()}), 1);
+  EXPECT_DOUBLE_EQ(value(pair, Which::kMu, at(2, 0)), 2);
+  auto m = pair.distance(Which::kMu)->sign_map(1);
+  EXPECT_EQ(sign_at(m, {Real::ratio(1, 2), Real::ratio(1, 3)}), 0);
+  EXPECT_EQ(sign_at(m, at(2, 0)), 1);
+}
+
+TEST(Values, HausdorffInsideABayIsFoundBetweenEdges) {
+  // The middle of B's long edge hangs over the mouth of a deep bay, equally far from its two corners.
+  Region a = polygon({{-9, -9}, {9, -9}, {9, 1}, {4, 1}, {4, -8}, {-4, -8}, {-4, 1}, {-9, 1}});
+  Region b = polygon({{-9, 5}, {9, 5}, {9, 6}, {-9, 6}});
+  ShapePair pair(b, a);
+  EXPECT_NEAR(value(pair, Which::kMu, at(0, 0)), std::hypot(4, 5), 1e-12);
+  expect_signs(pair, Which::kMu, at(0, 0));
+}
+
+TEST(Values, PointsAndChains) {
+  Region a = plane::region_of_points(std::vector<plane::GridPoint>{{0, 0}, {10, 0}});
+  Region b = plane::region_of_points(std::vector<plane::GridPoint>{{0, 0}});
+  ShapePair pair(b, a);
+  EXPECT_DOUBLE_EQ(value(pair, Which::kGamma1, at(3, 4)), 5);
+  EXPECT_DOUBLE_EQ(value(pair, Which::kGamma2, at(3, 4)), std::hypot(7, 4));
+  EXPECT_DOUBLE_EQ(value(pair, Which::kMu, at(3, 4)), 5);
+  EXPECT_DOUBLE_EQ(value(pair, Which::kMuBack, at(3, 4)), std::hypot(7, 4));
+  EXPECT_DOUBLE_EQ(value(pair, Which::kEta1, at(10, 1)), 1);
+  EXPECT_DOUBLE_EQ(value(pair, Which::kDiameter, at(3, 4)), 10);
+}
+
+TEST(FarthestPair, DiameterIsNotTwiceTheRadius) {
+  Region t = polygon({{0, 0}, {8, 1}, {4, 7}});
+  auto d = farthest_pair(t, t, at(0, 0));
+  EXPECT_EQ(d.distance * d.distance, Real(65));
+}
+
+TEST(FarthestPair, Arcs) {
+  Region a = plane::region_of_disc(0, 0, 3), b = plane::region_of_disc(1, 0, 2);
+  auto d = farthest_pair(a, b, at(9, 0));
+  EXPECT_EQ(d.distance, Real(15));
+  EXPECT_EQ(d.first.x, Real(-3));
+  EXPECT_EQ(d.second.x, Real(12));
+  EXPECT_EQ(farthest_pair(a, a, at(0, 0)).distance, Real(6));
+}
+
+}  // namespace
+}  // namespace findspace::distance

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// SVG and DXF drawings: bad input first, then units, transforms, choice, nesting.
+#include <gtest/gtest.h>
+
+#include "findspace/error.h"
+#include "io/read_file.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using plane::GridPoint;
+using plane::Shape;
+using plane::ShapePtr;
+
+/// A context of whole millimetres.
+struct Context : ReadContext {
+  Context() {
+    grid = Grid(1);
+    unit = Unit::kMillimetre;
+  }
+};
+
+ShapePtr svg(const std::string& inside, FileChoice choice = {},
+             const std::string& attributes = "width='100mm' viewBox='0 0 100 100'") {
+  Context context;
+  return read_svg("<svg xmlns='http://www.w3.org/2000/svg' " + attributes + ">" + inside + "</svg>", "f.svg", choice,
+                  context);
+}
+
+template <class Read>
+void expect_refused(Read read, const std::string& words) {
+  try {
+    read();
+    ADD_FAILURE() << "read, expected: " << words;
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("f."), std::string::npos) << e.what();
+  }
+}
+
+TEST(ReadSvg, Refuses) {
+  Context context;
+  for (const char* text : {"", "<svg", "<svg><path d='M0 0'></svg>", "\x89PNG\r\n\x1a\n"}) {
+    expect_refused([&] { read_svg(text, "f.svg", {}, context); }, "not proper XML");
+  }
+  expect_refused([&] { read_svg("<html/>", "f.svg", {}, context); }, "not <svg>");
+  expect_refused([] { svg(""); }, "no shape");
+  expect_refused([] { svg("\n<path id='p' d='M0 0 C1 1 2 2 3 3'/>"); }, "<path id='p'> (f.svg:2:2): path, character 6");
+  expect_refused([] { svg("<path/>"); }, "the path is empty");
+  expect_refused([] { svg("<circle r='0'/>"); }, "'r' must be more than 0");
+  expect_refused([] { svg("<circle r='1mm'/>"); }, "the unit 'mm'");
+  expect_refused([] { svg("<rect width='5'/>"); }, "'height' must be more than 0");
+  expect_refused([] { svg("<rect width='50%' height='5'/>"); }, "the unit '%'");
+  expect_refused([] { svg("<rect width='9' height='5' rx='1' ry='2'/>"); }, "elliptical corners");
+  expect_refused([] { svg("<ellipse rx='9' ry='5'/>"); }, "only circles");
+  expect_refused([] { svg("<polygon points='0 0 1'/>"); }, "odd number");
+  expect_refused([] { svg("<polygon points='0 0 4 0 4 4' transform='turn(3)'/>"); }, "no such transform");
+  expect_refused([] { svg("<circle r='3' transform='scale(1, 2)'/>"); }, "makes it elliptical");
+  expect_refused([] { svg("<use href='#a'/>"); }, "<use> is not read");
+  expect_refused([] { svg("<circle r='1' transform='scale(1'/>"); }, "incomplete");
+  FileChoice choice;
+  choice.id = "outlin";
+  expect_refused([&] { svg("<circle id='outline' r='3'/>", choice); }, "did you mean 'outline'?");
+}
+
+TEST(ReadSvg, StandsAsThePictureShows) {
+  ShapePtr p = svg("<path d='M10 0 A10 10 0 0 1 0 10 V0 Z'/>");  // sweep 1 is clockwise in the picture
+  ASSERT_EQ(p->kind, Shape::Kind::kRings);
+  bool found = false;
+  for (const plane::ContourEdge& e : p->contours[0]) {
+    EXPECT_LE(e.start.y, 0);
+    if (!e.arc) continue;
+    found = true;
+    EXPECT_TRUE(e.ccw);  // the ring has been turned, the arc still bulges away from the centre
+    EXPECT_EQ(e.cx.sign(), 0);
+    EXPECT_EQ(e.cy.sign(), 0);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(ReadSvg, Elements) {
+  ShapePtr circle = svg("<circle cx='3' cy='4' r='2.5'/>");
+  EXPECT_EQ(circle->kind, Shape::Kind::kDisc);
+  EXPECT_EQ(circle->points[0], (GridPoint{3, -4}));
+  EXPECT_EQ(compare(circle->amount, Real::ratio(5, 2)), 0);
+  EXPECT_EQ(svg("<rect x='1' y='1' width='8' height='4'/>")->contours[0].size(), 4u);
+  ShapePtr rounded = svg("<rect width='20' height='10' rx='3'/>");
+  EXPECT_EQ(rounded->contours[0].size(), 8u);
+  EXPECT_EQ(svg("<rect width='20' height='10' rx='5'/>")->contours[0].size(), 6u);  // a stadium
+  EXPECT_EQ(svg("<rect width='10' height='10' rx='9'/>")->contours[0].size(), 4u);  // a circle
+  EXPECT_EQ(svg("<line x1='0' y1='0' x2='5' y2='5'/>")->kind, Shape::Kind::kPolyline);
+  EXPECT_EQ(svg("<polyline points='0,0 5,0 5,5'/>")->kind, Shape::Kind::kPolyline);
+  EXPECT_EQ(svg("<polygon points='0,0 5,0 5,5'/>")->kind, Shape::Kind::kRings);
+}
+
+TEST(ReadSvg, Transforms) {
+  EXPECT_EQ(svg("<g transform='translate(10)'><g transform='scale(2)'><circle r='3'/></g></g>")->points[0],
+            (GridPoint{10, 0}));
+  ShapePtr turned = svg("<circle cx='5' r='3' transform='rotate(90)'/>");
+  EXPECT_EQ(turned->points[0], (GridPoint{0, -5}));
+  EXPECT_EQ(turned->amount.integer(), exact::int128(3));
+  EXPECT_EQ(svg("<circle cx='10' r='3' transform='rotate(30)'/>")->points[0], (GridPoint{9, -5}));
+  EXPECT_EQ(svg("<circle cx='10' r='3' transform='rotate(30)'/>")->amount.integer(), exact::int128(3));
+  EXPECT_EQ(svg("<circle cx='1' cy='2' r='5' transform='matrix(0.6 0.8 -0.8 0.6 4 4)'/>")->amount.integer(),
+            exact::int128(5));
+  ShapePtr mirrored = svg("<path d='M10 0 A10 10 0 0 1 0 10 V0 Z' transform='scale(-1, 1)'/>");
+  EXPECT_EQ(mirrored->contours[0].size(), 3u);
+  EXPECT_EQ(svg("<polygon points='0 0 4 0 4 4' transform='rotate(180 2 2) skewX(45)'/>")->contours[0].size(), 3u);
+}
+
+TEST(ReadSvg, Units) {
+  auto radius = [](const char* attributes, FileChoice choice = {}) {
+    return svg("<circle r='90'/>", choice, attributes)->amount;
+  };
+  EXPECT_EQ(radius("width='10cm' viewBox='0 0 100 100'").integer(), exact::int128(90));
+  EXPECT_EQ(compare(radius("width='1in' viewBox='0 0 90 90'"), Real::ratio(254, 10)), 0);
+  EXPECT_EQ(compare(radius("width='100mm' height='50mm'"), Real::ratio(90 * 254, 960)), 0);
+  EXPECT_EQ(radius("width='300' viewBox='0 0 100 100'").integer(), exact::int128(90));  // no unit: the scene's
+  FileChoice inches;
+  inches.unit = Unit::kInch;
+  EXPECT_EQ(radius("", inches).integer(), exact::int128(2286));
+  expect_refused([] { svg("<circle r='1'/>", {}, "width='1mm' viewBox='0 0 0 0'"); }, "viewBox");
+}
+
+TEST(ReadSvg, Choice) {
+  const char* drawing =
+      "<defs><circle id='spare' r='9'/></defs><g inkscape:label='cuts' id='l1'><circle id='a' r='1'/><circle id='b' "
+      "r='2'/></g>"
+      "<circle id='c' r='3'/><circle style='display: none' r='4'/><text>hello</text>";
+  Context context;
+  ShapePtr all = read_svg(std::string("<svg xmlns:inkscape='x'>") + drawing + "</svg>", "f.svg", {}, context);
+  EXPECT_TRUE(all->collection);
+  ASSERT_EQ(all->children.size(), 3u);
+  EXPECT_EQ(all->children[1]->name, "b");
+  EXPECT_EQ(context.notes.back(), "f.svg: 1 <text> left out");
+  FileChoice choice;
+  choice.layer = "cuts";
+  EXPECT_EQ(svg(drawing, choice)->children.size(), 2u);
+  choice.index = 1;
+  EXPECT_EQ(svg(drawing, choice)->amount.integer(), exact::int128(2));
+  FileChoice spare;
+  spare.id = "spare";
+  EXPECT_EQ(svg(drawing, spare)->amount.integer(), exact::int128(9));
+}
+
+/// Groups "code value" split at blanks and bars: one group a bar.
+std::string dxf_text(const std::string& entities, const std::string& units = "", const std::string& blocks = "") {
+  std::string groups =
+      "0 SECTION|2 HEADER|" + (units.empty() ? std::string() : "9 $INSUNITS|70 " + units + "|") + "0 ENDSEC|";
+  if (!blocks.empty()) groups += "0 SECTION|2 BLOCKS|" + blocks + "0 ENDSEC|";
+  groups += "0 SECTION|2 ENTITIES|" + entities + "0 ENDSEC|0 EOF|";
+  std::string text;
+  bool code = true;
+  for (char c : groups) {
+    if (c == '|') {
+      text += "\r\n";
+      code = true;
+    } else if (c == ' ' && code) {
+      text += "\r\n";
+      code = false;
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+ShapePtr dxf(const std::string& entities, FileChoice choice = {}, const std::string& units = "4",
+             const std::string& blocks = "") {
+  Context context;
+  return read_dxf(dxf_text(entities, units, blocks), "f.dxf", choice, context);
+}
+
+const std::string kSquare = "0 LWPOLYLINE|8 cut|90 4|70 1|10 0|20 0|10 20|20 0|10 20|20 20|10 0|20 20|";
+
+TEST(ReadDxf, Refuses) {
+  Context context;
+  for (const char* text : {"", "0\n", "0\nSECTION\n2\nENTITIES\n0\nLINE\n"}) {
+    expect_refused([&] { read_dxf(text, "f.dxf", {}, context); }, "cut off");
+  }
+  expect_refused([&] { read_dxf("hello\nworld\n", "f.dxf", {}, context); }, "not ASCII DXF");
+  expect_refused([&] { read_dxf(std::string_view("AutoCAD Binary DXF\r\n\x1a\0xxx", 25), "f.dxf", {}, context); },
+                 "binary DXF");
+  expect_refused([] { dxf(""); }, "no shape");
+  expect_refused([] { dxf("0 LINE|10 0|20 0|11 5|"); }, "LINE (f.dxf:16): group 21 is missing");
+  expect_refused([] { dxf("0 LINE|10 x|20 0|11 5|21 0|"); }, "'x' is not a number");
+  expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 -1|"); }, "radius");
+  expect_refused([] { dxf("0 SPLINE|8 0|"); }, "SPLINE is not read");
+  expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 5|230 -1|"); }, "plane is turned");
+  expect_refused([] { dxf("0 INSERT|2 none|10 0|20 0|"); }, "unknown block");
+  expect_refused([] { dxf("0 POLYLINE|70 1|0 VERTEX|10 0|20 0|"); }, "without SEQEND");
+  expect_refused([] { dxf(kSquare, {}, "7"); }, "$INSUNITS 7");
+  expect_refused([] { dxf("0 LINE|10 0|20 0|11 5|21 0|0 LINE|10 0|20 0|11 0|21 5|0 LINE|10 0|20 0|11 5|21 5|"); },
+                 "3 lines end at (0, 0)");
+  expect_refused([] { dxf(kSquare + "0 CIRCLE|10 20|20 10|40 5|"); }, "touches or crosses");
+  FileChoice choice;
+  choice.layer = "cuts";
+  expect_refused([&] { dxf(kSquare, choice); }, "did you mean 'cut'?");
+  expect_refused(
+      [] { dxf("0 INSERT|2 b|10 0|20 0|", {}, "4", "0 BLOCK|2 b|10 0|20 0|0 INSERT|2 b|10 0|20 0|0 ENDBLK|"); },
+      "in themselves");
+}
+
+TEST(ReadDxf, OutlinesNestAndUnits) {
+  ShapePtr plate = dxf(kSquare + "0 CIRCLE|8 cut|10 10|20 10|40 5|0 TEXT|1 hello|");
+  ASSERT_EQ(plate->kind, Shape::Kind::kRings);
+  EXPECT_EQ(plate->contours.size(), 2u);
+  EXPECT_EQ(dxf("0 CIRCLE|10 1|20 1|40 2|", {}, "5")->amount.integer(), exact::int128(20));
+  EXPECT_EQ(compare(dxf("0 CIRCLE|10 1|20 1|40 2|", {}, "1")->amount, Real::ratio(508, 10)), 0);
+  Context context;
+  read_dxf(dxf_text(kSquare), "f.dxf", {}, context);
+  EXPECT_EQ(context.notes.at(0), "f.dxf states no unit: read as mm");
+}
+
+TEST(ReadDxf, BulgesAndArcs) {
+  ShapePtr stadium = dxf("0 LWPOLYLINE|70 1|10 0|20 0|10 10|20 0|42 1|10 10|20 10|10 0|20 10|42 1|");
+  ASSERT_EQ(stadium->contours[0].size(), 4u);
+  EXPECT_EQ(stadium->contours[0][1].cx.integer(), exact::int128(10));
+  EXPECT_EQ(stadium->contours[0][1].cy.integer(), exact::int128(5));
+  ShapePtr pieces =
+      dxf("0 LINE|10 0|20 0|11 10|21 0|0 ARC|10 10|20 5|40 5|50 270|51 90|0 LINE|10 0|20 10|11 10|21 10|0 LINE|10 0|20 "
+          "10|11 0|21 0|");
+  ASSERT_EQ(pieces->kind, Shape::Kind::kRings);
+  EXPECT_EQ(pieces->contours[0].size(), 4u);
+  ShapePtr old = dxf("0 POLYLINE|70 1|0 VERTEX|10 0|20 0|0 VERTEX|10 9|20 0|42 0.5|0 VERTEX|10 9|20 9|0 SEQEND|");
+  EXPECT_EQ(old->contours[0].size(), 3u);
+  EXPECT_EQ(dxf("0 ARC|10 0|20 0|40 7|50 33|51 393|")->kind, Shape::Kind::kDisc);
+  EXPECT_EQ(dxf("0 POINT|10 3|20 4|")->points[0], (GridPoint{3, 4}));
+}
+
+TEST(ReadDxf, OpenOutlinesAreNoted) {
+  Context context;
+  ShapePtr open =
+      read_dxf(dxf_text("0 LINE|10 0|20 0|11 5|21 0|0 LINE|10 5|20 0|11 5|21 5|", "4"), "f.dxf", {}, context);
+  EXPECT_EQ(open->kind, Shape::Kind::kPolyline);
+  EXPECT_EQ(context.notes.at(0), "f.dxf: 1 open outline is read as a polyline, without an inside");
+}
+
+TEST(ReadDxf, BlocksAndLayers) {
+  const char* block = "0 BLOCK|2 part|10 1|20 1|0 CIRCLE|8 0|10 1|20 1|40 2|0 ENDBLK|";
+  ShapePtr disc = dxf("0 INSERT|8 holes|2 part|10 30|20 40|41 3|42 3|50 90|", {}, "4", block);
+  EXPECT_EQ(disc->points[0], (GridPoint{30, 40}));
+  EXPECT_EQ(disc->amount.integer(), exact::int128(6));
+  FileChoice choice;
+  choice.layer = "holes";
+  EXPECT_EQ(dxf(kSquare + "0 INSERT|8 holes|2 part|10 30|20 40|", choice, "4", block)->kind, Shape::Kind::kDisc);
+  expect_refused([&] { dxf("0 INSERT|2 part|10 30|20 40|41 3|42 1|", {}, "4", block); }, "elliptical");
+  FileChoice second;
+  second.index = 1;
+  EXPECT_EQ(dxf(kSquare + "0 LWPOLYLINE|70 1|10 50|20 0|10 60|20 0|10 60|20 9|", second)->contours[0].size(), 3u);
+}
+
+}  // namespace
+}  // namespace findspace::io

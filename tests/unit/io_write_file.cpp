@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "findspace/error.h"
+#include "io/write_file.h"
+
+namespace findspace::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WriteFile : public testing::Test {
+ protected:
+  WriteFile() { fs::create_directories(folder_); }
+  ~WriteFile() override { fs::remove_all(folder_); }
+  static std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  std::size_t entries() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
+
+  fs::path folder_ = fs::temp_directory_path() / ("findspace_write_file_" + std::to_string(getpid()));
+};
+
+TEST_F(WriteFile, WritesAndReplaces) {
+  write_file(folder_ / "a", "first");
+  write_file(folder_ / "a", std::string_view("second\0", 7));
+  EXPECT_EQ(read(folder_ / "a").size(), 7u);
+  write_file(folder_ / "a", "");
+  EXPECT_EQ(read(folder_ / "a"), "");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(WriteFile, MissingFolderAndFolderAsTarget) {
+  EXPECT_THROW(write_file(folder_ / "none" / "a", "x"), Error);
+  fs::create_directory(folder_ / "b");
+  EXPECT_THROW(write_file(folder_ / "b", "x"), Error);
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(WriteFile, LinksStayLinks) {
+  write_file(folder_ / "a", "old");
+  fs::create_symlink("a", folder_ / "link");
+  write_file(folder_ / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(read(folder_ / "a"), "new");
+}
+
+TEST_F(WriteFile, DevicesAreWrittenTo) {
+  write_file("/dev/null", "x");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_THROW(write_file("/dev/full", "x"), Error);
+}
+
+}  // namespace
+}  // namespace findspace::io

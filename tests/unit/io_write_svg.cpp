@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+
+#include "findspace/error.h"
+#include "io/read_file.h"
+#include "io/write_svg.h"
+#include "plane/build.h"
+#include "plane_topology_sets.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using plane::Region;
+
+std::string picture_of(const Region& s, std::vector<NamedRegion> fixed = {}, std::vector<NamedRegion> moving = {}) {
+  const plane::Summary summary = plane::summarize(s, Real(1));
+  Picture p;
+  p.title = "A < B & \"C\"";
+  p.step = Real(1);
+  p.unit = "mm";
+  p.region = &s;
+  p.summary = &summary;
+  p.fixed = std::move(fixed);
+  p.moving = std::move(moving);
+  return picture_svg(p);
+}
+
+/// How many elements of a class the map has (not the legend).
+int count(const std::string& svg, const char* style) {
+  pugi::xml_document xml;
+  EXPECT_TRUE(xml.load_string(svg.c_str()));
+  int n = 0;
+  for (const auto& node : xml.select_nodes("/svg/g/*"))
+    n += std::string(node.node().attribute("class").value()) == style;
+  return n;
+}
+
+TEST(Svg, EverySetIsWellFormed) {
+  for (const Region& s : {Region::uniform(0), Region::uniform(1), plane::point(3, 4), plane::segment({0, 0}, {0, 9}),
+                          plane::disc(0, 0, Real(5)), complement(plane::disc(0, 0, Real(5)))}) {
+    pugi::xml_document xml;
+    EXPECT_TRUE(xml.load_string(picture_of(s).c_str()));
+    EXPECT_EQ(std::string(xml.child("svg").child("title").text().get()), "A < B & \"C\"");
+  }
+}
+
+TEST(Svg, KindsOfCellsLookDifferent) {
+  const std::string svg = picture_of((plane::box(0, 0, 9, 9) - plane::segment({0, 0}, {9, 0})) +
+                                     plane::segment({9, 5}, {14, 5}) + plane::point(20, 0));
+  for (const char* style : {"face", "closed", "open", "free", "point"}) EXPECT_EQ(count(svg, style), 1) << style;
+  const std::string closed = picture_of(plane::box(0, 0, 9, 9));
+  for (const char* style : {"open", "free", "point", "hollow", "full"}) EXPECT_EQ(count(closed, style), 0) << style;
+}
+
+TEST(Svg, SinglePointsThatDiffer) {
+  EXPECT_EQ(count(picture_of(plane::box(0, 0, 9, 9) - plane::point(4, 4)), "hollow"), 1);
+  EXPECT_EQ(count(picture_of(interior(plane::box(0, 0, 9, 9)) + plane::point(0, 0)), "full"), 1);
+}
+
+TEST(Svg, ArcsAreArcs) {
+  const std::string svg = picture_of(plane::disc(0, 0, Real(5)));
+  EXPECT_NE(svg.find('A', svg.find("class=\"face\" d=")), std::string::npos);
+}
+
+TEST(Svg, UnboundedIsSaid) {
+  EXPECT_NE(picture_of(complement(plane::box(0, 0, 4, 4))).find("unbounded"), std::string::npos);
+  EXPECT_EQ(picture_of(plane::box(0, 0, 4, 4)).find("unbounded"), std::string::npos);
+}
+
+TEST(Svg, SceneryHasNamesAndTheMovingShapeAPlace) {
+  const Region sheet = plane::box(0, 0, 100, 100), part = plane::box(-2, -2, 2, 2);
+  const std::string svg = picture_of(plane::box(20, 20, 80, 80), {{"sheet <1>", &sheet}}, {{"part", &part}});
+  EXPECT_NE(svg.find(">sheet &lt;1&gt;</text>"), std::string::npos);
+  EXPECT_EQ(count(svg, "moving"), 1);
+  EXPECT_EQ(count(svg, "pole"), 1);
+  EXPECT_NE(svg.find("at p = (50, 50)"), std::string::npos);
+}
+
+TEST(Svg, ShapesReadBack) {
+  for (const Region& s : {plane::box(0, 0, 9, 4), plane::box(0, 0, 30, 30) - interior(plane::box(5, 5, 9, 9)),
+                          plane::box(-10, -10, 10, 10) & plane::disc(0, 0, Real(10))}) {
+    ReadContext context;
+    context.grid = Grid(Real(1));
+    context.unit = Unit::kMillimetre;
+    const DrawingText drawing = shape_svg(s, Real(1), "s", Unit::kMillimetre);
+    EXPECT_TRUE(drawing.lost.empty());
+    EXPECT_TRUE(same_set(plane::build(*read_svg(drawing.text, "test.svg", {}, context)).region, s)) << drawing.text;
+  }
+}
+
+TEST(Svg, ShapesSayWhatIsLost) {
+  EXPECT_FALSE(shape_svg(plane::point(1, 1), Real(1), "s", {}).lost.empty());
+  EXPECT_FALSE(shape_svg(interior(plane::box(0, 0, 4, 4)), Real(1), "s", {}).lost.empty());
+  EXPECT_THROW(shape_svg(Region::uniform(1), Real(1), "s", {}), Error);
+}
+
+}  // namespace
+}  // namespace findspace::io

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Rings: what is refused and why, what is normalised, nesting. Degenerate input first.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "findspace/error.h"
+#include "plane/contour.h"
+
+namespace findspace::plane {
+namespace {
+
+using exact::Real;
+
+Contour ring(std::initializer_list<GridPoint> points) {
+  Contour contour;
+  for (GridPoint p : points) contour.push_back({p, false, true, {}, {}, {}});
+  return contour;
+}
+
+Contour square(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
+  return ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+}
+
+/// The error of a set of rings, or an empty one.
+Error refusal(std::vector<Contour> rings) {
+  try {
+    make_rings(std::move(rings), 1);
+  } catch (const Error& e) {
+    return e;
+  }
+  return Error(ErrorCode::kUsage, "");
+}
+
+void expect_refused(std::vector<Contour> rings, const std::string& words) {
+  Error e = refusal(std::move(rings));
+  EXPECT_EQ(e.code(), ErrorCode::kGeometry);
+  EXPECT_NE(e.message().find(words), std::string::npos) << e.message();
+}
+
+TEST(Contour, RefusesRingsWithoutArea) {
+  expect_refused({{}}, "fewer than three");
+  expect_refused({ring({{1, 1}})}, "fewer than three");
+  expect_refused({ring({{1, 1}, {1, 1}, {1, 1}, {1, 1}})}, "fewer than three");
+  expect_refused({ring({{0, 0}, {5, 0}})}, "fewer than three");
+  expect_refused({ring({{0, 0}, {5, 0}, {2, 0}})}, "one line");
+  expect_refused({ring({{0, 0}, {1, 1}, {2, 2}, {3, 3}})}, "one line");
+  std::int64_t far = std::int64_t{1} << 40;
+  expect_refused({ring({{-far, -far}, {far, far}, {0, 0}})}, "one line");
+}
+
+TEST(Contour, SaysWhereARingCrossesItself) {
+  Error e = refusal({ring({{0, 0}, {4, 4}, {4, 0}, {0, 4}})});
+  EXPECT_EQ(e.message(),
+            "the ring touches or crosses itself: edge 0 from (0, 0) to (4, 4) and edge 2 from (4, 0) to (0, 4) meet at "
+            "(2, 2)");
+  ASSERT_EQ(e.geometry().size(), 1u);
+  EXPECT_DOUBLE_EQ(e.geometry()[0][0], 2);
+}
+
+TEST(Contour, EdgesCountAsGivenAlsoBehindRepeatedPoints) {
+  Error e = refusal({ring({{0, 0}, {0, 0}, {4, 4}, {4, 4}, {4, 0}, {0, 4}})});
+  EXPECT_NE(e.message().find("edge 1 from (0, 0) to (4, 4) and edge 4 from (4, 0)"), std::string::npos) << e.message();
+}
+
+TEST(Contour, RefusesTouchingItself) {
+  expect_refused({ring({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}})}, "meet at (2, 2)");  // vertex on vertex
+  expect_refused({ring({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})}, "meet at (2, 0)");          // vertex on edge
+  expect_refused({ring({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 0}, {2, 0}, {2, 4}, {0, 4}})}, "touches or crosses itself");
+  expect_refused({ring({{0, 0}, {4, 0}, {4, 2}, {4, 4}, {4, 1}, {0, 4}})}, "run along each other");  // a spike
+}
+
+TEST(Contour, NearMissesOfOneStepAreFine) {
+  std::int64_t far = std::int64_t{1} << 40;
+  EXPECT_NO_THROW(make_rings({ring({{-far, 0}, {far, -1}, {far, 0}, {-far, 1}})}, 1));
+  EXPECT_NO_THROW(make_rings({ring({{0, 0}, {far, far - 1}, {far, far}})}, 1));
+  EXPECT_NO_THROW(make_rings({ring({{-far, -far}, {far - 1, far - 2}, {far, far}, {far - 1, far - 1}})}, 1));
+}
+
+TEST(Contour, Normalises) {
+  RingSet set = make_rings({ring({{0, 4}, {4, 4}, {4, 4}, {4, 0}, {0, 0}}), ring({{1, 1}, {3, 1}, {3, 3}, {1, 3}})}, 1);
+  EXPECT_EQ(set.turned_rings, 1);
+  EXPECT_EQ(set.repeated_points, 1);
+  ASSERT_EQ(set.contours.size(), 2u);
+  EXPECT_EQ(set.contours[0].size(), 4u);
+  EXPECT_EQ(orientation(set.contours[0]), 1);
+  EXPECT_EQ(orientation(set.contours[1]), -1);
+}
+
+TEST(Contour, KeepsCollinearPoints) {
+  EXPECT_EQ(make_rings({ring({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}})}, 1).contours[0].size(), 5u);
+}
+
+TEST(Contour, RefusesHoles) {
+  Contour outer = square(0, 0, 10, 10);
+  expect_refused({outer, square(20, 1, 22, 3)}, "hole 0 is not inside the ring: its vertex (20, 1)");
+  expect_refused({outer, square(8, 4, 12, 6)}, "hole 0 touches or crosses the ring");
+  expect_refused({outer, square(0, 4, 2, 6)}, "hole 0 touches or crosses the ring");
+  expect_refused({outer, ring({{0, 5}, {2, 4}, {2, 6}})}, "meet at (0, 5)");
+  expect_refused({outer, square(1, 1, 9, 9), square(3, 3, 5, 5)}, "hole 1 is inside hole 0");
+  expect_refused({outer, square(3, 3, 5, 5), square(1, 1, 9, 9)}, "hole 0 is inside hole 1");
+  expect_refused({outer, square(1, 1, 3, 3), square(3, 3, 5, 5)}, "hole 1 touches or crosses hole 0");
+  expect_refused({outer, square(-5, -5, 20, 20)}, "hole 0 is not inside the ring");
+  expect_refused({outer, outer}, "run along each other");
+  EXPECT_NO_THROW(make_rings({outer, square(1, 1, 3, 3), square(4, 4, 5, 5)}, 1));
+}
+
+TEST(Contour, NestsByEvenOdd) {
+  std::vector<RingSet> sets =
+      nest_rings({square(4, 4, 6, 6), square(0, 0, 10, 10), square(20, 0, 30, 10), square(2, 2, 8, 8)}, 1);
+  ASSERT_EQ(sets.size(), 3u);
+  EXPECT_EQ(sets[0].contours.size(), 1u);  // the island
+  EXPECT_EQ(sets[1].contours.size(), 2u);
+  EXPECT_EQ(sets[1].contours[1][0].start, (GridPoint{2, 2}));
+  EXPECT_EQ(orientation(sets[1].contours[1]), -1);
+  EXPECT_EQ(sets[2].contours.size(), 1u);
+  EXPECT_THROW(nest_rings({square(0, 0, 4, 4), square(4, 0, 8, 4)}, 1), Error);
+  EXPECT_TRUE(nest_rings({}, 1).empty());
+}
+
+TEST(Contour, ChainsDropRepeatedPoints) {
+  std::int64_t repeated = 0;
+  EXPECT_EQ(make_chain(ring({{0, 0}, {0, 0}, {1, 0}, {1, 0}, {0, 0}}), repeated).size(), 3u);
+  EXPECT_EQ(repeated, 2);
+  EXPECT_THROW(make_chain(ring({{0, 0}, {0, 0}}), repeated), Error);
+  EXPECT_THROW(make_chain({}, repeated), Error);
+}
+
+TEST(Contour, EnclosesWithPointsLevelWithVertices) {
+  Contour diamond = ring({{0, -4}, {4, 0}, {0, 4}, {-4, 0}});
+  EXPECT_TRUE(encloses(diamond, {0, 0}));
+  EXPECT_TRUE(encloses(diamond, {-3, 0}));
+  EXPECT_FALSE(encloses(diamond, {-5, 0}));
+  EXPECT_FALSE(encloses(diamond, {5, 0}));
+  EXPECT_FALSE(encloses(diamond, {-1, 4}));
+  EXPECT_FALSE(encloses(diamond, {-1, -4}));
+}
+
+/// A star-shaped ring about (cx, cy).
+Contour star(std::size_t n, std::int64_t cx, std::int64_t cy, double size, std::mt19937& random) {
+  std::uniform_real_distribution<double> radius(size / 2, size);
+  Contour contour;
+  for (std::size_t i = 0; i < n; ++i) {
+    double angle = 2 * 3.14159265358979 * double(i) / double(n), r = radius(random);
+    contour.push_back(
+        {{cx + std::llround(r * std::cos(angle)), cy + std::llround(r * std::sin(angle))}, false, true, {}, {}, {}});
+  }
+  return contour;
+}
+
+TEST(Contour, ThreeThousandVerticesTakeMilliseconds) {
+  std::mt19937 random(7);
+  std::vector<Contour> rings{star(3000, 0, 0, 1e9, random)};
+  auto start = std::chrono::steady_clock::now();
+  make_rings(rings, 1);
+  double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  RecordProperty("milliseconds", std::to_string(ms));
+  EXPECT_LT(ms, 100);  // 3 ms where it was written; room for sanitizers
+}
+
+TEST(Contour, FindsTheCrossingsAmongThousands) {
+  std::mt19937 random(11);
+  Contour contour = star(3000, 0, 0, 1e9, random);
+  std::swap(contour[1000], contour[1500]);
+  EXPECT_THROW(make_rings({contour}, 1), Error);
+}
+
+TEST(Contour, ManyHolesInAnyOrder) {
+  std::vector<Contour> rings{square(-1, -1, 1000, 1000)};
+  for (std::int64_t i = 0; i < 900; ++i) {
+    std::int64_t k = i * 523 % 900, x = k % 30 * 30, y = k / 30 * 30;
+    rings.push_back(square(x, y, x + 20, y + 20));
+  }
+  EXPECT_EQ(make_rings(rings, 1).contours.size(), 901u);
+  rings.push_back(square(10, 10, 12, 12));
+  expect_refused(rings, "is inside hole");
+}
+
+}  // namespace
+}  // namespace findspace::plane

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Meshes: what is repaired, what is refused and how that is said; convex parts whose volumes add up exactly.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include "space/convex_parts.h"
+#include "space/mesh.h"
+#include "space/phi_union.h"
+
+namespace findspace::space {
+namespace {
+
+Mesh cube(std::int64_t size) {
+  Mesh m;
+  for (int i = 0; i < 8; ++i) m.vertices.push_back({i & 1 ? size : 0, i & 2 ? size : 0, i & 4 ? size : 0});
+  m.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  return m;
+}
+
+/// A prism over a polygon (counter-clockwise from above).
+Mesh prism(const std::vector<std::array<std::int64_t, 2>>& polygon, std::int64_t height) {
+  Mesh m;
+  const int n = static_cast<int>(polygon.size());
+  std::vector<int> top, bottom;
+  for (int i = 0; i < n; ++i) {
+    m.vertices.push_back({polygon[i][0], polygon[i][1], 0});
+    m.vertices.push_back({polygon[i][0], polygon[i][1], height});
+    top.push_back(2 * i + 1);
+    bottom.insert(bottom.begin(), 2 * i);
+    const int j = (i + 1) % n;
+    m.faces.push_back({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
+  }
+  m.faces.push_back(top);
+  m.faces.push_back(bottom);
+  return m;
+}
+
+exact::Real volumes(const ConvexParts& parts) {
+  exact::Real sum;
+  for (const Polytope& p : parts.parts) {
+    Mesh m{{p.vertices().begin(), p.vertices().end()}, {}};
+    for (int f = 0; f < p.facet_count(); ++f) m.faces.push_back(p.circuit(f));
+    sum += six_volumes(m);
+  }
+  return sum;
+}
+
+void expect_exact_parts(Mesh mesh, std::size_t most) {
+  clean(mesh, 1);
+  const ConvexParts parts = convex_parts(mesh);
+  EXPECT_EQ(parts.rounded, 0);
+  EXPECT_LE(parts.parts.size(), most);
+  const exact::Real cube_of_scale = exact::Real(parts.scale) * exact::Real(parts.scale) * exact::Real(parts.scale);
+  EXPECT_TRUE(volumes(parts) == six_volumes(mesh) * cube_of_scale);
+  for (std::size_t i = 0; i < parts.parts.size(); ++i) {
+    for (std::size_t j = i + 1; j < parts.parts.size(); ++j) {
+      // Interiors do not meet: the origin is not inside A_i - A_j.
+      EXPECT_GE(PhiFunction(parts.parts[i], parts.parts[j]).sign({0, 0, 0}), 0);
+    }
+  }
+}
+
+TEST(Mesh, TurnsFacesOutward) {
+  Mesh m = cube(2);
+  std::reverse(m.faces[0].begin(), m.faces[0].end());
+  std::reverse(m.faces[3].begin(), m.faces[3].end());
+  EXPECT_EQ(clean(m, 1).size(), 1u);
+  EXPECT_TRUE(six_volumes(m) == exact::Real(48));
+  EXPECT_TRUE(is_convex(m));
+  for (auto& face : m.faces) std::reverse(face.begin(), face.end());
+  clean(m, 1);
+  EXPECT_TRUE(six_volumes(m) == exact::Real(48));
+}
+
+TEST(Mesh, WeldsAndSplitsEdges) {
+  // A triangle soup of the cube, with the top cut in two halves that meet its sides in T-junctions.
+  Mesh m = cube(2);
+  Mesh soup;
+  const auto add = [&](std::vector<Point> corners) {
+    std::vector<int> face;
+    for (const Point& p : corners) face.push_back(static_cast<int>(soup.vertices.size())), soup.vertices.push_back(p);
+    soup.faces.push_back(face);
+  };
+  for (std::size_t f = 0; f < m.faces.size(); ++f) {
+    if (f == 1) continue;
+    std::vector<Point> corners;
+    for (const int v : m.faces[f]) corners.push_back(m.vertices[v]);
+    add({corners[0], corners[1], corners[2]});
+    add({corners[0], corners[2], corners[3]});
+  }
+  add({{0, 0, 2}, {1, 0, 2}, {1, 2, 2}, {0, 2, 2}});
+  add({{1, 0, 2}, {2, 0, 2}, {2, 2, 2}, {1, 2, 2}});
+  add({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});  // without area
+  clean(soup, 1);
+  EXPECT_TRUE(is_convex(soup));
+  EXPECT_TRUE(six_volumes(soup) == exact::Real(48));
+}
+
+TEST(Mesh, RefusesOpenSurfacesAndListsTheEdges) {
+  Mesh m = cube(2);
+  m.faces.pop_back();
+  try {
+    clean(m, 0.5);
+    FAIL() << "accepted";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kGeometry);
+    EXPECT_NE(e.message().find("4 open edges"), std::string::npos);
+    EXPECT_NE(e.message().find("(1, 1, 0)-(1, 0, 0) in 1 face"), std::string::npos) << e.message();
+  }
+  Mesh empty;
+  EXPECT_THROW(clean(empty, 1), Error);
+  Mesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
+  EXPECT_THROW(clean(flat, 1), Error);
+}
+
+TEST(ConvexParts, OfAnLAUAndAStar) {
+  expect_exact_parts(cube(3), 1);
+  expect_exact_parts(prism({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, 2), 2);
+  expect_exact_parts(prism({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 2), 3);
+  // A star: cuts meet edges off the grid, so the parts come on a finer one.
+  expect_exact_parts(
+      prism({{0, -9}, {3, -3}, {9, -2}, {5, 3}, {6, 9}, {0, 6}, {-6, 9}, {-5, 3}, {-9, -2}, {-3, -3}}, 5), 12);
+}
+
+TEST(ConvexParts, OfASolidWithACavity) {
+  // A cube with a cubic bubble: two nested surfaces, the inner one turned inward.
+  Mesh outer = cube(6), inner = cube(2);
+  for (const auto& face : inner.faces) {
+    outer.faces.emplace_back(face.rbegin(), face.rend());
+    for (int& v : outer.faces.back()) v += 8;
+  }
+  for (const Point& p : inner.vertices) outer.vertices.push_back(p + Point{2, 2, 2});
+  expect_exact_parts(outer, 8);
+}
+
+TEST(ConvexParts, OfTreesOfShapes) {
+  const auto leaf = [](const Solid& solid) {
+    plane::Shape shape;
+    shape.solid = std::make_shared<const Solid>(solid);
+    return std::make_shared<const plane::Shape>(std::move(shape));
+  };
+  Solid box, ball;
+  box.mesh = cube(2);
+  ball.form = Solid::Form::kBall;
+  plane::Shape sum, mirror;
+  sum.kind = plane::Shape::Kind::kMinkowskiSum;
+  sum.children = {leaf(box), leaf(box)};
+  EXPECT_EQ(convex_parts(sum).parts.at(0).volume(), 64);
+  mirror.kind = plane::Shape::Kind::kMirror;
+  mirror.children = {leaf(box)};
+  EXPECT_EQ(convex_parts(mirror).parts.at(0).planes().size(), 6u);
+  EXPECT_THROW(convex_parts(*leaf(ball)), Error);
+  Solid flat;
+  flat.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_THROW(convex_parts(*leaf(flat)), Error);
+}
+
+}  // namespace
+}  // namespace findspace::space

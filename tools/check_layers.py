@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""Checks the rules of the house that a compiler does not see, and prints every place that breaks one.
+
+usage: check_layers.py [ROOT]
+
+1. A file of src/<layer>/ includes only its own layer and lower ones, always as "layer/file.h".
+2. A header of include/findspace/ includes only the standard library and its neighbours.
+3. Every source file opens with the two SPDX lines.
+4. Outside src/exact no small constant (1e-9) stands in the code: only src/exact decides signs. One that
+   decides none says so on its line: `// no sign: why`.
+
+Exit status 0 when all hold. docs/architecture.md says what the layers are for."""
+import os
+import re
+import sys
+
+LAYERS = ["exact", "plane", "space", "distance", "situation", "planning", "io"]
+CODE = (".h", ".cpp")
+OWN = ("src", "include", "apps", "tests", "bench", "python", "tools")
+SPDX = ("SPDX-License-Identifier: Apache-2.0", "SPDX-FileCopyrightText: findspace contributors")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+SMALL = re.compile(r"(?<![\w.])\d*\.?\d*[eE]-\d+")
+
+
+def files(root, folder):
+    for path, folders, names in os.walk(os.path.join(root, folder)):
+        folders[:] = sorted(f for f in folders if not f.startswith(".") and f != "__pycache__")
+        for name in sorted(names):
+            yield os.path.relpath(os.path.join(path, name), root)
+
+
+def read(root, path):
+    with open(os.path.join(root, path), encoding="utf-8", errors="replace") as file:
+        return file.read()
+
+
+def without_comments(text):
+    """The text with comments and the insides of strings blanked, line numbers kept."""
+    token = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+    return token.sub(lambda m: re.sub(r"[^\n]", " ", m.group()), text)
+
+
+def includes(text):
+    for number, line in enumerate(text.splitlines(), 1):
+        found = INCLUDE.match(line)
+        if found:
+            yield number, found.group(1), found.group(2)
+
+
+def check_layer_includes(root):
+    for path in files(root, "src"):
+        parts = path.split(os.sep)
+        if not path.endswith(CODE):
+            continue
+        if len(parts) < 3 or parts[1] not in LAYERS:
+            yield path, 1, "is in no layer of src/"
+            continue
+        for number, kind, name in includes(read(root, path)):
+            top = name.split("/")[0]
+            if kind == "<" or top == "findspace":
+                continue
+            if "/" not in name or top not in LAYERS:
+                yield path, number, f'include "{name}" names no layer'
+            elif LAYERS.index(top) > LAYERS.index(parts[1]):
+                yield path, number, f'{parts[1]} includes "{name}" from a higher layer'
+
+
+def check_public_headers(root):
+    for path in files(root, "include"):
+        for number, kind, name in includes(read(root, path)):
+            standard = kind == "<" and re.fullmatch(r"[a-z_]+", name)
+            if not standard and not name.startswith("findspace/"):
+                yield path, number, f"a public header includes {name}"
+
+
+def check_licence_lines(root):
+    for folder in OWN:
+        for path in files(root, folder):
+            text = read(root, path)
+            if not (path.endswith(CODE + (".py", "CMakeLists.txt")) or text.startswith("#!")):
+                continue
+            lines = text.splitlines()
+            first = 1 if lines and lines[0].startswith("#!") else 0
+            if any(mark not in line for mark, line in zip(SPDX, lines[first:first + 2] + ["", ""])):
+                yield path, 1, "does not open with the two SPDX lines"
+
+
+def check_small_constants(root):
+    for folder in ("src", "include", "apps"):
+        for path in files(root, folder):
+            if not path.endswith(CODE) or path.startswith(os.path.join("src", "exact")):
+                continue
+            text = read(root, path)
+            code = without_comments(text).splitlines()
+            for number, (line, whole) in enumerate(zip(code, text.splitlines()), 1):
+                if SMALL.search(line) and "// no sign: " not in whole:
+                    yield path, number, "a small constant outside src/exact"
+
+
+def main(argv):
+    root = argv[0] if argv else os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    faults = 0
+    for check in (check_layer_includes, check_public_headers, check_licence_lines, check_small_constants):
+        for path, line, fault in check(root):
+            print(f"{path}:{line}: {fault}")
+            faults += 1
+    print("layers and house rules hold" if not faults else f"{faults} places break a rule of the house")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
