@@ -49,7 +49,16 @@ NarrowPoint narrow_crossing(const Carrier& s, const Carrier& t) {
   return w > 0 ? NarrowPoint{x, y, w} : NarrowPoint{-x, -y, -w};
 }
 
-Approx line_offset(const Carrier& l) { return l.grid ? from_int(l.c) : from_real(l.real->x); }
+/// The length of a line's normal: the sum of the two squares is off by at most 2 ulps, its root by at most 2.
+Approx normal_length(const Carrier& l) {
+  double a = double(l.a), b = double(l.b), n = std::sqrt(a * a + b * b);
+  return {n, n * (3 * Approx::kUnit)};
+}
+
+Approx line_offset(const Carrier& l) {
+  if (l.real) return from_real(l.real->x);
+  return l.grid ? from_int(l.c) : from_int(l.c) + from_real(l.w) * normal_length(l);
+}
 
 /// |a|, |b| < 2^53, so the doubles are exact. With u = 2^-53 the squared length is off by at most 2u (two roundings on each
 /// path), its root by 2u (half of that and its own rounding), a quotient by 3u; 4u covers the terms of second order.
@@ -58,7 +67,7 @@ void set_line_filter(Carrier& l) {
   double x = a / n, y = b / n;
   l.x = {x, std::abs(x) * (4 * Approx::kUnit)};
   l.y = {y, std::abs(y) * (4 * Approx::kUnit)};
-  l.z = line_offset(l) / Approx{n, n * (3 * Approx::kUnit)};
+  l.z = l.displaced() ? from_int(l.c) / normal_length(l) + from_real(l.w) : line_offset(l) / normal_length(l);
 }
 
 /// Squared radius times squared normal length minus squared unscaled distance: > 0 when line and circle cross.
@@ -95,6 +104,18 @@ Carrier Carrier::line(std::int64_t a, std::int64_t b, const Real& c) {
   return l;
 }
 
+Carrier Carrier::displaced_line(std::int64_t a, std::int64_t b, int128 c, const Real& shift) {
+  if (shift.sign() == 0) return line(a, b, c);
+  // An integer length gives a rational offset.
+  int128 square = int128(a) * a + int128(b) * b, root = int128(std::llround(std::sqrt(double(square))));
+  if (root * root == square) return line(a, b, Real(c) + shift * Real(root));
+  Carrier l;
+  l.grid = false;
+  l.a = a, l.b = b, l.c = c, l.w = shift;
+  set_line_filter(l);
+  return l;
+}
+
 Carrier Carrier::circle_at(std::int64_t cx, std::int64_t cy, const Real& r) {
   Carrier k;
   k.circle = true;
@@ -120,7 +141,9 @@ bool same_carrier(const Carrier& p, const Carrier& q) {
   if ((p.z - q.z).sign() != 0) return false;
   if (!p.circle) {
     if (p.a != q.a || p.b != q.b) return false;
-    return p.grid && q.grid ? p.c == q.c : p.offset() == q.offset();
+    if (p.grid && q.grid) return p.c == q.c;
+    if (p.displaced() && q.displaced() && p.c == q.c) return p.w == q.w;
+    return p.offset() == q.offset();
   }
   if ((p.x - q.x).sign() != 0 || (p.y - q.y).sign() != 0) return false;
   bool same_center = p.grid && q.grid ? p.a == q.a && p.b == q.b
@@ -382,12 +405,19 @@ std::array<Real, 2> Geometry::exact_tangent(std::uint32_t p, Heading h) const {
   return {-dx, -dy};
 }
 
+bool Geometry::touch_at(std::uint32_t p, std::uint32_t i, std::uint32_t j) const {
+  const Point& q = points[p];
+  return q.kind == Point::Kind::kCross && q.root == 0 && std::min(i, j) == q.i && std::max(i, j) == q.j &&
+         (carriers[i].circle || carriers[j].circle);
+}
+
 int Geometry::turn(std::uint32_t p, Heading h, Heading k) const {
   const Carrier &s = carriers[h.carrier], &t = carriers[k.carrier];
   if (!s.circle && !t.circle) {
     int c = sign_of(cross(s, t));
     return h.forward == k.forward ? c : -c;
   }
+  if (h.carrier == k.carrier || touch_at(p, h.carrier, k.carrier)) return 0;
   auto u = tangent(p, h), v = tangent(p, k);
   Approx c = u[0] * v[1] - u[1] * v[0];
   if (c.sign() != 0) return c.sign();

@@ -71,6 +71,9 @@ Direction Direction::operator-() const {
 
 Position Direction::right_normal() const {
   if (real) return Position::of(real->y, -real->x);
+  Position axis;
+  axis.x = y, axis.y = -x;
+  if (x == 0 || y == 0) return axis;  // primitive: of length 1
   int128 n2 = int128(x) * x + int128(y) * y;
   Real length = sqrt(Real(n2));
   return Position::of(Real(y) / length, Real(-x) / length);

@@ -44,11 +44,16 @@ class PathPair {
     nodes_.reserve(count);
     for (int s : {0, 1}) add_lines(s);
     add_arcs();
-    make_room(out_.curves.geometry.points, nodes_.size());
     for (Index k = 0; k < nodes_.size(); ++k) connect(k);
     add_still_walks();
     reserve(nodes_.size());
-    for (Index k = 0; k < nodes_.size(); ++k) finish(k);
+    for (Index k = 0; k < nodes_.size(); ++k) {
+      Node& n = nodes_[k];
+      if (n.kind == Kind::kLine) n.carrier = add_line(line_of(n), turn_of(n));
+      else n.carrier = k > 0 && on_one_circle(nodes_[k - 1], n) ? nodes_[k - 1].carrier : add_circle(n);
+    }
+    for (Node& n : nodes_) n.end = nodes_[n.next].start = add_end(n, nodes_[n.next]);
+    for (Node& n : nodes_) finish(n);
     emit_corners();
   }
 
@@ -66,7 +71,7 @@ class PathPair {
     Index key_in = 0, key_out = 0; // kArc: directions at its start and end; kLine: both the line's key
     Index start = kNone, end = kNone;  // points
     Index next = kNone;
-    Index piece = kNone;
+    Index carrier = kNone, piece = kNone;
   };
 
   struct Range {                   // the lines whose keys a turn of the other side sweeps
@@ -241,7 +246,6 @@ class PathPair {
     n.rotation = std::int8_t((turned > 0) - (turned < 0));
     if (!still_.empty()) n.extra = extra_rounds(n, m, key, turned);
     n.smooth_end = m.smooth_start = n.key_out / 2 == key / 2;
-    n.end = m.start = add_point(n);
   }
 
   const Direction& direction_of(const Node& n, Index key) const {
@@ -295,17 +299,28 @@ class PathPair {
   const Line& line_of(const Node& n) const { return side_[n.side]->lines[n.at[n.side]]; }
   const Turn& turn_of(const Node& n) const { return side_[1 - n.side]->turns[n.at[1 - n.side]]; }
 
-  Index add_point(const Node& n) {
+  /// Where node n ends and m, the next one, starts.
+  Index add_end(const Node& n, const Node& m) {
     auto& g = out_.curves.geometry;
     if (n.kind == Kind::kLine) {
       const Line& l = line_of(n);
       const Turn& t = turn_of(n);
       const Position &p = n.forward ? *l.to : *l.from, &q = *t.center;
       if (!t.arc && p.grid() && q.grid()) return g.add_grid_point(p.x + q.x, p.y + q.y);
+      if (n.smooth_end && touch_obliquely(n, m)) return g.add_crossing(n.carrier, m.carrier, 0);
       return add_position(g, p + place(t, *l.direction));
     }
+    if (n.smooth_end && touch_obliquely(m, n)) return g.add_crossing(m.carrier, n.carrier, 0);
     const Direction& d = direction_at(n, n.key_out);
     return add_position(g, place(side_[0]->turns[n.at[0]], d) + place(side_[1]->turns[n.at[1]], d));
+  }
+
+  /// Smooth neighbours, a line and a circle: their common point needs no coordinates; but where the line is parallel to an axis
+  /// these are simple.
+  bool touch_obliquely(const Node& line, const Node& arc) const {
+    if (line.kind != Kind::kLine || arc.kind != Kind::kArc) return false;
+    const Direction& d = *line_of(line).direction;
+    return d.grid() && d.x != 0 && d.y != 0;
   }
 
   void reserve(std::size_t more) {
@@ -316,30 +331,37 @@ class PathPair {
     make_room(out_.corners, more);
   }
 
-  void finish(Index k) {
-    Node& n = nodes_[k];
-    Index carrier;
+  void finish(Node& n) {
     std::int8_t half = 0;
     bool right;
     if (n.kind == Kind::kLine) {
-      const Line& l = line_of(n);
-      carrier = add_line(l, turn_of(n));
-      right = (l.direction->x > 0 || (l.direction->x == 0 && l.direction->y > 0)) == n.forward;
+      const Direction& d = *line_of(n).direction;
+      right = (d.x > 0 || (d.x == 0 && d.y > 0)) == n.forward;
     } else {
       const Turn &p = side_[0]->turns[n.at[0]], &q = side_[1]->turns[n.at[1]];
-      Position c = *p.center + *q.center;
-      Real r = p.radius() + q.radius();
-      int sign = r.sign();
-      if (sign < 0) r = -r;
-      carrier = out_.curves.geometry.add(c.grid() ? Carrier::circle_at(c.x, c.y, r) : Carrier::circle_at(c.real->x, c.real->y, r));
-      half = std::int8_t(sign * (p.arc ? p.normal_up() : q.normal_up()));
+      half = std::int8_t((p.radius() + q.radius()).sign() * (p.arc ? p.normal_up() : q.normal_up()));
       right = (half < 0) == n.turns_left;
     }
     n.piece = Index(out_.curves.pieces.size());
-    out_.curves.pieces.push_back({.carrier = carrier, .p0 = right ? n.start : n.end, .p1 = right ? n.end : n.start, .half = half,
+    out_.curves.pieces.push_back({.carrier = n.carrier, .p0 = right ? n.start : n.end, .p1 = right ? n.end : n.start, .half = half,
                                   .smooth0 = right ? n.smooth_start : n.smooth_end, .smooth1 = right ? n.smooth_end : n.smooth_start});
     out_.curves.forward.push_back(right);
     out_.strands.push_back({.forward = right, .displaced_left = n.forward == out_.inward_});
+  }
+
+  /// Two arcs of one circle about one vertex, as far as that shows at once.
+  bool on_one_circle(const Node& n, const Node& m) const {
+    if (n.kind != Kind::kArc || m.kind != Kind::kArc || n.at[0] != m.at[0]) return false;
+    const Turn &p = side_[1]->turns[n.at[1]], &q = side_[1]->turns[m.at[1]];
+    if (!p.arc || !q.arc || p.sign != q.sign) return false;
+    return p.center->grid() && q.center->grid() && p.center->x == q.center->x && p.center->y == q.center->y && p.radius() == q.radius();
+  }
+
+  Index add_circle(const Node& n) {
+    const Turn &p = side_[0]->turns[n.at[0]], &q = side_[1]->turns[n.at[1]];
+    Position c = *p.center + *q.center;
+    Real r = abs(p.radius() + q.radius());
+    return out_.curves.geometry.add(c.grid() ? Carrier::circle_at(c.x, c.y, r) : Carrier::circle_at(c.real->x, c.real->y, r));
   }
 
   Index add_line(const Line& l, const Turn& t) {
@@ -350,12 +372,12 @@ class PathPair {
     auto& g = out_.curves.geometry;
     const Position &p = *l.from, &q = *t.center;
     if (!t.arc && p.grid() && q.grid()) return g.add_line(a, b, int128(a) * (p.x + q.x) + int128(b) * (p.y + q.y));
+    // The place on an arc is the centre plus the radius times the unit normal, which is (a, b) / |(a, b)| or its opposite.
+    Real shift = flipped ? -t.radius() : t.radius();
     Position sum = p + q;
+    if (sum.grid()) return g.add(Carrier::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, shift));
     Real c = Real(a) * sum.real_x() + Real(b) * sum.real_y();
-    if (t.arc) {  // the unit normal times (a, b) is +- the length of (a, b)
-      Real shift = t.radius() * sqrt(Real(int128(a) * a + int128(b) * b));
-      c = flipped ? c - shift : c + shift;
-    }
+    if (t.arc) c += shift * sqrt(Real(int128(a) * a + int128(b) * b));
     return g.add(Carrier::line(a, b, c));
   }
 

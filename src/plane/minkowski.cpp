@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "plane/arrangement.h"
+#include "plane/convex_sum.h"
 #include "plane/convolution.h"
 #include "plane/overlay.h"
 #include "plane/pruned_sum.h"
@@ -144,6 +145,8 @@ struct Parts {
 
 /// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.
 SignMap open_sum(const std::vector<Part>& a_solid, const std::vector<Part>& a_flat, const Parts& b) {
+  if (a_solid.size() == 1 && b.solid.size() == 1 && a_flat.empty() && b.flat.empty())
+    if (auto convex = convex_sum(a_solid[0], b.solid[0])) return *std::move(convex);
   SumOfPairs sum(true);
   for (const Part& p : a_solid) {
     for (const Part& q : b.solid) sum.add(p, q);
@@ -195,7 +198,7 @@ void mirror_geometry(exact::Geometry& g) {
   }
   for (Carrier& k : g.carriers) {
     if (k.circle) k = k.grid ? Carrier::circle_at(-k.a, -k.b, k.w) : Carrier::circle_at(-k.real->x, -k.real->y, k.w);
-    else k = k.grid ? Carrier::line(k.a, k.b, -k.c) : Carrier::line(k.a, k.b, -k.real->x);
+    else k = k.real ? Carrier::line(k.a, k.b, -k.real->x) : Carrier::displaced_line(k.a, k.b, -k.c, -k.w);
   }
   for (exact::RealPoint& p : g.reals) p = {-p.x, -p.y};
 }

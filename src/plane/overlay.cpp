@@ -261,10 +261,12 @@ Region subtract(std::span<const Region* const> regions) {
 }
 
 CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule) {
-  for (Vertex& v : complex.vertices) v.mark = rule(v.mark);
-  for (Edge& e : complex.edges) e.mark = rule(e.mark);
-  for (Face& f : complex.faces) f.mark = rule(f.mark);
-  return simplify(complex);
+  const Mark to[3] = {rule(-1), rule(0), rule(1)};
+  for (Vertex& v : complex.vertices) v.mark = to[v.mark + 1];
+  for (Edge& e : complex.edges) e.mark = to[e.mark + 1];
+  for (Face& f : complex.faces) f.mark = to[f.mark + 1];
+  bool all_differ = to[0] != to[1] && to[1] != to[2] && to[0] != to[2];
+  return all_differ ? complex : simplify(complex);  // what differed still differs
 }
 
 }  // namespace findspace::plane

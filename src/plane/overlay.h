@@ -24,7 +24,8 @@ Region intersect(std::span<const Region* const> regions);
 /// first \ (all others)
 Region subtract(std::span<const Region* const> regions);
 
-/// The same complex with marks rule(mark), merged.
+/// The same complex, whose cells are merged as far as they can be, with marks rule(mark) for marks -1, 0, 1; merged again where
+/// the rule unites marks.
 CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule);
 
 }  // namespace findspace::plane

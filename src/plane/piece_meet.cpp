@@ -130,6 +130,8 @@ void PieceMeetings::curves(Index i, Index j) {
     bool smooth_p = shared == p.p0 ? p.smooth0 : p.smooth1, smooth_q = shared == q.p0 ? q.smooth0 : q.smooth1;
     if (smooth_p && smooth_q) return;  // tangent there: a double root, no further meeting
   }
+  for (Index end : {p.p0, p.p1, q.p0, q.p1})
+    if (g_.touch_at(end, p.carrier, q.carrier)) return end == shared ? void() : meet_at(i, j, end);
   auto m = g_.meet(p.carrier, q.carrier);
   if (m.count == 0 || (m.count == 1 && shared != kNone)) return;
   std::size_t before = g_.points.size();

@@ -26,7 +26,7 @@ class RingBuilder {
     for (Index r = 0; r < rings.size(); ++r) add(rings[r], r == 0 ? 0 : r + 1);
     region_.geometry = std::move(builder_.geometry);
     for (Index v = 0; v < region_.vertices.size(); ++v) set_first(v);
-    return simplify(region_);
+    return could_merge_ ? simplify(region_) : std::move(region_);
   }
 
  private:
@@ -47,8 +47,12 @@ class RingBuilder {
       else builder_.segment(builder_.line(e.start, ring[next].start), corner[k], corner[next], e.start < ring[next].start);
     }
     Index end = Index(builder_.pieces.size());
+    Face &inner = region_.faces[1], &outer = region_.faces[outside];
+    if (outside == 0) inner.outer = along(first), outer.inner.push_back(along(first) ^ 1u);
+    else inner.inner.push_back(along(first)), outer.outer = along(first) ^ 1u;
     for (Index i = first; i < end; ++i) {
       const Piece& p = builder_.pieces[i];
+      could_merge_ |= could_continue(builder_.pieces[i == first ? end - 1 : i - 1], p);
       bool forward = builder_.forward[i];
       Index from = Index(region_.vertices.size()), to = i + 1 == end ? from - (end - 1 - first) : from + 1;
       Index before = i == first ? end - 1 : i - 1, after = i + 1 == end ? first : i + 1;
@@ -58,6 +62,13 @@ class RingBuilder {
       region_.half_edges[along(i)] = {along(after), 1};
       region_.half_edges[along(i) ^ 1u] = {along(before) ^ 1u, outside};
     }
+  }
+
+  /// Parallel lines or halves of the same kind: only such neighbours can be one edge.
+  bool could_continue(const Piece& p, const Piece& q) const {
+    if (p.half != q.half) return false;
+    const exact::Carrier &k = builder_.geometry.carriers[p.carrier], &l = builder_.geometry.carriers[q.carrier];
+    return p.half != 0 || (k.a == l.a && k.b == l.b);
   }
 
   Index along(Index piece) const { return 2 * piece + (builder_.forward[piece] ? 0 : 1); }
@@ -73,6 +84,7 @@ class RingBuilder {
 
   PieceBuilder builder_;
   Region region_;
+  bool could_merge_ = false;
 };
 
 /// Faces with a positive winding number, and everything on their boundary.

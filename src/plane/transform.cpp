@@ -35,7 +35,7 @@ Carrier shifted(const Carrier& k, const GridPoint& by) {
                   : Carrier::circle_at(k.real->x + Real(by.x), k.real->y + Real(by.y), k.w);
   }
   int128 step = int128(k.a) * by.x + int128(k.b) * by.y;
-  return k.grid ? Carrier::line(k.a, k.b, k.c + step) : Carrier::line(k.a, k.b, k.real->x + Real(step));
+  return k.real ? Carrier::line(k.a, k.b, k.real->x + Real(step)) : Carrier::displaced_line(k.a, k.b, k.c + step, k.w);
 }
 
 /// The line or circle turned by 90 degrees about the origin; `flipped` where the line's direction is the opposite one.
@@ -46,8 +46,8 @@ Carrier turned(const Carrier& k, bool& flipped) {
   }
   std::int64_t a = -k.b, b = k.a;
   flipped = exact::make_primitive(a, b) < 0;
-  if (k.grid) return Carrier::line(a, b, flipped ? -k.c : k.c);
-  return Carrier::line(a, b, flipped ? -k.real->x : k.real->x);
+  if (k.real) return Carrier::line(a, b, flipped ? -k.real->x : k.real->x);
+  return flipped ? Carrier::displaced_line(a, b, -k.c, -k.w) : Carrier::displaced_line(a, b, k.c, k.w);
 }
 
 /// The points and carriers turned by 90 degrees about the origin, in the same order.
