@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "findspace/error.h"
 
@@ -20,43 +21,23 @@ double wrapped(double degrees) {
   return r >= 360 ? 0 : r;
 }
 
-/// Half of the turn, whose place in [0, 360) is halved.
-Turn half(const Turn& t) {
-  const Real two(2);
-  // Below 180 degrees the half has a cosine >= 0; from 180 on it is negative.
-  const bool upper = t.sin.sign() > 0 || (t.sin.sign() == 0 && t.cos.sign() > 0);
-  const Real c = sqrt((Real(1) + t.cos) / two), s = sqrt((Real(1) - t.cos) / two);
-  return {upper ? c : -c, s};
-}
-
-Turn times(const Turn& t, int128 k) {
+/// The turn `n` times.
+Turn times(Turn t, int128 n) {
   Turn out;
-  for (; k > 0; --k) out = out + t;
+  for (; n > 0; n /= 2, t = t + t) {
+    if (n % 2 != 0) out = out + t;
+  }
   return out;
 }
 
-/// One of `parts` equal parts of the circle; parts is 1, 3, 5 or 15.
-Turn part_of_circle(int parts) {
-  const Real root5 = sqrt(Real(5));
-  const Turn third{Real::ratio(-1, 2), sqrt(Real(3)) / Real(2)};
-  const Turn fifth{(root5 - Real(1)) / Real(4), sqrt(Real(10) + Real(2) * root5) / Real(4)};
-  if (parts == 3) return third;
-  if (parts == 5) return fifth;
-  if (parts == 15) return fifth + fifth + -third;
-  return {};
-}
-
-/// k / (odd * 2^halvings) of the circle.
-Turn fraction(int128 k, int odd, int halvings) {
-  const int128 whole = int128(odd) << halvings;
-  k %= whole;
-  if (halvings == 0) return times(part_of_circle(odd), k);
-  if (k % 2 == 0) return fraction(k / 2, odd, halvings - 1);
-  if (odd == 1 && halvings == 1) return {-1, 0};
-  if (odd == 1 && halvings == 2) return k == 1 ? Turn{0, 1} : Turn{0, -1};
-  const int128 half_circle = whole / 2;
-  Turn h = half(fraction(k % half_circle, odd, halvings - 1));  // twice the angle, once round or not, halved
-  return k >= half_circle ? Turn{-h.cos, -h.sin} : h;
+/// The least n such that n * d is a whole number of circles, if it is at most kMostParts.
+std::optional<int128> parts_of_circle(const Real& d) {
+  constexpr int kMostParts = 4096;
+  const Real x = d / Real(360);
+  for (int n = 1; n <= kMostParts; ++n) {
+    if ((x * Real(n)).integer()) return n;
+  }
+  return std::nullopt;
 }
 
 /// The remainder of d by 360, in (-180, 180].
@@ -97,30 +78,20 @@ Turn series(const Real& d) {
 int compare_near(const Turn& t, const Real& d) {
   const Real r = centred(d);
   if (r.sign() == 0) return t.sin.sign();
-  if (const auto exact = Turn::of_degrees(r)) return (t + -*exact).sin.sign();
   const Turn s = series(r);
   const Real gap = t.sin * s.cos - t.cos * s.sin, room = Real(1) / (Real(int128(1) << 100) * Real(int128(1) << 80));
   if (gap > room) return 1;
   if (gap < -room) return -1;
+  if (const auto n = parts_of_circle(r)) {
+    const Turn round = times(t, *n);
+    if (round.sin.sign() == 0 && round.cos.sign() > 0) return 0;
+  }
   throw Error(ErrorCode::kUnsupported, "two angles are too close to each other to be told apart");
 }
 
 double rough(const Angle& a) { return wrapped(a.turn.degrees() + std::fmod(a.more.to_double(), 360)); }
 
 }  // namespace
-
-std::optional<Turn> Turn::of_degrees(const Real& degrees) {
-  constexpr int kMostHalvings = 20;
-  Real x = degrees / Real(360);
-  x -= Real(floor(x));
-  for (int odd : {1, 3, 5, 15}) {
-    Real k = x * Real(odd);
-    for (int halvings = 0; halvings <= kMostHalvings; ++halvings, k *= Real(2)) {
-      if (const auto whole = k.integer()) return fraction(*whole, odd, halvings);
-    }
-  }
-  return std::nullopt;
-}
 
 Turn Turn::near(double degrees, int bits) {
   const double quarters = std::round(degrees / 90), rest = (degrees - 90 * quarters) * kDegree;

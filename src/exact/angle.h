@@ -5,15 +5,13 @@
 // turn plus a rational number of degrees, so that "the angle of that contact, and 12.5 degrees more" is a value too. Angles
 // live on the circle: their place is in [0, 360).
 //
-// Guarantee: the order of two angles is exact. Of an angle with degrees added it rests on this: cosine and sine of a turn are
-// made of square roots, so it can equal d degrees only where d/360 = k/n with n a power of two times 1, 3, 5 or 15 (Gauss and
-// Wantzel; a decimal has no other Fermat prime below its line), and for those d cosine and sine are exact reals as well. Any
-// other d differs from it, and enclosures of 200 bits say on which side; where those cannot, Error(kUnsupported).
+// Guarantee: the order of two angles is exact. One with degrees added is first compared by enclosures of 180 bits; where these leave
+// it open, d = 360 k / n in lowest terms is the angle of a turn exactly if that turn n times is no turn at all, which is decided among
+// the turn's own numbers. Angles closer than that and different are refused with Error(kUnsupported).
 // Cost: a comparison of doubles where the angles are not within 1e-9 degrees of each other.
-// Keywords: rotation, constructible angle, circular order.
+// Keywords: rotation, root of unity, circular order.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "exact/geometry.h"
@@ -23,8 +21,6 @@ namespace findspace::exact {
 struct Turn {
   Real cos = 1, sin = 0;
 
-  /// By a rational number of degrees, where square roots express its cosine and sine.
-  static std::optional<Turn> of_degrees(const Real& degrees);
   /// A turn of rational cosine and sine within about 2^-bits of the one given in degrees.
   static Turn near(double degrees, int bits);
   /// In [0, 360), correct to about 1e-13.

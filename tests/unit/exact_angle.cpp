@@ -10,22 +10,22 @@ namespace {
 
 Real decimal(const char* text) { return Real::parse_decimal(text); }
 
-TEST(Angle, ConstructibleDegreesAreExact) {
-  for (const char* d : {"0", "30", "45", "24", "22.5", "3", "1.5", "195", "337.5", "-12", "720"}) {
-    const auto t = Turn::of_degrees(decimal(d));
-    ASSERT_TRUE(t) << d;
-    EXPECT_EQ((t->cos * t->cos + t->sin * t->sin - Real(1)).sign(), 0) << d;
-    const Angle whole = Angle::of_degrees(decimal(d));
-    EXPECT_EQ(compare(Angle{*t, {}}, whole), 0) << d;
-    EXPECT_NEAR(t->degrees(), whole.degrees(), 1e-11) << d;
-  }
-  EXPECT_EQ(Turn::of_degrees(60)->cos, Real::ratio(1, 2));
-  EXPECT_FALSE(Turn::of_degrees(1));
-  EXPECT_FALSE(Turn::of_degrees(decimal("59.99999999999999")));
+const Turn kThirty{sqrt(Real(3)) / Real(2), Real::ratio(1, 2)};
+const Turn kSixty = kThirty + kThirty;
+
+TEST(Angle, RationalDegreesAreRecognised) {
+  const Turn eighth{sqrt(Real::ratio(1, 2)), sqrt(Real::ratio(1, 2))};
+  const Turn sixteenth{sqrt(Real(2) + sqrt(Real(2))) / Real(2), sqrt(Real(2) - sqrt(Real(2))) / Real(2)};
+  EXPECT_EQ(compare(Angle{kThirty, {}}, Angle::of_degrees(30)), 0);
+  EXPECT_EQ(compare(Angle{kSixty, {}}, Angle::of_degrees(780)), 0);
+  EXPECT_EQ(compare(Angle{-eighth, {}}, Angle::of_degrees(-45)), 0);
+  EXPECT_EQ(compare(Angle{sixteenth, {}}, Angle::of_degrees(decimal("22.5"))), 0);
+  EXPECT_EQ(compare(Angle{{0, -1}, {}}, Angle::of_degrees(270)), 0);
+  EXPECT_EQ(compare(Angle{kThirty, Real(15)}, Angle{eighth, {}}), 0);
 }
 
 TEST(Angle, OrderIsExactHoweverClose) {
-  const Angle sixty{*Turn::of_degrees(60), {}};
+  const Angle sixty{kSixty, {}};
   EXPECT_EQ(compare(Angle::of_degrees(decimal("59.99999999999999999999")), sixty), -1);
   EXPECT_EQ(compare(Angle::of_degrees(decimal("60.00000000000000000001")), sixty), 1);
   const Angle odd{{Real::ratio(3, 5), Real::ratio(4, 5)}, {}};  // no rational number of degrees
