@@ -8,6 +8,7 @@
 #include "plane/measure_cells_twofold.h"
 #include "report.h"
 #include "session.h"
+#include "turn_command.h"
 
 namespace findspace::app {
 namespace {
@@ -26,9 +27,10 @@ std::string picture(const Session& session, const situation::World& world, const
 }  // namespace
 
 Outcome run_check(const Options& options, Talk& talk) {
-  if (!options.at) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y");
+  if (!options.at && !options.angle) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y");
   check_outputs(options, {".svg", ".json"});
   const Session session(options, talk);
+  if (asks_for_angle(session)) return check_at_angle(session);
   session.require_positions(true);
   const exact::RealPoint at = session.position();
   const situation::Formula formula = session.where();

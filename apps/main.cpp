@@ -71,6 +71,9 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
     command.add_option("--at", o.at, "the position, decimals taken exactly")
         ->type_name(is(verb, "phi") ? "X,Y,Z" : "X,Y");
   }
+  if (is(verb, "check")) {
+    command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")->type_name("DEG");
+  }
   if (is(verb, "map")) {
     command.add_option("--apply", o.apply, "an operation on the region")
         ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));

@@ -9,6 +9,7 @@
 #include "plane/topology.h"
 #include "report.h"
 #include "session.h"
+#include "turn_command.h"
 
 namespace findspace::app {
 namespace {
@@ -102,8 +103,10 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
 }  // namespace
 
 Outcome run_map(const Options& options, Talk& talk) {
-  check_outputs(options, {".svg", ".wkt", ".json"});
   const Session session(options, talk);
+  if (session.scene().free.kind == io::Free::Kind::kPose) return map_of_poses(session);
+  check_outputs(options, {".svg", ".wkt", ".json"});
+  if (session.scene().free.kind == io::Free::Kind::kAngle) return map_of_angles(session);
   const bool line = session.scene().free.kind == io::Free::Kind::kLine;
   if (line) check_outputs(options, {".json"});
   if (line && !options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line");

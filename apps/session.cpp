@@ -166,6 +166,15 @@ exact::RealPoint Session::position() const {
   }
 }
 
+exact::Real Session::angle() const {
+  if (!options_.angle) return {};
+  try {
+    return Real::parse_decimal(*options_.angle);
+  } catch (const Error&) {
+    throw Error(ErrorCode::kUsage, fmt::format("--angle wants a decimal number of degrees, not '{}'", *options_.angle));
+  }
+}
+
 void Session::add_scenery(io::Picture& picture, const situation::World& world,
                           const situation::Formula* formula) const {
   picture.step = world.step;

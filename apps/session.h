@@ -48,6 +48,8 @@ class Session {
   void require_positions(bool line) const;
   /// --at, or (0, 0), in the scene's unit.
   exact::RealPoint position() const;
+  /// --angle, or 0, in degrees.
+  exact::Real angle() const;
 
   /// The moving shapes of a picture, and the fixed ones of which the formula speaks (all without one). The regions are
   /// those of `world`.

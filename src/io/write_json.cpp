@@ -157,10 +157,10 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
 }
 
 std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit) {
+                       std::string_view unit, std::optional<double> angle) {
   const Twofold factor(step);
-  std::string out =
-      fmt::format("{{{}\"at\": {}, \"true\": {},\n  \"atoms\": ", unit_key(unit), pair(place(at)), truth(check.holds));
+  std::string out = fmt::format("{{{}\"at\": {}, {}\"true\": {},\n  \"atoms\": ", unit_key(unit), pair(place(at)),
+                                angle ? fmt::format("\"angle\": {}, ", json_number(*angle)) : "", truth(check.holds));
   std::map<std::string, std::optional<double>> distances;
   out += list(
       check.atoms,

@@ -37,7 +37,7 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
 
 /// The results of `check` and `measure` at a position in the scene's unit.
 std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit);
+                       std::string_view unit, std::optional<double> angle = std::nullopt);
 std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
                          const exact::Real& step, std::string_view unit);
 

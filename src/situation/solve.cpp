@@ -47,6 +47,10 @@ Which which(Kind kind, bool second_moves) {
   return Which::kGamma1;
 }
 
+bool second_moves(const Distance& d, const World& world) {
+  return d.first.empty() || std::find(world.moving.begin(), world.moving.end(), d.first[0]) == world.moving.end();
+}
+
 void require_plain(const Distance& d) {
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone)
     throw Error(ErrorCode::kUnsupported, text(d) + ": distances along a direction, in rotation or over time are not computed by this version");
@@ -66,6 +70,8 @@ Solver::Solver(World world) : world_(std::move(world)), cache_(std::make_unique<
 }
 
 Solver::~Solver() = default;
+
+Which Solver::which(const Distance& d) const { return situation::which(d.kind, second_moves(d, world_)); }
 
 plane::Region Solver::shape(const std::vector<std::string>& names) const {
   std::vector<const plane::Region*> parts;
@@ -87,9 +93,9 @@ std::shared_ptr<const ShapePair> Solver::pair(const Names& names) const {
 TDistancePointer Solver::distance(const Distance& wanted) const {
   Distance d = moving_first(wanted, world_.moving);
   require_plain(d);
-  bool second = d.first.empty() || std::find(world_.moving.begin(), world_.moving.end(), d.first[0]) == world_.moving.end();
-  if (second) std::swap(d.first, d.second);
-  return pair({d.first, d.second})->distance(which(d.kind, second));
+  const Which w = which(d);
+  if (second_moves(d, world_)) std::swap(d.first, d.second);
+  return pair({d.first, d.second})->distance(w);
 }
 
 plane::SignMap Solver::sign_map(const SignMap& wanted) const {

@@ -64,12 +64,15 @@ class Solver {
   distance::Extremum least(const Distance& wanted) const;
 
   const World& world() const { return world_; }
+  /// The union of the named shapes, closed.
+  plane::Region shape(const std::vector<std::string>& names) const;
+  /// Which distance of a pair a formula means, the moving shape being the first of the pair.
+  distance::Which which(const Distance& moving_first) const;
 
  private:
   using Names = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
   struct Cache;
 
-  plane::Region shape(const std::vector<std::string>& names) const;
   std::shared_ptr<const distance::ShapePair> pair(const Names& names) const;
   plane::SignMap sign_map(const SignMap& wanted) const;
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;

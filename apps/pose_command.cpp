@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <fmt/format.h>
+
+#include "io/draw_layout.h"
+#include "io/write_poses.h"
+#include "plane/topology.h"
+#include "turn_command.h"
+
+namespace findspace::app {
+namespace {
+
+using planning::PoseSector;
+using planning::PoseSlice;
+using planning::PoseStack;
+
+std::string area_text(const plane::Region& r, const exact::Real& step) {
+  const plane::Summary s = plane::summarize(r, step);
+  if (s.empty) return "empty";
+  return s.area ? fmt::format("area {}, {} component{}", io::shown(*s.area), s.components.size(), s.components.size() == 1 ? "" : "s")
+                : "unbounded";
+}
+
+/// One page: a region of positions, another faintly around it, the moving shape turned.
+io::Page page(const Session& session, const situation::World& world, const situation::Formula& formula, std::string title,
+              const plane::Region& region, const plane::Region* around) {
+  const plane::Summary summary = plane::summarize(region, session.step());
+  io::Picture p;
+  p.title = title;
+  p.region = &region;
+  p.summary = &summary;
+  p.around = around;
+  session.add_scenery(p, world, &formula);
+  return {std::move(title), io::picture_svg(p)};
+}
+
+std::string pages(const Session& session, const PoseStack& stack, const situation::World& world,
+                  const situation::Formula& formula, const plane::GridPoint& about) {
+  std::vector<io::Page> out;
+  const exact::RealPoint centre{about.x, about.y};
+  plane::Rounding drawn;
+  for (const PoseSlice& s : stack.slices) {
+    const situation::World turned = situation::turned_world(world, centre, s.degrees, drawn);
+    out.push_back(page(session, turned, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())), s.region, nullptr));
+    for (const PoseSector& t : stack.sectors) {
+      if (!(t.from == s.degrees)) continue;
+      out.push_back(page(session, turned, formula,
+                         fmt::format("Certain from {}° to {}°; faintly, where it may be possible at some angle between",
+                                     io::shown(t.from.to_double()), io::shown(t.to.to_double())),
+                         t.inner, &t.outer));
+    }
+  }
+  return io::pages_html(session.scene().where.text, out);
+}
+
+std::string stack_text(const Session& session, const PoseStack& stack) {
+  std::string out = fmt::format("Positions of {}, angle by angle\n", fmt::join(session.scene().moving, ", "));
+  for (const PoseSlice& s : stack.slices)
+    out += fmt::format("  at {}°: {}\n", io::shown(s.degrees.to_double()), area_text(s.region, session.step()));
+  for (const PoseSector& s : stack.sectors) {
+    out += fmt::format("  {}° to {}°: at all angles {}; at some within {} (bound {} {})\n", io::shown(s.from.to_double()),
+                       io::shown(s.to.to_double()), area_text(s.inner, session.step()), area_text(s.outer, session.step()),
+                       io::shown(s.bound), session.unit());
+  }
+  return out;
+}
+
+void say_rounding(const Session& session, const PoseStack& stack) {
+  plane::Rounding all;
+  for (const PoseSlice& s : stack.slices) {
+    all.points += s.rounding.points;
+    all.largest = std::max(all.largest, s.rounding.largest);
+  }
+  if (all.points == 0) return;
+  session.talk().note(fmt::format("{} turned vertices were put on the grid, moved by at most {:.2g} {}; the sectors allow for it",
+                                  all.points, all.largest * session.scene().grid.step_size(), session.unit()));
+}
+
+}  // namespace
+
+Outcome map_of_poses(const Session& session) {
+  check_outputs(session.options(), {".json", ".html"});
+  const situation::Formula formula = question_over_angles(session);
+  const io::Free& free = session.scene().free;
+  const plane::GridPoint about{free.about[0], free.about[1]};
+  situation::World world = session.world();
+  for (auto& [name, region] : world.shapes) region = plane::closure(std::move(region));
+  session.talk().stage("solving");
+  const PoseStack stack = planning::pose_stack(world, formula, about, free.angles);
+  say_rounding(session, stack);
+  const auto json = [&] { return io::poses_json(stack, session.step(), session.unit()); };
+  const auto html = [&] { return pages(session, stack, world, formula, about); };
+  write_outputs(session.options(), {{".json", json}, {".html", html}});
+  const bool empty = std::all_of(stack.slices.begin(), stack.slices.end(),
+                                 [](const PoseSlice& s) { return plane::is_empty(s.region); });
+  return {session.options().json ? json() : stack_text(session, stack), empty ? kEmpty : kDone};
+}
+
+}  // namespace findspace::app

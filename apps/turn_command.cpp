@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "turn_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/draw_layout.h"
+#include "io/draw_turns.h"
+#include "io/write_json.h"
+#include "io/write_turns.h"
+#include "plane/measure_cells_twofold.h"
+#include "report.h"
+
+namespace findspace::app {
+namespace {
+
+using Kind = io::Free::Kind;
+
+bool turns(const io::Free& free) { return free.kind == Kind::kAngle || free.kind == Kind::kPose; }
+
+exact::RealPoint about(const Session& session) {
+  const io::GridPosition& p = session.scene().free.about;
+  return {exact::Real(p[0]) * session.step(), exact::Real(p[1]) * session.step()};
+}
+
+void require_plane(const Session& session) {
+  const io::Scene& scene = session.scene();
+  if (scene.dimension != 2)
+    throw Error(ErrorCode::kUnsupported, "turning shapes in space is not computed by this version", scene.file);
+  if (scene.motion.given())
+    throw Error(ErrorCode::kUnsupported, "an angle in a scene with \"motion\" is not computed", scene.file);
+  if (scene.moving.empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene.file);
+}
+
+void say_rounding(const Session& session, const plane::Rounding& rounding) {
+  if (rounding.points == 0) return;
+  session.talk().note(fmt::format("{} vertices of the turned shape were put on the grid, moved by at most {:.2g} {}",
+                                  rounding.points, rounding.largest * session.scene().grid.step_size(),
+                                  session.unit()));
+}
+
+std::string turns_text(const Session& session, const std::vector<io::DegreeInterval>& angles) {
+  std::string out = fmt::format("Angles of {}, in degrees\n", fmt::join(session.scene().moving, ", "));
+  if (angles.empty()) return out + "  none: proven empty\n";
+  for (const io::DegreeInterval& i : angles) {
+    if (i.from == i.to)
+      out += fmt::format("  {} alone\n", io::shown(i.from));
+    else if (i.to - i.from >= 360 && i.from_in)
+      out += "  all\n";
+    else
+      out += fmt::format("  {}{}, {}{}\n", i.from_in ? "[" : "(", io::shown(i.from), io::shown(i.to), i.to_in ? "]" : ")");
+  }
+  return out;
+}
+
+/// The moving shapes as they stand at the ends of the intervals, a few of them.
+struct Station {
+  double degrees;
+  situation::World world;
+};
+
+std::vector<Station> stations(const situation::World& world, const exact::RealPoint& about,
+                              const std::vector<io::DegreeInterval>& angles) {
+  constexpr std::size_t kMost = 6;
+  std::vector<double> ends;
+  for (const io::DegreeInterval& i : angles) {
+    ends.push_back(i.from);
+    if (i.to != i.from && i.to - i.from < 360) ends.push_back(i.to);
+  }
+  if (ends.size() > kMost) ends.resize(kMost);
+  std::vector<Station> out;
+  plane::Rounding rounding;
+  const exact::RealPoint centre{about.x / world.step, about.y / world.step};
+  for (const double d : ends)
+    out.push_back({d, situation::turned_world(world, centre, exact::Real::from_double(d), rounding)});
+  return out;
+}
+
+std::string picture(const Session& session, const situation::World& world, const situation::Formula& formula,
+                    const std::vector<io::DegreeInterval>& angles) {
+  io::Picture p;
+  p.title = fmt::format("Angles of {}{}", fmt::join(session.scene().moving, ", "), angles.empty() ? ": none" : "");
+  p.subtitle = session.scene().where.text;
+  p.of_positions = false;
+  p.position = plane::Place{0, 0};
+  session.add_scenery(p, world, &formula);
+  const auto shown = stations(world, about(session), angles);
+  const std::size_t shapes = p.moving.size();
+  for (const Station& w : shown) {
+    for (std::size_t k = 0; k < shapes; ++k) {
+      const std::string& name = p.moving[k].name;
+      p.moving.push_back({fmt::format("{} at {}°", name, io::shown(w.degrees)), &w.world.shapes.at(name)});
+    }
+  }
+  return io::turns_svg(io::picture_svg(p), angles);
+}
+
+}  // namespace
+
+bool asks_for_angle(const Session& session) {
+  if (session.options().angle || turns(session.scene().free)) return true;
+  const auto& atoms = session.where().atoms();
+  return std::any_of(atoms.begin(), atoms.end(),
+                     [](const situation::Atom& a) { return a.distance.mode == situation::Mode::kTurning; });
+}
+
+Outcome check_at_angle(const Session& session) {
+  require_plane(session);
+  situation::Pose pose{session.position(), session.angle(), std::nullopt};
+  if (turns(session.scene().free)) pose.about = about(session);
+  const situation::Formula formula = session.where();
+  const situation::Solver solver(session.world());
+  session.talk().stage("checking");
+  const situation::TurnSolver turned(solver, pose);
+  const situation::Solver::Check check = turned.check(formula);
+  say_rounding(session, turned.rounding());
+  const auto json = [&] {
+    return io::check_json(check, pose.at, session.step(), session.unit(), pose.degrees.to_double());
+  };
+  const auto svg = [&] {
+    plane::Rounding drawn;
+    const situation::World turned_shapes =
+        situation::turned_world(solver.world(), turned.about(), pose.degrees, drawn);
+    io::Picture p;
+    p.title = check.holds ? "Feasible" : "Not feasible";
+    p.subtitle = session.scene().where.text;
+    p.position = {plane::Twofold(pose.at.x).value(), plane::Twofold(pose.at.y).value()};
+    session.add_scenery(p, turned_shapes, &formula);
+    return io::picture_svg(p);
+  };
+  write_outputs(session.options(), {{".json", json}, {".svg", svg}});
+  return {session.options().json ? json() : check_text(check, pose.at, session.unit()), check.holds ? kDone : kEmpty};
+}
+
+situation::Formula question_over_angles(const Session& session) {
+  require_plane(session);
+  const io::Scene& scene = session.scene();
+  if (!session.options().apply.empty())
+    throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not for those over angles");
+  if (session.goal()) throw Error(ErrorCode::kUnsupported, "an objective over angles is not computed", scene.file);
+  if (scene.where.empty())
+    throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene.file);
+  return session.where();
+}
+
+Outcome map_of_angles(const Session& session) {
+  check_outputs(session.options(), {".json", ".svg"});
+  const situation::Formula formula = question_over_angles(session);
+  const situation::Solver solver(session.world());
+  session.talk().stage("solving");
+  const situation::TurnSolver turned(solver, {{}, {}, about(session)});
+  const plane::TurnMap set = turned.feasible(formula);
+  const auto json = [&] { return io::turns_json(set); };
+  const auto angles = io::degree_intervals(set);
+  const auto svg = [&] { return picture(session, solver.world(), formula, angles); };
+  write_outputs(session.options(), {{".json", json}, {".svg", svg}});
+  return {session.options().json ? json() : turns_text(session, angles), angles.empty() ? kEmpty : kDone};
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The verbs `map` and `check` where the moving shape turns: "free": "angle" or "pose", --angle, distances with turning=.
+#pragma once
+
+#include "session.h"
+#include "situation/solve_turning.h"
+
+namespace findspace::app {
+
+/// Whether `check` looks at a pose: --angle is given, or the scene or its formula turns the moving shape.
+bool asks_for_angle(const Session& session);
+Outcome check_at_angle(const Session& session);
+Outcome map_of_angles(const Session& session);
+Outcome map_of_poses(const Session& session);
+/// The formula of a map over angles; throws where the scene asks for what is not computed over them.
+situation::Formula question_over_angles(const Session& session);
+
+}  // namespace findspace::app

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "situation/solve_turning.h"
+
+#include <algorithm>
+
+#include "distance/turning.h"
+#include "findspace/error.h"
+#include "plane/real_vector.h"
+#include "situation/evaluate.h"
+#include "situation/text.h"
+
+namespace findspace::situation {
+
+using distance::TurnedPair;
+using distance::Which;
+using distance::farthest_turning;
+using distance::farthest_turning_sign_map;
+using distance::turning_distance;
+using distance::turning_sign_map;
+using exact::Angle;
+using exact::Real;
+using exact::RealPoint;
+using exact::Turn;
+using plane::Mark;
+using plane::TurnMap;
+using plane::operator+;
+using plane::operator-;
+using plane::operator==;
+
+namespace {
+
+bool is_grid(const RealPoint& p) { return p.x.integer() && p.y.integer(); }
+
+bool is_quarters(const Real& degrees) { return (degrees / Real(90)).integer().has_value(); }
+
+RealPoint in_steps(const RealPoint& p, const Real& step) { return {p.x / step, p.y / step}; }
+
+RealPoint centre_of(const Distance& turning, const Real& step) {
+  return in_steps({turning.vector.at(0), turning.vector.at(1)}, step);
+}
+
+/// Gamma, eta and delta each have a second kind, which takes the greatest angle.
+Which base_of(Which which, bool& farthest) {
+  farthest = which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2;
+  if (which == Which::kGamma2) return Which::kGamma1;
+  if (which == Which::kEta2) return Which::kEta1;
+  if (which == Which::kDelta2) return Which::kDelta1;
+  return which;
+}
+
+bool truth(const Node& node, const std::vector<AtomAt>& atoms) {
+  const auto holds = [&](const Node& n) { return truth(n, atoms); };
+  switch (node.op) {
+    case Node::Op::kTrue: return true;
+    case Node::Op::kFalse: return false;
+    case Node::Op::kAtom: return atoms[node.atom].holds;
+    case Node::Op::kNot: return !holds(node.operands.front());
+    case Node::Op::kAnd: return std::all_of(node.operands.begin(), node.operands.end(), holds);
+    case Node::Op::kOr: return std::any_of(node.operands.begin(), node.operands.end(), holds);
+  }
+  return false;
+}
+
+[[noreturn]] void refuse(const Distance& d, const std::string& why) {
+  throw Error(ErrorCode::kUnsupported, text(d) + ": " + why);
+}
+
+void require_static(const Distance& d) {
+  if (d.mode == Mode::kAlong || d.mode == Mode::kToward)
+    refuse(d, "a distance along a direction is not computed over all angles, nor at an angle");
+  if (d.prefix != Extremum::kNone) refuse(d, "a distance over time is not computed over all angles, nor at an angle");
+}
+
+}  // namespace
+
+World turned_world(World world, const RealPoint& about, const Real& degrees, plane::Rounding& rounding) {
+  if (!is_grid(about))
+    throw Error(ErrorCode::kUnsupported, "at an angle, the centre of the turn must be a point of the grid, seen from the position");
+  const plane::GridPoint centre{std::int64_t(*about.x.integer()), std::int64_t(*about.y.integer())};
+  for (const std::string& name : world.moving) {
+    plane::Region& shape = world.shapes.at(name);
+    shape = plane::rotated(shape, centre, degrees, world.step.to_double(), rounding);
+  }
+  return world;
+}
+
+TurnSolver::Turned TurnSolver::turned(const Distance& wanted, const RealPoint& about, const RealPoint& to) const {
+  Distance d = moving_first(wanted, solver_.world().moving);
+  const Which which = solver_.which(d);
+  const auto& moving = solver_.world().moving;
+  if (std::find(moving.begin(), moving.end(), d.first.at(0)) == moving.end()) std::swap(d.first, d.second);
+  return {TurnedPair(solver_.shape(d.first), solver_.shape(d.second), about, to), which};
+}
+
+RealPoint TurnSolver::centre(const Formula& formula) const {
+  const Real& step = solver_.world().step;
+  if (pose_.about) return in_steps(*pose_.about, step);
+  std::optional<RealPoint> found;
+  for (const Atom& a : formula.atoms()) {
+    if (a.distance.mode != Mode::kTurning) continue;
+    const RealPoint c = centre_of(a.distance, step);
+    if (found && !(*found == c) && pose_.degrees.sign() != 0)
+      refuse(a.distance, "with distances that turn about different points an angle has no meaning; say \"free\": \"angle\" and \"about\"");
+    found = c;
+  }
+  return found ? *found - in_steps(pose_.at, step) : RealPoint{};
+}
+
+const Solver& TurnSolver::turned_solver() const {
+  if (turned_) return *turned_;
+  turned_ = std::make_unique<Solver>(turned_world(solver_.world(), about_, pose_.degrees, rounding_));
+  return *turned_;
+}
+
+TurnSolver::Circle TurnSolver::circle(const Distance& d) const {
+  const Real& step = solver_.world().step;
+  const RealPoint to = centre_of(d, step), at = in_steps(pose_.at, step);
+  Circle out;
+  const auto solve = [&](const Turned& t) {
+    out.base = t.pair.sign_map(base_of(t.which, out.farthest), Real());
+  };
+  if (to == about_ + at) {
+    out.at = Angle::of_degrees(pose_.degrees);
+    solve(turned(d, about_, to));
+    return out;
+  }
+  // About another point: the shape is turned first, once for all.
+  if ((pose_.degrees / Real(360)).integer()) {
+    solve(turned(d, to - at, to));
+    return out;
+  }
+  const TurnSolver there(turned_solver(), Pose{pose_.at, Real(), std::nullopt});
+  there.about_ = to - at;
+  return there.circle(d);
+}
+
+TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
+  const Distance& d = wanted.distance;
+  require_static(d);
+  if (wanted.minimum) refuse(d, "its minimum over all angles is not computed");
+  const Real& step = solver_.world().step;
+  if (d.mode == Mode::kTurning) {
+    if (!(centre_of(d, step) == about_ + in_steps(pose_.at, step)))
+      refuse(d, "over all angles distances must turn about the point that \"about\" names");
+    const Circle c = circle(d);
+    return c.farthest ? farthest_turning_sign_map(c.base, wanted.level) : turning_sign_map(c.base, wanted.level);
+  }
+  const Turned t = turned(d, about_, about_ + in_steps(pose_.at, step));
+  try {
+    return t.pair.sign_map(t.which, wanted.level / step);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    refuse(d, e.message());
+  }
+}
+
+TurnMap TurnSolver::feasible(const Formula& formula) const {
+  about_ = centre(formula);
+  const std::vector<SignMap>& wanted = formula.sign_maps();
+  std::vector<TurnMap> maps(wanted.size());
+  for (std::size_t k = 0; k < maps.size(); ++k) maps[k] = sign_map(wanted[k]);
+  std::vector<const TurnMap*> operands;
+  for (const TurnMap& m : maps) operands.push_back(&m);
+  return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+}
+
+AtomAt TurnSolver::check_plain(const Formula& whole, std::size_t index) const {
+  const Atom& atom = whole.atoms()[index];
+  require_static(atom.distance);
+  AtomAt out = turned_solver().check(Formula(atom), pose_.at).atoms.at(0);
+  if (is_quarters(pose_.degrees) || atom.minimum) return out;
+  // The truth from the exact circle, where there is one: rounding must not decide a contact.
+  try {
+    const TurnMap map = sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
+    out.holds = holds(atom, mark_at(map, Angle::of_degrees(pose_.degrees)));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+  }
+  return out;
+}
+
+Solver::Check TurnSolver::check(const Formula& formula) const {
+  about_ = centre(formula);
+  Solver::Check out;
+  for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
+    const Atom& atom = formula.atoms()[k];
+    if (atom.distance.mode != Mode::kTurning) {
+      out.atoms.push_back(check_plain(formula, k));
+      continue;
+    }
+    require_static(atom.distance);
+    const Circle c = circle(atom.distance);
+    const TurnMap map = c.farthest ? farthest_turning_sign_map(c.base, atom.level) : turning_sign_map(c.base, atom.level);
+    const double value = c.farthest ? farthest_turning(c.base, c.at) : turning_distance(c.base, c.at);
+    out.atoms.push_back({atom, {text(atom.distance), value, std::nullopt}, holds(atom, mark_at(map, c.at))});
+  }
+  out.holds = truth(formula.root(), out.atoms);
+  return out;
+}
+
+}  // namespace findspace::situation

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A formula over all angles of the moving shape, and at one pose. The moving shape B is turned about a point of its own, then
+// moved by a position: { at + about + turned(b - about) : b in B }. Plain distances are functions of the angle (turned_pair.h); those
+// with turning=(x, y) count degrees to the next contact (turning.h). All sign maps of a formula are laid over each other on the circle.
+// Guarantee: the exact set of angles, single ones and sliding contacts included. Throws Error(kUnsupported) for distances that are
+// not computed over all angles. Keywords: angular interval, orientation map, rotational configuration space.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "distance/turned_pair.h"
+#include "plane/transform.h"
+#include "situation/solve.h"
+
+namespace findspace::situation {
+
+/// Lengths in the scene's unit.
+struct Pose {
+  exact::RealPoint at;
+  exact::Real degrees;
+  std::optional<exact::RealPoint> about;  // without it the point about which distances of the formula turn, or the pole
+};
+
+class TurnSolver {
+ public:
+  /// At the pose's position; its angle is where check() looks.
+  TurnSolver(const Solver& solver, Pose pose) : solver_(solver), pose_(std::move(pose)) {}
+
+  /// {angle : the formula holds}; the angle of the pose plays no part.
+  plane::TurnMap feasible(const Formula& formula) const;
+  /// Every atom of the formula at the pose. Values of plain distances are those of the turned shape with its vertices on the grid.
+  Solver::Check check(const Formula& formula) const;
+  /// The point the moving shape turns about, in grid steps of its own coordinates; after check() or feasible().
+  const exact::RealPoint& about() const { return about_; }
+  /// What was rounded by the last check.
+  const plane::Rounding& rounding() const { return rounding_; }
+
+ private:
+  struct Turned {
+    distance::TurnedPair pair;
+    distance::Which which;
+  };
+  plane::TurnMap sign_map(const SignMap& wanted) const;
+  /// The map of -, 0, + that a turning distance is measured in, and where on it the pose is.
+  struct Circle {
+    plane::TurnMap base;
+    exact::Angle at;
+    bool farthest = false;
+  };
+  Circle circle(const Distance& turning) const;
+  Turned turned(const Distance& distance, const exact::RealPoint& about, const exact::RealPoint& to) const;
+  exact::RealPoint centre(const Formula& formula) const;
+  const Solver& turned_solver() const;
+  AtomAt check_plain(const Formula& whole, std::size_t atom) const;
+
+  const Solver& solver_;
+  Pose pose_;
+  mutable exact::RealPoint about_;  // in grid steps, of the moving shape
+  mutable std::unique_ptr<Solver> turned_;
+  mutable plane::Rounding rounding_;
+};
+
+/// The world with its moving shapes turned about a point of the grid.
+World turned_world(World world, const exact::RealPoint& about, const exact::Real& degrees, plane::Rounding& rounding);
+
+}  // namespace findspace::situation

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Distances over all angles against those of shapes turned by Pythagorean angles, which keep multiples of 65 on the grid: there the
+// Minkowski machinery gives the sign independently. And laws: turning a shape shifts its map, exchanging the shapes mirrors it.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "../unit/distance_shapes.h"
+#include "distance/turned_pair.h"
+#include "findspace/error.h"
+#include "plane/transform.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Angle;
+using exact::Real;
+using exact::Turn;
+using plane::GridPoint;
+using plane::Region;
+using plane::TurnMap;
+
+constexpr std::int64_t kUnit = 65;  // 5 * 13
+
+/// A ring, or a disc, on a lattice of 65 steps.
+struct Figure {
+  std::vector<GridPoint> corners, hole;
+  std::int64_t radius = 0;
+
+  Region region() const {
+    if (radius > 0) return plane::region_of_disc(corners[0].x, corners[0].y, radius);
+    std::vector<plane::Contour> rings(hole.empty() ? 1 : 2);
+    for (const GridPoint& p : corners) rings[0].push_back({.start = p});
+    for (const GridPoint& p : hole) rings[1].push_back({.start = p});
+    return plane::region_of_rings(rings);
+  }
+  /// By the angle of (c, s), a Pythagorean pair with c^2 + s^2 = n^2 and n a divisor of 65.
+  Figure turned(std::int64_t c, std::int64_t s, std::int64_t n) const {
+    Figure out = *this;
+    for (auto* list : {&out.corners, &out.hole}) {
+      for (GridPoint& p : *list) p = {(c * p.x - s * p.y) / n, (s * p.x + c * p.y) / n};
+    }
+    return out;
+  }
+};
+
+class Figures {
+ public:
+  explicit Figures(unsigned seed) : random_(seed) {}
+  std::int64_t number(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+
+  Figure figure() {
+    const GridPoint by{number(-3, 3), number(-3, 3)};
+    switch (number(0, 4)) {
+      case 0: return at(by, {{0, 0}, {number(1, 6), 0}, {6, number(1, 4)}, {0, number(5, 6)}});
+      case 1: return at(by, {{0, 0}, {number(3, 7), number(-2, 2)}, {number(0, 3), number(3, 7)}});
+      case 2: return at(by, {{0, 0}, {6, 0}, {6, 5}, {4, 4}, {number(2, 3), 2}, {1, 5}, {0, 5}});
+      case 3: {
+        Figure f = at(by, {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}});
+        f.hole = at(by, {{-3, -3}, {-3, number(-1, 4)}, {number(-1, 4), -3}}).corners;
+        return f;
+      }
+      default: {
+        Figure f = at(by, {{0, 0}});
+        f.radius = number(1, 5) * kUnit;
+        return f;
+      }
+    }
+  }
+
+ private:
+  static Figure at(const GridPoint& by, std::vector<GridPoint> corners) {
+    for (GridPoint& p : corners) p = {(p.x + by.x) * kUnit, (p.y + by.y) * kUnit};
+    return {std::move(corners), {}, 0};
+  }
+  std::mt19937 random_;
+};
+
+struct Pythagorean {
+  std::int64_t c, s, n;
+  Angle angle() const { return {{Real::ratio(c, n), Real::ratio(s, n)}, Real()}; }
+};
+
+std::vector<Pythagorean> angles() {
+  std::vector<Pythagorean> out;
+  for (const auto& [c, s, n] : {Pythagorean{1, 0, 1}, {3, 4, 5}, {4, 3, 5}, {5, 12, 13}, {12, 5, 13}}) {
+    out.push_back({c, s, n}), out.push_back({-s, c, n}), out.push_back({-c, -s, n}), out.push_back({s, -c, n});
+  }
+  return out;
+}
+
+constexpr std::array kAll{Which::kGamma1, Which::kGamma2, Which::kEta1, Which::kDelta1,    Which::kMu,       Which::kMuBack,
+                          Which::kHausdorff, Which::kD1,  Which::kH,    Which::kDstarBack, Which::kDiameter};
+
+plane::Mark expected(const Figure& b, const Figure& a, const Pythagorean& p, Which which, const Real& level) {
+  const ShapePair pair(b.turned(p.c, p.s, p.n).region(), a.region());
+  return testing::sign_at(pair.distance(which)->sign_map(level), testing::at(0, 0));
+}
+
+TEST(TurnedPair, AgreesWithTurnedShapes) {
+  Figures figures(7);
+  for (int trial = 0; trial < 24; ++trial) {
+    const Figure b = figures.figure(), a = figures.figure();
+    const Which which = kAll[std::size_t(trial) % kAll.size()];
+    const bool containment = which == Which::kEta1 || which == Which::kDelta1;
+    const Real level(figures.number(0, 3) * kUnit * (containment ? -1 : 1));
+    const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
+    for (const Pythagorean& p : angles()) {
+      EXPECT_EQ(mark_at(map, p.angle()), expected(b, a, p, which, level))
+          << "trial " << trial << " which " << int(which) << " level " << level.text() << " angle " << p.c << "," << p.s;
+    }
+  }
+}
+
+void expect_same(const TurnMap& f, const TurnMap& g) {
+  ASSERT_EQ(f.at.size(), g.at.size());
+  EXPECT_EQ(f.here, g.here);
+  EXPECT_EQ(f.after, g.after);
+  for (std::size_t k = 0; k < f.at.size(); ++k) EXPECT_EQ(compare(f.at[k], g.at[k]), 0);
+  if (f.at.empty()) EXPECT_EQ(f.everywhere, g.everywhere);
+}
+
+TEST(TurnedPair, ATurnedShapeShiftsTheMap) {
+  Figures figures(11);
+  for (int trial = 0; trial < 6; ++trial) {
+    const Figure b = figures.figure(), a = figures.figure();
+    const Which which = kAll[std::size_t(trial)];
+    const Real level = Real(figures.number(-1, 1) <= 0 ? 0 : kUnit) * Real(which == Which::kEta1 || which == Which::kDelta1 ? -1 : 1);
+    const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
+    expect_same(shifted(map, Real(-90)), TurnedPair(b.turned(0, 1, 1).region(), a.region(), {}, {}).sign_map(which, level));
+    expect_same(shifted(map, Real(90)), TurnedPair(b.region(), a.turned(0, 1, 1).region(), {}, {}).sign_map(which, level));
+  }
+}
+
+TEST(TurnedPair, ExchangeMirrors) {
+  Figures figures(13);
+  for (int trial = 0; trial < 4; ++trial) {
+    const Figure b = figures.figure(), a = figures.figure();
+    const TurnedPair there(b.region(), a.region(), {}, {}), back(a.region(), b.region(), {}, {});
+    expect_same(there.sign_map(Which::kGamma1, 0), mirrored(back.sign_map(Which::kGamma1, 0)));
+    expect_same(there.sign_map(Which::kDelta1, 0), mirrored(back.sign_map(Which::kEta1, 0)));
+  }
+}
+
+TEST(TurnedPair, RefusesWhatNeedsHigherRoots) {
+  const TurnedPair pair(testing::box(0, 0, 1, 1), testing::box(-1, -1, 3, 3), {}, {});
+  EXPECT_THROW(pair.sign_map(Which::kGamma1, -1), Error);
+  EXPECT_THROW(pair.sign_map(Which::kEta1, 1), Error);
+  EXPECT_THROW(pair.sign_map(Which::kEta2, 1), Error);
+}
+
+}  // namespace
+}  // namespace findspace::distance
