@@ -3,8 +3,7 @@
 //
 // A region along a line: the intervals of {through + t * direction / |direction|} that belong to it, t the signed
 // length from `through`. Guarantee: exact, end points with their membership; a single point is an interval of length 0.
-// Method: all parameters where the line meets an edge or a vertex, in order, and the cells there and between. Cost:
-// O(n) and one point location for each parameter. Keywords: ray, chord, cross section, one-dimensional slice.
+// Cost: that of the section (section.h). Keywords: ray, chord, cross section, one-dimensional slice.
 #pragma once
 
 #include <optional>
