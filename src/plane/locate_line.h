@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "plane/cell_complex.h"
+#include "plane/section.h"
 #include "plane/shape.h"
 
 namespace findspace::plane {
@@ -19,6 +20,9 @@ struct LineInterval {
   std::optional<exact::Real> from, to;
   bool from_in = false, to_in = false;
 };
+
+/// Where the marks of a section are not 0; parameters times `scale`.
+std::vector<LineInterval> intervals(const Section& line, const exact::Real& scale);
 
 /// Disjoint, from small to large t, in grid steps; no two could be joined. `direction` is not (0, 0).
 std::vector<LineInterval> along_line(const Region& region, const GridPoint& through, const GridPoint& direction);

@@ -98,4 +98,50 @@ Section Section::between(const Real& first, const Real& last) const {
   return out;
 }
 
+Section Section::constant(const Real& first, const Real& last, Mark mark) {
+  return {mark, {{first, mark, mark}, {last, mark, mark}}};
+}
+
+Section section_of_path(const CellComplex& complex, const RealVector& p, std::span<const RealVector> path,
+                        std::span<const Real> times) {
+  Section out;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    const RealVector from = p + path[k], leg = path[k + 1] - path[k];
+    const Real duration = times[k + 1] - times[k];
+    Section part;
+    if (leg == RealVector{}) {
+      part = Section::constant(Real(0), Real(1), mark_of(complex, locate(complex, from)));
+    } else {
+      part = section(complex, from, leg).between(Real(0), Real(1));
+    }
+    if (!out.stops.empty()) out.stops.pop_back();  // the next leg begins there
+    for (const Section::Stop& s : part.stops) out.stops.push_back({times[k] + s.t * duration, s.at, s.after});
+  }
+  return out;
+}
+
+Section overlay_sections(std::span<const Section> sections, const std::function<Mark(std::span<const Mark>)>& rule) {
+  std::vector<std::size_t> next(sections.size(), 0);
+  std::vector<Mark> now, here(sections.size());
+  for (const Section& s : sections) now.push_back(s.before);
+  Section out{rule(now), {}};
+  for (;;) {
+    const Real* least = nullptr;
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+      if (next[k] == sections[k].stops.size()) continue;
+      const Real& t = sections[k].stops[next[k]].t;
+      if (least == nullptr || t < *least) least = &t;
+    }
+    if (least == nullptr) return out;
+    const Real t = *least;
+    here = now;
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+      if (next[k] == sections[k].stops.size() || !(sections[k].stops[next[k]].t == t)) continue;
+      here[k] = sections[k].stops[next[k]].at;
+      now[k] = sections[k].stops[next[k]++].after;
+    }
+    out.stops.push_back({t, rule(here), rule(now)});
+  }
+}
+
 }  // namespace findspace::plane

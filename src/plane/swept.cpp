@@ -142,16 +142,19 @@ Real common_measure(Real x, Real y) {
 
 }  // namespace
 
-Window window_between(const RealVector& from, const RealVector& to) {
-  const RealVector d = to - from;
+std::optional<GridPoint> primitive_direction(const RealVector& d) {
   const Real measure = common_measure(d.x, d.y);
   const auto dx = (d.x / measure).integer(), dy = (d.y / measure).integer();
-  constexpr exact::int128 kMost = exact::int128(1) << 53;  // what line filters of exact::Geometry take
-  if (!dx || !dy || *dx >= kMost || *dx <= -kMost || *dy >= kMost || *dy <= -kMost) {
-    throw Error(ErrorCode::kOutOfRange,
-                "a leg has a direction that is no ratio of integers below 2^53: use fewer digits");
-  }
-  return {from, to, std::int64_t(*dx), std::int64_t(*dy)};
+  constexpr exact::int128 kMost = exact::int128(1) << 53;
+  if (!dx || !dy || *dx >= kMost || *dx <= -kMost || *dy >= kMost || *dy <= -kMost) return std::nullopt;
+  return GridPoint{std::int64_t(*dx), std::int64_t(*dy)};
+}
+
+Window window_between(const RealVector& from, const RealVector& to) {
+  const auto d = primitive_direction(to - from);
+  if (d) return {from, to, d->x, d->y};
+  throw Error(ErrorCode::kOutOfRange,
+              "a leg of a motion has a direction that is no ratio of integers below 2^53: use fewer digits");
 }
 
 Window window_along(std::int64_t dx, std::int64_t dy, const Real& from, const Real& to) {

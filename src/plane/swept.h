@@ -13,9 +13,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "plane/cell_complex.h"
+#include "plane/shape.h"
 #include "plane/sweep_strips.h"
 
 namespace findspace::plane {
@@ -25,6 +27,10 @@ struct Sight {
   Mark start = 0, end = 0, inside = 0;
   Mark least() const { return std::min(inside, std::min(start, end)); }
 };
+
+/// The primitive integer vector of a rational direction other than (0, 0), if it is below 2^53 (what line filters
+/// take).
+std::optional<GridPoint> primitive_direction(const RealVector& d);
 
 /// The window from p + from to p + to. The ends differ; their coordinates are rational. Throws Error(kOutOfRange) where
 /// the direction is no ratio of integers below 2^53.
