@@ -33,6 +33,8 @@ Outcome run_check(const Options& options, Talk& talk) {
   if (asks_for_angle(session)) return check_at_angle(session);
   session.require_positions(true);
   const exact::RealPoint at = session.position();
+  if (session.scene().free.kind == io::Free::Kind::kTime && !options.time)
+    throw Error(ErrorCode::kUsage, "with \"free\": \"time\" check wants the instant too: --time t");
   const situation::Formula formula = session.where();
   const situation::Solver solver(session.world());
   talk.stage("checking");
@@ -51,9 +53,10 @@ Outcome run_measure(const Options& options, Talk& talk) {
   const Session session(options, talk);
   session.require_positions(true);
   const exact::RealPoint at = session.position();
+  const situation::Formula formula = session.where();
   const situation::Solver solver(session.world());
   talk.stage("measuring");
-  const std::vector<situation::DistanceAt> distances = solver.measure(at);
+  const std::vector<situation::DistanceAt> distances = solver.measure(at, formula);
   const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, solver.world(), nullptr, at, "Measured here", ""); };
   write_outputs(options, {{".json", json}, {".svg", svg}});

@@ -67,13 +67,15 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->expected(1)
       ->allow_extra_args(false);
   command.add_flag("--json", o.json, "the result as JSON on standard output");
-  if (is(verb, "check") || is(verb, "measure") || is(verb, "phi")) {
+  if (is(verb, "check") || is(verb, "measure") || is(verb, "map") || is(verb, "phi")) {
     command.add_option("--at", o.at, "the position, decimals taken exactly")
         ->type_name(is(verb, "phi") ? "X,Y,Z" : "X,Y");
   }
   if (is(verb, "check")) {
     command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")->type_name("DEG");
   }
+  if (is(verb, "check") || is(verb, "measure"))
+    command.add_option("--time", o.time, "the instant of the motion, a decimal taken exactly")->type_name("T");
   if (is(verb, "map")) {
     command.add_option("--apply", o.apply, "an operation on the region")
         ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));

@@ -74,6 +74,18 @@ Outcome map_of_line(const Session& session, const plane::Region& region) {
   return {session.options().json ? json() : text, intervals.empty() ? kEmpty : kDone};
 }
 
+Outcome map_of_time(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
+  const exact::RealPoint at = session.position();
+  session.talk().stage("solving");
+  const auto intervals = plane::intervals(solver.instants(formula, at), exact::Real(1));
+  const auto json = [&] { return io::intervals_json(intervals, exact::Real(1), ""); };
+  write_outputs(session.options(), {{".json", json}});
+  const std::string text = intervals_text(fmt::format("Instants with {} at {}", fmt::join(session.scene().moving, ", "),
+                                                      session.options().at.value_or("0,0")),
+                                          intervals, exact::Real(1), "");
+  return {session.options().json ? json() : text, intervals.empty() ? kEmpty : kDone};
+}
+
 Outcome map_of_plane(const Session& session, const Map& map, const situation::World& world,
                      const situation::Formula& formula) {
   const plane::Summary summary = plane::summarize(map.region, session.step());
@@ -105,20 +117,22 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
 Outcome run_map(const Options& options, Talk& talk) {
   const Session session(options, talk);
   if (session.scene().free.kind == io::Free::Kind::kPose) return map_of_poses(session);
-  check_outputs(options, {".svg", ".wkt", ".json"});
   if (session.scene().free.kind == io::Free::Kind::kAngle) return map_of_angles(session);
-  const bool line = session.scene().free.kind == io::Free::Kind::kLine;
-  if (line) check_outputs(options, {".json"});
-  if (line && !options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line");
-  session.require_positions(true);
   const io::Scene& scene = session.scene();
-  if (line && session.goal())
-    throw Error(ErrorCode::kUnsupported, "an objective on a line is not computed", scene.file);
+  const bool line = scene.free.kind == io::Free::Kind::kLine, time = scene.free.kind == io::Free::Kind::kTime;
+  check_outputs(options, line || time ? std::vector<std::string>{".json"} : std::vector<std::string>{".svg", ".wkt", ".json"});
+  if ((line || time) && !options.apply.empty())
+    throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line or of time");
+  if (options.at && !time) throw Error(ErrorCode::kUsage, "--at is for a map of time: a map of positions has all of them");
+  session.require_positions(true);
+  if ((line || time) && session.goal())
+    throw Error(ErrorCode::kUnsupported, "an objective on a line or in time is not computed", scene.file);
   if (scene.where.empty() && !session.goal()) {
     throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene.file);
   }
   const situation::Formula formula = session.where();
   const situation::Solver solver(session.world());
+  if (time) return map_of_time(session, solver, formula);
   const Map map = solve(session, solver, formula);
   return line ? map_of_line(session, map.region) : map_of_plane(session, map, solver.world(), formula);
 }

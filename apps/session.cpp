@@ -98,8 +98,7 @@ void Session::require_positions(bool line) const {
     throw Error(ErrorCode::kUnsupported, what + " is not computed by this version", scene_.file);
   };
   if (scene_.dimension != 2) refuse("a map of a 3D scene");
-  if (scene_.motion.given()) refuse("a scene with \"motion\"");
-  if (scene_.free.kind != Kind::kPosition && !(line && scene_.free.kind == Kind::kLine))
+  if (scene_.free.kind != Kind::kPosition && !(line && (scene_.free.kind == Kind::kLine || scene_.free.kind == Kind::kTime)))
     refuse("this kind of \"free\"");
   if (scene_.moving.empty())
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
@@ -146,7 +145,36 @@ situation::World Session::world() const {
   for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(scene_.shapes[k]->name, std::move(built[k]));
   world.moving = scene_.moving;
   world.step = step();
+  world.motion = motion();
+  world.instant = instant();
   return world;
+}
+
+situation::Motion Session::motion() const {
+  situation::Motion out{scene_.motion.start, scene_.motion.end, {}};
+  for (const io::Movement& m : scene_.motion.movements) {
+    situation::Trajectory t{m.times, {}, m.angles};
+    for (const io::GridPosition& p : m.path) t.path.push_back({Real(p[0]), Real(p[1])});
+    out.of.emplace(m.shape, std::move(t));
+  }
+  return out;
+}
+
+std::optional<Real> Session::instant() const {
+  if (!options_.time) return std::nullopt;
+  const io::Motion& motion = scene_.motion;
+  if (!motion.given()) throw Error(ErrorCode::kUsage, "--time: the scene has no \"motion\"");
+  Real t;
+  try {
+    t = Real::parse_decimal(*options_.time);
+  } catch (const Error&) {
+    throw Error(ErrorCode::kUsage, fmt::format("--time wants a decimal number, not '{}'", *options_.time));
+  }
+  if (t < motion.start || motion.end < t) {
+    throw Error(ErrorCode::kUsage, fmt::format("--time {}: the motion is from {} to {}", *options_.time,
+                                               motion.start.text(), motion.end.text()));
+  }
+  return t;
 }
 
 exact::RealPoint Session::position() const {

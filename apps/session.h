@@ -44,12 +44,14 @@ class Session {
   std::optional<Goal> goal() const;
   /// All shapes, and which of them move.
   situation::World world() const;
-  /// Throws where the scene asks for more than positions in the plane (or on a line of it, if `line`).
+  /// Throws where the scene asks for more than positions in the plane (or on a line of it or instants, if `line`).
   void require_positions(bool line) const;
   /// --at, or (0, 0), in the scene's unit.
   exact::RealPoint position() const;
   /// --angle, or 0, in degrees.
   exact::Real angle() const;
+  /// --time, an instant of the scene's motion; nothing without it.
+  std::optional<exact::Real> instant() const;
 
   /// The moving shapes of a picture, and the fixed ones of which the formula speaks (all without one). The regions are
   /// those of `world`.
@@ -57,6 +59,7 @@ class Session {
 
  private:
   situation::Context context() const;
+  situation::Motion motion() const;
   std::vector<plane::Region> regions(const std::vector<plane::ShapePtr>& shapes) const;
 
   const Options& options_;

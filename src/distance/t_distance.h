@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What every T-distance f(p) of a moving shape B at p and a fixed shape A offers (distances.md 3): its sign map at a level, its
-// value at a position, and the elementary distances ("fronts") that can decide it near a position, from which exact extrema are
-// made. f is 1-Lipschitz in p and tends to infinity with |p|. Lengths are in grid steps.
+// What every distance f(p) of a moving shape B at p and a fixed shape A offers (a PositionFunction): its sign map at a level and
+// its value at a position. A T-distance (distances.md 3) is one that is 1-Lipschitz in p and tends to infinity with |p|; it offers
+// besides the elementary distances ("fronts") that can decide it near a position, from which exact extrema are made. Distances
+// along a direction (7.1) are no T-distances, they jump. Lengths are in grid steps.
 // Guarantee: sign maps and values are exact unless the family says otherwise. Keywords: T-distance, level set, sublevel set.
 #pragma once
 
@@ -20,11 +21,12 @@ namespace findspace::distance {
 struct Value {
   exact::Real value;                           // f(p)
   std::optional<exact::RealPoint> nearest;     // signed distances: the nearest position where f = 0, if f(p) is not 0
+  bool minus_infinity = false;                 // f(p) is -infinity, and `value` means nothing
 };
 
-class TDistance {
+class PositionFunction {
  public:
-  virtual ~TDistance() = default;
+  virtual ~PositionFunction() = default;
 
   /// False where the distance is +infinity everywhere.
   virtual bool defined() const = 0;
@@ -32,7 +34,12 @@ class TDistance {
   virtual plane::SignMap sign_map(const exact::Real& level) const = 0;
   /// f at a position; nothing if undefined.
   virtual std::optional<Value> value(const exact::RealPoint& p) const = 0;
+};
 
+using PositionFunctionPointer = std::shared_ptr<const PositionFunction>;
+
+class TDistance : public PositionFunction {
+ public:
   /// A position where a search may begin.
   virtual exact::RealPoint seed() const = 0;
   /// The fronts with a gap of at most `room` at p.

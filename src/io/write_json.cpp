@@ -156,6 +156,21 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
                      list(intervals, text));
 }
 
+namespace {
+
+/// How far values that are not exact may be from the true ones.
+std::string bounds_text(const std::vector<situation::DistanceAt>& distances) {
+  std::map<std::string, double> bounds;
+  for (const situation::DistanceAt& d : distances)
+    if (d.bound) bounds[d.text] = *d.bound;
+  std::string out;
+  for (const auto& [text, bound] : bounds)
+    put(out, "{}{}: {}", out.empty() ? ",\n  \"bounds\": {" : ", ", json_string(text), json_number(bound));
+  return out.empty() ? out : out + "}";
+}
+
+}  // namespace
+
 std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, std::optional<double> angle) {
   const Twofold factor(step);
@@ -178,7 +193,9 @@ std::string check_json(const situation::Solver::Check& check, const exact::RealP
     put(out, "{}{}: {}", separator, json_string(text), number(value));
     separator = ", ";
   }
-  return out + "}\n}\n";
+  std::vector<situation::DistanceAt> all;
+  for (const situation::AtomAt& a : check.atoms) all.push_back(a.distance);
+  return out + "}" + bounds_text(all) + "\n}\n";
 }
 
 std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
@@ -194,7 +211,7 @@ std::string measure_json(const std::vector<situation::DistanceAt>& distances, co
     put(witnesses, "{}{}: {{\"nearest\": {}}}", between, json_string(d.text), pair(place(*d.nearest, factor)));
     between = ",\n    ";
   }
-  return out + "\n  },\n  \"witnesses\": {" + witnesses + "\n  }\n}\n";
+  return out + "\n  },\n  \"witnesses\": {" + witnesses + "\n  }" + bounds_text(distances) + "\n}\n";
 }
 
 }  // namespace findspace::io

@@ -3,14 +3,14 @@
 //
 // A region along a line: the intervals of {through + t * direction / |direction|} that belong to it, t the signed
 // length from `through`. Guarantee: exact, end points with their membership; a single point is an interval of length 0.
-// Method: all parameters where the line meets an edge or a vertex, in order, and the cells there and between. Cost:
-// O(n) and one point location for each parameter. Keywords: ray, chord, cross section, one-dimensional slice.
+// Cost: that of the section (section.h). Keywords: ray, chord, cross section, one-dimensional slice.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "plane/cell_complex.h"
+#include "plane/section.h"
 #include "plane/shape.h"
 
 namespace findspace::plane {
@@ -20,6 +20,9 @@ struct LineInterval {
   std::optional<exact::Real> from, to;
   bool from_in = false, to_in = false;
 };
+
+/// Where the marks of a section are not 0; parameters times `scale`.
+std::vector<LineInterval> intervals(const Section& line, const exact::Real& scale);
 
 /// Disjoint, from small to large t, in grid steps; no two could be joined. `direction` is not (0, 0).
 std::vector<LineInterval> along_line(const Region& region, const GridPoint& through, const GridPoint& direction);

@@ -52,7 +52,7 @@ class VertexNumbers {
         bool displaced_left = strands_[i].forward == strands_[i].displaced_left;
         if (face_left != displaced_left) continue;
         // The strand passes between the vertex and the face.
-        int left_minus_right = strands_[i].forward ? 1 : -1;
+        int left_minus_right = strands_[i].forward ? strands_[i].weight : -strands_[i].weight;
         w_.vertices[v] -= face_left ? left_minus_right : -left_minus_right;
       }
   }
@@ -61,18 +61,19 @@ class VertexNumbers {
     Index in_back = back_half_edge(c.in), out_ahead = ahead_half_edge(c.out);
     Index v = a_.origin(in_back);
     if (w_.vertices[v] == kUnwanted) return;
-    w_.vertices[v] += c.extra;
+    const std::int32_t weight = strands_[c.in].weight;
+    w_.vertices[v] += c.extra * weight;
     bool left = strands_[c.in].displaced_left, both = left == strands_[c.out].displaced_left;
     int rotation = both ? (left ? -1 : 1) : c.rotation;
     Index from = a_.rank[in_back], to = a_.rank[out_ahead];
     if (rotation == 0) return;
     if (from == to) {  // back on the same curve: around its tip, or inside it
-      if (both && c.rotation == rotation) w_.vertices[v] += rotation;
+      if (both && c.rotation == rotation) w_.vertices[v] += rotation * weight;
       return;
     }
     // Counter-clockwise around the vertex: the vertex lies to the path's left, the face to its right.
-    if (rotation > 0 && passes(0, from, to)) w_.vertices[v] += 1;
-    if (rotation < 0 && passes(0, to, from)) w_.vertices[v] -= 1;
+    if (rotation > 0 && passes(0, from, to)) w_.vertices[v] += weight;
+    if (rotation < 0 && passes(0, to, from)) w_.vertices[v] -= weight;
   }
 
  private:
@@ -104,7 +105,7 @@ Windings windings(const Arrangement& a, const std::vector<Strand>& strands, cons
   for (Index e = 0; e < a.edge_count(); ++e)
     for (Index i : cover(a, e)) {
       const Strand& s = strands[i];
-      int j = s.forward ? 1 : -1;
+      std::int32_t j = s.forward ? s.weight : -s.weight;
       jump[e] += j;
       // Displaced to the left of v0 -> v1: the edge is on the right-hand side of the strand.
       if (s.forward != s.displaced_left) on[e] += j;

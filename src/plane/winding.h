@@ -22,6 +22,7 @@ namespace findspace::plane {
 struct Strand {
   bool forward = true;         // from p0 to p1
   bool displaced_left = true;  // of the direction of travel
+  std::int32_t weight = 1;     // how often it counts; one closed curve has one weight
 };
 
 /// The path turns from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path runs from

@@ -4,12 +4,17 @@
 #include "situation/solve.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <mutex>
 
+#include "distance/directional.h"
 #include "distance/extremum.h"
+#include "distance/over_time.h"
 #include "findspace/error.h"
 #include "plane/overlay.h"
 #include "plane/parallel.h"
+#include "plane/swept.h"
 #include "plane/topology.h"
 #include "situation/evaluate.h"
 #include "situation/text.h"
@@ -51,9 +56,23 @@ bool second_moves(const Distance& d, const World& world) {
   return d.first.empty() || std::find(world.moving.begin(), world.moving.end(), d.first[0]) == world.moving.end();
 }
 
-void require_plain(const Distance& d) {
-  if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone)
-    throw Error(ErrorCode::kUnsupported, text(d) + ": distances along a direction, in rotation or over time are not computed by this version");
+/// gamma1 for gamma2, eta1 for eta2, delta1 for delta2: where the base map is.
+Which signed_base(Kind kind) {
+  const bool gamma = kind == Kind::kGamma1 || kind == Kind::kGamma2;
+  const bool eta = kind == Kind::kEta1 || kind == Kind::kEta2;
+  return gamma ? Which::kGamma1 : eta ? Which::kEta1 : Which::kDelta1;
+}
+
+bool is_farthest(Kind kind) { return kind == Kind::kGamma2 || kind == Kind::kEta2 || kind == Kind::kDelta2; }
+
+[[noreturn]] void refuse(const Distance& d, const char* what) {
+  throw Error(ErrorCode::kUnsupported, text(d) + ": " + what);
+}
+
+distance::Track track(const Distance& d) {
+  const auto direction = plane::primitive_direction({d.vector.at(0), d.vector.at(1)});
+  if (!direction) refuse(d, "the direction is no ratio of integers below 2^53; use fewer digits");
+  return {direction->x, direction->y, d.mode == Mode::kAlong};
 }
 
 }  // namespace
@@ -90,16 +109,61 @@ std::shared_ptr<const ShapePair> Solver::pair(const Names& names) const {
   return slot;
 }
 
+/// Who moves in a distance, and along which relative path.
+struct Solver::Roles {
+  Distance wanted;  // with the moving shape first, where the distance allows it
+  Names names;
+  bool second_moves = false;
+  Trajectory path;  // empty without a motion
+  bool turning = false;
+};
+
+Solver::Roles Solver::roles(const Distance& wanted) const {
+  Roles r;
+  r.wanted = moving_first(wanted, world_.moving);
+  const Distance& d = r.wanted;
+  r.second_moves = situation::second_moves(d, world_);
+  r.names = r.second_moves ? Names{d.second, d.first} : Names{d.first, d.second};
+  if (!world_.motion.given()) return r;
+  r.path = relative_path(world_.motion, r.names.first, r.names.second);
+  r.turning = turns(common_trajectory(world_.motion, r.names.first)) || turns(common_trajectory(world_.motion, r.names.second));
+  return r;
+}
+
+TDistancePointer Solver::plain(const Roles& r) const {
+  return pair(r.names)->distance(situation::which(r.wanted.kind, r.second_moves));
+}
+
+distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
+  const Distance& d = r.wanted;
+  if (d.mode == Mode::kPlain) return plain(r);
+  if (d.mode == Mode::kTurning) refuse(d, "distances in rotation are not computed by this version");
+  auto base = pair(r.names)->distance(signed_base(d.kind));
+  const plane::SignMap& map = static_cast<const distance::SignedDistance&>(*base).base();
+  if (is_farthest(d.kind)) return std::make_shared<distance::DirectionalFarthest>(map, track(d));
+  return std::make_shared<distance::DirectionalSigned>(map, track(d));
+}
+
+distance::PositionFunctionPointer Solver::function(const Distance& wanted) const {
+  const Roles r = roles(wanted);
+  if (!world_.motion.given()) return of_instant(r);
+  if (r.turning) refuse(wanted, "regions of shapes that turn in time are not computed; check and measure give values");
+  if (world_.instant && wanted.prefix == Extremum::kNone)
+    return distance::at_instant(of_instant(r), position_at(r.path, *world_.instant));
+  if (r.wanted.mode != Mode::kPlain)
+    refuse(wanted, "along a direction it jumps in time, so it has no extremum over a motion; ask for an instant (\"free\": \"time\", or --time)");
+  const bool least = natural_extremum(r.wanted) == Extremum::kInf;
+  return distance::over_time(plain(r), r.path.path, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);
+}
+
 TDistancePointer Solver::distance(const Distance& wanted) const {
-  Distance d = moving_first(wanted, world_.moving);
-  require_plain(d);
-  const Which w = which(d);
-  if (second_moves(d, world_)) std::swap(d.first, d.second);
-  return pair({d.first, d.second})->distance(w);
+  if (wanted.mode != Mode::kPlain) refuse(wanted, "the least and greatest values of distances along a direction or in rotation are not computed");
+  if (world_.motion.given()) refuse(wanted, "the least and greatest values over positions are not computed with a motion");
+  return plain(roles(wanted));
 }
 
 plane::SignMap Solver::sign_map(const SignMap& wanted) const {
-  if (!wanted.minimum) return distance(wanted.distance)->sign_map(wanted.level / world_.step);
+  if (!wanted.minimum) return function(wanted.distance)->sign_map(wanted.level / world_.step);
   distance::Extremum e = least(wanted.distance);
   if (!e.exists) return CellComplex::uniform(1);
   return plane::remark(std::move(e.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
@@ -132,17 +196,55 @@ plane::Region Solver::feasible(const Formula& formula) const {
 }
 
 DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
-  auto v = distance(wanted)->value(p);
   DistanceAt out{text(wanted), std::nullopt, std::nullopt};
-  if (v) out.value = (v->value * world_.step).to_double(), out.nearest = v->nearest;
+  if (const Roles r = roles(wanted); r.turning) {
+    const auto v = turning_value(r, p);
+    if (v) out.value = v->value * world_.step.to_double(), out.bound = v->bound * world_.step.to_double();
+    return out;
+  }
+  auto v = function(wanted)->value(p);
+  if (v && v->minus_infinity)
+    out.value = -std::numeric_limits<double>::infinity();
+  else if (v)
+    out.value = (v->value * world_.step).to_double(), out.nearest = v->nearest;
   return out;
+}
+
+std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
+  const Motion& motion = world_.motion;
+  if (r.wanted.mode != Mode::kPlain) refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  const Trajectory b = common_trajectory(motion, r.names.first), a = common_trajectory(motion, r.names.second);
+  const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
+  std::vector<distance::TurningPose> poses;
+  for (const Real& t : one ? std::vector{*world_.instant} : common_times(motion, b, a)) {
+    const RealPoint q = position_at(a, t), o = position_at(b, t);
+    poses.push_back({{o.x - q.x, o.y - q.y}, angle_at(b, t), angle_at(a, t)});
+  }
+  const distance::TurningMotion f(shape(r.names.first), shape(r.names.second), situation::which(r.wanted.kind, r.second_moves), poses);
+  if (one) return f.instant(p, 0, Real());
+  const bool least = natural_extremum(r.wanted) == Extremum::kInf;
+  return f.extremum(p, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);
+}
+
+std::int8_t Solver::sign(const SignMap& wanted, const RealPoint& p) const {
+  const Roles r = roles(wanted.distance);
+  if (!r.turning) {
+    const plane::SignMap m = sign_map(wanted);
+    return mark_of(m, locate(m, p));
+  }
+  if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
+  const auto v = turning_value(r, p);
+  if (!v) return 1;
+  const double over = v->value - (wanted.level / world_.step).to_double();
+  if (std::abs(over) <= v->bound)
+    refuse(wanted.distance, "of shapes that turn in time, too near to the level for its bound to decide");
+  return over > 0 ? 1 : -1;
 }
 
 Solver::Check Solver::check(const Formula& formula, const RealPoint& position) const {
   RealPoint p = steps(position);
-  std::vector<plane::SignMap> maps = sign_maps(formula);
-  std::vector<std::int8_t> signs;
-  for (const auto& m : maps) signs.push_back(mark_of(m, locate(m, p)));
+  std::vector<std::int8_t> signs(formula.sign_maps().size());
+  plane::parallel_for(signs.size(), [&](std::size_t k) { signs[k] = sign(formula.sign_maps()[k], p); });
   Check out;
   out.holds = evaluate(formula, signs);
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
@@ -152,21 +254,57 @@ Solver::Check Solver::check(const Formula& formula, const RealPoint& position) c
   return out;
 }
 
-std::vector<DistanceAt> Solver::measure(const RealPoint& position) const {
-  RealPoint p = steps(position);
-  std::vector<Distance> wanted;
+plane::Section Solver::instants(const Formula& formula, const RealPoint& position) const {
+  const RealPoint p = steps(position);
+  std::vector<plane::Section> lines(formula.sign_maps().size());
+  plane::parallel_for(lines.size(), [&](std::size_t k) { lines[k] = instants(formula.sign_maps()[k], p); });
+  lines.push_back(plane::Section::constant(world_.motion.start, world_.motion.end, 0));  // also where there are no atoms
+  plane::Section line = overlay_sections(lines, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+  line.before = line.stops.back().after = 0;  // there is no time outside the motion
+  return line;
+}
+
+plane::Section Solver::instants(const SignMap& wanted, const RealPoint& p) const {
+  const Motion& motion = world_.motion;
+  const bool whole_time = wanted.distance.prefix != Extremum::kNone;
+  const Roles r = roles(wanted.distance);
+  if (r.turning) refuse(wanted.distance, "the instants of shapes that turn are not computed; check --time gives single ones");
+  if (whole_time) {
+    const plane::SignMap map = sign_map(wanted);
+    return plane::Section::constant(motion.start, motion.end, mark_of(map, locate(map, p)));
+  }
+  const plane::SignMap map = of_instant(r)->sign_map(wanted.level / world_.step);
+  return plane::section_of_path(map, p, r.path.path, r.path.times);
+}
+
+std::vector<Distance> Solver::all_distances() const {
+  const bool over_time = world_.motion.given() && !world_.instant;
+  const std::vector<Extremum> prefixes =
+      over_time ? std::vector{Extremum::kInf, Extremum::kSup} : std::vector{Extremum::kNone};
+  std::vector<Distance> out;
   for (const std::string& b : world_.moving)
     for (const auto& [a, region] : world_.shapes) {
       if (std::find(world_.moving.begin(), world_.moving.end(), a) != world_.moving.end()) continue;
       for (std::size_t k = 0; k < kKindCount; ++k) {
         Distance d;
         d.kind = Kind(k);
-        d.first = {b}, d.second = {a};
-        wanted.push_back(d);
-        bool both = d.kind == Kind::kMu || d.kind == Kind::kH || d.kind == Kind::kDstar;
-        if (both) std::swap(d.first, d.second), wanted.push_back(d);
+        const bool both = d.kind == Kind::kMu || d.kind == Kind::kH || d.kind == Kind::kDstar;
+        for (Extremum prefix : prefixes) {
+          d.prefix = prefix, d.first = {b}, d.second = {a};
+          out.push_back(d);
+          if (both) std::swap(d.first, d.second), out.push_back(d);
+        }
       }
     }
+  return out;
+}
+
+std::vector<DistanceAt> Solver::measure(const RealPoint& position, const Formula& formula) const {
+  const RealPoint p = steps(position);
+  std::vector<Distance> wanted = all_distances();
+  for (const SignMap& m : formula.sign_maps()) {
+    if (std::find(wanted.begin(), wanted.end(), m.distance) == wanted.end()) wanted.push_back(m.distance);
+  }
   std::vector<DistanceAt> out(wanted.size());
   plane::parallel_for(out.size(), [&](std::size_t k) { out[k] = value(wanted[k], p); });
   return out;

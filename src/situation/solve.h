@@ -17,7 +17,10 @@
 
 #include "distance/extremum.h"
 #include "distance/shape_pair.h"
+#include "distance/turning_motion.h"
+#include "plane/section.h"
 #include "situation/formula.h"
+#include "situation/motion.h"
 
 namespace findspace::situation {
 
@@ -25,13 +28,16 @@ struct World {
   std::map<std::string, plane::Region> shapes;  // in grid steps
   std::vector<std::string> moving;
   exact::Real step;                             // one grid step in the scene's unit
+  Motion motion;                                // if given, distances are taken over its time
+  std::optional<exact::Real> instant;           // of the motion: distances without inf and sup are those of this time
 };
 
 /// One distance at one position.
 struct DistanceAt {
   std::string text;              // canonical: "gamma1(B, A)"
-  std::optional<double> value;   // in the scene's unit; nothing: undefined, +infinity
+  std::optional<double> value;   // in the scene's unit, may be -infinity; nothing: undefined, +infinity
   std::optional<exact::RealPoint> nearest;  // in grid steps: the nearest position where it is 0, if that is known
+  std::optional<double> bound{};            // not exact: how far the true value may be, of shapes that turn in time
 };
 
 struct AtomAt {
@@ -55,10 +61,17 @@ class Solver {
   };
   Check check(const Formula& formula, const exact::RealPoint& p) const;
 
-  /// All distances of the moving shapes to every other shape at p (in the scene's unit).
-  std::vector<DistanceAt> measure(const exact::RealPoint& p) const;
+  /// All distances of the moving shapes to every other shape at p (in the scene's unit), with a motion their inf and sup;
+  /// and those that the formula names besides.
+  std::vector<DistanceAt> measure(const exact::RealPoint& p, const Formula& formula = {}) const;
 
-  /// The T-distance that a formula means, in grid steps.
+  /// With a motion: the marks that the formula has at p (in the scene's unit) from the start to the end of the motion, 1 where
+  /// it holds at the instant. Distances with inf or sup keep to the whole time.
+  plane::Section instants(const Formula& formula, const exact::RealPoint& p) const;
+
+  /// The function that a formula means, in grid steps: along a direction, over time or at the instant too.
+  distance::PositionFunctionPointer function(const Distance& wanted) const;
+  /// The T-distance that a formula means, whose extrema are computed. Throws Error(kUnsupported) for those that are none.
   distance::TDistancePointer distance(const Distance& wanted) const;
   /// Its global minimum and the positions that have it: `distance -> min`.
   distance::Extremum least(const Distance& wanted) const;
@@ -73,10 +86,20 @@ class Solver {
   using Names = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
   struct Cache;
 
+  struct Roles;
+
+  Roles roles(const Distance& wanted) const;
+  distance::TDistancePointer plain(const Roles& roles) const;
+  distance::PositionFunctionPointer of_instant(const Roles& roles) const;
   std::shared_ptr<const distance::ShapePair> pair(const Names& names) const;
   plane::SignMap sign_map(const SignMap& wanted) const;
+  plane::Section instants(const SignMap& wanted, const exact::RealPoint& p) const;
+  std::vector<Distance> all_distances() const;
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
   DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;
+  std::int8_t sign(const SignMap& wanted, const exact::RealPoint& p) const;
+  /// In grid steps; nothing where undefined.
+  std::optional<distance::BoundedValue> turning_value(const Roles& roles, const exact::RealPoint& p) const;
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
 
   World world_;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Carriers and points of a geometry translated by an exact real vector, appended to another geometry in their order:
+// crossings stay crossings of the moved carriers with the same root. Guarantee: exact. Cost: linear.
+#pragma once
+
+#include "plane/cell_complex.h"
+#include "plane/real_vector.h"
+
+namespace findspace::plane {
+
+/// Appends `from` + `by`; returns the index of its first point (its first carrier was the number of carriers before).
+Index append_moved(exact::Geometry& to, const exact::Geometry& from, const RealVector& by);
+
+/// {s + by} with any marks.
+CellComplex moved(CellComplex complex, const RealVector& by);
+
+}  // namespace findspace::plane
