@@ -8,6 +8,7 @@
 #include "plane/measure_cells_twofold.h"
 #include "report.h"
 #include "session.h"
+#include "space_commands.h"
 #include "turn_command.h"
 
 namespace findspace::app {
@@ -27,9 +28,13 @@ std::string picture(const Session& session, const situation::World& world, const
 }  // namespace
 
 Outcome run_check(const Options& options, Talk& talk) {
-  if (!options.at && !options.angle) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y");
-  check_outputs(options, {".svg", ".json"});
+  if (!options.at && !options.angle) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
   const Session session(options, talk);
+  if (session.in_space()) {
+    session.require_positions_in_space();
+    return check_space(session);
+  }
+  check_outputs(options, {".svg", ".json"});
   if (asks_for_angle(session)) return check_at_angle(session);
   session.require_positions(true);
   const exact::RealPoint at = session.position();
@@ -49,8 +54,12 @@ Outcome run_check(const Options& options, Talk& talk) {
 }
 
 Outcome run_measure(const Options& options, Talk& talk) {
-  check_outputs(options, {".svg", ".json"});
   const Session session(options, talk);
+  if (session.in_space()) {
+    session.require_positions_in_space();
+    return measure_space(session);
+  }
+  check_outputs(options, {".svg", ".json"});
   session.require_positions(true);
   const exact::RealPoint at = session.position();
   const situation::Formula formula = session.where();

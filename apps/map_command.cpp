@@ -9,6 +9,7 @@
 #include "plane/topology.h"
 #include "report.h"
 #include "session.h"
+#include "space_commands.h"
 #include "turn_command.h"
 
 namespace findspace::app {
@@ -62,6 +63,11 @@ std::string title(const Session& session) {
   }
   const std::string& apply = session.options().apply;
   return apply.empty() ? out : fmt::format("{}, {}", out, apply);
+}
+
+void require_question(const Session& session) {
+  if (!session.scene().where.empty() || session.goal()) return;
+  throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", session.scene().file);
 }
 
 Outcome map_of_line(const Session& session, const plane::Region& region) {
@@ -118,6 +124,11 @@ Outcome run_map(const Options& options, Talk& talk) {
   const Session session(options, talk);
   if (session.scene().free.kind == io::Free::Kind::kPose) return map_of_poses(session);
   if (session.scene().free.kind == io::Free::Kind::kAngle) return map_of_angles(session);
+  if (session.in_space()) {
+    session.require_positions_in_space();
+    require_question(session);
+    return map_space(session);
+  }
   const io::Scene& scene = session.scene();
   const bool line = scene.free.kind == io::Free::Kind::kLine, time = scene.free.kind == io::Free::Kind::kTime;
   check_outputs(options, line || time ? std::vector<std::string>{".json"} : std::vector<std::string>{".svg", ".wkt", ".json"});
@@ -127,9 +138,7 @@ Outcome run_map(const Options& options, Talk& talk) {
   session.require_positions(true);
   if ((line || time) && session.goal())
     throw Error(ErrorCode::kUnsupported, "an objective on a line or in time is not computed", scene.file);
-  if (scene.where.empty() && !session.goal()) {
-    throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene.file);
-  }
+  require_question(session);
   const situation::Formula formula = session.where();
   const situation::Solver solver(session.world());
   if (time) return map_of_time(session, solver, formula);

@@ -18,12 +18,12 @@
 #include "plane/topology.h"
 #include "situation/evaluate.h"
 #include "situation/text.h"
+#include "situation/which.h"
 
 namespace findspace::situation {
 
 using distance::ShapePair;
 using distance::TDistancePointer;
-using distance::Which;
 using exact::Real;
 using exact::RealPoint;
 using plane::CellComplex;
@@ -31,8 +31,7 @@ using plane::Mark;
 
 namespace {
 
-/// For a distance whose first shape moves, unless `second_moves`.
-Which which(Kind kind, bool second_moves) {
+bool second_moves) {
   switch (kind) {
     case Kind::kGamma1: return Which::kGamma1;
     case Kind::kGamma2: return Which::kGamma2;
