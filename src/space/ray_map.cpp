@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/ray_map.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+#include "plane/parallel.h"
+
+namespace findspace::space {
+namespace {
+
+/// Rows in flight: enough work for many threads, little memory, and independent of their number.
+constexpr int kRowsAtOnce = 64;
+constexpr int kMostLines = 1 << 14;
+/// Cells are even to one part in this.
+constexpr std::int64_t kEven = 1 << 20;
+
+std::int64_t component(const Point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+}  // namespace
+
+RayGrid ray_grid(const Point& low, const Point& high, int axis, int n) {
+  if (n < 1 || n > kMostLines) throw Error(ErrorCode::kBadValue, "a ray map has 1 to 16384 lines each way");
+  RayGrid grid;
+  grid.axis = axis;
+  grid.nu = grid.nv = n;
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  const std::int64_t width = component(high, a) - component(low, a), height = component(high, b) - component(low, b);
+  std::int64_t largest = 1;
+  for (const Point& p : {low, high}) {
+    for (const std::int64_t c : {p.x, p.y, p.z}) largest = std::max(largest, c < 0 ? -c : c);
+  }
+  while (std::min(width, height) * grid.parts / n < kEven && largest * grid.parts < exact::kRayLimit / 8)
+    grid.parts *= 2;
+  const auto step = [&](std::int64_t size) { return std::max<std::int64_t>(1, (size * grid.parts + n - 1) / n); };
+  grid.du = step(width);
+  grid.dv = step(height);
+  grid.u = component(low, a) * grid.parts + grid.du / 2;
+  grid.v = component(low, b) * grid.parts + grid.dv / 2;
+  return grid;
+}
+
+int compare_positions(const RayPosition& p, const RayPosition& q) {
+  if (!p.real && !q.real) return exact::compare_fractions(p.exact, q.exact);
+  return exact::compare(p.to_real(), q.to_real());
+}
+
+RayRow combined(std::span<const RayRow> rows, const std::function<std::int8_t(std::span<const std::int8_t>)>& combine) {
+  RayRow result;
+  const std::size_t count = rows.size(), lines = rows[0].before.size();
+  std::vector<std::int8_t> here(count), after(count);
+  std::vector<int> next(count);
+  for (std::size_t i = 0; i < lines; ++i) {
+    for (std::size_t k = 0; k < count; ++k) {
+      after[k] = rows[k].before[i];
+      next[k] = rows[k].first[i];
+    }
+    std::int8_t last = combine(after);
+    result.before.push_back(last);
+    while (true) {
+      const RayEvent* first = nullptr;
+      for (std::size_t k = 0; k < count; ++k) {
+        if (next[k] == rows[k].first[i + 1]) continue;
+        const RayEvent& event = rows[k].events[next[k]];
+        if (first == nullptr || compare_positions(event.at, first->at) < 0) first = &event;
+      }
+      if (first == nullptr) break;
+      const RayPosition at = first->at;
+      here = after;
+      for (std::size_t k = 0; k < count; ++k) {
+        if (next[k] == rows[k].first[i + 1] || compare_positions(rows[k].events[next[k]].at, at) != 0) continue;
+        here[k] = rows[k].events[next[k]].here;
+        after[k] = rows[k].events[next[k]].after;
+        ++next[k];
+      }
+      const std::int8_t now = combine(here), then = combine(after);
+      if (now == last && then == last) continue;
+      result.events.push_back({at, now, then});
+      last = then;
+    }
+    result.first.push_back(static_cast<int>(result.events.size()));
+  }
+  return result;
+}
+
+void each_row(const RaySource& source, const std::function<void(int, RayRow&&)>& take) {
+  const int rows = source.grid().nv;
+  for (int begin = 0; begin < rows; begin += kRowsAtOnce) {
+    const int count = std::min(kRowsAtOnce, rows - begin);
+    std::vector<RayRow> block(count);
+    plane::parallel_for(static_cast<std::size_t>(count),
+                        [&](std::size_t k) { block[k] = source.row(begin + static_cast<int>(k)); });
+    for (int k = 0; k < count; ++k) take(begin + k, std::move(block[k]));
+  }
+}
+
+std::vector<RayRow> all_rows(const RaySource& source) {
+  std::vector<RayRow> rows;
+  rows.reserve(source.grid().nv);
+  each_row(source, [&](int, RayRow&& row) { rows.push_back(std::move(row)); });
+  return rows;
+}
+
+}  // namespace findspace::space

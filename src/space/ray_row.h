@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The work on one row of a PairRays: the events of its lines, the cells between them, and their signs.
+// Internal to ray_pair.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "space/ray_pair.h"
+
+namespace findspace::space {
+
+/// A place on a line where it meets facets.
+struct RayGroup {
+  double at = 0, error = 0;
+  int first = 0, count = 0;     // the facets met, in RowWork::hits_
+  exact::Fraction exact{0, 0};  // known if the denominator is not 0
+};
+
+/// What lies after group k - 1 and before group k of a line.
+struct RayCell {
+  int winding = 0;
+  bool wall = false;     // inside facets parallel to the lines
+  std::int8_t sign = 2;  // 2: not known yet
+};
+
+class RowWork {
+ public:
+  RowWork(const PairRays& pair, int j);
+  RayRow run();
+
+ private:
+  struct Hit {
+    int column, sheet;
+    double at, error;
+    exact::Fraction exact{0, 0};  // of dirty lines, and of steep facets
+    std::int8_t jump = 0;
+    bool touch = false;  // the line meets the facet at its edge, or runs in it
+  };
+  struct Wall {
+    exact::Fraction from, to;
+  };
+
+  void collect();
+  void collect_dirty(int column);
+  void meet_upright(const Sheet& s, int sheet, int column, std::vector<Wall>& walls);
+  void sort_columns();
+  void group_column(int column);
+  void mark_walls(int column, const std::vector<Wall>& walls);
+  bool comes_before(const Hit& a, const Hit& b) const;
+  bool coincide(const Hit& a, const Hit& b) const;
+  exact::Fraction place(const Hit& h) const;
+  exact::Fraction place(int column, int group);
+
+  void settle_cells();
+  void join_cells();
+  void join_over_edge(int column, std::vector<std::pair<double, double>>& ranges);
+  int cell_at(int column, double level) const;
+  void test_joined();
+  bool meets(int column, const exact::Fraction& z) const;
+
+  std::int8_t sign_here(int column, int group);
+  void emit(int column, RayRow& row);
+
+  const PairRays& pair_;
+  const Sheets& sheets_;
+  int j_, columns_;
+  std::int64_t y_;
+  std::vector<Hit> hits_, sorted_;
+  std::vector<char> dirty_;
+  std::vector<std::vector<Wall>> walls_;  // of dirty lines, by number
+  std::vector<int> dirty_number_;
+  std::vector<int> hit_first_;
+  std::vector<RayGroup> groups_;
+  std::vector<int> group_first_;  // of column i: groups group_first_[i] to group_first_[i + 1] - 1
+  std::vector<RayCell> cells_;    // of column i from group_first_[i] + i on, one more than groups
+  std::vector<int> root_;
+};
+
+}  // namespace findspace::space
