@@ -171,13 +171,13 @@ class Summarizer {
           out_.regular = out_.regular && in == (solid.mark(x, y, z) != 0);
           whole = whole && in;
           if (in) {
-            const bool dangling = solid.mark(x, y, z) == 0;
+            const bool dangling = solid.mark(x, y, z) == 0 && !borders_face(cell, true);
             all.add(set_, cell, dangling);
             each[std::size_t(parts.of(x, y, z))].add(set_, cell, dangling);
           } else if (full.mark(x, y, z) != 0) {
             const auto s = size(set_, cell);
             if (s && dimension(x, y, z) == 2) crack_area += *s;
-            if (s && dimension(x, y, z) == 1) crack_length += *s;
+            if (s && dimension(x, y, z) == 1 && !borders_face(cell, false)) crack_length += *s;
           }
         }
       }
@@ -219,6 +219,20 @@ class Summarizer {
     c.holes = e.dimension < 2 ? 0 : Components(alone, false).bounded_count();
     if (e.dimension == 0) out_.isolated.push_back(c.sample);
     out_.components.push_back(std::move(c));
+  }
+
+  /// Whether the cell is an edge of a face that is in (or is not): then it adds nothing to the length of lines.
+  bool borders_face(const std::array<int, 3>& cell, bool in) const {
+    if (dimension(cell[0], cell[1], cell[2]) != 1) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (cell[k] % 2 == 0) continue;
+      for (const int d : {-1, 1}) {
+        std::array<int, 3> face = cell;
+        face[k] += d;
+        if ((set_.mark(face[0], face[1], face[2]) != 0) == in) return true;
+      }
+    }
+    return false;
   }
 
   double scaled_size(Real value, int power) const {

@@ -67,7 +67,7 @@ TEST(SolidLattice, SignsByTheDefinition) {
   std::mt19937 random(51);
   const auto pick = [&](int a, int b) { return std::uniform_int_distribution<int>(a, b)(random); };
   int contacts = 0, fits = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 250; ++round) {
     const auto a = space::random_boxes(random, 4, 5), b = space::random_boxes(random, 2, 2);
     const SolidPair bodies(shared(space::box_body(b)), shared(space::box_body(a)));
     const BoxPair boxes(space::box_set(b), space::box_set(a));
