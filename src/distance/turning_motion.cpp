@@ -37,6 +37,13 @@ std::int64_t refinement(double reach) {
 
 Real between(const Real& from, const Real& to, const Real& s) { return from + s * (to - from); }
 
+/// gamma and mu change no faster than the shapes, eta1 and delta1 where they are not positive; but the places where a
+/// shape fits (eta, delta) may come and go at once.
+bool has_rate(Which which, double most) {
+  if (which == Which::kEta2 || which == Which::kDelta2) return false;
+  return (which != Which::kEta1 && which != Which::kDelta1) || most <= 0;
+}
+
 /// An instant that was looked at. f is turned round for suprema, so that the least value is looked for.
 struct Sample {
   std::size_t leg;
@@ -83,10 +90,11 @@ std::optional<BoundedValue> TurningMotion::extremum(const RealPoint& p, Sense se
   const double sign = sense == Sense::kMinimum ? 1 : -1, none = std::numeric_limits<double>::infinity();
   double rounding = 0;
   bool undefined = false;
+  double most = -none;
   auto look = [&](std::size_t leg, double s) {
     const auto v = instant(p, leg, Real::from_double(s));
     undefined |= !v;
-    if (v) rounding = std::max(rounding, v->bound);
+    if (v) rounding = std::max(rounding, v->bound), most = std::max(most, v->value);
     return Sample{leg, s, v ? sign * v->value : none};
   };
   struct Gap {
@@ -154,6 +162,7 @@ std::optional<BoundedValue> TurningMotion::extremum(const RealPoint& p, Sense se
       if (s->f < best.f) best = *s;
   }
   if (undefined && sense == Sense::kMaximum) return std::nullopt;
+  if (undefined || !has_rate(which_, most)) return BoundedValue{sign * best.f, none};
   return BoundedValue{sign * best.f, std::max(0.0, best.f - certain) + rounding};
 }
 

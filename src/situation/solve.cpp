@@ -24,32 +24,13 @@ namespace findspace::situation {
 
 using distance::ShapePair;
 using distance::TDistancePointer;
+using distance::Which;
 using exact::Real;
 using exact::RealPoint;
 using plane::CellComplex;
 using plane::Mark;
 
 namespace {
-
-bool second_moves) {
-  switch (kind) {
-    case Kind::kGamma1: return Which::kGamma1;
-    case Kind::kGamma2: return Which::kGamma2;
-    case Kind::kEta1: return Which::kEta1;
-    case Kind::kEta2: return Which::kEta2;
-    case Kind::kDelta1: return Which::kDelta1;
-    case Kind::kDelta2: return Which::kDelta2;
-    case Kind::kMu: return second_moves ? Which::kMuBack : Which::kMu;
-    case Kind::kHausdorff: return Which::kHausdorff;
-    case Kind::kD1: return Which::kD1;
-    case Kind::kD2: return Which::kGamma2;
-    case Kind::kH: return second_moves ? Which::kHBack : Which::kH;
-    case Kind::kDstar: return second_moves ? Which::kDstarBack : Which::kDstar;
-    case Kind::kDiameter: return Which::kDiameter;
-    case Kind::kPenetration: return Which::kPenetration;
-  }
-  return Which::kGamma1;
-}
 
 bool second_moves(const Distance& d, const World& world) {
   return d.first.empty() || std::find(world.moving.begin(), world.moving.end(), d.first[0]) == world.moving.end();
