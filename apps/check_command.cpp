@@ -35,13 +35,16 @@ Outcome run_check(const Options& options, Talk& talk) {
   const situation::Solver solver(session.world());
   talk.stage("checking");
   const situation::Solver::Check check = solver.check(formula, at);
-  const auto json = [&] { return io::check_json(check, at, session.step(), session.unit()); };
+  std::optional<situation::NearestFeasible> nearest;
+  if (!check.holds) talk.stage("looking for the nearest feasible position"), nearest = solver.nearest_feasible(formula, at);
+  const situation::NearestFeasible* near = nearest ? &*nearest : nullptr;
+  const auto json = [&] { return io::check_json(check, at, session.step(), session.unit(), near); };
   const auto svg = [&] {
     return picture(session, solver.world(), &formula, at, check.holds ? "Feasible" : "Not feasible",
                    session.scene().where.text);
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : check_text(check, at, session.unit()), check.holds ? kDone : kEmpty};
+  return {options.json ? json() : check_text(check, at, session.step(), session.unit(), near), check.holds ? kDone : kEmpty};
 }
 
 Outcome run_measure(const Options& options, Talk& talk) {
@@ -55,7 +58,7 @@ Outcome run_measure(const Options& options, Talk& talk) {
   const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, solver.world(), nullptr, at, "Measured here", ""); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : measure_text(distances, at, session.unit()), kDone};
+  return {options.json ? json() : measure_text(distances, at, session.step(), session.unit()), kDone};
 }
 
 }  // namespace findspace::app

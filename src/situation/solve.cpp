@@ -4,10 +4,12 @@
 #include "situation/solve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include "distance/extremum.h"
 #include "findspace/error.h"
+#include "plane/nearest.h"
 #include "plane/overlay.h"
 #include "plane/parallel.h"
 #include "plane/topology.h"
@@ -56,7 +58,7 @@ void require_plain(const Distance& d) {
 
 struct Solver::Cache {
   std::mutex guard;
-  std::map<Names, std::shared_ptr<const ShapePair>> pairs;
+  std::map<Names, std::shared_ptr<const distance::AtPosition>> pairs;
   std::map<std::string, distance::Extremum> least;  // by the distance's text
 };
 
@@ -77,10 +79,10 @@ plane::Region Solver::shape(const std::vector<std::string>& names) const {
   return parts.size() == 1 ? *parts[0] : plane::unite(parts);
 }
 
-std::shared_ptr<const ShapePair> Solver::pair(const Names& names) const {
+std::shared_ptr<const distance::AtPosition> Solver::pair(const Names& names) const {
   std::lock_guard lock(cache_->guard);
   auto& slot = cache_->pairs[names];
-  if (!slot) slot = std::make_shared<ShapePair>(shape(names.first), shape(names.second));
+  if (!slot) slot = std::make_shared<distance::AtPosition>(std::make_shared<ShapePair>(shape(names.first), shape(names.second)));
   return slot;
 }
 
@@ -89,7 +91,7 @@ TDistancePointer Solver::distance(const Distance& wanted) const {
   require_plain(d);
   bool second = d.first.empty() || std::find(world_.moving.begin(), world_.moving.end(), d.first[0]) == world_.moving.end();
   if (second) std::swap(d.first, d.second);
-  return pair({d.first, d.second})->distance(which(d.kind, second));
+  return pair({d.first, d.second})->pair().distance(which(d.kind, second));
 }
 
 plane::SignMap Solver::sign_map(const SignMap& wanted) const {
@@ -126,10 +128,35 @@ plane::Region Solver::feasible(const Formula& formula) const {
 }
 
 DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
-  auto v = distance(wanted)->value(p);
-  DistanceAt out{text(wanted), std::nullopt, std::nullopt};
-  if (v) out.value = (v->value * world_.step).to_double(), out.nearest = v->nearest;
+  Distance d = moving_first(wanted, world_.moving);
+  require_plain(d);
+  bool second = d.first.empty() || std::find(world_.moving.begin(), world_.moving.end(), d.first[0]) == world_.moving.end();
+  Names names = second ? Names{d.second, d.first} : Names{d.first, d.second};
+  auto pair = this->pair(names);
+  DistanceAt out{text(wanted), std::nullopt, std::nullopt, std::nullopt, {}};
+  if (auto m = pair->measure(which(d.kind, second), p)) add_witness(out, wanted, names, *pair, *m, p);
   return out;
+}
+
+void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
+                         const distance::Measured& m, const RealPoint& p) const {
+  out.value = (m.value * world_.step).to_double();
+  out.nearest = m.nearest, out.farthest = m.farthest;
+  for (const distance::Feature& f : m.witness)
+    out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
+                                        f.of_moving ? names.first : names.second, world_.shapes, world_.parts, p));
+  bool turned = wanted.first == names.second && !out.witness.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
+  if (turned) std::swap(out.witness[0], out.witness[1]);
+}
+
+std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, const RealPoint& position) const {
+  RealPoint p = steps(position);
+  plane::Region region = feasible(formula), closed = plane::closure(region);
+  auto in = [](Mark m) { return m > 0; };
+  auto here = mark_of(closed, locate(closed, p)) > 0;
+  auto n = here ? std::optional(plane::Nearest{Real(), p, {}}) : plane::nearest(closed, in, p);
+  if (!n) return std::nullopt;
+  return NearestFeasible{n->at, n->distance * world_.step, mark_of(region, locate(region, n->at)) > 0};
 }
 
 Solver::Check Solver::check(const Formula& formula, const RealPoint& position) const {
@@ -141,7 +168,9 @@ Solver::Check Solver::check(const Formula& formula, const RealPoint& position) c
   out.holds = evaluate(formula, signs);
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
-    out.atoms.push_back({atom, value(atom.distance, p), holds(atom, signs[formula.sign_map_of(k)])});
+    AtomAt a{atom, value(atom.distance, p), holds(atom, signs[formula.sign_map_of(k)]), std::nullopt};
+    if (!a.holds && a.distance.value && !atom.minimum) a.lacks = std::abs(*a.distance.value - atom.level.to_double());
+    out.atoms.push_back(std::move(a));
   }
   return out;
 }

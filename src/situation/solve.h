@@ -18,6 +18,7 @@
 #include "distance/extremum.h"
 #include "distance/shape_pair.h"
 #include "situation/formula.h"
+#include "situation/witness.h"
 
 namespace findspace::situation {
 
@@ -25,6 +26,7 @@ struct World {
   std::map<std::string, plane::Region> shapes;  // in grid steps
   std::vector<std::string> moving;
   exact::Real step;                             // one grid step in the scene's unit
+  Parts parts;                                  // of the shapes that are collections, for reports
 };
 
 /// One distance at one position.
@@ -32,12 +34,22 @@ struct DistanceAt {
   std::string text;              // canonical: "gamma1(B, A)"
   std::optional<double> value;   // in the scene's unit; nothing: undefined, +infinity
   std::optional<exact::RealPoint> nearest;  // in grid steps: the nearest position where it is 0, if that is known
+  std::optional<exact::RealPoint> farthest;  // in grid steps: of eta2 and delta2 the position of the farthest touching
+  std::vector<FeatureAt> witness;            // two features that attain it, in the order of the arguments; or none
 };
 
 struct AtomAt {
   Atom atom;
   DistanceAt distance;
   bool holds = false;            // exact, also on a boundary
+  std::optional<double> lacks;   // how far the value is from holding, if it does not (of a strict relation the infimum)
+};
+
+/// The point of the closure of a region that is nearest to a position.
+struct NearestFeasible {
+  exact::RealPoint at;           // in grid steps
+  exact::Real distance;          // in the scene's unit
+  bool attained = false;         // `at` itself is feasible
 };
 
 class Solver {
@@ -55,6 +67,11 @@ class Solver {
   };
   Check check(const Formula& formula, const exact::RealPoint& p) const;
 
+  /// One distance at p (in the scene's unit).
+  DistanceAt distance_at(const Distance& wanted, const exact::RealPoint& p) const { return value(wanted, steps(p)); }
+  /// The nearest position at which the formula holds, or of the closure of those; nothing if it holds nowhere.
+  std::optional<NearestFeasible> nearest_feasible(const Formula& formula, const exact::RealPoint& p) const;
+
   /// All distances of the moving shapes to every other shape at p (in the scene's unit).
   std::vector<DistanceAt> measure(const exact::RealPoint& p) const;
 
@@ -70,10 +87,12 @@ class Solver {
   struct Cache;
 
   plane::Region shape(const std::vector<std::string>& names) const;
-  std::shared_ptr<const distance::ShapePair> pair(const Names& names) const;
+  std::shared_ptr<const distance::AtPosition> pair(const Names& names) const;
   plane::SignMap sign_map(const SignMap& wanted) const;
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
   DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;
+  void add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
+                   const distance::Measured& measured, const exact::RealPoint& p) const;
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
 
   World world_;
