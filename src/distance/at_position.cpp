@@ -19,7 +19,9 @@ using plane::Region;
 
 namespace {
 
-constexpr double kClearlyOut = 0x1p-26;  // of the scale: a directed Hausdorff distance beyond this needs no map
+// Of the scale: a directed Hausdorff distance beyond the first needs no map; one that is positive and below the second
+// counts as 0.
+constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;
 
 RealPoint sum(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
 RealPoint difference(const RealPoint& p, const RealPoint& q) { return {p.x - q.x, p.y - q.y}; }
@@ -71,6 +73,9 @@ AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
 /// The points that come together when B goes from p to `position`, where it touches A.
 void AtPosition::add_contact(Measured& m, const RealPoint& position, const RealPoint& p) const {
   SitePair k = touching_pair(fixed_, moving_, position);
+  // Chains touch where they cross, too.
+  if (near_value(k.distance) > (moving_.scale() + fixed_.scale()) * kHardlyOut)
+    k = distance::common_point(fixed_, moving_, position);
   k.second = difference(k.second, difference(position, p));
   m.witness = features(k);
 }
@@ -82,6 +87,10 @@ std::optional<Measured> AtPosition::signed_distance(Which which, Standing::Kind 
     RealPoint step = difference(s.pair->first, s.pair->second);
     return Measured{outside ? s.pair->distance : -s.pair->distance, sum(p, step), std::nullopt, features(*s.pair)};
   }
+  return by_map(which, p);
+}
+
+std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) const {
   auto v = pair_->distance(which)->value(p);
   if (!v) return std::nullopt;
   Measured m{v->value, v->nearest, std::nullopt, {}};
@@ -107,13 +116,19 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p) cons
     return Measured{-s.pair->distance, std::nullopt, std::nullopt, features(*s.pair)};
   const SiteTree &from = back ? fixed_ : moving_, &to = back ? moving_ : fixed_;
   const RealPoint by = back ? RealPoint{-p.x, -p.y} : p;
-  double least = (from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y))) * kClearlyOut;
-  std::optional<FarthestPlace> place;
-  if (!from.has_arcs() && !to.has_arcs())
-    place = farthest_place(from, to, by, least);
-  else if (!from.empty() && !to.empty())
-    place = FarthestFromSet(from.region(), to.region()).greatest(by, least);
-  if (!place) return signed_distance(back ? Which::kDelta1 : Which::kEta1, Standing::Kind::kClose, p);
+  double scale = from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
+  auto search = [&](double least) -> std::optional<FarthestPlace> {
+    if (!from.has_arcs() && !to.has_arcs()) return farthest_place(from, to, by, least);
+    return FarthestFromSet(from.region(), to.region()).greatest(by, least);
+  };
+  auto place = search(scale * kClearlyOut);
+  if (!place) {
+    // One lies in the other, or all but: containment decides.
+    auto margin = by_map(back ? Which::kDelta1 : Which::kEta1, p);
+    if (margin && margin->value.sign() <= 0) return margin;
+    place = search(scale * kHardlyOut);
+    if (!place) return Measured{};
+  }
   SitePair near = nearest_point(to, place->at);
   Feature out{!back, place->cell, place->at}, in{back, near.first_cell, near.first};
   if (back) out.at = sum(out.at, p), in.at = sum(in.at, p);

@@ -55,6 +55,7 @@ class AtPosition {
   };
   Standing standing(const exact::RealPoint& p) const;
   std::optional<Measured> signed_distance(Which which, Standing::Kind quick, const exact::RealPoint& p) const;
+  std::optional<Measured> by_map(Which which, const exact::RealPoint& p) const;
   std::optional<Measured> farthest(Which which, const exact::RealPoint& p) const;
   std::optional<Measured> directed(bool back, const exact::RealPoint& p) const;
   std::optional<Measured> plain(const exact::RealPoint& p) const;

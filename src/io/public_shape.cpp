@@ -14,11 +14,11 @@
 namespace findspace {
 namespace {
 
-std::string text(const Point& p) { return fmt::format("[{}, {}]", p.x.text(), p.y.text()); }
+std::string json_of(const Point& p) { return fmt::format("[{}, {}]", p.x.text(), p.y.text()); }
 
-std::string text(const Ring& ring) {
+std::string json_of(const Ring& ring) {
   std::string out = "[";
-  for (const Point& p : ring) out += (out.size() > 1 ? ", " : "") + text(p);
+  for (const Point& p : ring) out += (out.size() > 1 ? ", " : "") + json_of(p);
   return out + "]";
 }
 
@@ -35,22 +35,22 @@ Number::Number(double value) : text_(fmt::format("{}", value)) {
 }
 
 Shape Shape::polygon(const Ring& ring, const std::vector<Ring>& holes) {
-  std::string out = fmt::format("{{\"polygon\": {}", text(ring)), inner;
-  for (const Ring& h : holes) inner += (inner.empty() ? "" : ", ") + findspace::text(h);
+  std::string out = fmt::format("{{\"polygon\": {}", json_of(ring)), inner;
+  for (const Ring& h : holes) inner += (inner.empty() ? "" : ", ") + json_of(h);
   return Shape(out + (inner.empty() ? "}" : fmt::format(", \"holes\": [{}]}}", inner)));
 }
 Shape Shape::disc(const Point& center, const Number& radius) {
-  return Shape(fmt::format("{{\"disc\": {{\"center\": {}, \"radius\": {}}}}}", findspace::text(center), radius.text()));
+  return Shape(fmt::format("{{\"disc\": {{\"center\": {}, \"radius\": {}}}}}", json_of(center), radius.text()));
 }
 Shape Shape::box(const Point& min, const Point& max) {
-  return Shape(fmt::format("{{\"box\": {{\"min\": {}, \"max\": {}}}}}", findspace::text(min), findspace::text(max)));
+  return Shape(fmt::format("{{\"box\": {{\"min\": {}, \"max\": {}}}}}", json_of(min), json_of(max)));
 }
 Shape Shape::path(std::string_view data) { return Shape(fmt::format("{{\"path\": {}}}", io::json_string(data))); }
 Shape Shape::points(const std::vector<Point>& points) {
-  return Shape(fmt::format("{{\"points\": {}}}", findspace::text(points)));
+  return Shape(fmt::format("{{\"points\": {}}}", json_of(points)));
 }
 Shape Shape::polyline(const std::vector<Point>& points) {
-  return Shape(fmt::format("{{\"polyline\": {}}}", findspace::text(points)));
+  return Shape(fmt::format("{{\"polyline\": {}}}", json_of(points)));
 }
 
 Shape Shape::unite(const std::vector<Shape>& shapes) { return Shape(fmt::format("{{\"union\": {}}}", list(shapes))); }
@@ -69,7 +69,7 @@ Shape Shape::offset(const Shape& shape, const Number& radius) {
 }
 Shape Shape::hull(const Shape& shape) { return Shape(fmt::format("{{\"hull\": {}}}", shape.text())); }
 Shape Shape::translated(const Point& by) const {
-  return Shape(fmt::format("{{\"translate\": {}, \"of\": {}}}", findspace::text(by), json_));
+  return Shape(fmt::format("{{\"translate\": {}, \"of\": {}}}", json_of(by), json_));
 }
 Shape Shape::rotated(const Number& degrees) const {
   return Shape(fmt::format("{{\"rotate\": {}, \"of\": {}}}", degrees.text(), json_));
