@@ -25,6 +25,18 @@ std::string picture(const Session& session, const situation::World& world, const
   return io::picture_svg(p);
 }
 
+/// Nothing also where the region is not computed, as of shapes that turn in time.
+std::optional<situation::NearestFeasible> nearest_feasible(const situation::Solver& solver, const situation::Formula& formula,
+                                                           const exact::RealPoint& at, Talk& talk) {
+  talk.stage("looking for the nearest feasible position");
+  try {
+    return solver.nearest_feasible(formula, at);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 Outcome run_check(const Options& options, Talk& talk) {
@@ -44,13 +56,15 @@ Outcome run_check(const Options& options, Talk& talk) {
   const situation::Solver solver(session.world());
   talk.stage("checking");
   const situation::Solver::Check check = solver.check(formula, at);
-  const auto json = [&] { return io::check_json(check, at, session.step(), session.unit()); };
+  const std::optional<situation::NearestFeasible> nearest = check.holds ? std::nullopt : nearest_feasible(solver, formula, at, talk);
+  const situation::NearestFeasible* near = nearest ? &*nearest : nullptr;
+  const auto json = [&] { return io::check_json(check, at, session.step(), session.unit(), std::nullopt, near); };
   const auto svg = [&] {
     return picture(session, solver.world(), &formula, at, check.holds ? "Feasible" : "Not feasible",
                    session.scene().where.text);
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : check_text(check, at, session.unit()), check.holds ? kDone : kEmpty};
+  return {options.json ? json() : check_text(check, at, session.step(), session.unit(), near), check.holds ? kDone : kEmpty};
 }
 
 Outcome run_measure(const Options& options, Talk& talk) {
@@ -69,7 +83,7 @@ Outcome run_measure(const Options& options, Talk& talk) {
   const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, solver.world(), nullptr, at, "Measured here", ""); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : measure_text(distances, at, session.unit()), kDone};
+  return {options.json ? json() : measure_text(distances, at, session.step(), session.unit()), kDone};
 }
 
 }  // namespace findspace::app

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "io/draw_layout.h"
+#include "io/write_witness.h"
 #include "plane/measure_cells_twofold.h"
 
 namespace findspace::app {
@@ -113,26 +114,37 @@ std::string intervals_text(std::string_view title, const std::vector<plane::Line
   return out;
 }
 
-std::string check_text(const situation::Solver::Check& check, const exact::RealPoint& at, std::string_view unit) {
+std::string check_text(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+                       std::string_view unit, const situation::NearestFeasible* nearest) {
   std::vector<std::string> texts;
   for (const auto& a : check.atoms) texts.push_back(a.atom.text);
   const std::size_t width = widest(texts);
+  const Twofold factor(step);
   std::string out = fmt::format("{} {}\n", point(at), check.holds ? "is feasible" : "is not feasible");
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const situation::AtomAt& a = check.atoms[i];
-    put(out, "  {}  {:<{}}  {}\n", a.holds ? "yes" : "no ", texts[i], width, value_text(a.distance, unit));
+    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", texts[i], width, value_text(a.distance, unit));
+    if (a.lacks) put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", length(*a.lacks, unit));
+    const std::string where = io::witness_words(a.distance, factor);
+    out += where.empty() ? "\n" : fmt::format("\n       {:<{}}  between {}\n", "", width, where);
+  }
+  if (nearest != nullptr) {
+    put(out, "nearest feasible position {}, {} away{}\n", point(Place{(Twofold(nearest->at.x) * factor).value(), (Twofold(nearest->at.y) * factor).value()}),
+        length(nearest->distance.to_double(), unit), nearest->attained ? "" : ", not feasible itself: the region is open there");
   }
   return out;
 }
 
 std::string measure_text(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
-                         std::string_view unit) {
-  std::vector<std::string> texts;
-  for (const auto& d : distances) texts.push_back(d.text);
-  const std::size_t width = widest(texts);
+                         const exact::Real& step, std::string_view unit) {
+  std::vector<std::string> texts, values;
+  for (const auto& d : distances) texts.push_back(d.text), values.push_back(value_text(d, unit));
+  const std::size_t width = widest(texts), room = widest(values);
   std::string out = fmt::format("at {}\n", point(at));
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    put(out, "  {:<{}}  {}\n", texts[i], width, value_text(distances[i], unit));
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const std::string where = io::witness_words(distances[i], Twofold(step));
+    put(out, "  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : room, where.empty() ? "" : "  " + where);
+  }
   return out;
 }
 

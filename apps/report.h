@@ -20,8 +20,10 @@ std::string summary_text(std::string_view title, const plane::Summary& summary, 
                          const io::ExtremeValue* extreme = nullptr);
 std::string intervals_text(std::string_view title, const std::vector<plane::LineInterval>& intervals,
                            const exact::Real& step, std::string_view unit);
-std::string check_text(const situation::Solver::Check& check, const exact::RealPoint& at, std::string_view unit);
+/// `nearest` may be null: the nearest feasible position, where it was asked for.
+std::string check_text(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+                       std::string_view unit, const situation::NearestFeasible* nearest);
 std::string measure_text(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
-                         std::string_view unit);
+                         const exact::Real& step, std::string_view unit);
 
 }  // namespace findspace::app

@@ -157,6 +157,14 @@ situation::World Session::world() const {
   world.step = step();
   world.motion = motion();
   world.instant = instant();
+  for (const plane::ShapePtr& s : scene_.shapes) {
+    if (!s->collection) continue;
+    std::vector<plane::Region> parts = regions(s->children);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const std::string& name = s->children[k]->name;
+      world.parts[s->name].emplace_back(name.empty() ? std::to_string(k) : name, std::move(parts[k]));
+    }
+  }
   return world;
 }
 

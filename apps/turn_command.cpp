@@ -133,7 +133,7 @@ Outcome check_at_angle(const Session& session) {
     return io::picture_svg(p);
   };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  return {session.options().json ? json() : check_text(check, pose.at, session.unit()), check.holds ? kDone : kEmpty};
+  return {session.options().json ? json() : check_text(check, pose.at, session.step(), session.unit(), nullptr), check.holds ? kDone : kEmpty};
 }
 
 situation::Formula question_over_angles(const Session& session) {

@@ -79,12 +79,12 @@ std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, doub
   return out;
 }
 
-std::optional<Real> FarthestFromSet::greatest(const RealPoint& p, double least_value) const {
+std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, double least_value) const {
   double px = near_value(p.x), py = near_value(p.y);
-  std::optional<Real> best;
+  std::optional<FarthestPlace> best;
   for (const Peak& k : peaks(px, py, scale(px, py) * kSamePlace, least_value)) {
-    Real v = value(k, p);
-    if (!best || v.to_double() > best->to_double()) best = v;
+    FarthestPlace place = exact_place(k, p);
+    if (!best || place.value.to_double() > best->value.to_double()) best = std::move(place);
   }
   return best;
 }
@@ -96,10 +96,10 @@ bool FarthestFromSet::is_distance(const Event& e) const {
   return std::abs(near_value(e.level) - least) <= (scale_ + std::abs(x) + std::abs(y)) * kRounded;
 }
 
-Real FarthestFromSet::value(const Peak& peak, const RealPoint& p) const {
+FarthestPlace FarthestFromSet::exact_place(const Peak& peak, const RealPoint& p) const {
   if (peak.cell.dimension == 0) {
     RealPoint at = b_.geometry.exact(b_.vertices[peak.cell.index].point) + p;
-    return plane::nearest(a_, inside, at)->distance;
+    return {plane::nearest(a_, inside, at)->distance, at, peak.cell};
   }
   double scale = scale_ + std::abs(peak.x) + std::abs(peak.y), px = near_value(p.x), py = near_value(p.y);
   std::vector<Front> fronts;
@@ -111,14 +111,14 @@ Real FarthestFromSet::value(const Peak& peak, const RealPoint& p) const {
     edge_part = edge_site(b_, peak.cell.index);
     edge = still_front(b_, *edge_part).moved({-p.x, -p.y});
   }
-  std::optional<Real> best;
+  std::optional<FarthestPlace> best;
   auto take = [&](const std::vector<Event>& all) {
     for (const Event& e : all) {
-      if (!e.at || (best && near_value(e.level) <= near_value(*best))) continue;
+      if (!e.at || (best && near_value(e.level) <= near_value(best->value))) continue;
       double x = near_value(e.at->x), y = near_value(e.at->y);
       if (!(std::hypot(x - peak.x, y - peak.y) <= scale * kSamePlace) || !is_distance(e)) continue;
       if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * kRounded)) continue;
-      best = e.level;
+      best = FarthestPlace{e.level, *e.at, peak.cell};
     }
   };
   for (std::size_t i = 0; i < fronts.size(); ++i) {
@@ -129,12 +129,13 @@ Real FarthestFromSet::value(const Peak& peak, const RealPoint& p) const {
     }
   }
   if (best) return *best;
-  return plane::nearest(a_, inside, {Real::from_double(peak.x), Real::from_double(peak.y)})->distance;
+  RealPoint at{Real::from_double(peak.x), Real::from_double(peak.y)};
+  return {plane::nearest(a_, inside, at)->distance, at, peak.cell};
 }
 
 void FarthestFromSet::add_fronts(const Peak& peak, const RealPoint& p, double room, std::vector<NearFront>& out) const {
   auto put = [&](const Front& f) { out.push_back({f, std::abs(peak.value)}); };
-  if (peak.cell.dimension == 2) return put(Front::ring(Real(), Real(), -value(peak, p), 1));
+  if (peak.cell.dimension == 2) return put(Front::ring(Real(), Real(), -exact_place(peak, p).value, 1));
   std::vector<Front> fronts;
   for (Index k : near_sites(peak.x, peak.y, room)) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
   if (peak.cell.dimension == 0) {

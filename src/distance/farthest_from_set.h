@@ -14,6 +14,7 @@
 
 #include <vector>
 
+#include "distance/farthest_place.h"
 #include "distance/sites.h"
 #include "plane/locate.h"
 
@@ -33,9 +34,9 @@ class FarthestFromSet {
   /// Peaks of value at least greatest - room and more than `least_value`, the greatest first, one for each place.
   std::vector<Peak> peaks(double px, double py, double room, double least_value) const;
   /// The exact distance to A in the place of the peak.
-  exact::Real value(const Peak& peak, const exact::RealPoint& p) const;
-  /// h(B+p, A) if it is more than `least_value`.
-  std::optional<exact::Real> greatest(const exact::RealPoint& p, double least_value) const;
+  FarthestPlace exact_place(const Peak& peak, const exact::RealPoint& p) const;
+  /// The farthest place if its value is more than `least_value`.
+  std::optional<FarthestPlace> greatest(const exact::RealPoint& p, double least_value) const;
   /// Fronts (in p) that decide the peak's value, as far as they can be given.
   void add_fronts(const Peak& peak, const exact::RealPoint& p, double room, std::vector<NearFront>& out) const;
 

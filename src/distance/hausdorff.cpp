@@ -32,6 +32,7 @@ const SignedDistance& DirectedHausdorff::containment() const {
 }
 
 SignMap DirectedHausdorff::sign_map(const Real& level) const {
+  if (!defined()) return CellComplex::uniform(1);
   if (level.sign() <= 0) return containment().sign_map(level);
   SignMap around = plane::distance_map(a_, level);
   Region closed = plane::remark(around, [](Mark m) { return Mark(m <= 0); });
@@ -43,13 +44,14 @@ SignMap DirectedHausdorff::sign_map(const Real& level) const {
 }
 
 std::optional<Value> DirectedHausdorff::value(const RealPoint& p) const {
+  if (!defined()) return std::nullopt;
   double scale = search_.scale(near_value(p.x), near_value(p.y));
-  if (auto h = search_.greatest(p, scale * kClearlyOut)) return Value{*h, std::nullopt};
+  if (auto h = search_.greatest(p, scale * kClearlyOut)) return Value{h->value, std::nullopt};
   // B+p lies in A, or all but: containment decides.
   auto margin = containment().value(p);
   if (margin && margin->value.sign() <= 0) return margin;
   auto h = search_.greatest(p, scale * kHardlyOut);
-  return Value{h ? *h : Real(), std::nullopt};
+  return Value{h ? h->value : Real(), std::nullopt};
 }
 
 RealPoint DirectedHausdorff::seed() const {

@@ -21,10 +21,10 @@ namespace findspace::distance {
 
 class DirectedHausdorff : public TDistance {
  public:
-  /// mu(B+p, A); closed shapes, B bounded.
+  /// mu(B+p, A); closed shapes. +infinity if B is not bounded.
   DirectedHausdorff(plane::Region b, plane::Region a);
 
-  bool defined() const override { return true; }
+  bool defined() const override { return b_.faces[0].mark <= 0; }
   plane::SignMap sign_map(const exact::Real& level) const override;
   std::optional<Value> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;

@@ -7,8 +7,8 @@
 
 #include "distance/derived.h"
 #include "distance/farthest.h"
-#include "distance/farthest_pair.h"
 #include "distance/hausdorff.h"
+#include "distance/site_pairs.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
@@ -33,7 +33,8 @@ TDistancePointer ShapePair::diameter() const {
   auto gamma2 = distance(Which::kGamma2);
   if (!gamma2->defined()) return gamma2;
   const RealPoint origin{Real(), Real()};
-  return cut_off(gamma2, std::max(farthest_pair(a_, a_, origin).distance, farthest_pair(b_, b_, origin).distance));
+  const SiteTree a(a_), b(b_);
+  return cut_off(gamma2, std::max(farthest_pair(a, a, origin).distance, farthest_pair(b, b, origin).distance));
 }
 
 TDistancePointer ShapePair::made(Which which) const {

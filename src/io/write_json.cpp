@@ -9,6 +9,8 @@
 #include <iterator>
 #include <map>
 
+#include "io/write_witness.h"
+
 namespace findspace::io {
 namespace {
 
@@ -32,9 +34,6 @@ std::string box(const std::optional<Bounds>& b) {
 std::string number(const std::optional<double>& value) { return value ? json_number(*value) : "null"; }
 
 Place place(const exact::RealPoint& p) { return {Twofold(p.x).value(), Twofold(p.y).value()}; }
-Place place(const exact::RealPoint& p, const Twofold& step) {
-  return {(Twofold(p.x) * step).value(), (Twofold(p.y) * step).value()};
-}
 
 /// Items separated by commas, each on its own line where `lines`.
 template <class Items, class Text>
@@ -172,7 +171,7 @@ std::string bounds_text(const std::vector<situation::DistanceAt>& distances) {
 }  // namespace
 
 std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, std::optional<double> angle) {
+                       std::string_view unit, std::optional<double> angle, const situation::NearestFeasible* nearest) {
   const Twofold factor(step);
   std::string out = fmt::format("{{{}\"at\": {}, {}\"true\": {},\n  \"atoms\": ", unit_key(unit), pair(place(at)),
                                 angle ? fmt::format("\"angle\": {}, ", json_number(*angle)) : "", truth(check.holds));
@@ -181,10 +180,9 @@ std::string check_json(const situation::Solver::Check& check, const exact::RealP
       check.atoms,
       [&](const situation::AtomAt& a) {
         distances[a.distance.text] = a.distance.value;
-        const auto& nearest = a.distance.nearest;
-        return fmt::format(R"({{"text": {}, "value": {}, "true": {}, "witness": {{{}}}}})", json_string(a.atom.text),
-                           number(a.distance.value), truth(a.holds),
-                           nearest ? "\"nearest\": " + pair(place(*nearest, factor)) : "");
+        const std::string lacks = a.lacks ? fmt::format(R"( "lacks": {},)", json_number(*a.lacks)) : "";
+        return fmt::format(R"({{"text": {}, "value": {}, "true": {},{} "witness": {{{}}}}})", json_string(a.atom.text),
+                           number(a.distance.value), truth(a.holds), lacks, witness_members(a.distance, factor));
       },
       true);
   out += ",\n  \"distances\": {";
@@ -193,9 +191,14 @@ std::string check_json(const situation::Solver::Check& check, const exact::RealP
     put(out, "{}{}: {}", separator, json_string(text), number(value));
     separator = ", ";
   }
+  out += "}";
+  if (nearest != nullptr) {
+    put(out, ",\n  \"nearest_feasible\": {{\"at\": {}, \"distance\": {}, \"attained\": {}}}", json_point(nearest->at, factor),
+        json_number(nearest->distance.to_double()), truth(nearest->attained));
+  }
   std::vector<situation::DistanceAt> all;
   for (const situation::AtomAt& a : check.atoms) all.push_back(a.distance);
-  return out + "}" + bounds_text(all) + "\n}\n";
+  return out + bounds_text(all) + "\n}\n";
 }
 
 std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
@@ -207,8 +210,9 @@ std::string measure_json(const std::vector<situation::DistanceAt>& distances, co
   for (const auto& d : distances) {
     put(out, "{}{}: {}", separator, json_string(d.text), number(d.value));
     separator = ",\n    ";
-    if (!d.nearest) continue;
-    put(witnesses, "{}{}: {{\"nearest\": {}}}", between, json_string(d.text), pair(place(*d.nearest, factor)));
+    const std::string members = witness_members(d, factor);
+    if (members.empty()) continue;
+    put(witnesses, "{}{}: {{{}}}", between, json_string(d.text), members);
     between = ",\n    ";
   }
   return out + "\n  },\n  \"witnesses\": {" + witnesses + "\n  }" + bounds_text(distances) + "\n}\n";

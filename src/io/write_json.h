@@ -35,9 +35,10 @@ std::string region_json(const plane::Region& region, const plane::Summary& summa
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
                            std::string_view unit);
 
-/// The results of `check` and `measure` at a position in the scene's unit.
+/// The results of `check` and `measure` at a position in the scene's unit. `nearest` may be null.
 std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, std::optional<double> angle = std::nullopt);
+                       std::string_view unit, std::optional<double> angle = std::nullopt,
+                       const situation::NearestFeasible* nearest = nullptr);
 std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
                          const exact::Real& step, std::string_view unit);
 

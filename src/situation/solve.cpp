@@ -12,6 +12,7 @@
 #include "distance/extremum.h"
 #include "distance/over_time.h"
 #include "findspace/error.h"
+#include "plane/nearest.h"
 #include "plane/overlay.h"
 #include "plane/parallel.h"
 #include "plane/swept.h"
@@ -59,7 +60,7 @@ distance::Track track(const Distance& d) {
 
 struct Solver::Cache {
   std::mutex guard;
-  std::map<Names, std::shared_ptr<const ShapePair>> pairs;
+  std::map<Names, std::shared_ptr<const distance::AtPosition>> pairs;
   std::map<std::string, distance::Extremum> least;  // by the distance's text
 };
 
@@ -82,10 +83,10 @@ plane::Region Solver::shape(const std::vector<std::string>& names) const {
   return parts.size() == 1 ? *parts[0] : plane::unite(parts);
 }
 
-std::shared_ptr<const ShapePair> Solver::pair(const Names& names) const {
+std::shared_ptr<const distance::AtPosition> Solver::pair(const Names& names) const {
   std::lock_guard lock(cache_->guard);
   auto& slot = cache_->pairs[names];
-  if (!slot) slot = std::make_shared<ShapePair>(shape(names.first), shape(names.second));
+  if (!slot) slot = std::make_shared<distance::AtPosition>(std::make_shared<ShapePair>(shape(names.first), shape(names.second)));
   return slot;
 }
 
@@ -111,14 +112,14 @@ Solver::Roles Solver::roles(const Distance& wanted) const {
 }
 
 TDistancePointer Solver::plain(const Roles& r) const {
-  return pair(r.names)->distance(situation::which(r.wanted.kind, r.second_moves));
+  return pair(r.names)->pair().distance(situation::which(r.wanted.kind, r.second_moves));
 }
 
 distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
   const Distance& d = r.wanted;
   if (d.mode == Mode::kPlain) return plain(r);
   if (d.mode == Mode::kTurning) refuse(d, "distances in rotation are not computed by this version");
-  auto base = pair(r.names)->distance(signed_base(d.kind));
+  auto base = pair(r.names)->pair().distance(signed_base(d.kind));
   const plane::SignMap& map = static_cast<const distance::SignedDistance&>(*base).base();
   if (is_farthest(d.kind)) return std::make_shared<distance::DirectionalFarthest>(map, track(d));
   return std::make_shared<distance::DirectionalSigned>(map, track(d));
@@ -176,10 +177,17 @@ plane::Region Solver::feasible(const Formula& formula) const {
 }
 
 DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
-  DistanceAt out{text(wanted), std::nullopt, std::nullopt};
-  if (const Roles r = roles(wanted); r.turning) {
+  DistanceAt out;
+  out.text = text(wanted);
+  const Roles r = roles(wanted);
+  if (r.turning) {
     const auto v = turning_value(r, p);
     if (v) out.value = v->value * world_.step.to_double(), out.bound = v->bound * world_.step.to_double();
+    return out;
+  }
+  if (!world_.motion.given() && r.wanted.mode == Mode::kPlain) {
+    auto pair = this->pair(r.names);
+    if (auto m = pair->measure(situation::which(r.wanted.kind, r.second_moves), p)) add_witness(out, wanted, r.names, *pair, *m, p);
     return out;
   }
   auto v = function(wanted)->value(p);
@@ -188,6 +196,27 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
   else if (v)
     out.value = (v->value * world_.step).to_double(), out.nearest = v->nearest;
   return out;
+}
+
+void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
+                         const distance::Measured& m, const RealPoint& p) const {
+  out.value = (m.value * world_.step).to_double();
+  out.nearest = m.nearest, out.farthest = m.farthest;
+  for (const distance::Feature& f : m.witness)
+    out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
+                                        f.of_moving ? names.first : names.second, world_.shapes, world_.parts, p));
+  bool turned = wanted.first == names.second && !out.witness.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
+  if (turned) std::swap(out.witness[0], out.witness[1]);
+}
+
+std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, const RealPoint& position) const {
+  RealPoint p = steps(position);
+  plane::Region region = feasible(formula), closed = plane::closure(region);
+  auto in = [](Mark m) { return m > 0; };
+  auto here = mark_of(closed, locate(closed, p)) > 0;
+  auto n = here ? std::optional(plane::Nearest{Real(), p, {}}) : plane::nearest(closed, in, p);
+  if (!n) return std::nullopt;
+  return NearestFeasible{n->at, n->distance * world_.step, mark_of(region, locate(region, n->at)) > 0};
 }
 
 std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
@@ -229,7 +258,9 @@ Solver::Check Solver::check(const Formula& formula, const RealPoint& position) c
   out.holds = evaluate(formula, signs);
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
-    out.atoms.push_back({atom, value(atom.distance, p), holds(atom, signs[formula.sign_map_of(k)])});
+    AtomAt a{atom, value(atom.distance, p), holds(atom, signs[formula.sign_map_of(k)]), std::nullopt};
+    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum) a.lacks = std::abs(*a.distance.value - atom.level.to_double());
+    out.atoms.push_back(std::move(a));
   }
   return out;
 }

@@ -21,6 +21,7 @@
 #include "plane/section.h"
 #include "situation/formula.h"
 #include "situation/motion.h"
+#include "situation/witness.h"
 
 namespace findspace::situation {
 
@@ -30,6 +31,7 @@ struct World {
   exact::Real step;                             // one grid step in the scene's unit
   Motion motion;                                // if given, distances are taken over its time
   std::optional<exact::Real> instant;           // of the motion: distances without inf and sup are those of this time
+  Parts parts;                                  // of the shapes that are collections, for reports
 };
 
 /// One distance at one position.
@@ -37,6 +39,8 @@ struct DistanceAt {
   std::string text;              // canonical: "gamma1(B, A)"
   std::optional<double> value;   // in the scene's unit, may be -infinity; nothing: undefined, +infinity
   std::optional<exact::RealPoint> nearest;  // in grid steps: the nearest position where it is 0, if that is known
+  std::optional<exact::RealPoint> farthest;  // in grid steps: of eta2 and delta2 the position of the farthest touching
+  std::vector<FeatureAt> witness;            // two features that attain it, in the order of the arguments; or none
   std::optional<double> bound{};            // not exact: how far the true value may be, of shapes that turn in time
 };
 
@@ -44,6 +48,14 @@ struct AtomAt {
   Atom atom;
   DistanceAt distance;
   bool holds = false;            // exact, also on a boundary
+  std::optional<double> lacks;   // how far the value is from holding, if it does not (of a strict relation the infimum)
+};
+
+/// The point of the closure of a region that is nearest to a position.
+struct NearestFeasible {
+  exact::RealPoint at;           // in grid steps
+  exact::Real distance;          // in the scene's unit
+  bool attained = false;         // `at` itself is feasible
 };
 
 class Solver {
@@ -60,6 +72,11 @@ class Solver {
     std::vector<AtomAt> atoms;
   };
   Check check(const Formula& formula, const exact::RealPoint& p) const;
+
+  /// One distance at p (in the scene's unit).
+  DistanceAt distance_at(const Distance& wanted, const exact::RealPoint& p) const { return value(wanted, steps(p)); }
+  /// The nearest position at which the formula holds, or of the closure of those; nothing if it holds nowhere.
+  std::optional<NearestFeasible> nearest_feasible(const Formula& formula, const exact::RealPoint& p) const;
 
   /// All distances of the moving shapes to every other shape at p (in the scene's unit), with a motion their inf and sup;
   /// and those that the formula names besides.
@@ -91,7 +108,7 @@ class Solver {
   Roles roles(const Distance& wanted) const;
   distance::TDistancePointer plain(const Roles& roles) const;
   distance::PositionFunctionPointer of_instant(const Roles& roles) const;
-  std::shared_ptr<const distance::ShapePair> pair(const Names& names) const;
+  std::shared_ptr<const distance::AtPosition> pair(const Names& names) const;
   plane::SignMap sign_map(const SignMap& wanted) const;
   plane::Section instants(const SignMap& wanted, const exact::RealPoint& p) const;
   std::vector<Distance> all_distances() const;
@@ -100,6 +117,8 @@ class Solver {
   std::int8_t sign(const SignMap& wanted, const exact::RealPoint& p) const;
   /// In grid steps; nothing where undefined.
   std::optional<distance::BoundedValue> turning_value(const Roles& roles, const exact::RealPoint& p) const;
+  void add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
+                   const distance::Measured& measured, const exact::RealPoint& p) const;
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
 
   World world_;

@@ -12,9 +12,9 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
+#include "distance_random.h"
 #include "distance/extremum.h"
 #include "distance/shape_pair.h"
-#include "plane/minkowski.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
@@ -27,37 +27,6 @@ using plane::Region;
 
 constexpr int kTrials = 40;
 
-class Shapes {
- public:
-  explicit Shapes(unsigned seed) : random_(seed) {}
-
-  std::int64_t number(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  RealPoint position() { return {Real::ratio(number(-40, 40), 4), Real::ratio(number(-40, 40), 4)}; }
-
-  Region rectangle() {
-    std::int64_t x = number(-5, 3), y = number(-5, 3);
-    return box(x, y, x + number(1, 6), y + number(1, 6));
-  }
-
-  Region shape() {
-    switch (number(0, 5)) {
-      case 0: return rectangle();
-      case 1: return plane::region_of_disc(number(-3, 3), number(-3, 3), number(1, 4));
-      case 2: return polygon({{0, 0}, {number(3, 8), number(-2, 2)}, {number(0, 3), number(3, 7)}});
-      case 3: return polygon({{-4, -4}, {5, -4}, {5, 4}, {-4, 4}}, {{{-2, -2}, {-2, number(-1, 3)}, {number(-1, 3), -2}}});
-      case 4: return polygon({{0, 0}, {6, 0}, {6, number(4, 6)}, {4, 4}, {number(2, 3), 2}, {1, 5}, {0, 5}});
-      default: {
-        Region a = rectangle(), b = rectangle();
-        std::array<const Region*, 2> both{&a, &b};
-        return plane::unite(both);
-      }
-    }
-  }
-
- private:
-  std::mt19937 random_;
-};
-
 double value(const ShapePair& pair, Which which, const RealPoint& p) {
   auto v = pair.distance(which)->value(p);
   return v ? v->value.to_double() : INFINITY;
@@ -66,20 +35,6 @@ double value(const ShapePair& pair, Which which, const RealPoint& p) {
 void expect_equal(double a, double b) {
   if (std::isinf(a) || std::isinf(b)) EXPECT_EQ(a, b);
   else EXPECT_NEAR(a, b, 1e-12 * (1 + std::abs(a)));
-}
-
-constexpr std::array kAll{Which::kGamma1, Which::kGamma2,    Which::kEta1, Which::kEta2, Which::kDelta1, Which::kDelta2,
-                          Which::kMu,     Which::kMuBack,    Which::kHausdorff, Which::kD1, Which::kH,  Which::kHBack,
-                          Which::kDstar,  Which::kDstarBack, Which::kDiameter, Which::kPenetration};
-
-Region moved(const Region& r, const RealPoint& by) {
-  Region point = plane::CellComplex::uniform(0);
-  plane::Vertex v;
-  v.point = point.geometry.add_real_point(by.x, by.y);
-  v.mark = 1, v.face = 0;
-  point.vertices.push_back(v);
-  point.faces[0].isolated.push_back(0);
-  return plane::minkowski_sum(r, point);
 }
 
 TEST(DistanceLaws, OrderOfTheDistances) {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "distance/farthest_pair.h"
 #include "distance/shape_pair.h"
+#include "distance/site_pairs.h"
 #include "distance_shapes.h"
 
 // Values and sign maps of every distance against the closed forms of distances.md 3.11.
@@ -101,17 +101,17 @@ TEST(Values, PointsAndChains) {
 
 TEST(FarthestPair, DiameterIsNotTwiceTheRadius) {
   Region t = polygon({{0, 0}, {8, 1}, {4, 7}});
-  auto d = farthest_pair(t, t, at(0, 0));
+  auto d = farthest_pair(SiteTree(t), SiteTree(t), at(0, 0));
   EXPECT_EQ(d.distance * d.distance, Real(65));
 }
 
 TEST(FarthestPair, Arcs) {
   Region a = plane::region_of_disc(0, 0, 3), b = plane::region_of_disc(1, 0, 2);
-  auto d = farthest_pair(a, b, at(9, 0));
+  auto d = farthest_pair(SiteTree(a), SiteTree(b), at(9, 0));
   EXPECT_EQ(d.distance, Real(15));
   EXPECT_EQ(d.first.x, Real(-3));
   EXPECT_EQ(d.second.x, Real(12));
-  EXPECT_EQ(farthest_pair(a, a, at(0, 0)).distance, Real(6));
+  EXPECT_EQ(farthest_pair(SiteTree(a), SiteTree(a), at(0, 0)).distance, Real(6));
 }
 
 }  // namespace

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// values_bench: every distance of two polygons of n vertices at one position, ours exact and continuous against the
+// rivals' numbers; 10,000 positions of one pair; and a formula of 30 atoms over 10 shapes of 100 vertices, with its
+// curve of time over the crossings of all boundaries. Prints tables (markdown). usage: values_bench [n]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include "distance/at_position.h"
+#include "plane/contour.h"
+#include "plane/overlay.h"
+#include "plane/primitives.h"
+#include "situation/evaluate.h"
+#include "situation/parse.h"
+#include "situation/solve.h"
+#include "values_rivals.h"
+
+namespace {
+
+using namespace bench;
+using findspace::distance::AtPosition;
+using findspace::distance::ShapePair;
+using findspace::distance::Which;
+using findspace::exact::Real;
+using findspace::exact::RealPoint;
+using findspace::plane::Region;
+
+/// The median of repeated runs, in milliseconds; about 0.3 s of them.
+template <class Job>
+double median_ms(Job&& job) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> times;
+  double total = 0;
+  while (times.size() < 3 || (total < 300 && times.size() < 1001)) {
+    auto begun = Clock::now();
+    job();
+    times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begun).count());
+    total += times.back();
+  }
+  std::nth_element(times.begin(), times.begin() + std::ptrdiff_t(times.size() / 2), times.end());
+  return times[times.size() / 2];
+}
+
+Region region(const Polygon& polygon) {
+  findspace::plane::Contour ring;
+  for (const Point& p : polygon) ring.push_back({.start = {p.x, p.y}});
+  return findspace::plane::region_of_rings(findspace::plane::make_rings({std::move(ring)}, 1).contours);
+}
+
+Polygon moved(Polygon polygon, std::int64_t dx, std::int64_t dy) {
+  for (Point& p : polygon) p.x += dx, p.y += dy;
+  return polygon;
+}
+
+struct Row {
+  const char* name;
+  Which which;
+};
+constexpr Row kRows[] = {{"gamma1", Which::kGamma1},      {"d1", Which::kD1},           {"gamma2", Which::kGamma2},
+                         {"mu(B, A)", Which::kMu},        {"mu(A, B)", Which::kMuBack}, {"h(B, A)", Which::kH},
+                         {"hausdorff", Which::kHausdorff}};
+
+std::string cell(double ms) { return ms > 0 ? fmt::format("{:.4f}", ms) : "–"; }
+
+void compare(const char* name, const Polygon& a, const Polygon& b, std::int64_t dx, std::int64_t dy) {
+  Region ra = region(a), rb = region(b);
+  Polygon placed = moved(b, dx, dy);
+  ValueRival geos = geos_values(a, placed), boost = boost_values(placed, a);
+  RealPoint p{dx, dy};
+  auto pair = std::make_shared<ShapePair>(rb, ra);
+  AtPosition prepared(pair);
+  for (const Row& r : kRows) {
+    double fresh = median_ms([&] { AtPosition(std::make_shared<ShapePair>(rb, ra)).measure(r.which, p); });
+    double again = median_ms([&] { prepared.measure(r.which, p); });
+    bool plain = r.which == Which::kGamma1 || r.which == Which::kD1, both = r.which == Which::kHausdorff;
+    bool one = r.which == Which::kMu || r.which == Which::kH;
+    double g = plain ? median_ms(geos.distance) : both ? median_ms(geos.hausdorff) : 0;
+    double s = plain ? median_ms(boost.distance) : one ? median_ms(boost.directed_hausdorff) : 0;
+    fmt::print("| {} | {} | {:.6g} | {} | {} | {} | {} |\n", name, r.name,
+               prepared.measure(r.which, p)->value.to_double(), cell(fresh), cell(again), cell(g), cell(s));
+  }
+}
+
+void many_positions(const Polygon& a, const Polygon& b) {
+  Region ra = region(a), rb = region(b);
+  constexpr int kPositions = 10000;
+  const std::int64_t size = std::int64_t(1) << 23;
+  auto at = [&](int k) {
+    double t = 2.399963 * k, r = double(size) * 2.5 * std::sqrt(double(k) / kPositions);  // a sunflower
+    return RealPoint{std::int64_t(r * std::cos(t)), std::int64_t(r * std::sin(t))};
+  };
+  for (const Row& r : kRows) {
+    double fresh = median_ms(
+        [&] { AtPosition(std::make_shared<ShapePair>(region(b), region(a))).measure(r.which, at(kPositions - 1)); });
+    double all = median_ms([&] {
+      AtPosition prepared(std::make_shared<ShapePair>(rb, ra));
+      for (int k = 0; k < kPositions; ++k) prepared.measure(r.which, at(k));
+    });
+    fmt::print("| {} | {:.4f} | {:.4f} | {:.1f} |\n", r.name, fresh, all / kPositions, fresh / (all / kPositions));
+  }
+}
+
+/// Ten shapes of m vertices around the origin and a moving one of m vertices; for each a clearance, a nearness and a
+/// reach.
+void many_atoms(int m) {
+  namespace situation = findspace::situation;
+  const std::int64_t size = std::int64_t(1) << 23;
+  situation::World world;
+  situation::Context context;
+  std::string formula;
+  for (int k = 0; k < 10; ++k) {
+    std::string name = fmt::format("A{}", k);
+    double t = 0.6283185 * k;
+    world.shapes.emplace(name, region(moved(star(m, unsigned(k + 1)), std::int64_t(2.0 * double(size) * std::cos(t)),
+                                            std::int64_t(2.0 * double(size) * std::sin(t)))));
+    context.shapes.push_back(name);
+    formula += fmt::format("{}(gamma1(B, {}) >= {} and gamma1(B, {}) <= {} or gamma2(B, {}) <= {})",
+                           k > 0 ? " or " : "", name, size / 8, name, size / 2, name, 4 * size);
+  }
+  world.shapes.emplace("B", region(star(m, 11)));
+  context.shapes.push_back("B");
+  world.moving = context.moving = {"B"};
+  world.step = 1;
+  const situation::Formula parsed = situation::parse_formula(formula, context);
+  situation::Solver solver(world);
+  std::vector<findspace::plane::SignMap> maps;
+  auto made = [&] {
+    maps.clear();
+    for (const auto& wanted : parsed.sign_maps())
+      maps.push_back(solver.distance(wanted.distance)->sign_map(wanted.level));
+  };
+  double maps_ms = median_ms(made);
+  std::vector<const findspace::plane::CellComplex*> operands;
+  for (const auto& map : maps) operands.push_back(&map);
+  // A mark for every combination of signs, so that hardly anything merges: the vertices are the ends and crossings of
+  // all curves.
+  std::size_t crossings = 0;
+  auto rule = [](std::span<const findspace::plane::Mark> marks) {
+    unsigned hash = 0;
+    for (auto k : marks) hash = hash * 31 + unsigned(k + 1);
+    return findspace::plane::Mark(hash % 127);
+  };
+  crossings = findspace::plane::overlay(operands, rule).vertices.size();
+  double overlay_ms = median_ms([&] {
+    findspace::plane::overlay(operands, [&](std::span<const findspace::plane::Mark> marks) {
+      return findspace::plane::Mark(situation::evaluate(parsed, marks));
+    });
+  });
+  double n = double(crossings);
+  fmt::print("| {} | {} | {} | {:.1f} | {:.1f} | {:.1f} |\n", m, parsed.atoms().size(), crossings, maps_ms, overlay_ms,
+             overlay_ms * 1e6 / (n * std::log2(n)));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int n = argc > 1 ? std::atoi(argv[1]) : 1000;
+  const std::int64_t size = std::int64_t(1) << 23;
+  fmt::print(
+      "| {} vertices each | distance | value | ours, from the shapes, ms | ours, prepared, ms | GEOS, ms | Boost, ms "
+      "|\n",
+      n);
+  fmt::print("|---|---|---|---|---|---|---|\n");
+  struct Input {
+    const char* name;
+    Polygon a, b;
+  };
+  for (const Input& i : {Input{"stars", star(n, 1), star(n, 2)}, Input{"wavy", smooth(n, 3), smooth(n, 4)}}) {
+    compare(fmt::format("{}, apart", i.name).c_str(), i.a, i.b, 3 * size, size / 3);
+    compare(fmt::format("{}, overlapping", i.name).c_str(), i.a, i.b, size / 2, size / 3);
+  }
+  fmt::print("\n10,000 positions of two wavy shapes (n = {}): fresh from the vertices, and prepared once\n\n", n);
+  fmt::print("| distance | fresh, ms | prepared, ms a position | ratio |\n|---|---|---|---|\n");
+  many_positions(smooth(n, 3), smooth(n, 4));
+  fmt::print("\nA formula of 30 atoms over 10 shapes of m vertices, one overlay\n\n");
+  fmt::print(
+      "| m | atoms | vertices of the overlay, n | sign maps, ms | overlay, ms | overlay, ns / (n log2 n) "
+      "|\n|---|---|---|---|---|---|\n");
+  for (int m : {12, 25, 50, 100, 200}) many_atoms(m);
+  return 0;
+}

@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+#
+# find_package(findspace): the target findspace::findspace, and what its static libraries need.
+include(CMakeFindDependencyMacro)
+find_dependency(PkgConfig)
+pkg_check_modules(LIBGMP REQUIRED IMPORTED_TARGET gmp)
+pkg_check_modules(LIBMPFR REQUIRED IMPORTED_TARGET mpfr)
+pkg_check_modules(PUGIXML REQUIRED IMPORTED_TARGET pugixml)
+find_dependency(fmt)
+find_dependency(nlohmann_json)
+find_dependency(TBB)
+include(${CMAKE_CURRENT_LIST_DIR}/findspaceTargets.cmake)

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/at_position.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/farthest.h"
+#include "distance/farthest_place.h"
+#include "distance/hausdorff.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::Index;
+using plane::Region;
+
+namespace {
+
+// Of the scale: a directed Hausdorff distance beyond the first needs no map; one that is positive and below the second
+// counts as 0.
+constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;
+
+RealPoint sum(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
+RealPoint difference(const RealPoint& p, const RealPoint& q) { return {p.x - q.x, p.y - q.y}; }
+
+/// A pair of A and B + p as features, B's first.
+std::vector<Feature> features(const SitePair& k) {
+  return {{true, k.second_cell, k.second}, {false, k.first_cell, k.first}};
+}
+
+/// Vertex v of one shape, moved by p, lies in the set.
+bool is_inside(const SiteTree& of, Index v, const SiteTree& set, const RealPoint& p) {
+  const exact::Point& at = of.region().point(v);
+  double x = at.x + near_value(p.x), y = at.y + near_value(p.y);
+  if (auto in = set.contains(x, y, set.nearest(x, y))) return *in;
+  return mark_of(set.region(),
+                 locate(set.region(), sum(of.region().geometry.exact(of.region().vertices[v].point), p))) > 0;
+}
+
+/// Every piece of the boundary of `inner`, moved by p, lies in the set: 1; none does: -1; else 0.
+int pieces_inside(const SiteTree& inner, const SiteTree& set, const RealPoint& p) {
+  int found = 0;
+  for (Index v : inner.representatives()) {
+    int side = is_inside(inner, v, set, p) ? 1 : -1;
+    if (found != 0 && found != side) return 0;
+    found = side;
+  }
+  return found;
+}
+
+}  // namespace
+
+AtPosition::AtPosition(std::shared_ptr<const ShapePair> pair)
+    : pair_(std::move(pair)), moving_(pair_->moving()), fixed_(pair_->fixed()) {}
+
+AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
+  using Kind = Standing::Kind;
+  if (moving_.empty() || fixed_.empty()) return {Kind::kClose, std::nullopt};
+  auto pair = nearest_pair(fixed_, moving_, p);
+  if (!pair) return {Kind::kClose, std::nullopt};
+  int in_fixed = pieces_inside(moving_, fixed_, p), in_moving = pieces_inside(fixed_, moving_, {-p.x, -p.y});
+  // Boundaries that do not meet: what one piece of a boundary does, all around it does.
+  Kind kind = in_fixed < 0 && in_moving < 0   ? Kind::kApart
+              : in_fixed > 0 && in_moving < 0 ? Kind::kInside
+              : in_fixed < 0 && in_moving > 0 ? Kind::kAround
+                                              : Kind::kMixed;
+  return {kind, std::move(pair)};
+}
+
+/// The points that come together when B goes from p to `position`, where it touches A.
+void AtPosition::add_contact(Measured& m, const RealPoint& position, const RealPoint& p) const {
+  SitePair k = touching_pair(fixed_, moving_, position);
+  // Chains touch where they cross, too.
+  if (near_value(k.distance) > (moving_.scale() + fixed_.scale()) * kHardlyOut)
+    k = distance::common_point(fixed_, moving_, position);
+  k.second = difference(k.second, difference(position, p));
+  m.witness = features(k);
+}
+
+std::optional<Measured> AtPosition::signed_distance(Which which, Standing::Kind quick, const RealPoint& p) const {
+  Standing s = standing(p);
+  if (s.kind == quick) {
+    bool outside = quick == Standing::Kind::kApart;
+    RealPoint step = difference(s.pair->first, s.pair->second);
+    return Measured{outside ? s.pair->distance : -s.pair->distance, sum(p, step), std::nullopt, features(*s.pair)};
+  }
+  return by_map(which, p);
+}
+
+std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) const {
+  auto v = pair_->distance(which)->value(p);
+  if (!v) return std::nullopt;
+  Measured m{v->value, v->nearest, std::nullopt, {}};
+  if (m.nearest || m.value.sign() == 0) add_contact(m, m.nearest.value_or(p), p);
+  return m;
+}
+
+std::optional<Measured> AtPosition::farthest(Which which, const RealPoint& p) const {
+  auto f = pair_->distance(which);
+  if (!f->defined()) return std::nullopt;
+  const auto& family = static_cast<const Farthest&>(*f);
+  RealPoint q = family.farthest_point(p);
+  Measured m{f->value(p)->value, std::nullopt, q, {}};
+  add_contact(m, q, p);
+  return m;
+}
+
+/// mu(B + p, A), or mu(A, B + p) if `back`.
+std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p) const {
+  if (back && fixed_.region().faces[0].mark > 0) return std::nullopt;
+  Standing s = standing(p);
+  if (s.kind == (back ? Standing::Kind::kAround : Standing::Kind::kInside))
+    return Measured{-s.pair->distance, std::nullopt, std::nullopt, features(*s.pair)};
+  const SiteTree &from = back ? fixed_ : moving_, &to = back ? moving_ : fixed_;
+  const RealPoint by = back ? RealPoint{-p.x, -p.y} : p;
+  double scale = from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
+  auto search = [&](double least) -> std::optional<FarthestPlace> {
+    if (!from.has_arcs() && !to.has_arcs()) return farthest_place(from, to, by, least);
+    return FarthestFromSet(from.region(), to.region()).greatest(by, least);
+  };
+  auto place = search(scale * kClearlyOut);
+  if (!place) {
+    // One lies in the other, or all but: containment decides.
+    auto margin = by_map(back ? Which::kDelta1 : Which::kEta1, p);
+    if (margin && margin->value.sign() <= 0) return margin;
+    place = search(scale * kHardlyOut);
+    if (!place) return Measured{};
+  }
+  SitePair near = nearest_point(to, place->at);
+  Feature out{!back, place->cell, place->at}, in{back, near.first_cell, near.first};
+  if (back) out.at = sum(out.at, p), in.at = sum(in.at, p);
+  Measured m{place->value, std::nullopt, std::nullopt, {out, in}};
+  if (back) std::swap(m.witness[0], m.witness[1]);
+  return m;
+}
+
+/// A point of both shapes: their boundaries cross there, touch, or one lies in the other.
+std::vector<Feature> AtPosition::common_point(const Standing& s, const RealPoint& p) const {
+  if (s.kind == Standing::Kind::kClose) {
+    return features(distance::common_point(fixed_, moving_, p));
+  }
+  for (bool moves : {true, false}) {
+    const SiteTree &inner = moves ? moving_ : fixed_, &set = moves ? fixed_ : moving_;
+    for (Index v : inner.representatives()) {
+      if (!is_inside(inner, v, set, moves ? p : RealPoint{-p.x, -p.y})) continue;
+      RealPoint place = inner.region().geometry.exact(inner.region().vertices[v].point);
+      if (moves) place = sum(place, p);
+      Feature mine{moves, {0, v}, place}, other{!moves, {2, 0}, place};
+      if (moves) return {mine, other};
+      return {other, mine};
+    }
+  }
+  return {};
+}
+
+/// d1 = max(0, gamma1).
+std::optional<Measured> AtPosition::plain(const RealPoint& p) const {
+  Standing s = standing(p);
+  if (s.kind == Standing::Kind::kApart) {
+    RealPoint step = difference(s.pair->first, s.pair->second);
+    return Measured{s.pair->distance, sum(p, step), std::nullopt, features(*s.pair)};
+  }
+  bool meet = s.kind != Standing::Kind::kClose || crossing_pair(fixed_, moving_, p);
+  if (!meet) {
+    auto m = cut(signed_distance(Which::kGamma1, Standing::Kind::kApart, p), false);
+    if (m->value.sign() > 0) return m;
+  }
+  return Measured{Real(), std::nullopt, std::nullopt, common_point(s, p)};
+}
+
+std::optional<Measured> AtPosition::diameter(const RealPoint& p) const {
+  if (fixed_.region().faces[0].mark > 0) return std::nullopt;
+  std::call_once(diameters_made_, [&] {
+    const RealPoint origin{Real(), Real()};
+    diameters_ = {farthest_pair(fixed_, fixed_, origin), farthest_pair(moving_, moving_, origin)};
+  });
+  SitePair k = farthest_pair(fixed_, moving_, p);
+  Measured m{k.distance, std::nullopt, std::nullopt, features(k)};
+  for (int i = 0; i < 2; ++i) {
+    const SitePair& own = *diameters_[std::size_t(i)];
+    if (own.distance <= m.value) continue;
+    RealPoint by = i ? p : RealPoint{Real(), Real()};
+    m.value = own.distance;
+    m.witness = {{i == 1, own.first_cell, sum(own.first, by)}, {i == 1, own.second_cell, sum(own.second, by)}};
+  }
+  return m;
+}
+
+/// max(0, f), or max(0, -f); what attains f attains it where it is not cut off.
+std::optional<Measured> AtPosition::cut(std::optional<Measured> m, bool negated) const {
+  if (!m) return negated ? std::optional(Measured{}) : std::nullopt;
+  if (negated) m->value = -m->value;
+  if (m->value.sign() < 0) return Measured{};
+  return m;
+}
+
+std::optional<Measured> AtPosition::measure(Which which, const RealPoint& p) const {
+  using Kind = Standing::Kind;
+  if (moving_.empty() || fixed_.empty()) {
+    auto v = pair_->distance(which)->value(p);
+    return v ? std::optional(Measured{v->value, v->nearest, std::nullopt, {}}) : std::nullopt;
+  }
+  switch (which) {
+    case Which::kGamma1:
+      return signed_distance(which, Kind::kApart, p);
+    case Which::kEta1:
+      return signed_distance(which, Kind::kInside, p);
+    case Which::kDelta1:
+      return signed_distance(which, Kind::kAround, p);
+    case Which::kGamma2: {
+      if (fixed_.region().faces[0].mark > 0) return std::nullopt;
+      SitePair k = farthest_pair(fixed_, moving_, p);
+      return Measured{k.distance, std::nullopt, std::nullopt, features(k)};
+    }
+    case Which::kEta2:
+    case Which::kDelta2:
+      return farthest(which, p);
+    case Which::kMu:
+      return directed(false, p);
+    case Which::kMuBack:
+      return directed(true, p);
+    case Which::kHausdorff: {
+      auto f = directed(false, p), g = directed(true, p);
+      return !f || !g ? std::nullopt : f->value < g->value ? g : f;
+    }
+    case Which::kD1:
+      return plain(p);
+    case Which::kH:
+      return cut(directed(false, p), false);
+    case Which::kHBack:
+      return cut(directed(true, p), false);
+    case Which::kDstar:
+      return cut(signed_distance(Which::kDelta1, Kind::kAround, p), true);
+    case Which::kDstarBack:
+      return cut(signed_distance(Which::kEta1, Kind::kInside, p), true);
+    case Which::kDiameter:
+      return diameter(p);
+    case Which::kPenetration:
+      return cut(signed_distance(Which::kGamma1, Kind::kApart, p), true);
+  }
+  return std::nullopt;
+}
+
+}  // namespace findspace::distance

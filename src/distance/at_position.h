@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Every distance of a pair of shapes at one position p, with its witness: the two points, one of B + p and one of A,
+// that attain it, and the vertices, edges or arcs they lie on. For the distances that are translations to a contact
+// (gamma1 < 0, eta, delta) the pair are the points that come together: B + p moved by (point of A) - (point of B)
+// touches A there, and the move is as long as the value. Values come from the boundaries alone where these decide:
+// shapes that are clearly apart or clearly inside each other, gamma2, mu, h, Hausdorff and diameter; else from the map
+// of the family (t_distance.h), which is made once. Guarantee: as the families'. Cost: about log n boxes for
+// boundaries, a map where these meet. Prepared once, asked at many positions; threads: safe. Keywords: witness, closest
+// features, contact, clearance, measure.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "distance/shape_pair.h"
+#include "distance/site_pairs.h"
+
+namespace findspace::distance {
+
+/// A point of one of the shapes, with B at its place.
+struct Feature {
+  bool of_moving = false;
+  plane::Cell cell;  // of that shape: vertex or edge; dimension 2: a point inside
+  exact::RealPoint at;
+};
+
+struct Measured {
+  exact::Real value;
+  std::optional<exact::RealPoint> nearest;   // the nearest position where a signed distance is 0, if its value is not
+  std::optional<exact::RealPoint> farthest;  // of eta2, delta2: the position of the farthest touching
+  std::vector<Feature> witness;  // two features, of B + p first (of a diameter within one shape both of that)
+};
+
+class AtPosition {
+ public:
+  explicit AtPosition(std::shared_ptr<const ShapePair> pair);
+
+  const ShapePair& pair() const { return *pair_; }
+  /// f(p); nothing if undefined.
+  std::optional<Measured> measure(Which which, const exact::RealPoint& p) const;
+
+ private:
+  /// How B + p and A stand, as far as their boundaries tell.
+  struct Standing {
+    enum class Kind {
+      kApart,
+      kInside,
+      kAround,
+      kMixed,
+      kClose
+    } kind;                        // kInside: B + p in the inside of A; kClose: boundaries meet, or nearly
+    std::optional<SitePair> pair;  // of nearest boundary points, unless kClose
+  };
+  Standing standing(const exact::RealPoint& p) const;
+  std::optional<Measured> signed_distance(Which which, Standing::Kind quick, const exact::RealPoint& p) const;
+  std::optional<Measured> by_map(Which which, const exact::RealPoint& p) const;
+  std::optional<Measured> farthest(Which which, const exact::RealPoint& p) const;
+  std::optional<Measured> directed(bool back, const exact::RealPoint& p) const;
+  std::optional<Measured> plain(const exact::RealPoint& p) const;
+  std::optional<Measured> diameter(const exact::RealPoint& p) const;
+  std::optional<Measured> cut(std::optional<Measured> m, bool negated) const;
+  void add_contact(Measured& m, const exact::RealPoint& position, const exact::RealPoint& p) const;
+  std::vector<Feature> common_point(const Standing& s, const exact::RealPoint& p) const;
+
+  std::shared_ptr<const ShapePair> pair_;
+  SiteTree moving_, fixed_;
+  mutable std::once_flag diameters_made_;
+  mutable std::array<std::optional<SitePair>, 2> diameters_;  // of A, of B
+};
+
+}  // namespace findspace::distance

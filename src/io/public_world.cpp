@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// include/findspace/region.h and world.h: a scene made of the shapes' texts, and a solver over it.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "findspace/world.h"
+#include "io/scene.h"
+#include "io/write_json.h"
+#include "io/write_witness.h"
+#include "plane/build.h"
+#include "plane/overlay.h"
+#include "situation/optimize.h"
+#include "situation/parse.h"
+
+namespace findspace {
+
+struct Region::Data {
+  plane::Region region;
+  plane::Summary summary;
+  exact::Real step;
+  std::string unit;
+};
+
+struct SignMap::Data {
+  plane::SignMap map;
+  exact::Real step;
+  std::string unit;
+};
+
+struct World::Data {
+  io::Scene scene;
+  situation::Context context;
+  situation::Solver solver;
+
+  situation::Formula formula(std::string_view text) const { return situation::parse_formula(text, context); }
+  std::string unit() const { return scene.unit ? std::string(situation::name(*scene.unit)) : ""; }
+  Region region(plane::Region r) const;
+};
+
+namespace {
+
+exact::RealPoint real(const Point& p) {
+  return {exact::Real::parse_decimal(p.x.text()), exact::Real::parse_decimal(p.y.text())};
+}
+
+exact::RealPoint steps(const Point& p, const exact::Real& step) {
+  exact::RealPoint q = real(p);
+  return {q.x / step, q.y / step};
+}
+
+Region make_region(plane::Region r, const exact::Real& step, const std::string& unit) {
+  plane::Summary summary = plane::summarize(r, step);
+  return Region(std::make_shared<const Region::Data>(Region::Data{std::move(r), std::move(summary), step, unit}));
+}
+
+io::Scene scene_of(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& o) {
+  std::string text =
+      fmt::format("{{\"findspace\": 1, \"grid\": {}, \"moving\": {},", o.grid.text(), io::json_string(moving));
+  if (!o.unit.empty()) text += fmt::format(" \"unit\": {},", io::json_string(o.unit));
+  text += " \"shapes\": {";
+  const char* separator = "";
+  for (const auto& [name, shape] : shapes) {
+    text += fmt::format("{}\n{}: {}", separator, io::json_string(name), shape.text());
+    separator = ",";
+  }
+  return io::read_scene_text(text + "}}", std::filesystem::current_path(), "world");
+}
+
+situation::World world_of(const io::Scene& scene) {
+  situation::World world;
+  for (const plane::ShapePtr& s : scene.shapes) world.shapes.emplace(s->name, plane::build(*s).region);
+  world.moving = scene.moving;
+  world.step = scene.grid.step();
+  return world;
+}
+
+situation::Context context_of(const io::Scene& scene) {
+  situation::Context context;
+  for (const plane::ShapePtr& s : scene.shapes) context.shapes.push_back(s->name);
+  context.moving = scene.moving;
+  context.unit = scene.unit;
+  return context;
+}
+
+}  // namespace
+
+bool Region::empty() const { return data_->summary.empty; }
+bool Region::whole() const { return data_->summary.whole; }
+bool Region::open() const { return data_->summary.open; }
+bool Region::closed() const { return data_->summary.closed; }
+bool Region::bounded() const { return data_->summary.bounded; }
+std::optional<double> Region::area() const { return data_->summary.area; }
+std::size_t Region::components() const { return data_->summary.components.size(); }
+std::size_t Region::holes() const { return std::size_t(data_->summary.holes); }
+bool Region::contains(const Point& p) const {
+  return plane::mark_of(data_->region, plane::locate(data_->region, steps(p, data_->step))) > 0;
+}
+std::string Region::json() const { return io::region_json(data_->region, data_->summary, data_->step, data_->unit); }
+
+int SignMap::sign(const Point& p) const {
+  return plane::mark_of(data_->map, plane::locate(data_->map, steps(p, data_->step)));
+}
+
+Region SignMap::where(bool negative, bool zero, bool positive) const {
+  auto wanted = [=](plane::Mark m) { return plane::Mark(m < 0 ? negative : m == 0 ? zero : positive); };
+  return make_region(plane::remark(data_->map, wanted), data_->step, data_->unit);
+}
+
+Region World::Data::region(plane::Region r) const { return make_region(std::move(r), scene.grid.step(), unit()); }
+
+World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options) {
+  io::Scene scene = scene_of(shapes, moving, options);
+  if (scene.dimension != 2) throw Error(ErrorCode::kUnsupported, "a world of three dimensions");
+  situation::Context context = context_of(scene);
+  situation::World world = world_of(scene);
+  data_ =
+      std::shared_ptr<const Data>(new Data{std::move(scene), std::move(context), situation::Solver(std::move(world))});
+}
+
+DistanceValue World::distance(std::string_view distance, const Point& p) const {
+  const situation::Objective wanted = situation::parse_objective(distance, data_->context);
+  if (wanted.kind != situation::Objective::Kind::kDistance)
+    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", distance));
+  const situation::DistanceAt d = data_->solver.distance_at(wanted.distance, real(p));
+  std::optional<double> value = d.value;
+  if (value && wanted.negated) value = -*value;
+  return {value, io::witness_words(d, plane::Twofold(data_->scene.grid.step()))};
+}
+
+SignMap World::sign_map(std::string_view distance, const Number& level) const {
+  const situation::Formula f = data_->formula(fmt::format("{} <= {}", distance, level.text()));
+  if (f.sign_maps().size() != 1)
+    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", distance));
+  const auto& wanted = f.sign_maps()[0];
+  plane::SignMap map = data_->solver.distance(wanted.distance)->sign_map(wanted.level / data_->scene.grid.step());
+  return SignMap(
+      std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->scene.grid.step(), data_->unit()}));
+}
+
+Region World::solve(std::string_view formula) const {
+  return data_->region(data_->solver.feasible(data_->formula(formula)));
+}
+
+bool World::holds(std::string_view formula, const Point& p) const {
+  return data_->solver.check(data_->formula(formula), real(p)).holds;
+}
+
+Optimum World::minimize(std::string_view objective, std::string_view formula) const {
+  const situation::Objective wanted = situation::parse_objective(objective, data_->context);
+  situation::Optimum best = situation::optimize(data_->solver.feasible(data_->formula(formula)), wanted,
+                                                distance::Sense::kMinimum, data_->solver);
+  return {best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
+          data_->region(std::move(best.at))};
+}
+
+Region World::shape(const std::string& name) const {
+  return data_->region(plane::build(*data_->scene.shape(name)).region);
+}
+
+}  // namespace findspace
