@@ -15,6 +15,7 @@ Outcome run_check(const Options& options, Talk& talk);
 Outcome run_measure(const Options& options, Talk& talk);
 Outcome run_describe(const Options& options, Talk& talk);
 Outcome run_convert(const Options& options, Talk& talk);
+Outcome run_place(const Options& options, Talk& talk);
 Outcome run_phi_verb(const Options& options, Talk& talk);
 
 }  // namespace findspace::app

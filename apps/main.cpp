@@ -31,6 +31,7 @@ Examples:
   findspace describe scene.json board              a shape as a point set
   findspace convert scene.json board -o board.wkt  a shape in another format
   findspace convert part.dxf -o part.svg           a drawing in another format
+  findspace place scene.json -o placed.svg         positions for several shapes
   cat scene.json | findspace map -                 the scene from standard input
 
 Exit status: 0 done, and not empty or true; 1 proven empty or false; 2 wrong usage; 3 bad input;
@@ -50,6 +51,7 @@ constexpr VerbEntry kVerbs[] = {
     {"measure", "all distances of the moving shape to the others", run_measure},
     {"describe", "a shape of the scene as a point set", run_describe},
     {"convert", "a shape or a drawing in another format", run_convert},
+    {"place", "positions for several shapes, one after another or all at once", run_place},
     {"phi", "the Phi-function of two polytopes", run_phi_verb},
 };
 
@@ -93,7 +95,8 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
 
 Outcome run(const VerbEntry& verb, const Options& options, Talk& talk) {
   const plane::ThreadLimit threads(options.threads);
-  const Deadline deadline(options.time_limit);
+  // A placement minds its limit itself and gives the best result so far.
+  const Deadline deadline(is(verb, "place") ? 0 : options.time_limit);
   return verb.run(options, talk);
 }
 

@@ -124,14 +124,24 @@ situation::Context Session::context() const {
   return context;
 }
 
-situation::Formula Session::where() const {
-  if (scene_.where.empty()) return {};
+situation::Formula Session::formula(const io::FormulaText& text, const situation::Context& context) const {
+  if (text.empty()) return {};
   try {
-    return situation::parse_formula(scene_.where.text, context());
+    return situation::parse_formula(text.text, context);
   } catch (const Error& e) {
-    throw placed(e, scene_.where);
+    throw placed(e, text);
   }
 }
+
+situation::Goal Session::goal(const io::FormulaText& text, const situation::Context& context) const {
+  try {
+    return situation::parse_goal(text.text, context);
+  } catch (const Error& e) {
+    throw placed(e, text);
+  }
+}
+
+situation::Formula Session::where() const { return formula(scene_.where, context()); }
 
 std::optional<Session::Goal> Session::goal() const {
   const bool least = !scene_.minimize.empty();

@@ -17,6 +17,7 @@
 #include "options.h"
 #include "situation/optimize.h"
 #include "situation/parse.h"
+#include "situation/parse_goal.h"
 #include "talk.h"
 
 namespace findspace::app {
@@ -36,6 +37,13 @@ class Session {
   plane::Region region(std::string_view name) const;
   /// The formula of `where`, true without one; a mistake is reported at its place in the scene.
   situation::Formula where() const;
+  /// A formula or a goal of a placement in its context; a mistake is reported at its place.
+  situation::Formula formula(const io::FormulaText& text, const situation::Context& context) const;
+  situation::Goal goal(const io::FormulaText& text, const situation::Context& context) const;
+  /// What formulas of the scene may speak of.
+  situation::Context context() const;
+  /// The exact sets of shapes; what had to be rounded is said once.
+  std::vector<plane::Region> regions(const std::vector<plane::ShapePtr>& shapes) const;
   /// What `minimize` or `maximize` asks for.
   struct Goal {
     situation::Objective objective;
@@ -63,10 +71,8 @@ class Session {
   void add_scenery(io::Picture& picture, const situation::World& world, const situation::Formula* formula) const;
 
  private:
-  situation::Context context() const;
   situation::Motion motion() const;
   std::vector<exact::Real> coordinates(std::size_t count, const char* wanted) const;
-  std::vector<plane::Region> regions(const std::vector<plane::ShapePtr>& shapes) const;
 
   const Options& options_;
   Talk& talk_;

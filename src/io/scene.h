@@ -57,14 +57,22 @@ struct Motion {
   bool given() const { return !movements.empty(); }
 };
 
+/// What has one position in a placement: a shape, or several that move together.
+struct PlacedBody {
+  std::string name;                             // the shape's, or "A1+A2"
+  std::vector<std::string> shapes;
+  std::vector<exact::Real> angles{exact::Real(0)};  // allowed, in degrees about the pole, in the order given
+  int count = 1;                                // how many of it are placed
+};
+
 /// The placement of several shapes (docs/scene.md, "place").
 struct Placement {
   enum class Method { kSequential, kSimultaneous };
-  std::vector<std::string> shapes;
+  std::vector<PlacedBody> bodies;
   FormulaText each, pairs;
   std::vector<FormulaText> constraints, minimize;
   Method method = Method::kSequential;
-  bool given() const { return !shapes.empty(); }
+  bool given() const { return !bodies.empty(); }
 };
 
 struct Scene {

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "exact/decimal.h"
+#include "io/scene_placement.h"
 
 namespace findspace::io {
 namespace {
@@ -249,45 +250,6 @@ Motion read_motion(const JsonValue& value, ShapeReader& shapes) {
   }
   if (motion.movements.empty()) json.fail(ErrorCode::kBadValue, "\"motion\" moves no shape", label, value);
   return motion;
-}
-
-std::vector<FormulaText> read_formula_list(const JsonValue* value, const SceneReader& json, const Label& label) {
-  std::vector<FormulaText> all;
-  if (!value) return all;
-  if (value->is(Kind::kString)) return {json.formula(*value, label)};
-  json.expect(*value, Kind::kArray, fmt::format("\"{}\"", label.what), label);
-  for (const JsonValue& item : value->items) all.push_back(json.formula(item, label));
-  return all;
-}
-
-Placement read_placement(const JsonValue& value, ShapeReader& shapes) {
-  const SceneReader& json = shapes.json();
-  Label label{nullptr, "place"};
-  static constexpr std::array<std::string_view, 6> kKeys{"shapes",      "each",     "pairs",
-                                                         "constraints", "minimize", "method"};
-  json.expect(value, Kind::kObject, "\"place\"", label);
-  json.check_keys(value, kKeys, label);
-  Placement place;
-  place.shapes = read_names(json.need(value, "shapes", label), shapes, label.part("shapes"));
-  if (const JsonValue* each = value.find("each")) place.each = json.formula(*each, label.part("each"));
-  if (const JsonValue* pairs = value.find("pairs")) place.pairs = json.formula(*pairs, label.part("pairs"));
-  place.constraints = read_formula_list(value.find("constraints"), json, label.part("constraints"));
-  place.minimize = read_formula_list(value.find("minimize"), json, label.part("minimize"));
-  for (const char* word : {"self", "other"}) {
-    const std::vector<std::string>& names = shapes.names();
-    if (std::find(names.begin(), names.end(), word) == names.end()) continue;
-    json.fail(ErrorCode::kBadValue, fmt::format("with \"place\" no shape may be called '{}'", word), label, value);
-  }
-  if (const JsonValue* method = value.find("method")) {
-    const std::string& word = json.text(*method, "\"method\"", label.part("method"));
-    if (word == "simultaneous") {
-      place.method = Placement::Method::kSimultaneous;
-    } else if (word != "sequential") {
-      json.fail(ErrorCode::kUnknownName, fmt::format("\"method\" is sequential or simultaneous, not '{}'", word), label,
-                *method);
-    }
-  }
-  return place;
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ class PictureWriter {
     if (p.around != nullptr) around_.emplace(NamedRegion{"", p.around}, p.step);
     for (const NamedRegion& r : p.fixed) fixed_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.moving) moving_.emplace_back(r, p.step);
+    for (const NamedRegion& r : p.placed) placed_.emplace_back(r, p.step);
     const plane::Component* c = p.summary != nullptr ? largest(*p.summary) : nullptr;
     if (!position_ && p.of_positions) position_ = c != nullptr ? c->sample : Place{};
   }
@@ -74,6 +75,9 @@ class PictureWriter {
     for (const Drawn& d : fixed_) {
       if (d.bounds) include(world, *d.bounds);
     }
+    for (const Drawn& d : placed_) {
+      if (d.bounds) include(world, *d.bounds);
+    }
     if (region_ && region_->bounds) include(world, *region_->bounds);
     if (around_ && around_->bounds) include(world, *around_->bounds);
     if (position_) {
@@ -97,6 +101,7 @@ class PictureWriter {
     if (position_) {
       for (const Drawn& d : moving_) out += outline(d.net, frame_, "moving", *position_);
     }
+    for (const Drawn& d : placed_) out += outline(d.net, frame_, "moving");
     if (region_) out += region_lines(region_->net, frame_);
     if (position_ && !moving_.empty()) {
       fmt::format_to(std::back_inserter(out), "<path class=\"pole\" d=\"M{} {}m-5 0h10m-5 -5v10\"/>\n",
@@ -114,6 +119,7 @@ class PictureWriter {
     };
     add(fixed_, {});
     if (position_) add(moving_, *position_);
+    add(placed_, {});
     Labeller labeller(frame_, p_.step, std::move(shapes));
     if (position_ && !moving_.empty()) labeller.avoid(*position_, 7);
     if (region_) labeller.avoid_region(region_->net);
@@ -155,6 +161,7 @@ class PictureWriter {
       out.push_back({M::kMoving, names});
       out.push_back({M::kPole, fmt::format("at p = ({}, {})", shown((*position_)[0]), shown((*position_)[1]))});
     }
+    if (!placed_.empty()) out.push_back({M::kMoving, fmt::format("placed: {}", placed_.size())});
     if (around_) out.push_back({M::kAround, "all feasible positions"});
     if (!fixed_.empty()) out.push_back({M::kFixed, fixed_.size() == 1 ? "fixed shape" : "fixed shapes"});
     return out;
@@ -163,7 +170,7 @@ class PictureWriter {
   const Picture& p_;
   std::optional<Place> position_;
   std::optional<Drawn> region_, around_;
-  std::vector<Drawn> fixed_, moving_;
+  std::vector<Drawn> fixed_, moving_, placed_;
   Frame frame_;
 };
 

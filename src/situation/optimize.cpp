@@ -9,7 +9,6 @@
 
 namespace findspace::situation {
 
-using distance::Axis;
 using distance::Sense;
 using exact::Real;
 
@@ -35,8 +34,8 @@ Optimum optimum(distance::Extremum e, const Real& step, bool negated) {
 Optimum optimize(const plane::Region& region, const Objective& objective, Sense sense, const Solver& solver) {
   const Real& step = solver.world().step;
   switch (objective.kind) {
-    case Objective::Kind::kX: return optimum(coordinate_extremum(region, Axis::kX, sense), step, false);
-    case Objective::Kind::kY: return optimum(coordinate_extremum(region, Axis::kY, sense), step, false);
+    case Objective::Kind::kX: return optimum(linear_extremum(region, distance::kX, sense), step, false);
+    case Objective::Kind::kY: return optimum(linear_extremum(region, distance::kY, sense), step, false);
     case Objective::Kind::kZ: throw Error(ErrorCode::kUnsupported, "the objective z needs a scene in three dimensions");
     case Objective::Kind::kDistanceToPoint: {
       auto f = distance::Farthest::from_point({objective.point.at(0) / step, objective.point.at(1) / step});

@@ -117,15 +117,15 @@ TEST(Constrained, LargestGapInABox) {
 }
 
 TEST(Coordinate, EdgesPointsAndOpenEnds) {
-  Extremum e = coordinate_extremum(box(0, 1, 4, 3), Axis::kY, Sense::kMinimum);
+  Extremum e = linear_extremum(box(0, 1, 4, 3), kY, Sense::kMinimum);
   EXPECT_EQ(e.level, Real(1));
   EXPECT_TRUE(e.attained);
   EXPECT_DOUBLE_EQ(plane::summarize(e.at, 1).dangling_length, 4);
-  Extremum top = coordinate_extremum(plane::interior(plane::region_of_disc(0, 0, 5)), Axis::kY, Sense::kMaximum);
+  Extremum top = linear_extremum(plane::interior(plane::region_of_disc(0, 0, 5)), kY, Sense::kMaximum);
   EXPECT_EQ(top.level, Real(5));
   EXPECT_FALSE(top.attained);
   EXPECT_EQ(top.at.vertices.size(), 1u);
-  EXPECT_TRUE(coordinate_extremum(plane::complement(box(0, 0, 1, 1)), Axis::kX, Sense::kMinimum).unbounded);
+  EXPECT_TRUE(linear_extremum(plane::complement(box(0, 0, 1, 1)), kX, Sense::kMinimum).unbounded);
 }
 
 }  // namespace

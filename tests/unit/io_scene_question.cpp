@@ -126,7 +126,8 @@ TEST(SceneQuestion, Placement) {
   Scene s = asking(R"--("place": {"shapes": ["A", "B"], "each": "inside(self, A0)", "pairs": "clear(self, other, 1mm)",
     "constraints": ["gamma1(A, B) <= 20"], "minimize": ["y", "x"], "method": "simultaneous"})--");
   EXPECT_TRUE(s.place.given());
-  EXPECT_EQ(s.place.shapes, (std::vector<std::string>{"A", "B"}));
+  ASSERT_EQ(s.place.bodies.size(), 2u);
+  EXPECT_EQ(s.place.bodies[1].shapes, (std::vector<std::string>{"B"}));
   EXPECT_EQ(s.place.each.text, "inside(self, A0)");
   EXPECT_EQ(s.place.constraints[0].line, 2);
   EXPECT_EQ(s.place.minimize[1].text, "x");

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands.h"
+#include "io/write_placement.h"
+#include "placement_problem.h"
+#include "plane/moved.h"
+#include "planning/sequential.h"
+#include "planning/simultaneous.h"
+#include "session.h"
+
+namespace findspace::app {
+namespace {
+
+using planning::Body;
+using planning::Problem;
+
+/// A result with the regions it points to.
+struct Answer {
+  io::PlacementResult result;
+  std::vector<planning::AtAngle> kept;
+  planning::Poses poses;
+  bool complete = true;  // every body has a position
+};
+
+/// Whether a body may turn: then results say its angle.
+bool turns(const Body& body) { return body.angles.size() > 1 || body.angles[0].sign() != 0; }
+
+io::PlacedResult placed(const Body& body, const std::optional<planning::Pose>& pose) {
+  io::PlacedResult out;
+  out.shape = body.name, out.copy = body.copy;
+  if (!pose) return out;
+  out.at = pose->at;
+  if (turns(body)) out.angle = body.angles[pose->angle];
+  return out;
+}
+
+/// Regions of bodies that are placed once; of copies they would be many and alike.
+void add_regions(Answer& answer, const Problem& problem, std::vector<std::vector<planning::AtAngle>> regions) {
+  std::vector<std::size_t> owner;
+  for (std::size_t b = 0; b < regions.size(); ++b) {
+    if (problem.bodies[b].copy > 0) continue;
+    for (planning::AtAngle& r : regions[b]) answer.kept.push_back(std::move(r)), owner.push_back(b);
+  }
+  for (std::size_t k = 0; k < owner.size(); ++k) {
+    const Body& body = problem.bodies[owner[k]];
+    answer.result.regions.push_back(
+        {body.name, turns(body) ? std::optional(body.angles[answer.kept[k].angle]) : std::nullopt, &answer.kept[k].region});
+  }
+}
+
+Answer sequential(const planning::Relations& relations, const planning::Limit& limit) {
+  const Problem& problem = relations.problem();
+  planning::SequentialPlacement found = planning::place_sequentially(relations, limit);
+  Answer answer;
+  answer.result.method = "sequential";
+  std::vector<std::vector<planning::AtAngle>> regions;
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    answer.result.placed.push_back(placed(problem.bodies[b], found.poses[b]));
+    answer.complete = answer.complete && found.poses[b];
+    if (b >= found.steps.size()) continue;
+    planning::Step& step = found.steps[b];
+    io::PlacedResult& last = answer.result.placed.back();
+    last.attained = step.chosen.attained;
+    if (!last.attained) last.infimum = step.chosen.values, answer.result.attained = false;
+    regions.push_back(std::move(step.positions));
+  }
+  if (found.limit_reached) answer.result.unproven = "the time limit came before all shapes were placed";
+  answer.poses = std::move(found.poses);
+  add_regions(answer, problem, std::move(regions));
+  return answer;
+}
+
+Answer simultaneous(const planning::Relations& relations, const planning::Limit& limit) {
+  const Problem& problem = relations.problem();
+  planning::SimultaneousPlacement found = planning::place_simultaneously(relations, limit);
+  Answer answer;
+  answer.result.method = "simultaneous";
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+    answer.result.placed.push_back(placed(problem.bodies[b], found.witness[b]));
+  answer.complete = std::all_of(found.witness.begin(), found.witness.end(), [](const auto& p) { return p.has_value(); });
+  answer.result.unproven = found.unproven;
+  answer.poses = std::move(found.witness);
+  add_regions(answer, problem, std::move(found.positions));
+  return answer;
+}
+
+std::string picture(const Session& session, const Problem& problem, const Answer& answer) {
+  io::Picture p;
+  p.title = "Placement, " + answer.result.method;
+  p.subtitle = session.scene().place.pairs.text;
+  p.step = session.step(), p.unit = session.unit();
+  p.of_positions = false;
+  std::vector<io::NamedRegion> fixed;
+  for (const plane::ShapePtr& s : session.scene().shapes) {
+    const bool moves = problem.names.count(s->name) != 0 ||
+                       std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& b) {
+                         return std::find(b.shapes.begin(), b.shapes.end(), s->name) != b.shapes.end();
+                       });
+    if (!moves) p.fixed.push_back({s->name, &problem.world.shapes.at(s->name)});
+  }
+  std::vector<plane::Region> moved;
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    if (!answer.poses[b]) continue;
+    const Body& body = problem.bodies[b];
+    for (std::size_t k = 0; k < body.shapes.size(); ++k) {
+      const std::string& variant = body.variants[answer.poses[b]->angle][k];
+      moved.push_back(plane::moved(problem.world.shapes.at(variant), answer.poses[b]->at));
+      names.push_back(body.shapes[k]);
+    }
+  }
+  for (std::size_t k = 0; k < moved.size(); ++k) p.placed.push_back({names[k], &moved[k]});
+  return io::picture_svg(p);
+}
+
+}  // namespace
+
+Outcome run_place(const Options& options, Talk& talk) {
+  check_outputs(options, {".svg", ".json"});
+  const planning::Limit limit(options.time_limit);
+  const Session session(options, talk);
+  const Problem problem = placement_problem(session);
+  talk.stage("placing");
+  const planning::Relations relations(problem);
+  const bool one_by_one = session.scene().place.method == io::Placement::Method::kSequential;
+  const Answer answer = one_by_one ? sequential(relations, limit) : simultaneous(relations, limit);
+  const auto json = [&] { return io::placement_json(answer.result, session.step(), session.unit()); };
+  const auto svg = [&] { return picture(session, problem, answer); };
+  talk.stage("writing");
+  write_outputs(options, {{".json", json}, {".svg", svg}});
+  const ExitStatus status = answer.complete && (one_by_one ? !answer.result.unproven : true) ? kDone
+                            : answer.result.unproven                                         ? kLimit
+                                                                                             : kEmpty;
+  return {options.json ? json() : io::placement_text(answer.result, session.step(), session.unit()), status};
+}
+
+}  // namespace findspace::app

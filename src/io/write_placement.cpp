@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/write_placement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "io/draw_layout.h"
+#include "io/write_json.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using plane::Twofold;
+
+template <class... Args>
+void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
+std::string scaled(const Real& steps, const Real& step) { return json_number((Twofold(steps) * Twofold(step)).value()); }
+
+std::string placed_json(const PlacedResult& p, const Real& step) {
+  std::string out = fmt::format("{{\"shape\": {}", json_string(p.shape));
+  if (p.copy > 0) put(out, ", \"copy\": {}", p.copy);
+  if (p.at) {
+    put(out, ", \"at\": [{}, {}]", scaled(p.at->x, step), scaled(p.at->y, step));
+    if (p.angle) put(out, ", \"angle\": {}", json_number(p.angle->to_double()));
+    return out + "}";
+  }
+  out += ", \"at\": null";
+  if (!p.attained) {
+    out += ", \"attained\": false, \"infimum\": [";
+    for (std::size_t k = 0; k < p.infimum.size(); ++k)
+      put(out, "{}{}", k > 0 ? ", " : "", p.infimum[k] ? json_number(p.infimum[k]->to_double()) : "null");
+    out += "]";
+  }
+  return out + "}";
+}
+
+/// The object of region_json without its last line end.
+std::string region_text(const PositionsResult& p, const Real& step) {
+  std::string text = region_json(*p.region, plane::summarize(*p.region, step), step, "");
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+std::string regions_json(const PlacementResult& result, const Real& step) {
+  std::string out = "{";
+  const auto& all = result.regions;
+  for (std::size_t k = 0; k < all.size();) {
+    put(out, "{}\n{}: ", k > 0 ? "," : "", json_string(all[k].shape));
+    if (!all[k].angle) {
+      out += region_text(all[k++], step);
+      continue;
+    }
+    out += "[";
+    for (std::size_t first = k; k < all.size() && all[k].shape == all[first].shape; ++k)
+      put(out, "{}{{\"angle\": {}, \"positions\": {}}}", k > first ? ",\n" : "", json_number(all[k].angle->to_double()),
+          region_text(all[k], step));
+    out += "]";
+  }
+  return out + "}";
+}
+
+}  // namespace
+
+std::string placement_json(const PlacementResult& result, const Real& step, std::string_view unit) {
+  std::string out = fmt::format("{{\"method\": {}, ", json_string(result.method));
+  if (!unit.empty()) put(out, "\"unit\": {}, ", json_string(unit));
+  put(out, "\"attained\": {}, \"proven\": {},", result.attained, !result.unproven);
+  if (result.unproven) put(out, " \"reason\": {},", json_string(*result.unproven));
+  out += "\n\"positions\": [";
+  for (std::size_t k = 0; k < result.placed.size(); ++k)
+    put(out, "{}\n  {}", k > 0 ? "," : "", placed_json(result.placed[k], step));
+  return out + "],\n\"regions\": " + regions_json(result, step) + "}\n";
+}
+
+std::string placement_text(const PlacementResult& result, const Real& step, std::string_view unit) {
+  const std::string suffix = unit.empty() ? "" : fmt::format(" {}", unit);
+  std::size_t width = 0;
+  for (const PlacedResult& p : result.placed) width = std::max(width, p.shape.size() + 5);
+  std::string out = fmt::format("Placement, {}\n", result.method);
+  for (const PlacedResult& p : result.placed) {
+    const std::string name = p.copy > 0 ? fmt::format("{} {}", p.shape, p.copy) : p.shape;
+    put(out, "  {:<{}}  ", name, width);
+    if (p.at) {
+      put(out, "({}, {}){}", shown((Twofold(p.at->x) * Twofold(step)).value()), shown((Twofold(p.at->y) * Twofold(step)).value()),
+          suffix);
+      if (p.angle) put(out, ", turned by {} deg", shown(p.angle->to_double()));
+    } else {
+      out += p.attained ? "no room" : "no best position: the least value is not taken";
+    }
+    out += "\n";
+  }
+  if (result.unproven) put(out, "not decided: {}\n", *result.unproven);
+  return out;
+}
+
+}  // namespace findspace::io
