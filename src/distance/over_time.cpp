@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "plane/moved_geometry.h"
+#include "plane/moved.h"
 #include "plane/overlay.h"
 #include "plane/path_region.h"
 #include "plane/swept.h"

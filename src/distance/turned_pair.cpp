@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "distance/farthest_pair.h"
+#include "distance/site_pairs.h"
 #include "findspace/error.h"
 #include "plane/primitives.h"
 #include "plane/topology.h"
@@ -107,7 +107,8 @@ TurnMap TurnedPair::cut_off(Which which, const Real& level, bool negated) const 
 
 TurnMap TurnedPair::diameter(const Real& level) const {
   const exact::RealPoint origin;
-  const Real own = std::max(farthest_pair(a_, a_, origin).distance, farthest_pair(b_, b_, origin).distance);
+  const SiteTree a(a_), b(b_);
+  const Real own = std::max(farthest_pair(a, a, origin).distance, farthest_pair(b, b, origin).distance);
   const Mark floor = Mark(compare(own, level));
   if (floor > 0) return TurnMap::uniform(1);
   return plane::remark(sign_map(Which::kGamma2, level), [floor](Mark k) { return std::max(k, floor); });

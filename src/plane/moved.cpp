@@ -28,6 +28,7 @@ Carrier shifted(const Carrier& k, const exact::RealPoint& by) {
 }
 
 Carrier shifted(const Carrier& k, std::int64_t x, std::int64_t y) {
+  if (k.displaced()) return Carrier::displaced_line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y, k.w);
   if (!k.grid) return shifted(k, exact::RealPoint{Real(x), Real(y)});
   if (k.circle) return Carrier::circle_at(k.a + x, k.b + y, k.w);
   return Carrier::line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y);

@@ -31,11 +31,4 @@ Index append_moved(exact::Geometry& to, const exact::Geometry& from, const RealV
   return points;
 }
 
-CellComplex moved(CellComplex complex, const RealVector& by) {
-  exact::Geometry geometry;
-  append_moved(geometry, complex.geometry, by);
-  complex.geometry = std::move(geometry);
-  return complex;
-}
-
 }  // namespace findspace::plane

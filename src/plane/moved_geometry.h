@@ -13,7 +13,4 @@ namespace findspace::plane {
 /// Appends `from` + `by`; returns the index of its first point (its first carrier was the number of carriers before).
 Index append_moved(exact::Geometry& to, const exact::Geometry& from, const RealVector& by);
 
-/// {s + by} with any marks.
-CellComplex moved(CellComplex complex, const RealVector& by);
-
 }  // namespace findspace::plane

@@ -10,7 +10,7 @@
 
 #include "findspace/error.h"
 #include "plane/face_walk.h"
-#include "plane/moved_geometry.h"
+#include "plane/moved.h"
 #include "plane/overlay.h"
 
 namespace findspace::plane {
