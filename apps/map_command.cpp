@@ -29,7 +29,14 @@ struct Map {
   plane::Region region;
   std::optional<plane::Region> feasible;  // where the region is a part of it: the best positions
   std::optional<io::ExtremeValue> extreme;
+  std::optional<plane::Region> outer;  // where the region is certainly feasible, and only this possibly
 };
+
+/// A certified bound from either side: the inner region's JSON, with the outer one in it.
+std::string bounded_json(std::string inner, const std::string& outer) {
+  inner.erase(inner.rfind('}'));
+  return inner + ",\n  \"side\": \"inner\",\n  \"outer\": " + outer + "}\n";
+}
 
 io::ExtremeValue value_of(const situation::Optimum& optimum, bool maximum, Talk& talk) {
   if (optimum.value && !optimum.proven) {
@@ -43,7 +50,15 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
   Talk& talk = session.talk();
   const std::optional<Session::Goal> goal = session.goal();
   talk.stage("solving");
-  Map map{solver.feasible(formula), std::nullopt, std::nullopt};
+  if (solver.turns_in(formula)) {
+    if (goal) throw Error(ErrorCode::kUnsupported, "objectives are not computed of shapes that turn in time", session.scene().file);
+    if (!session.options().apply.empty())
+      throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn in time only bounds of the region are known", session.scene().file);
+    situation::Solver::Bounds bounds = solver.feasible_bounds(formula);
+    talk.note("shapes turn in time: certainly feasible positions, and in \"outer\" the possible ones");
+    return {std::move(bounds.inner), std::nullopt, std::nullopt, std::move(bounds.outer)};
+  }
+  Map map{solver.feasible(formula), std::nullopt, std::nullopt, std::nullopt};
   if (goal) {
     talk.stage("optimizing");
     situation::Optimum best = situation::optimize(map.region, goal->objective, goal->sense, solver);
@@ -96,14 +111,19 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
                      const situation::Formula& formula) {
   const plane::Summary summary = plane::summarize(map.region, session.step());
   const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
-  const auto json = [&] { return io::region_json(map.region, summary, session.step(), session.unit(), extreme); };
+  const auto json = [&] {
+    std::string text = io::region_json(map.region, summary, session.step(), session.unit(), extreme);
+    if (!map.outer) return text;
+    const plane::Summary outer = plane::summarize(*map.outer, session.step());
+    return bounded_json(std::move(text), io::region_json(*map.outer, outer, session.step(), session.unit()));
+  };
   const auto svg = [&] {
     io::Picture picture;
     picture.title = title(session) + (summary.empty ? ": none" : "");
     picture.subtitle = session.scene().where.text;
     picture.region = &map.region;
     picture.summary = &summary;
-    picture.around = map.feasible ? &*map.feasible : nullptr;
+    picture.around = map.feasible ? &*map.feasible : map.outer ? &*map.outer : nullptr;
     session.add_scenery(picture, world, &formula);
     return io::picture_svg(picture);
   };
@@ -115,7 +135,7 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
   session.talk().stage("writing");
   write_outputs(session.options(), {{".json", json}, {".svg", svg}, {".wkt", wkt}});
   return {session.options().json ? json() : summary_text(title(session), summary, session.unit(), extreme),
-          summary.empty ? kEmpty : kDone};
+          !summary.empty ? kDone : !map.outer || plane::is_empty(*map.outer) ? kEmpty : kLimit};
 }
 
 }  // namespace

@@ -21,13 +21,6 @@ namespace {
 
 constexpr int kMostInstants = 400, kRefinements = 60;
 
-/// At least the greatest distance of a point of the set from the origin.
-double reach(const plane::Region& r) {
-  double most = 0;
-  for (const Site& s : sites(r, [](plane::Mark m) { return m > 0; })) most = std::max(most, s.farthest(0, 0));
-  return most;
-}
-
 /// As fine as the reach allows within the grid's 2^40 steps.
 std::int64_t refinement(double reach) {
   std::int64_t factor = 1;
@@ -51,6 +44,12 @@ struct Sample {
 };
 
 }  // namespace
+
+double reach(const plane::Region& r) {
+  double most = 0;
+  for (const Site& s : sites(r, [](plane::Mark m) { return m > 0; })) most = std::max(most, s.farthest(0, 0));
+  return most;
+}
 
 TurningMotion::TurningMotion(const plane::Region& b, const plane::Region& a, Which which,
                              std::vector<TurningPose> poses)

@@ -7,8 +7,9 @@
 //     |speed of b - a| + (turning rate of B, A in radians) * (greatest distance of B, A from its origin),
 // which bounds it between instants (Piyavskii): the least or greatest value is bracketed and then refined where it was
 // found. Guarantee: a value that f takes (to the rounding), and `bound`: the true extremum lies at most that far beyond
-// it. Not exact. Cost: up to 400 pairs of turned shapes, and 60 for the refinement. Source: distances.md 7.3; Piyavskii
-// 1972, Shubert 1972. Keywords: rotating obstacle, Lipschitz optimisation, continuous collision detection.
+// it (infinite for eta2, delta2, and eta1, delta1 where they are positive: those have no such rate). Not exact. Cost:
+// up to 400 pairs of turned shapes, and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972.
+// Keywords: rotating obstacle, Lipschitz optimisation, continuous collision detection.
 #pragma once
 
 #include <optional>
@@ -29,6 +30,9 @@ struct TurningPose {
 struct BoundedValue {
   double value = 0, bound = 0;
 };
+
+/// At least the greatest distance of a point of the set from the origin, in grid steps.
+double reach(const plane::Region& r);
 
 class TurningMotion {
  public:

@@ -4,6 +4,8 @@
 #include "plane/overlay.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "plane/arrangement.h"
 #include "plane/face_walk.h"
@@ -261,11 +263,22 @@ Region subtract(std::span<const Region* const> regions) {
 }
 
 CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule) {
-  const Mark to[3] = {rule(-1), rule(0), rule(1)};
-  for (Vertex& v : complex.vertices) v.mark = to[v.mark + 1];
-  for (Edge& e : complex.edges) e.mark = to[e.mark + 1];
-  for (Face& f : complex.faces) f.mark = to[f.mark + 1];
-  bool all_differ = to[0] != to[1] && to[1] != to[2] && to[0] != to[2];
+  std::array<std::optional<Mark>, 256> made;  // by mark + 128
+  std::array<bool, 256> taken{};
+  bool all_differ = true;
+  auto change = [&](Mark& m) {
+    auto& to = made[std::size_t(m + 128)];
+    if (!to) {
+      to = rule(m);
+      bool& used = taken[std::size_t(*to + 128)];
+      all_differ &= !used;
+      used = true;
+    }
+    m = *to;
+  };
+  for (Vertex& v : complex.vertices) change(v.mark);
+  for (Edge& e : complex.edges) change(e.mark);
+  for (Face& f : complex.faces) change(f.mark);
   return all_differ ? complex : simplify(complex);  // what differed still differs
 }
 

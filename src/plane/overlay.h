@@ -24,8 +24,8 @@ Region intersect(std::span<const Region* const> regions);
 /// first \ (all others)
 Region subtract(std::span<const Region* const> regions);
 
-/// The same complex, whose cells are merged as far as they can be, with marks rule(mark) for marks -1, 0, 1; merged again where
-/// the rule unites marks.
+/// The same complex, whose cells are merged as far as they can be, with marks rule(mark); merged again where the rule unites marks.
+/// The rule is asked once for each mark.
 CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule);
 
 }  // namespace findspace::plane

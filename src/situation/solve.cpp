@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 
@@ -90,15 +91,6 @@ std::shared_ptr<const distance::AtPosition> Solver::pair(const Names& names) con
   return slot;
 }
 
-/// Who moves in a distance, and along which relative path.
-struct Solver::Roles {
-  Distance wanted;  // with the moving shape first, where the distance allows it
-  Names names;
-  bool second_moves = false;
-  Trajectory path;  // empty without a motion
-  bool turning = false;
-};
-
 Solver::Roles Solver::roles(const Distance& wanted) const {
   Roles r;
   r.wanted = moving_first(wanted, world_.moving);
@@ -128,7 +120,7 @@ distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
 distance::PositionFunctionPointer Solver::function(const Distance& wanted) const {
   const Roles r = roles(wanted);
   if (!world_.motion.given()) return of_instant(r);
-  if (r.turning) refuse(wanted, "regions of shapes that turn in time are not computed; check and measure give values");
+  if (r.turning) refuse(wanted, "shapes that turn in time have no exact region here");
   if (world_.instant && wanted.prefix == Extremum::kNone)
     return distance::at_instant(of_instant(r), position_at(r.path, *world_.instant));
   if (r.wanted.mode != Mode::kPlain)
@@ -219,17 +211,69 @@ std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, 
   return NearestFeasible{n->at, n->distance * world_.step, mark_of(region, locate(region, n->at)) > 0};
 }
 
-std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
+std::vector<distance::TurningPose> Solver::turning_poses(const Roles& r, bool instant) const {
   const Motion& motion = world_.motion;
-  if (r.wanted.mode != Mode::kPlain) refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
   const Trajectory b = common_trajectory(motion, r.names.first), a = common_trajectory(motion, r.names.second);
-  const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
   std::vector<distance::TurningPose> poses;
-  for (const Real& t : one ? std::vector{*world_.instant} : common_times(motion, b, a)) {
+  for (const Real& t : instant ? std::vector{*world_.instant} : common_times(motion, b, a)) {
     const RealPoint q = position_at(a, t), o = position_at(b, t);
     poses.push_back({{o.x - q.x, o.y - q.y}, angle_at(b, t), angle_at(a, t)});
   }
-  const distance::TurningMotion f(shape(r.names.first), shape(r.names.second), situation::which(r.wanted.kind, r.second_moves), poses);
+  return poses;
+}
+
+bool Solver::turns_in(const Formula& formula) const {
+  const auto& maps = formula.sign_maps();
+  return !world_.instant && std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) { return roles(m.distance).turning; });
+}
+
+distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
+  const Roles r = roles(wanted.distance);
+  if (!r.turning) {
+    plane::SignMap exact = sign_map(wanted);
+    return {exact, exact};
+  }
+  if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
+  if (r.wanted.mode != Mode::kPlain) refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  Which kind = situation::which(r.wanted.kind, r.second_moves);
+  // Containment down from level 0 is the directed Hausdorff distance, which changes no faster than the shapes do.
+  if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
+    kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
+  const bool jumps = kind == Which::kEta1 || kind == Which::kDelta1 || kind == Which::kEta2 || kind == Which::kDelta2;
+  if (jumps) refuse(wanted.distance, "of shapes that turn in time, regions are computed for eta1 and delta1 up to level 0 only, not for eta2 and delta2");
+  const auto sense = natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+  return distance::turning_maps(shape(r.names.first), shape(r.names.second), kind, turning_poses(r, false), sense,
+                                wanted.level / world_.step);
+}
+
+Solver::Bounds Solver::feasible_bounds(const Formula& formula) const {
+  const std::size_t n = formula.sign_maps().size();
+  std::vector<distance::BoundedMaps> maps(n);
+  for (std::size_t k = 0; k < n; ++k) maps[k] = bounded_maps(formula.sign_maps()[k]);
+  std::vector<const CellComplex*> operands;
+  for (const auto& m : maps) operands.insert(operands.end(), {&m.low, &m.high});
+  // 2 where every choice of signs between the bounds satisfies the formula, 1 where some does.
+  const CellComplex both = plane::overlay(operands, [&](std::span<const Mark> marks) {
+    std::vector<std::int8_t> signs(n);
+    bool all = true, some = false;
+    std::function<void(std::size_t)> choose = [&](std::size_t k) {
+      if (k == n) {
+        const bool holds = evaluate(formula, signs);
+        all &= holds, some |= holds;
+        return;
+      }
+      for (Mark s = marks[2 * k]; s <= marks[2 * k + 1]; ++s) signs[k] = s, choose(k + 1);
+    };
+    choose(0);
+    return Mark(all ? 2 : some ? 1 : 0);
+  });
+  return {plane::remark(both, [](Mark m) { return Mark(m == 2); }), plane::remark(both, [](Mark m) { return Mark(m > 0); })};
+}
+
+std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
+  if (r.wanted.mode != Mode::kPlain) refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
+  const distance::TurningMotion f(shape(r.names.first), shape(r.names.second), situation::which(r.wanted.kind, r.second_moves), turning_poses(r, one));
   if (one) return f.instant(p, 0, Real());
   const bool least = natural_extremum(r.wanted) == Extremum::kInf;
   return f.extremum(p, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);

@@ -17,6 +17,7 @@
 
 #include "distance/extremum.h"
 #include "distance/shape_pair.h"
+#include "distance/turning_map.h"
 #include "distance/turning_motion.h"
 #include "plane/section.h"
 #include "situation/formula.h"
@@ -66,6 +67,14 @@ class Solver {
   /// {p : the formula holds at p}. Throws Error(kUnsupported) for distances this version does not compute.
   plane::Region feasible(const Formula& formula) const;
 
+  /// For shapes that turn in time: positions that certainly and that possibly belong to feasible(formula).
+  struct Bounds {
+    plane::Region inner, outer;
+  };
+  Bounds feasible_bounds(const Formula& formula) const;
+  /// Some shape of the formula turns in time, and no instant is asked for: feasible() is refused, feasible_bounds() is not.
+  bool turns_in(const Formula& formula) const;
+
   /// Every atom of the formula at position p (in the scene's unit), and whether the formula holds there.
   struct Check {
     bool holds = false;
@@ -103,7 +112,14 @@ class Solver {
   using Names = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
   struct Cache;
 
-  struct Roles;
+  /// Who moves in a distance, and along which relative path.
+  struct Roles {
+    Distance wanted;  // with the moving shape first, where the distance allows it
+    Names names;
+    bool second_moves = false;
+    Trajectory path;  // empty without a motion
+    bool turning = false;
+  };
 
   Roles roles(const Distance& wanted) const;
   distance::TDistancePointer plain(const Roles& roles) const;
@@ -115,6 +131,8 @@ class Solver {
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
   DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;
   std::int8_t sign(const SignMap& wanted, const exact::RealPoint& p) const;
+  std::vector<distance::TurningPose> turning_poses(const Roles& roles, bool instant) const;
+  distance::BoundedMaps bounded_maps(const SignMap& wanted) const;
   /// In grid steps; nothing where undefined.
   std::optional<distance::BoundedValue> turning_value(const Roles& roles, const exact::RealPoint& p) const;
   void add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,

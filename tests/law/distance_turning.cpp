@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Shapes that turn in time, against a closed form: a disc that is off its own origin by R goes along an arc of radius
+// R, and its distance to a disc about the origin is that of a point to an arc. Values, their bounds, and both bounds of
+// the regions.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "distance/turning_map.h"
+#include "law/plane_random.h"
+#include "plane/locate.h"
+#include "plane/primitives.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+using plane::Random;
+
+struct Turn {
+  double arm, from, to, reach;  // degrees; sum of the radii
+  std::vector<TurningPose> poses;
+};
+
+/// gamma1 at the angle, for p.
+double at_angle(const Turn& t, double x, double y, double degrees) {
+  const double a = degrees * std::numbers::pi / 180;
+  return std::hypot(x + t.arm * std::cos(a), y + t.arm * std::sin(a)) - t.reach;
+}
+
+/// Its least and greatest value: the nearest and farthest angles are that of -p, the opposite one, or an end.
+std::pair<double, double> extremes(const Turn& t, double x, double y) {
+  double least = at_angle(t, x, y, t.from), most = least;
+  auto take = [&](double degrees) {
+    least = std::min(least, at_angle(t, x, y, degrees)), most = std::max(most, at_angle(t, x, y, degrees));
+  };
+  take(t.to);
+  const double toward = std::atan2(-y, -x) * 180 / std::numbers::pi;
+  for (int k = -6; k <= 6; ++k) {
+    const double degrees = toward + 180 * k;
+    if (degrees > std::min(t.from, t.to) && degrees < std::max(t.from, t.to)) take(degrees);
+  }
+  return {least, most};
+}
+
+TEST(Turning, ValuesAndBoundsOfADiscOnAnArm) {
+  constexpr std::int64_t kUnit = 1000000;  // grid steps
+  int decided = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Random random(seed);
+    const std::int64_t arm = random.pick(1, 5), r = random.pick(1, 2), a = random.pick(1, 2);
+    const std::int64_t from = random.pick(-90, 90), to = from + random.pick(20, 150);
+    Turn t{double(arm), double(from), double(to), double(r + a), {}};
+    t.poses = {{{}, Real(from), Real()}, {{}, Real(to), Real()}};
+    const plane::Region b = plane::region_of_disc(Real(arm * kUnit), Real(0), Real(r * kUnit));
+    const plane::Region fixed = plane::region_of_disc(Real(0), Real(0), Real(a * kUnit));
+    const TurningMotion f(b, fixed, Which::kGamma1, t.poses);
+    const std::int64_t level = random.pick(-1, 2);
+    const BoundedMaps low = turning_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMinimum, Real(level * kUnit));
+    const BoundedMaps high = turning_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMaximum, Real(level * kUnit));
+    for (int k = 0; k < 12; ++k) {
+      const std::int64_t x = random.pick(-7 * kUnit, 7 * kUnit), y = random.pick(-7 * kUnit, 7 * kUnit);
+      const auto [least, most] = extremes(t, double(x) / kUnit, double(y) / kUnit);
+      const exact::RealPoint p{Real(x), Real(y)};
+      for (const auto& [maps, truth, sense] :
+           {std::tuple{&low, least, Sense::kMinimum}, std::tuple{&high, most, Sense::kMaximum}}) {
+        const int sign = truth > level ? 1 : -1, under = mark_of(maps->low, locate(maps->low, p)),
+                  over = mark_of(maps->high, locate(maps->high, p));
+        ASSERT_LE(under, sign) << "seed " << seed;
+        ASSERT_GE(over, sign) << "seed " << seed;
+        decided += under == over;
+        if (k > 1) continue;
+        const auto v = f.extremum(p, sense);
+        ASSERT_TRUE(v.has_value());
+        ASSERT_NEAR(v->value / kUnit, truth, 1e-8) << "seed " << seed;
+        ASSERT_LE(std::abs(v->value / kUnit - truth), v->bound / kUnit + 1e-12) << "seed " << seed;
+        ASSERT_LT(v->bound / kUnit, 0.02) << "seed " << seed;
+      }
+    }
+  }
+  EXPECT_GT(decided, 8 * 12 * 2 * 8 / 10);
+}
+
+}  // namespace
+}  // namespace findspace::distance
