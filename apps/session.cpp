@@ -238,8 +238,11 @@ std::vector<Real> Session::coordinates(std::size_t count, const char* wanted) co
 
 exact::Real Session::angle() const {
   if (!options_.angle) return {};
+  constexpr int kMostDegrees = 1'000'000'000;
   try {
-    return Real::parse_decimal(*options_.angle);
+    const Real degrees = Real::parse_decimal(*options_.angle);
+    if (degrees > Real(kMostDegrees) || degrees < Real(-kMostDegrees)) throw Error(ErrorCode::kOutOfRange, "too far round");
+    return degrees;
   } catch (const Error&) {
     throw Error(ErrorCode::kUsage, fmt::format("--angle wants a decimal number of degrees, not '{}'", *options_.angle));
   }

@@ -71,6 +71,7 @@ std::vector<Station> stations(const situation::World& world, const exact::RealPo
     ends.push_back(i.from);
     if (i.to != i.from && i.to - i.from < 360) ends.push_back(i.to);
   }
+  std::erase(ends, 0.0);  // as it is drawn
   if (ends.size() > kMost) ends.resize(kMost);
   std::vector<Station> out;
   plane::Rounding rounding;

@@ -78,7 +78,7 @@ class Dial {
 
   void dot(double degrees, bool full) {
     const Spot p = at(degrees, kRadius);
-    put("<circle cx=\"{}\" cy=\"{}\" r=\"4.5\" fill=\"{}\" stroke=\"#14665c\" stroke-width=\"1.6\"/>\n", pixels(p.x),
+    put("<circle cx=\"{}\" cy=\"{}\" r=\"4.5\" style=\"fill:{};stroke:#14665c;stroke-width:1.6\"/>\n", pixels(p.x),
         pixels(p.y), full ? "#14665c" : "#fff");
   }
 

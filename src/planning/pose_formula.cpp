@@ -19,16 +19,13 @@ using situation::Kind;
 using situation::Node;
 using situation::Relation;
 
-std::string eroded_name(const std::string& shape) { return shape + " eroded"; }
-std::string grown_name(const std::string& shape) { return shape + " grown"; }
-
 namespace {
 
 /// How a distance answers to a small movement of the moving shape.
 struct Response {
-  bool lipschitz = false;       // at all levels
-  bool from_zero_up = false;    // only between levels >= 0 (gamma1)
-  bool from_zero_down = false;  // only between levels <= 0 (eta1, delta1)
+  bool lipschitz = false;     // at all levels
+  bool from_zero_up = false;  // only between levels >= 0 (gamma1)
+  bool as_mu = false;         // at levels <= 0 it has the signs of mu (eta1, delta1)
   bool grows = false;           // a larger moving shape makes it larger, else smaller
   bool known = true;
 };
@@ -36,8 +33,8 @@ struct Response {
 Response response(Kind kind) {
   switch (kind) {
     case Kind::kGamma1: return {.from_zero_up = true};
-    case Kind::kEta1: return {.from_zero_down = true, .grows = true};
-    case Kind::kDelta1: return {.from_zero_down = true};
+    case Kind::kEta1: return {.as_mu = true, .grows = true};
+    case Kind::kDelta1: return {.as_mu = true};
     case Kind::kPenetration: return {.grows = true};
     case Kind::kEta2:
     case Kind::kDelta2: return {.known = false};
@@ -56,7 +53,9 @@ class Hedge {
   Hedge(const Formula& formula, const std::vector<std::string>& moving, const Real& bound)
       : formula_(formula), moving_(moving), bound_(bound) {}
 
-  Formula run(const Node& node, Certainty certainty) const {
+  std::vector<Variant> variants() { return std::move(variants_); }
+
+  Formula run(const Node& node, Certainty certainty) {
     std::vector<Formula> operands;
     switch (node.op) {
       case Node::Op::kTrue: return situation::constant(true);
@@ -81,7 +80,7 @@ class Hedge {
     throw Error(ErrorCode::kUnsupported, a.text + ": not computed over positions and angles");
   }
 
-  Formula certain(const Atom& atom, Relation relation) const {
+  Formula certain(const Atom& atom, Relation relation) {
     if (relation == Relation::kEqual) return situation::constant(false);
     if (relation == Relation::kNotEqual) {
       const std::array both{certain(atom, Relation::kLess), certain(atom, Relation::kGreater)};
@@ -92,31 +91,53 @@ class Hedge {
     if (!r.known) return situation::constant(false);
     const bool at_most = relation == Relation::kLess || relation == Relation::kLessEqual;
     const Real level = at_most ? atom.level - bound_ : atom.level + bound_;
-    const bool both_up = atom.level.sign() >= 0 && level.sign() >= 0, both_down = atom.level.sign() <= 0 && level.sign() <= 0;
-    if (r.lipschitz || (r.from_zero_up && both_up) || (r.from_zero_down && both_down))
+    if (r.as_mu && atom.level.sign() <= 0) return Formula(situation::compare(as_mu(d), relation, level));
+    if (r.lipschitz || (r.from_zero_up && atom.level.sign() >= 0 && level.sign() >= 0))
       return Formula(situation::compare(d, relation, level));
     // The largest value is wanted for "at most": that of the grown shape where the distance grows with it.
-    return Formula(situation::compare(with(d, r.grows == at_most ? grown_name : eroded_name), relation, atom.level));
+    Formula of_variant(situation::compare(with(d, true, r.grows == at_most ? bound_ : -bound_), relation, atom.level));
+    if (!r.from_zero_up || atom.level.sign() < 0) return of_variant;
+    // Or the shape itself is so deep in the other that it cannot leave it by more than the level.
+    const std::array either{std::move(of_variant), Formula(situation::compare(with(d, false, level), relation, Real()))};
+    return situation::disjunction(either);
   }
 
-  Distance with(Distance d, std::string (*variant)(const std::string&)) const {
+  static Distance as_mu(Distance d) {
+    if (d.kind == Kind::kDelta1) std::swap(d.first, d.second);
+    d.kind = Kind::kMu;
+    return d;
+  }
+
+  /// With variants in place of the moving shapes, or of the others.
+  Distance with(Distance d, bool of_moving, const Real& by) {
     for (auto* names : {&d.first, &d.second}) {
       for (std::string& n : *names) {
-        if (std::find(moving_.begin(), moving_.end(), n) != moving_.end()) n = variant(n);
+        if ((std::find(moving_.begin(), moving_.end(), n) != moving_.end()) == of_moving) n = variant(n, by);
       }
     }
     return d;
   }
 
+  std::string variant(const std::string& of, const Real& by) {
+    for (const Variant& v : variants_) {
+      if (v.of == of && v.by == by) return v.name;
+    }
+    variants_.push_back({of + " variant " + std::to_string(variants_.size()), of, by});
+    return variants_.back().name;
+  }
+
   const Formula& formula_;
   const std::vector<std::string>& moving_;
   const Real& bound_;
+  std::vector<Variant> variants_;
 };
 
 }  // namespace
 
-Formula hedged(const Formula& formula, const std::vector<std::string>& moving, const Real& bound, Certainty certainty) {
-  return Hedge(formula, moving, bound).run(formula.root(), certainty);
+Hedged hedged(const Formula& formula, const std::vector<std::string>& moving, const Real& bound, Certainty certainty) {
+  Hedge hedge(formula, moving, bound);
+  Formula out = hedge.run(formula.root(), certainty);
+  return {std::move(out), hedge.variants()};
 }
 
 }  // namespace findspace::planning

@@ -13,14 +13,21 @@
 
 namespace findspace::planning {
 
-/// How the variants of a moving shape are called.
-std::string eroded_name(const std::string& shape);
-std::string grown_name(const std::string& shape);
-
 enum class Certainty { kCertain, kPossible };
 
-/// `bound` in the scene's unit; the formula that comes back may speak of eroded and grown shapes.
-situation::Formula hedged(const situation::Formula& formula, const std::vector<std::string>& moving, const exact::Real& bound,
-                          Certainty certainty);
+/// A shape grown by `by` (in the scene's unit), or eroded where that is negative.
+struct Variant {
+  std::string name, of;
+  exact::Real by;
+};
+
+struct Hedged {
+  situation::Formula formula;     // may speak of variants of the shapes
+  std::vector<Variant> variants;  // each name once
+};
+
+/// `bound` in the scene's unit.
+Hedged hedged(const situation::Formula& formula, const std::vector<std::string>& moving, const exact::Real& bound,
+              Certainty certainty);
 
 }  // namespace findspace::planning

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "distance/signed_distance.h"
 #include "findspace/error.h"
@@ -76,28 +75,19 @@ class Stand {
 
   /// Where the formula certainly holds, or may hold, for shapes within `bound` steps.
   Region hedge(const Real& bound, Certainty certainty) const {
-    const Formula f = hedged(formula_, world_.moving, bound * world_.step, certainty);
+    const Hedged h = hedged(formula_, world_.moving, bound * world_.step, certainty);
     World w = world_;
-    std::set<std::string> wanted;
-    for (const situation::Atom& a : f.atoms()) {
-      for (const auto* names : {&a.distance.first, &a.distance.second}) wanted.insert(names->begin(), names->end());
+    for (const Variant& v : h.variants) {
+      const bool moves = std::find(world_.moving.begin(), world_.moving.end(), v.of) != world_.moving.end();
+      w.shapes.emplace(v.name, offset(world_.shapes.at(v.of), v.by / world_.step));
+      if (moves) w.moving.push_back(v.name);
     }
-    for (const std::string& name : world_.moving) {
-      add(w, wanted, eroded_name(name), name, -bound);
-      add(w, wanted, grown_name(name), name, bound);
-    }
-    return Solver(std::move(w)).feasible(f);
+    return Solver(std::move(w)).feasible(h.formula);
   }
 
   PoseSlice slice;
 
  private:
-  void add(World& w, const std::set<std::string>& wanted, const std::string& name, const std::string& of, const Real& by) const {
-    if (wanted.count(name) == 0) return;
-    w.shapes.emplace(name, offset(world_.shapes.at(of), by));
-    w.moving.push_back(name);
-  }
-
   const Formula& formula_;
   World world_;
 };

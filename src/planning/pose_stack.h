@@ -8,8 +8,8 @@
 // Method: from the nearer end of the sector no point of the moving shape travels further than
 //     bound = R * (half the sector) + what putting vertices on the grid moved,   R the greatest distance from the pole,
 // so the shape at any angle of that half contains the shape at the end eroded by the bound, and lies in the shape grown by it.
-// gamma1 at levels >= 0, gamma2, mu, eta1 <= 0, ... change by at most the bound and get it added to their level; where that
-// is not so (a depth jumps: an exact fit in a slot is lost at once), the eroded or the grown shape takes the shape's place.
+// gamma1 between levels >= 0, gamma2, mu (for eta1 <= 0 too), ... change by at most the bound and get it added to their level; where
+// that is not so (a depth jumps: an exact fit in a slot is lost at once), an eroded or grown shape takes a shape's place.
 // Guarantee: maps exact for the turned shapes on the grid; sectors certified for the exactly turned shape. Atoms of which
 // nothing certain is known (eta2, delta2) make `inner` smaller and `outer` larger, never wrong.
 // Cost: one map an angle, two a sector's half. Keywords: configuration space slices, orientation, conservative approximation.

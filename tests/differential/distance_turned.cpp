@@ -103,7 +103,7 @@ plane::Mark expected(const Figure& b, const Figure& a, const Pythagorean& p, Whi
 
 TEST(TurnedPair, AgreesWithTurnedShapes) {
   Figures figures(7);
-  for (int trial = 0; trial < 24; ++trial) {
+  for (int trial = 0; trial < 66; ++trial) {
     const Figure b = figures.figure(), a = figures.figure();
     const Which which = kAll[std::size_t(trial) % kAll.size()];
     const bool containment = which == Which::kEta1 || which == Which::kDelta1;
