@@ -9,6 +9,7 @@
 #include "plane/topology.h"
 #include "report.h"
 #include "session.h"
+#include "situation/feasible_near.h"
 
 namespace findspace::app {
 namespace {
@@ -41,7 +42,8 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
   Talk& talk = session.talk();
   const std::optional<Session::Goal> goal = session.goal();
   talk.stage("solving");
-  Map map{solver.feasible(formula), std::nullopt, std::nullopt};
+  const bool still = !session.scene().motion.given();
+  Map map{still ? situation::feasible_near(solver, formula) : solver.feasible(formula), std::nullopt, std::nullopt};
   if (goal) {
     talk.stage("optimizing");
     situation::Optimum best = situation::optimize(map.region, goal->objective, goal->sense, solver);
