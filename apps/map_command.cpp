@@ -9,6 +9,7 @@
 #include "plane/topology.h"
 #include "report.h"
 #include "session.h"
+#include "situation/feasible_near.h"
 #include "space_commands.h"
 #include "turn_command.h"
 
@@ -58,7 +59,8 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
     talk.note("shapes turn in time: certainly feasible positions, and in \"outer\" the possible ones");
     return {std::move(bounds.inner), std::nullopt, std::nullopt, std::move(bounds.outer)};
   }
-  Map map{solver.feasible(formula), std::nullopt, std::nullopt, std::nullopt};
+  const bool still = !session.scene().motion.given();
+  Map map{still ? situation::feasible_near(solver, formula) : solver.feasible(formula), std::nullopt, std::nullopt, std::nullopt};
   if (goal) {
     talk.stage("optimizing");
     situation::Optimum best = situation::optimize(map.region, goal->objective, goal->sense, solver);
