@@ -123,7 +123,8 @@ Outcome map_space(const Session& session) {
                                best.unbounded, best.attained, true};
     region = std::move(best.at);
   } else if (const auto least = solver.minimum_of(formula)) {
-    extreme = io::ExtremeValue{false, least->value->to_double(), false, true, true};
+    const auto value = least->value ? std::optional(least->value->to_double()) : std::nullopt;
+    extreme = io::ExtremeValue{false, value, false, least->attained, true};
   }
   if (options.apply == "interior") region = region.interior();
   if (options.apply == "closure") region = region.closure();

@@ -34,7 +34,7 @@ class BoxPair {
   /// The least value of gamma1, eta1 or delta1 and where it is taken, if the '-' set is one box or empty.
   struct Least {
     exact::Real value;
-    space::BoxComplex at;
+    space::BoxComplex at;  // empty if the distance is undefined
   };
   std::optional<Least> least(Which which) const;
 

@@ -262,17 +262,34 @@ class Search {
     queue_.push(std::move(cell));
   }
 
+  /// By how much the distances exceed, half-way between two corners, what their values there make one expect: none
+  /// where they are linear. That is what the bound of a cell loses.
+  double bend(const Cell& cell, std::size_t v, std::size_t w) const {
+    const Vector middle = space::scaled(0.5, space::plus(cell.corner[v], cell.corner[w]));
+    double most = 0;
+    for (std::size_t k = 0; k < cell.parts.size(); ++k) {
+      const double mean = (cell.distances[k][v] + cell.distances[k][w]) / 2;
+      most = std::max(most, mean - parts_[std::size_t(cell.parts[k])](middle));
+    }
+    return most;
+  }
+
+  /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
   void split(const Cell& cell) {
-    int a = 0, b = 1;
-    double longest = 0;
-    for (int v = 0; v < 4; ++v) {
-      for (int w = v + 1; w < 4; ++w) {
-        const double d = space::length(cell.corner[v] - cell.corner[w]);
-        if (d > longest) longest = d, a = v, b = w;
+    std::size_t a = 0, b = 1;
+    double longest = 0, greatest = 0x1p-46 * best_;
+    for (std::size_t v = 0; v < 4; ++v) {
+      for (std::size_t w = v + 1; w < 4; ++w) {
+        const double d = space::length(cell.corner[v] - cell.corner[w]), bent = bend(cell, v, w);
+        if (bent > greatest) {
+          greatest = bent, longest = exact::kInfinity, a = v, b = w;
+        } else if (d > longest) {
+          longest = d, a = v, b = w;
+        }
       }
     }
     const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
-    for (const int moved : {a, b}) {
+    for (const std::size_t moved : {a, b}) {
       std::array<Vector, 4> corner = cell.corner;
       corner[moved] = middle;
       add(corner, cell.parts, cell.bound);

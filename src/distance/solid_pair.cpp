@@ -92,6 +92,11 @@ const SolidPair::Fit& SolidPair::fit(const Side& side) const {
 }
 
 std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVector& p) const {
+  if (side.fixed->convex() && side.fixed->parts[0].core && side.fixed->round()) {
+    // Inside an offset polytope both distances agree; outside the nearest fit is not known, so fit() refuses.
+    const SolidValue v = sticking_out(side, p);
+    if (v.value.sign() <= 0) return v;
+  }
   const Fit& f = fit(side);
   if (f.balls) {
     const auto q = f.balls->nearest(p);
@@ -147,8 +152,17 @@ SolidValue SolidPair::round_gap(const RealVector& p) const {
     }
   }
   const bool one_pair = a_->parts.size() == 1 && b_->parts.size() == 1;
+  const auto is_ball = [](const BodyPart& part) { return !part.core; };
+  if (!one_pair && best->value.sign() < 0 && std::all_of(a_->parts.begin(), a_->parts.end(), is_ball) &&
+      std::all_of(b_->parts.begin(), b_->parts.end(), is_ball)) {
+    std::vector<space::Ball> balls;
+    for (const BodyPart& t : a_->parts) {
+      for (const BodyPart& s : b_->parts) balls.push_back({real(t.center - s.center), t.radius + s.radius});
+    }
+    return signed_value(p, nearest_outside(balls, p), -1);
+  }
   if (!one_pair && best->value.sign() < 0)
-    fail("the penetration depth of several parts of which some are round is not computed");
+    fail("the penetration depth of a union of round parts that are not all balls is not computed");
   return *best;
 }
 

@@ -112,9 +112,7 @@ SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<S
   return out;
 }
 
-int SpaceSolver::sign(const SignMap& wanted, const RealVector& p) const {
-  if (wanted.minimum) return least(wanted.distance).at.mark(p) != 0 ? 0 : 1;
-  const auto v = value(wanted.distance, p);
+int SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v) const {
   if (!v) return 1;
   if (v->lowest) return -1;
   const Real level = wanted.level / world_.step;
@@ -132,13 +130,18 @@ int SpaceSolver::sign(const SignMap& wanted, const RealVector& p) const {
 SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& position) const {
   const RealVector p = space::scaled(Real(1) / world_.step, position);
   std::vector<std::int8_t> signs;
-  for (const SignMap& m : formula.sign_maps()) signs.push_back(static_cast<std::int8_t>(sign(m, p)));
+  std::vector<std::optional<SolidValue>> values;
+  for (const SignMap& m : formula.sign_maps()) {
+    values.push_back(value(m.distance, p));
+    const int s = m.minimum ? least(m.distance).at.mark(p) == 0 : sign(m, values.back());
+    signs.push_back(static_cast<std::int8_t>(s));
+  }
   Check out;
   out.holds = evaluate(formula, signs);
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
     out.atoms.push_back(
-        {atom, shown(atom.distance, value(atom.distance, p)), holds(atom, signs[formula.sign_map_of(k)])});
+        {atom, shown(atom.distance, values[formula.sign_map_of(k)]), holds(atom, signs[formula.sign_map_of(k)])});
   }
   return out;
 }
@@ -213,8 +216,11 @@ std::optional<SpaceSolver::ConvexMap> SpaceSolver::feasible_convex(const Formula
 std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) const {
   for (const SignMap& m : formula.sign_maps()) {
     if (!m.minimum) continue;
-    const BoxPair::Least found = least(m.distance);
-    return SpaceOptimum{found.value * world_.step, false, true, found.at};
+    BoxPair::Least found = least(m.distance);
+    SpaceOptimum out;
+    if (!found.at.empty()) out.value = found.value * world_.step, out.attained = true;
+    out.at = std::move(found.at);
+    return out;
   }
   return std::nullopt;
 }

@@ -103,7 +103,8 @@ class SpaceSolver {
   Named named(const Distance& distance) const;
   std::optional<distance::SolidValue> value(const Distance& distance, const space::RealVector& p) const;
   SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
-  int sign(const SignMap& map, const space::RealVector& p) const;
+  /// The sign of a distance minus its level, given its value.
+  int sign(const SignMap& map, const std::optional<distance::SolidValue>& value) const;
   space::BoxComplex sign_map(const SignMap& map) const;
   distance::BoxPair::Least least(const Distance& distance) const;
 

@@ -125,18 +125,29 @@ std::optional<RealVector> BallMeet::nearest(const RealVector& p) const {
   }
 }
 
-std::optional<RealVector> BallMeet::farthest(const RealVector& p) const {
-  const int n = static_cast<int>(balls_.size());
-  if (balls_.size() > kMostBalls) {
-    throw Error(ErrorCode::kUnsupported, "the farthest position of a polytope of more than " +
-                                             std::to_string(kMostBalls) + " vertices in a ball is not computed");
+namespace {
+
+/// A point on up to three spheres, given by their numbers.
+struct Candidate {
+  double distance = 0;
+  RealVector at;
+  std::vector<int> on;
+  bool is_on(int ball) const { return std::find(on.begin(), on.end(), ball) != on.end(); }
+};
+
+/// Where the distance from p is extreme on one, two or three of the spheres, the least first.
+std::vector<Candidate> candidates(const std::vector<Ball>& balls, const RealVector& p) {
+  if (balls.size() > BallMeet::kMostBalls) {
+    throw Error(ErrorCode::kUnsupported, "more than " + std::to_string(BallMeet::kMostBalls) +
+                                             " balls (or vertices of a polytope in a ball) are not computed");
   }
-  std::vector<std::pair<double, std::pair<RealVector, std::vector<int>>>> found;
+  std::vector<Candidate> found;
   const auto look = [&](const std::vector<int>& ids) {
     std::vector<const Ball*> on;
-    for (const int i : ids) on.push_back(&balls_[i]);
-    for (RealVector& q : extreme_points(on, p)) found.push_back({distance(q, p), {std::move(q), ids}});
+    for (const int i : ids) on.push_back(&balls[std::size_t(i)]);
+    for (RealVector& q : extreme_points(on, p)) found.push_back({distance(q, p), std::move(q), ids});
   };
+  const int n = static_cast<int>(balls.size());
   for (int i = 0; i < n; ++i) {
     look({i});
     for (int j = i + 1; j < n; ++j) {
@@ -144,16 +155,38 @@ std::optional<RealVector> BallMeet::farthest(const RealVector& p) const {
       for (int k = j + 1; k < n; ++k) look({i, j, k});
     }
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for (const auto& [d, candidate] : found) {
-    const auto& [q, ids] = candidate;
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  return found;
+}
+
+}  // namespace
+
+std::optional<RealVector> BallMeet::farthest(const RealVector& p) const {
+  const std::vector<Candidate> found = candidates(balls_, p);
+  for (auto c = found.rbegin(); c != found.rend(); ++c) {
     bool common = true;
-    for (int i = 0; common && i < n; ++i) {
-      common = std::find(ids.begin(), ids.end(), i) != ids.end() ? balls_[i].radius.sign() >= 0 : holds(i, q);
-    }
-    if (common) return q;
+    for (int i = 0; common && i < static_cast<int>(balls_.size()); ++i)
+      common = c->is_on(i) ? balls_[std::size_t(i)].radius.sign() >= 0 : holds(i, c->at);
+    if (common) return c->at;
   }
   return std::nullopt;
+}
+
+RealVector nearest_outside(const std::vector<Ball>& balls, const RealVector& p) {
+  const auto free = [&](const RealVector& q, const Candidate* c) {
+    for (int i = 0; i < static_cast<int>(balls.size()); ++i) {
+      if (c != nullptr && c->is_on(i)) continue;
+      const RealVector off = minus(q, balls[std::size_t(i)].center);
+      if (dot(off, off) < balls[std::size_t(i)].radius * balls[std::size_t(i)].radius) return false;
+    }
+    return true;
+  };
+  if (free(p, nullptr)) return p;
+  for (const Candidate& c : candidates(balls, p)) {
+    if (free(c.at, &c)) return c.at;
+  }
+  throw Error(ErrorCode::kUnsupported, "the way out of the balls is not found");
 }
 
 }  // namespace findspace::space

@@ -39,4 +39,8 @@ class BallMeet {
   std::vector<Ball> balls_;
 };
 
+/// The point nearest to p that no ball holds in its interior. Throws Error(kUnsupported) for more than
+/// BallMeet::kMostBalls balls.
+RealVector nearest_outside(const std::vector<Ball>& balls, const RealVector& p);
+
 }  // namespace findspace::space

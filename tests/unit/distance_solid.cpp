@@ -111,6 +111,19 @@ TEST(SolidPair, BallCoversBox) {
   EXPECT_NEAR(value(exact, Which::kDelta1, place(3, 4, 12)), 13, 1e-12);  // no sign: test
 }
 
+TEST(SolidPair, DepthInAUnionOfBalls) {
+  // Positions: two balls of radius 5 with centres 6 apart; from the middle the way out is to the circle of radius 4.
+  Body two = ball(-3, 0, 0, 4);
+  two.parts.push_back({std::nullopt, {3, 0, 0}, Real(4)});
+  const SolidPair pair(shared(ball(0, 0, 0, 1)), shared(std::move(two)));
+  EXPECT_NEAR(value(pair, Which::kGamma1, place(0, 0, 0)), -4, 1e-12);              // no sign: test
+  EXPECT_NEAR(value(pair, Which::kGamma1, place(0, 3, 0)), -1, 1e-12);              // no sign: test
+  EXPECT_NEAR(value(pair, Which::kGamma1, place(-3, 0, 0)), -5, 1e-12);             // no sign: test
+  EXPECT_NEAR(value(pair, Which::kGamma1, place(1, 0, 0)), -std::sqrt(17), 1e-12);  // no sign: test
+  EXPECT_NEAR(value(pair, Which::kGamma1, place(6, 0, 0)), -2, 1e-12);              // no sign: test
+  EXPECT_EQ(pair.value(Which::kGamma1, place(0, 0, 4))->value.sign(), 0);
+}
+
 TEST(SolidPair, ChannelOfExactWidth) {
   const std::vector<space::Corners> channel{
       {{{0, 0, 0}, {1, 6, 4}}}, {{{2, 0, 0}, {3, 6, 4}}}, {{{0, 0, -1}, {3, 6, 0}}}};
