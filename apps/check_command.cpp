@@ -8,6 +8,7 @@
 #include "plane/measure_cells_twofold.h"
 #include "report.h"
 #include "session.h"
+#include "space_commands.h"
 
 namespace findspace::app {
 namespace {
@@ -26,9 +27,13 @@ std::string picture(const Session& session, const situation::World& world, const
 }  // namespace
 
 Outcome run_check(const Options& options, Talk& talk) {
-  if (!options.at) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y");
-  check_outputs(options, {".svg", ".json"});
+  if (!options.at) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
   const Session session(options, talk);
+  if (session.in_space()) {
+    session.require_positions_in_space();
+    return check_space(session);
+  }
+  check_outputs(options, {".svg", ".json"});
   session.require_positions(true);
   const exact::RealPoint at = session.position();
   const situation::Formula formula = session.where();
@@ -45,8 +50,12 @@ Outcome run_check(const Options& options, Talk& talk) {
 }
 
 Outcome run_measure(const Options& options, Talk& talk) {
-  check_outputs(options, {".svg", ".json"});
   const Session session(options, talk);
+  if (session.in_space()) {
+    session.require_positions_in_space();
+    return measure_space(session);
+  }
+  check_outputs(options, {".svg", ".json"});
   session.require_positions(true);
   const exact::RealPoint at = session.position();
   const situation::Solver solver(session.world());

@@ -8,6 +8,7 @@
 #include "io/write_wkt.h"
 #include "report.h"
 #include "session.h"
+#include "space_commands.h"
 
 namespace findspace::app {
 namespace {
@@ -32,9 +33,10 @@ std::string wkt(const Session& session, const plane::Region& region) {
 }  // namespace
 
 Outcome run_describe(const Options& options, Talk& talk) {
-  check_outputs(options, {".svg", ".wkt", ".json"});
   const Session session(options, talk);
   const std::string name = chosen_shape(session);
+  if (session.in_space()) return describe_space(session, name);
+  check_outputs(options, {".svg", ".wkt", ".json"});
   const plane::Region region = session.region(name);
   const plane::Summary summary = plane::summarize(region, session.step());
   const auto json = [&] { return io::region_json(region, summary, session.step(), session.unit()); };

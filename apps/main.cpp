@@ -69,7 +69,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_flag("--json", o.json, "the result as JSON on standard output");
   if (is(verb, "check") || is(verb, "measure") || is(verb, "phi")) {
     command.add_option("--at", o.at, "the position, decimals taken exactly")
-        ->type_name(is(verb, "phi") ? "X,Y,Z" : "X,Y");
+        ->type_name(is(verb, "phi") ? "X,Y,Z" : "X,Y[,Z]");
   }
   if (is(verb, "map")) {
     command.add_option("--apply", o.apply, "an operation on the region")

@@ -9,6 +9,7 @@
 #include "plane/topology.h"
 #include "report.h"
 #include "session.h"
+#include "space_commands.h"
 
 namespace findspace::app {
 namespace {
@@ -63,6 +64,11 @@ std::string title(const Session& session) {
   return apply.empty() ? out : fmt::format("{}, {}", out, apply);
 }
 
+void require_question(const Session& session) {
+  if (!session.scene().where.empty() || session.goal()) return;
+  throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", session.scene().file);
+}
+
 Outcome map_of_line(const Session& session, const plane::Region& region) {
   const io::Free& free = session.scene().free;
   const auto intervals =
@@ -102,8 +108,13 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
 }  // namespace
 
 Outcome run_map(const Options& options, Talk& talk) {
-  check_outputs(options, {".svg", ".wkt", ".json"});
   const Session session(options, talk);
+  if (session.in_space()) {
+    session.require_positions_in_space();
+    require_question(session);
+    return map_space(session);
+  }
+  check_outputs(options, {".svg", ".wkt", ".json"});
   const bool line = session.scene().free.kind == io::Free::Kind::kLine;
   if (line) check_outputs(options, {".json"});
   if (line && !options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line");
@@ -111,9 +122,7 @@ Outcome run_map(const Options& options, Talk& talk) {
   const io::Scene& scene = session.scene();
   if (line && session.goal())
     throw Error(ErrorCode::kUnsupported, "an objective on a line is not computed", scene.file);
-  if (scene.where.empty() && !session.goal()) {
-    throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene.file);
-  }
+  require_question(session);
   const situation::Formula formula = session.where();
   const situation::Solver solver(session.world());
   const Map map = solve(session, solver, formula);

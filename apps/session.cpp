@@ -105,6 +105,16 @@ void Session::require_positions(bool line) const {
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
 }
 
+void Session::require_positions_in_space() const {
+  auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::kUnsupported, what + " is not computed in 3D", scene_.file);
+  };
+  if (scene_.motion.given()) refuse("a scene with \"motion\"");
+  if (scene_.free.kind != io::Free::Kind::kPosition) refuse("this kind of \"free\"");
+  if (scene_.moving.empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
+}
+
 situation::Context Session::context() const {
   situation::Context context;
   for (const plane::ShapePtr& s : scene_.shapes) context.shapes.push_back(s->name);
@@ -150,19 +160,33 @@ situation::World Session::world() const {
 }
 
 exact::RealPoint Session::position() const {
-  if (!options_.at) return {};
+  const std::vector<Real> p = coordinates(2, "two decimal numbers x,y");
+  return {p[0], p[1]};
+}
+
+std::array<Real, 3> Session::position_in_space() const {
+  const std::vector<Real> p = coordinates(3, "three decimal numbers x,y,z");
+  return {p[0], p[1], p[2]};
+}
+
+/// The numbers of --at, `count` of them; zeros without it.
+std::vector<Real> Session::coordinates(std::size_t count, const char* wanted) const {
+  std::vector<Real> out;
+  if (!options_.at) return std::vector<Real>(count);
   const std::string& text = *options_.at;
   try {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos) throw Error(ErrorCode::kSyntax, "one number");
-    exact::RealPoint p{Real::parse_decimal(text.substr(0, comma)), Real::parse_decimal(text.substr(comma + 1))};
-    scene_.grid.steps(p.x);  // throws where it is too far out
-    scene_.grid.steps(p.y);
-    return p;
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(',', begin), text.size());
+      out.push_back(Real::parse_decimal(text.substr(begin, end - begin)));
+      scene_.grid.steps(out.back());  // throws where it is too far out
+      begin = end + 1;
+    }
+    if (out.size() != count) throw Error(ErrorCode::kSyntax, "too few or too many numbers");
+    return out;
   } catch (const Error& e) {
     if (e.code() == ErrorCode::kOutOfRange)
       throw Error(ErrorCode::kUsage, fmt::format("--at {}: {}", text, e.message()));
-    throw Error(ErrorCode::kUsage, fmt::format("--at wants two decimal numbers x,y, not '{}'", text));
+    throw Error(ErrorCode::kUsage, fmt::format("--at wants {}, not '{}'", wanted, text));
   }
 }
 

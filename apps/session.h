@@ -4,6 +4,7 @@
 // What the verbs share: the scene, its shapes as regions, its formula, and the files that results go to.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -46,8 +47,12 @@ class Session {
   situation::World world() const;
   /// Throws where the scene asks for more than positions in the plane (or on a line of it, if `line`).
   void require_positions(bool line) const;
+  /// Throws where a 3D scene asks for more than positions of one moving shape.
+  void require_positions_in_space() const;
+  bool in_space() const { return scene_.dimension == 3; }
   /// --at, or (0, 0), in the scene's unit.
   exact::RealPoint position() const;
+  std::array<exact::Real, 3> position_in_space() const;
 
   /// The moving shapes of a picture, and the fixed ones of which the formula speaks (all without one). The regions are
   /// those of `world`.
@@ -55,6 +60,7 @@ class Session {
 
  private:
   situation::Context context() const;
+  std::vector<exact::Real> coordinates(std::size_t count, const char* wanted) const;
   std::vector<plane::Region> regions(const std::vector<plane::ShapePtr>& shapes) const;
 
   const Options& options_;

@@ -13,12 +13,12 @@
 #include "plane/topology.h"
 #include "situation/evaluate.h"
 #include "situation/text.h"
+#include "situation/which.h"
 
 namespace findspace::situation {
 
 using distance::ShapePair;
 using distance::TDistancePointer;
-using distance::Which;
 using exact::Real;
 using exact::RealPoint;
 using plane::CellComplex;
@@ -26,30 +26,10 @@ using plane::Mark;
 
 namespace {
 
-/// For a distance whose first shape moves, unless `second_moves`.
-Which which(Kind kind, bool second_moves) {
-  switch (kind) {
-    case Kind::kGamma1: return Which::kGamma1;
-    case Kind::kGamma2: return Which::kGamma2;
-    case Kind::kEta1: return Which::kEta1;
-    case Kind::kEta2: return Which::kEta2;
-    case Kind::kDelta1: return Which::kDelta1;
-    case Kind::kDelta2: return Which::kDelta2;
-    case Kind::kMu: return second_moves ? Which::kMuBack : Which::kMu;
-    case Kind::kHausdorff: return Which::kHausdorff;
-    case Kind::kD1: return Which::kD1;
-    case Kind::kD2: return Which::kGamma2;
-    case Kind::kH: return second_moves ? Which::kHBack : Which::kH;
-    case Kind::kDstar: return second_moves ? Which::kDstarBack : Which::kDstar;
-    case Kind::kDiameter: return Which::kDiameter;
-    case Kind::kPenetration: return Which::kPenetration;
-  }
-  return Which::kGamma1;
-}
-
 void require_plain(const Distance& d) {
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone)
-    throw Error(ErrorCode::kUnsupported, text(d) + ": distances along a direction, in rotation or over time are not computed by this version");
+    throw Error(ErrorCode::kUnsupported,
+                text(d) + ": distances along a direction, in rotation or over time are not computed by this version");
 }
 
 }  // namespace
@@ -87,7 +67,8 @@ std::shared_ptr<const ShapePair> Solver::pair(const Names& names) const {
 TDistancePointer Solver::distance(const Distance& wanted) const {
   Distance d = moving_first(wanted, world_.moving);
   require_plain(d);
-  bool second = d.first.empty() || std::find(world_.moving.begin(), world_.moving.end(), d.first[0]) == world_.moving.end();
+  bool second =
+      d.first.empty() || std::find(world_.moving.begin(), world_.moving.end(), d.first[0]) == world_.moving.end();
   if (second) std::swap(d.first, d.second);
   return pair({d.first, d.second})->distance(which(d.kind, second));
 }

@@ -13,6 +13,7 @@
 #include "space/half_spaces.h"
 #include "space/mesh.h"
 #include "space/partition.h"
+#include "space/polytope_sets.h"
 #include "space/triangulate.h"
 
 namespace findspace::space {
@@ -118,7 +119,8 @@ ConvexParts from_cells(const std::vector<std::vector<Plane>>& half_spaces) {
     try {
       result.parts.push_back(Polytope::hull(points));
     } catch (const Error&) {
-      // A cell without volume: of a mesh that crosses itself, or made flat by rounding. The volume check has the last word.
+      // A cell without volume: of a mesh that crosses itself, or made flat by rounding. The volume check has the last
+      // word.
       continue;
     }
   }
@@ -266,11 +268,33 @@ ConvexParts moved_by(ConvexParts parts, const Point& t) {
   return parts;
 }
 
+/// a n b n .., or the closure of a without the others.
+ConvexParts clipped(const plane::Shape& shape) {
+  ConvexParts result = convex_parts(*shape.children[0]);
+  for (std::size_t i = 1; i < shape.children.size(); ++i) {
+    const ConvexParts other = convex_parts(*shape.children[i]);
+    const std::int64_t scale = std::lcm(result.scale, other.scale);
+    const std::vector<Polytope> a = at_scale(result, scale), b = at_scale(other, scale);
+    ConvexParts next =
+        from_cells(shape.kind == Kind::kIntersection ? intersection_cells(a, b) : difference_cells(a, b));
+    if (next.parts.empty()) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
+    next.scale *= scale;
+    next.rounded += result.rounded + other.rounded;
+    next.moved = std::max({next.moved / static_cast<double>(scale), result.moved, other.moved});
+    result = std::move(next);
+  }
+  return result;
+}
+
 ConvexParts node_parts(const plane::Shape& shape) {
   if (const Solid* solid = solid_of(shape)) return solid_parts(*solid);
   switch (shape.kind) {
     case Kind::kUnion:
       return all_children(shape);
+    case Kind::kIntersection:
+    case Kind::kDifference:
+      return clipped(shape);
+    case Kind::kInterior:
     case Kind::kRegularize:
     case Kind::kClosure:
       return convex_parts(*shape.children[0]);

@@ -12,17 +12,6 @@ namespace {
 
 using exact::Real;
 
-Real dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-RealVector minus(const RealVector& a, const RealVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-RealVector real(const Point& p) { return {Real(p.x), Real(p.y), Real(p.z)}; }
-RealVector real(const Wide3& n) { return {Real(n.x), Real(n.y), Real(n.z)}; }
-RealVector cross(const RealVector& a, const RealVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-RealVector along(const RealVector& p, const Real& t, const RealVector& e) {
-  return {p[0] + t * e[0], p[1] + t * e[1], p[2] + t * e[2]};
-}
-
 /// The value of the plane of one facet at u, and the squared length of its normal.
 struct Level {
   Real value, square;
@@ -60,8 +49,6 @@ Real squared_distance_to(const PhiFunction& phi, int f, const RealVector& u) {
 }
 
 }  // namespace
-
-Vector rounded(const RealVector& u) { return {u[0].to_double(), u[1].to_double(), u[2].to_double()}; }
 
 PhiAt phi_at(const PhiFunction& phi, const RealVector& u) {
   const Vector near = rounded(u);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// One Phi-function at one position, exactly: the position is given by real numbers (the decimals of a scene or of --at),
-// not by doubles. Guarantee: state and active facets are exact; the value and the distance are the exact ones with a
-// relative error of 2^-50, also next to contact, where doubles cancel. Cost: a filter over all facets, then exact
-// arithmetic for the few facets that compete.
+// One Phi-function at one position, exactly: the position is given by real numbers (the decimals of a scene or of
+// --at), not by doubles. Guarantee: state and active facets are exact; the value and the distance are the exact ones
+// with a relative error of 2^-50, also next to contact, where doubles cancel. Cost: a filter over all facets, then
+// exact arithmetic for the few facets that compete.
 #pragma once
 
 #include <array>
@@ -12,13 +12,9 @@
 
 #include "exact/real.h"
 #include "space/phi_function.h"
+#include "space/real_vector.h"
 
 namespace findspace::space {
-
-/// A position in grid steps.
-using RealVector = std::array<exact::Real, 3>;
-
-Vector rounded(const RealVector& u);
 
 struct PhiAt {
   State state = State::kContact;

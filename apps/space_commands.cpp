@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "space_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/draw_space.h"
+#include "io/write_json_space.h"
+#include "plane/parallel.h"
+#include "space_report.h"
+
+namespace findspace::app {
+namespace {
+
+using exact::Real;
+
+constexpr const char* kSurfaces[] = {".obj", ".off", ".stl", ".svg"};
+
+std::vector<std::string> formats() {
+  std::vector<std::string> out{".json"};
+  out.insert(out.end(), std::begin(kSurfaces), std::end(kSurfaces));
+  return out;
+}
+
+/// JSON, and the surface in every format.
+Writers writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title) {
+  Writers out{{".json", std::move(json)}};
+  for (const char* ending : kSurfaces) out.emplace(ending, [=] { return io::surface_text(surface(), title, ending); });
+  return out;
+}
+
+void note_rounding(const Session& session, const std::string& name, const situation::SpaceShape& shape) {
+  if (!shape.body || shape.body->rounded == 0) return;
+  session.talk().note(
+      fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}", name,
+                  shape.body->rounded, shape.body->moved * session.scene().grid.step_size(), session.unit()));
+}
+
+situation::SpaceWorld world_of(const Session& session) {
+  session.talk().stage("building the shapes");
+  const io::Scene& scene = session.scene();
+  std::vector<situation::SpaceShape> built(scene.shapes.size());
+  plane::parallel_for(built.size(), [&](std::size_t k) { built[k] = situation::space_shape(*scene.shapes[k]); });
+  situation::SpaceWorld world;
+  for (std::size_t k = 0; k < built.size(); ++k) {
+    note_rounding(session, scene.shapes[k]->name, built[k]);
+    world.shapes.emplace(scene.shapes[k]->name, std::move(built[k]));
+  }
+  world.moving = scene.moving;
+  world.step = session.step();
+  return world;
+}
+
+/// The region among the shapes that have boxes; the moving ones stand at a sample position.
+std::string picture(const Session& session, const situation::SpaceWorld& world, const space::BoxComplex& region,
+                    const space::SpaceSummary& summary, std::string title) {
+  io::SpacePicture p{std::move(title), session.scene().where.text, session.unit(), &region, {}, {}, session.step()};
+  for (const auto& [name, shape] : world.shapes) {
+    if (!shape.boxes) continue;
+    if (std::find(world.moving.begin(), world.moving.end(), name) == world.moving.end()) {
+      p.fixed.push_back(*shape.boxes);
+    } else if (!summary.components.empty()) {
+      space::RealVector by;
+      for (std::size_t k = 0; k < 3; ++k) by[k] = Real::from_double(summary.components[0].sample[k]) / session.step();
+      p.moving.push_back(shape.boxes->translated(by));
+    }
+  }
+  return io::space_svg(p);
+}
+
+std::string where_text(const space::RealVector& at) {
+  return fmt::format("({}, {}, {})", at[0].to_double(), at[1].to_double(), at[2].to_double());
+}
+
+std::string title_of(const Session& session) {
+  return fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
+}
+
+/// The polytope as a closed set.
+space::ConvexSet whole(const space::Polytope& p) {
+  space::Body body;
+  body.parts.push_back({p, {}, Real()});
+  const space::Bounds3 box = space::bounds(body);
+  space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, true, false};
+  for (const space::Plane& plane : p.planes()) set.region.cut(space::HalfSpace(plane));
+  return set;
+}
+
+Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const Real& step,
+                         const std::string& title) {
+  const Options& options = session.options();
+  const space::SpaceSummary summary = space::summarize(set, step);
+  const auto json = [&] { return io::space_json(set, summary, step, session.unit()); };
+  const auto surface = [&] { return io::convex_surface(set, step); };
+  write_outputs(options, writers(json, surface, title));
+  return {options.json ? json() : space_summary_text(title, summary, session.unit(), nullptr),
+          summary.empty ? kEmpty : kDone};
+}
+
+}  // namespace
+
+Outcome map_space(const Session& session) {
+  const Options& options = session.options();
+  check_outputs(options, formats());
+  const situation::Formula formula = session.where();
+  const auto goal = session.goal();
+  const situation::SpaceSolver solver(world_of(session));
+  session.talk().stage("solving");
+  if (!goal && options.apply.empty() && !solver.axis_parallel()) {
+    if (const auto convex = solver.feasible_convex(formula)) {
+      return polytope_outcome(session, convex->set, convex->step, title_of(session));
+    }
+  }
+  space::BoxComplex region = solver.feasible(formula);
+  std::optional<io::ExtremeValue> extreme;
+  if (goal) {
+    const bool greatest = goal->sense == distance::Sense::kMaximum;
+    situation::SpaceOptimum best = solver.optimize(region, goal->objective, goal->sense);
+    extreme = io::ExtremeValue{greatest, best.value ? std::optional(best.value->to_double()) : std::nullopt,
+                               best.unbounded, best.attained, true};
+    region = std::move(best.at);
+  } else if (const auto least = solver.minimum_of(formula)) {
+    extreme = io::ExtremeValue{false, least->value->to_double(), false, true, true};
+  }
+  if (options.apply == "interior") region = region.interior();
+  if (options.apply == "closure") region = region.closure();
+  if (options.apply == "regularize") region = region.interior().closure();
+  if (options.apply == "complement") region = region.complement();
+  if (options.apply == "boundary") {
+    const space::BoxComplex closed = region.closure(), open = region.interior();
+    region = overlay(std::array<const space::BoxComplex*, 2>{&closed, &open},
+                     [](std::span<const space::Mark> m) { return space::Mark(m[0] && !m[1]); });
+  }
+  region = region.simplified();
+  const space::SpaceSummary summary = space::summarize(region, session.step());
+  const io::ExtremeValue* shown = extreme ? &*extreme : nullptr;
+  const std::string title = title_of(session);
+  const auto json = [&] { return io::space_json(region, summary, session.step(), session.unit(), shown); };
+  session.talk().stage("writing");
+  Writers all = writers(
+      json, [&] { return io::box_surface(region, session.step()); }, title);
+  all[".svg"] = [&] { return picture(session, solver.world(), region, summary, title); };
+  write_outputs(options, all);
+  return {options.json ? json() : space_summary_text(title, summary, session.unit(), shown),
+          summary.empty ? kEmpty : kDone};
+}
+
+Outcome check_space(const Session& session) {
+  const Options& options = session.options();
+  check_outputs(options, {".json"});
+  const space::RealVector at = session.position_in_space();
+  const situation::Formula formula = session.where();
+  const situation::SpaceSolver solver(world_of(session));
+  session.talk().stage("checking");
+  const situation::SpaceSolver::Check check = solver.check(formula, at);
+  const auto json = [&] { return io::space_check_json(check, at, session.unit()); };
+  write_outputs(options, {{".json", json}});
+  return {options.json ? json() : space_check_text(check, where_text(at), session.unit()),
+          check.holds ? kDone : kEmpty};
+}
+
+Outcome measure_space(const Session& session) {
+  const Options& options = session.options();
+  check_outputs(options, {".json"});
+  const space::RealVector at = session.position_in_space();
+  const situation::SpaceSolver solver(world_of(session));
+  session.talk().stage("measuring");
+  const std::vector<situation::SpaceDistanceAt> distances = solver.measure(at);
+  for (const auto& d : distances) {
+    if (!d.refused.empty()) session.talk().note(d.text + ": " + d.refused);
+  }
+  const auto json = [&] { return io::space_measure_json(distances, at, session.unit()); };
+  write_outputs(options, {{".json", json}});
+  return {options.json ? json() : space_measure_text(distances, where_text(at), session.unit()), kDone};
+}
+
+Outcome describe_space(const Session& session, const std::string& name) {
+  const Options& options = session.options();
+  check_outputs(options, formats());
+  session.talk().stage(fmt::format("shape {}", name));
+  const situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
+  note_rounding(session, name, shape);
+  if (!shape.boxes && shape.body->convex() && shape.body->parts[0].core && !shape.body->round()) {
+    return polytope_outcome(session, whole(shape.body->parts[0].core.value()), session.step() / Real(shape.body->scale),
+                            name);
+  }
+  if (!shape.boxes) {
+    throw Error(ErrorCode::kUnsupported,
+                "in 3D convex polytopes and shapes whose faces are all parallel to the axes are described",
+                session.scene().shape(name)->place);
+  }
+  const space::SpaceSummary summary = space::summarize(*shape.boxes, session.step());
+  const auto json = [&] { return io::space_json(*shape.boxes, summary, session.step(), session.unit()); };
+  write_outputs(options, writers(
+                             json, [&] { return io::box_surface(*shape.boxes, session.step()); }, name));
+  return {options.json ? json() : space_summary_text(name, summary, session.unit(), nullptr),
+          summary.empty ? kEmpty : kDone};
+}
+
+}  // namespace findspace::app

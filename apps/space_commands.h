@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The verbs map, check, measure and describe for 3D scenes: the same options and the same results as in the plane, one
+// dimension higher. Each is called by its verb once the scene is read and known to be 3D.
+#pragma once
+
+#include "session.h"
+
+namespace findspace::app {
+
+Outcome map_space(const Session& session);
+Outcome check_space(const Session& session);
+Outcome measure_space(const Session& session);
+Outcome describe_space(const Session& session, const std::string& shape);
+
+}  // namespace findspace::app

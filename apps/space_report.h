@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Results of 3D scenes as text for people, as report.h does in the plane.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/write_json.h"
+#include "situation/solve_space.h"
+#include "space/box_summary.h"
+
+namespace findspace::app {
+
+/// `extreme` may be null.
+std::string space_summary_text(std::string_view title, const space::SpaceSummary& summary, std::string_view unit,
+                               const io::ExtremeValue* extreme);
+std::string space_check_text(const situation::SpaceSolver::Check& check, std::string_view at, std::string_view unit);
+std::string space_measure_text(const std::vector<situation::SpaceDistanceAt>& distances, std::string_view at,
+                               std::string_view unit);
+
+}  // namespace findspace::app

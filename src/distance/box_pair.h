@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The positions of a moving shape B against a fixed shape A, both with axis-parallel faces, as exact sets
+// (distances.md 1.3, 1.4):
+//   X = A (+) -B,  U = (int A (+) -B) u (A (+) -int B),  E = (A^c (+) -B)^c,  int E = (cl(A^c) (+) -B)^c,
+//   D, int D: the same with the roles exchanged, reflected.
+// With them the sign map at level 0 of every distance, and the values of gamma1, eta1, delta1, eta2, delta2 at a
+// position: the shapes may have sheets, lines and points, and may be unbounded. Guarantee: exact. Other levels have
+// round fronts; where the '-' set is one box, levels below 0 have not and are exact too. Cost: pairs of boxes, painted
+// on one grid. Keywords: configuration space, slots, exact fit.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "distance/solid_pair.h"
+#include "space/box_complex.h"
+
+namespace findspace::distance {
+
+class BoxPair {
+ public:
+  /// Closed sets; B bounded.
+  BoxPair(space::BoxComplex b, space::BoxComplex a);
+
+  /// The sign of distance - level at every position; Error(kUnsupported) where that has no axis-parallel form.
+  space::BoxComplex sign_map(Which which, const exact::Real& level) const;
+  /// Whether value() answers for it.
+  static bool has_value(Which which);
+  std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
+
+  /// The least value of gamma1, eta1 or delta1 and where it is taken, if the '-' set is one box or empty.
+  struct Least {
+    exact::Real value;
+    space::BoxComplex at;
+  };
+  std::optional<Least> least(Which which) const;
+
+ private:
+  struct Signs {  // of gamma1, eta1 or delta1 at level 0
+    space::BoxComplex map;
+    std::vector<space::IntervalBox> closed, rest;  // where it is <= 0, and where it is >= 0
+    std::optional<space::IntervalBox> negative;    // the '-' set, if it is one open box
+    bool defined = true, has_negative = false;
+  };
+  const Signs& signs(Which base) const;
+  Signs made(Which base) const;
+  space::BoxComplex base_map(Which base, const exact::Real& level) const;
+  std::optional<SolidValue> signed_value(Which base, const space::RealVector& p) const;
+
+  space::BoxComplex b_, a_;
+  mutable std::array<std::once_flag, 3> once_;
+  mutable std::array<std::unique_ptr<Signs>, 3> signs_;
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/solid_pair.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+#include "distance/solid_mu.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::real;
+using space::RealVector;
+
+namespace {
+
+[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
+
+Real length(const RealVector& v) { return sqrt(space::dot(v, v)); }
+
+/// A signed distance whose zero set is nearest at q.
+SolidValue signed_value(const RealVector& p, const RealVector& q, int sign) {
+  const Real d = length(space::minus(q, p));
+  SolidValue out;
+  out.value = sign < 0 ? -d : d;
+  if (d.sign() != 0) out.nearest = q;
+  return out;
+}
+
+/// The value of a convex core with radius r around it; q is the nearest point of the core's frontier (or of the core).
+SolidValue with_radius(const RealVector& p, const RealVector& q, bool inside, const Real& r) {
+  const RealVector w = space::minus(p, q);
+  const Real d = length(w);
+  SolidValue out;
+  out.value = (inside ? -d : d) - r;
+  // The frontier lies r further out from q, on the line through p; at d = 0 the line is not known.
+  if (out.value.sign() != 0 && d.sign() != 0) out.nearest = space::along(q, (inside ? -r : r) / d, w);
+  return out;
+}
+
+SolidValue turned(SolidValue v) {
+  v.value = -v.value;
+  return v;
+}
+
+std::optional<SolidValue> cut_off(std::optional<SolidValue> v, bool negated) {
+  if (!v) return negated ? std::optional<SolidValue>(SolidValue{}) : std::nullopt;
+  if (negated) v->value = -v->value;
+  if (v->value.sign() < 0) v->value = Real();
+  return v;
+}
+
+}  // namespace
+
+SolidPair::SolidPair(std::shared_ptr<const Body> b, std::shared_ptr<const Body> a)
+    : b_(std::move(b)), a_(std::move(a)), outside_(a_->outside) {
+  if (outside_) {
+    auto parts = std::make_shared<Body>(*a_);
+    parts->outside = false;
+    a_ = std::move(parts);
+  }
+  forth_.moving = b_.get(), forth_.fixed = a_.get();
+  back_.moving = a_.get(), back_.fixed = b_.get();
+}
+
+const SolidPair::Fit& SolidPair::fit(const Side& side) const {
+  std::call_once(side.made, [&] {
+    auto made = std::make_unique<Fit>();
+    const Body &b = *side.moving, &a = *side.fixed;
+    if (a.convex() && !a.parts[0].core) {
+      std::vector<space::Ball> balls;
+      for (const BodyPart& part : b.parts) {
+        for (const space::Point& v : part.vertices())
+          balls.push_back({real(a.parts[0].center - v), a.parts[0].radius - part.radius});
+      }
+      made->balls.emplace(std::move(balls));
+    } else if (a.round()) {
+      fail("containment in a union of balls, or in an offset shape, is not computed");
+    } else if (b.round() && !a.convex()) {
+      fail("containment of a round shape in a shape that is not convex is not computed");
+    } else {
+      made->cells = space::outside_cells(a);
+      made->cover = space::outside_cover(b, made->cells);
+    }
+    side.fit = std::move(made);
+  });
+  return *side.fit;
+}
+
+std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVector& p) const {
+  const Fit& f = fit(side);
+  if (f.balls) {
+    const auto q = f.balls->nearest(p);
+    if (!q) return std::nullopt;
+    if (*q != p) return signed_value(p, *q, 1);
+    return sticking_out(side, p);  // inside E both distances agree
+  }
+  if (f.cover.covers(p)) {
+    const auto q = f.cover.nearest_uncovered(p);
+    return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
+  }
+  return signed_value(p, *f.cover.nearest_touching(p), -1);
+}
+
+std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
+  const Fit& f = fit(side);
+  std::optional<RealVector> q;
+  if (f.balls) {
+    q = f.balls->farthest(p);
+  } else {
+    const space::Bounds3 a = bounds(*side.fixed), b = bounds(*side.moving);
+    q = farthest_uncovered(f.cover, space::minus(a.low, b.low), space::minus(a.high, b.high), p);
+  }
+  if (!q) return std::nullopt;
+  SolidValue out;
+  out.value = length(space::minus(*q, p));
+  return out;
+}
+
+SolidValue SolidPair::gap(const RealVector& p) const {
+  if (a_->round() || b_->round()) return round_gap(p);
+  std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenCover>(overlap_cover(*b_, *a_)); });
+  if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_uncovered(p), -1);
+  return signed_value(p, *overlap_->nearest_touching(p), 1);
+}
+
+SolidValue SolidPair::round_gap(const RealVector& p) const {
+  std::optional<SolidValue> best;
+  for (const BodyPart& t : a_->parts) {
+    for (const BodyPart& s : b_->parts) {
+      const std::vector<space::HalfSpace> planes = space::difference_planes(t, s);
+      const Real r = t.radius + s.radius;
+      SolidValue v;
+      if (planes.empty()) {
+        v = with_radius(p, real(t.center - s.center), false, r);
+      } else {
+        space::OpenCover core;
+        core.add(space::everywhere(), planes);
+        const bool inside = core.covers(p);
+        v = with_radius(p, *(inside ? core.nearest_uncovered(p) : nearest_in(planes, p)), inside, r);
+      }
+      if (!best || v.value < best->value) best = std::move(v);
+    }
+  }
+  const bool one_pair = a_->parts.size() == 1 && b_->parts.size() == 1;
+  if (!one_pair && best->value.sign() < 0)
+    fail("the penetration depth of several parts of which some are round is not computed");
+  return *best;
+}
+
+SolidValue SolidPair::reach(const RealVector& p) const {
+  const space::Vector near = space::rounded(p);
+  double top = 0;
+  const auto each = [&](const auto& visit) {
+    for (const BodyPart& t : a_->parts) {
+      for (const BodyPart& s : b_->parts) {
+        const double r = (t.radius + s.radius).to_double();
+        for (const space::Point& v : t.vertices()) {
+          const space::Vector at = exact::shadow(v) - near;
+          for (const space::Point& w : s.vertices()) visit(t, s, v, w, space::length(at - exact::shadow(w)) + r);
+        }
+      }
+    }
+  };
+  each([&](const BodyPart&, const BodyPart&, const space::Point&, const space::Point&, double d) {
+    top = std::max(top, d);
+  });
+  std::optional<SolidValue> best;
+  each([&](const BodyPart& t, const BodyPart& s, const space::Point& v, const space::Point& w, double d) {
+    if (d < top * (1 - 0x1p-46)) return;
+    const RealVector a = real(v), b = space::plus(real(w), p), e = space::minus(a, b);
+    const Real core = length(e), value = core + t.radius + s.radius;
+    if (best && !(best->value < value)) return;
+    best = SolidValue{};
+    best->value = value;
+    if (core.sign() == 0) return;
+    best->points = {space::along(b, -(s.radius / core), e), space::along(a, t.radius / core, e)};
+  });
+  return *best;
+}
+
+SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p) const {
+  if (side.fixed->convex()) return stick_out_of_convex(*side.moving, side.fixed->parts[0], p);
+  if (side.fixed->round() || side.moving->round())
+    fail("the directed Hausdorff distance to a shape that is not convex is not computed for round shapes");
+  const auto inside = contained(side, p);
+  if (inside && inside->value.sign() <= 0) return *inside;
+  return stick_out_of_union(*side.moving, *side.fixed, p);
+}
+
+std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) const {
+  const RealVector q = space::negated(p);
+  // Exchanged roles see the position from the other side.
+  const auto seen_back = [](std::optional<SolidValue> v) {
+    if (v && v->nearest) v->nearest = space::negated(*v->nearest);
+    return v;
+  };
+  const auto points_back = [&](SolidValue v) {
+    if (v.points) v.points = {space::plus((*v.points)[1], p), space::plus((*v.points)[0], p)};
+    if (v.nearest) v.nearest = space::negated(*v.nearest);
+    return v;
+  };
+  switch (which) {
+    case Which::kGamma1:
+      return gap(p);
+    case Which::kGamma2:
+      return reach(p);
+    case Which::kEta1:
+      return contained(forth_, p);
+    case Which::kEta2:
+      return farthest_fit(forth_, p);
+    case Which::kDelta1:
+      return seen_back(contained(back_, q));
+    case Which::kDelta2:
+      return seen_back(farthest_fit(back_, q));
+    case Which::kMu:
+      return sticking_out(forth_, p);
+    case Which::kMuBack:
+      return points_back(sticking_out(back_, q));
+    case Which::kHausdorff: {
+      const SolidValue forth = sticking_out(forth_, p), back = points_back(sticking_out(back_, q));
+      return forth.value < back.value ? back : forth;
+    }
+    case Which::kD1:
+      return cut_off(gap(p), false);
+    case Which::kH:
+      return cut_off(sticking_out(forth_, p), false);
+    case Which::kHBack:
+      return cut_off(points_back(sticking_out(back_, q)), false);
+    case Which::kDstar:
+      return cut_off(seen_back(contained(back_, q)), true);
+    case Which::kDstarBack:
+      return cut_off(contained(forth_, p), true);
+    case Which::kPenetration:
+      return cut_off(gap(p), true);
+    case Which::kDiameter: {
+      SolidValue most = reach(p);
+      for (const Body* body : {a_.get(), b_.get()}) {
+        const Real own = diameter(*body);
+        if (most.value < own) most = SolidValue{own, true, false, {}, {}};
+      }
+      return most;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A is the closure of the complement of its parts: the dual distances of the parts (distances.md 3.1).
+std::optional<SolidValue> SolidPair::unbounded(Which which, const RealVector& p) const {
+  const auto gamma1 = [&]() -> std::optional<SolidValue> {
+    auto v = contained(forth_, p);
+    if (!v) return SolidValue{Real(), true, true, {}, {}};
+    return turned(*v);
+  };
+  const auto eta1 = [&] { return turned(gap(p)); };
+  const auto mu = [&]() -> SolidValue {
+    const SolidValue v = eta1();
+    if (v.value.sign() <= 0) return v;
+    fail("how far a shape sticks out of a complement is not computed");
+  };
+  switch (which) {
+    case Which::kGamma1:
+      return gamma1();
+    case Which::kEta1:
+      return eta1();
+    case Which::kMu:
+      return mu();
+    case Which::kH:
+      return cut_off(mu(), false);
+    case Which::kD1:
+      return cut_off(gamma1(), false);
+    case Which::kPenetration: {
+      auto v = gamma1();
+      return v->lowest ? std::nullopt : cut_off(std::move(v), true);
+    }
+    case Which::kDstarBack:
+      return cut_off(eta1(), true);
+    case Which::kDstar:
+      return SolidValue{};
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<SolidValue> SolidPair::value(Which which, const RealVector& p) const {
+  return outside_ ? unbounded(which, p) : bounded(which, p);
+}
+
+Real diameter(const Body& body) {
+  double top = 0;
+  const auto each = [&](const auto& visit) {
+    for (const BodyPart& t : body.parts) {
+      for (const BodyPart& s : body.parts) {
+        const double r = (t.radius + s.radius).to_double();
+        for (const space::Point& v : t.vertices()) {
+          for (const space::Point& w : s.vertices())
+            visit(t, s, v, w, space::length(exact::shadow(v) - exact::shadow(w)) + r);
+        }
+      }
+    }
+  };
+  each([&](const BodyPart&, const BodyPart&, const space::Point&, const space::Point&, double d) {
+    top = std::max(top, d);
+  });
+  Real best;
+  each([&](const BodyPart& t, const BodyPart& s, const space::Point& v, const space::Point& w, double d) {
+    if (d < top * (1 - 0x1p-46)) return;
+    const Real value = length(real(v - w)) + t.radius + s.radius;
+    if (best < value) best = value;
+  });
+  return best;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// All T-distances of a moving body B and a fixed body A of space at a position p (distances.md 3.1 to 3.4), with
+// witnesses.
+//   gamma1   sd(p; U, X): from the cover of the overlap set by differences of convex parts;
+//   eta1     sd(p; iE, E): from the cover of the complement of E by differences of cells outside A and parts of B;
+//   where A is
+//            one ball E is an intersection of balls;  delta1: eta1 with the roles exchanged, at -p;
+//   gamma2, eta2, delta2: the farthest vertex of X, E, D, flat and single pieces of E and D included;
+//   mu       the greatest signed distance to A of a point of B: at a vertex where A is convex, else by search
+//   (solid_mu.h).
+// Guarantee: signs exact, values right to 2^-40 relative, most of them exact numbers (`proven`). Where a distance is
+// not computed for a kind of body (see fail in the .cpp) Error(kUnsupported) says so. Lengths in the bodies' common
+// steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "distance/shape_pair.h"
+#include "space/ball_meet.h"
+#include "space/body.h"
+#include "space/position_covers.h"
+
+namespace findspace::distance {
+
+struct SolidValue {
+  exact::Real value;
+  bool proven = true;                        // the exact number; else within 2^-38 relative
+  bool lowest = false;                       // minus infinity (the value is 0 then)
+  std::optional<space::RealVector> nearest;  // signed distances: the nearest position where they are 0
+  /// The points of B + p and of A that take the distance, where it is one of points.
+  std::optional<std::array<space::RealVector, 2>> points;
+};
+
+class SolidPair {
+ public:
+  /// Both of one scale; B is not `outside`.
+  SolidPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a);
+
+  /// Nothing where the distance is undefined: +infinity.
+  std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
+
+ private:
+  /// "moving in fixed": E of a body in another, made when first needed.
+  struct Fit {
+    std::vector<space::OutsideCell> cells;
+    space::OpenCover cover;
+    std::optional<space::BallMeet> balls;
+  };
+  struct Side {  // one of the two as moving, the other as fixed
+    const space::Body* moving = nullptr;
+    const space::Body* fixed = nullptr;
+    mutable std::once_flag made;
+    mutable std::unique_ptr<Fit> fit;
+  };
+
+  const Fit& fit(const Side& side) const;
+  std::optional<SolidValue> contained(const Side& side, const space::RealVector& p) const;
+  std::optional<SolidValue> farthest_fit(const Side& side, const space::RealVector& p) const;
+  SolidValue gap(const space::RealVector& p) const;
+  SolidValue round_gap(const space::RealVector& p) const;
+  SolidValue reach(const space::RealVector& p) const;
+  SolidValue sticking_out(const Side& side, const space::RealVector& p) const;
+  std::optional<SolidValue> bounded(Which which, const space::RealVector& p) const;
+  std::optional<SolidValue> unbounded(Which which, const space::RealVector& p) const;
+
+  std::shared_ptr<const space::Body> b_, a_;  // a_ without its `outside`
+  bool outside_ = false;
+  Side forth_, back_;
+  mutable std::once_flag overlap_made_;
+  mutable std::unique_ptr<space::OpenCover> overlap_;
+};
+
+/// max |v - w| + radii over two points of the body.
+exact::Real diameter(const space::Body& body);
+
+}  // namespace findspace::distance

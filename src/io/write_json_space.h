@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Results of 3D scenes as JSON (docs/results.md): the same keys as in the plane, places with three coordinates. An
+// exact map of boxes lists the set as disjoint boxes, each with open and closed ends. Keywords: serialisation.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/write_json.h"
+#include "io/write_mesh.h"
+#include "situation/solve_space.h"
+#include "space/box_summary.h"
+
+namespace findspace::io {
+
+/// `extreme` may be null.
+std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& summary, const exact::Real& step,
+                       std::string_view unit, const ExtremeValue* extreme = nullptr);
+/// The polytope with its facets instead of boxes.
+std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& summary, const exact::Real& step,
+                       std::string_view unit);
+std::string space_check_json(const situation::SpaceSolver::Check& check, const space::RealVector& at,
+                             std::string_view unit);
+std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,
+                               std::string_view unit);
+
+/// The boundary of the closure of the set's interior, outward; sheets, lines and points have none.
+Surface box_surface(const space::BoxComplex& set, const exact::Real& step);
+Surface convex_surface(const space::ConvexSet& set, const exact::Real& step);
+
+}  // namespace findspace::io

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "situation/solve_space.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "findspace/error.h"
+#include "plane/parallel.h"
+#include "situation/evaluate.h"
+#include "situation/space_pair.h"
+#include "situation/text.h"
+#include "situation/which.h"
+#include "space/box_shape.h"
+
+namespace findspace::situation {
+
+using distance::BoxPair;
+using distance::SolidValue;
+using distance::Which;
+using exact::Real;
+using space::BoxComplex;
+using space::dot;
+using space::Mark;
+using space::RealVector;
+
+SpaceShape space_shape(const plane::Shape& shape) {
+  SpaceShape out;
+  try {
+    out.boxes = space::box_complex(shape);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+  }
+  if (out.boxes && out.boxes->empty()) throw Error(ErrorCode::kGeometry, "the shape is empty", shape.place);
+  if (out.boxes) {
+    auto made = space::body_of(out.boxes->simplified());
+    if (made) out.body = std::make_shared<const space::Body>(std::move(*made));
+  }
+  if (out.body) return out;
+  try {
+    out.body = std::make_shared<const space::Body>(space::body(shape));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported || !out.boxes) throw;
+    out.refused = e.what();
+  }
+  return out;
+}
+
+struct SpaceSolver::Cache {
+  using Names = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
+  std::mutex guard;
+  std::map<Names, std::shared_ptr<const Pair>> pairs;
+};
+
+struct SpaceSolver::Pair : SpacePair {
+  using SpacePair::SpacePair;
+};
+
+SpaceSolver::SpaceSolver(SpaceWorld world) : world_(std::move(world)), cache_(std::make_unique<Cache>()) {}
+
+SpaceSolver::~SpaceSolver() = default;
+
+bool SpaceSolver::axis_parallel() const {
+  return std::all_of(world_.shapes.begin(), world_.shapes.end(),
+                     [](const auto& s) { return s.second.boxes.has_value(); });
+}
+
+SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
+  Distance d = moving_first(wanted, world_.moving);
+  if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) {
+    throw Error(ErrorCode::kUnsupported,
+                text(d) + ": distances along a direction, in rotation or over time are not computed in 3D");
+  }
+  const bool second = std::find(world_.moving.begin(), world_.moving.end(), d.first.at(0)) == world_.moving.end();
+  if (second) std::swap(d.first, d.second);
+  const auto shapes = [&](const std::vector<std::string>& names) {
+    std::vector<const SpaceShape*> parts;
+    for (const std::string& n : names) {
+      const auto found = world_.shapes.find(n);
+      if (found == world_.shapes.end()) throw Error(ErrorCode::kUnknownName, "there is no shape '" + n + "'");
+      parts.push_back(&found->second);
+    }
+    return parts;
+  };
+  const std::lock_guard lock(cache_->guard);
+  auto& slot = cache_->pairs[{d.first, d.second}];
+  if (!slot) slot = std::make_shared<const Pair>(shapes(d.first), shapes(d.second));
+  return {slot, which(d.kind, second)};
+}
+
+std::optional<SolidValue> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
+  const Named n = named(wanted);
+  try {
+    return n.pair->value(n.which, p);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    throw e.within(text(wanted));
+  }
+}
+
+SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<SolidValue>& v) const {
+  SpaceDistanceAt out{text(wanted), std::nullopt, std::nullopt, std::nullopt, {}};
+  if (!v) return out;
+  out.value = v->lowest ? -exact::kInfinity : (v->value * world_.step).to_double();
+  const auto place = [&](const RealVector& q) {
+    return SpacePlace{(q[0] * world_.step).to_double(), (q[1] * world_.step).to_double(),
+                      (q[2] * world_.step).to_double()};
+  };
+  if (v->nearest) out.nearest = place(*v->nearest);
+  if (v->points) out.points = {place((*v->points)[0]), place((*v->points)[1])};
+  return out;
+}
+
+int SpaceSolver::sign(const SignMap& wanted, const RealVector& p) const {
+  if (wanted.minimum) return least(wanted.distance).at.mark(p) != 0 ? 0 : 1;
+  const auto v = value(wanted.distance, p);
+  if (!v) return 1;
+  if (v->lowest) return -1;
+  const Real level = wanted.level / world_.step;
+  if (!v->proven) {
+    const double gap = std::fabs((v->value - level).to_double());
+    if (gap <= 0x1p-34 * std::fabs(v->value.to_double())) {
+      throw Error(ErrorCode::kUnsupported, text(wanted.distance) +
+                                               ": the value, found by search, is too near the level " +
+                                               "to tell on which side of it it lies");
+    }
+  }
+  return compare(v->value, level);
+}
+
+SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& position) const {
+  const RealVector p = space::scaled(Real(1) / world_.step, position);
+  std::vector<std::int8_t> signs;
+  for (const SignMap& m : formula.sign_maps()) signs.push_back(static_cast<std::int8_t>(sign(m, p)));
+  Check out;
+  out.holds = evaluate(formula, signs);
+  for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
+    const Atom& atom = formula.atoms()[k];
+    out.atoms.push_back(
+        {atom, shown(atom.distance, value(atom.distance, p)), holds(atom, signs[formula.sign_map_of(k)])});
+  }
+  return out;
+}
+
+std::vector<SpaceDistanceAt> SpaceSolver::measure(const RealVector& position) const {
+  const RealVector p = space::scaled(Real(1) / world_.step, position);
+  std::vector<Distance> wanted;
+  for (const std::string& b : world_.moving) {
+    for (const auto& [a, shape] : world_.shapes) {
+      if (std::find(world_.moving.begin(), world_.moving.end(), a) != world_.moving.end()) continue;
+      for (std::size_t k = 0; k < kKindCount; ++k) {
+        Distance d;
+        d.kind = Kind(k);
+        d.first = {b}, d.second = {a};
+        wanted.push_back(d);
+        const bool both = d.kind == Kind::kMu || d.kind == Kind::kH || d.kind == Kind::kDstar;
+        if (both) std::swap(d.first, d.second), wanted.push_back(d);
+      }
+    }
+  }
+  std::vector<SpaceDistanceAt> out(wanted.size());
+  plane::parallel_for(out.size(), [&](std::size_t k) {
+    try {
+      out[k] = shown(wanted[k], value(wanted[k], p));
+    } catch (const Error& e) {
+      if (e.code() != ErrorCode::kUnsupported) throw;
+      out[k].text = text(wanted[k]);
+      out[k].refused = e.message();
+    }
+  });
+  return out;
+}
+
+BoxPair::Least SpaceSolver::least(const Distance& wanted) const {
+  const Named n = named(wanted);
+  auto found = n.pair->least(n.which);
+  if (!found) {
+    throw Error(ErrorCode::kUnsupported, text(wanted) + " -> min is not computed in 3D for these shapes");
+  }
+  return *found;
+}
+
+BoxComplex SpaceSolver::sign_map(const SignMap& wanted) const {
+  if (wanted.minimum) return least(wanted.distance).at.remarked([](Mark m) { return Mark(m == 0); });
+  const Named n = named(wanted.distance);
+  try {
+    return n.pair->boxes().sign_map(n.which, wanted.level / world_.step);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    throw e.within(text(wanted.distance));
+  }
+}
+
+BoxComplex SpaceSolver::feasible(const Formula& formula) const {
+  std::vector<BoxComplex> maps;
+  for (const SignMap& m : formula.sign_maps()) maps.push_back(sign_map(m));
+  std::vector<const BoxComplex*> operands;
+  for (const BoxComplex& m : maps) operands.push_back(&m);
+  return overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); }).simplified();
+}
+
+std::optional<SpaceSolver::ConvexMap> SpaceSolver::feasible_convex(const Formula& formula) const {
+  if (formula.sign_maps().size() != 1 || formula.sign_maps()[0].minimum) return std::nullopt;
+  const SignMap& map = formula.sign_maps()[0];
+  const Named n = named(map.distance);
+  auto found = n.pair->sublevel(n.which, map.level / world_.step);
+  if (!found) return std::nullopt;
+  const auto holds_at = [&](std::int8_t sign) { return evaluate(formula, std::array<std::int8_t, 1>{sign}); };
+  return ConvexMap{{std::move(found->region), holds_at(-1), holds_at(0), holds_at(1)}, world_.step / found->scale};
+}
+
+std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) const {
+  for (const SignMap& m : formula.sign_maps()) {
+    if (!m.minimum) continue;
+    const BoxPair::Least found = least(m.distance);
+    return SpaceOptimum{found.value * world_.step, false, true, found.at};
+  }
+  return std::nullopt;
+}
+
+SpaceOptimum SpaceSolver::optimize(const BoxComplex& region, const Objective& objective, distance::Sense sense) const {
+  const bool greatest = sense == distance::Sense::kMaximum;
+  const std::vector<space::IntervalBox> boxes = region.boxes();
+  SpaceOptimum out;
+  BoxComplex best;
+  if (objective.kind == Objective::Kind::kDistanceToPoint && !greatest) {
+    RealVector p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = objective.point.at(k) / world_.step;
+    const auto q = space::nearest(boxes, p);
+    if (!q) return out;
+    const RealVector off = space::minus(*q, p);
+    const Real square = dot(off, off);
+    out.value = sqrt(square) * world_.step;
+    // Boxes may share the nearest point, or have one each.
+    std::vector<space::IntervalBox> points;
+    for (const space::IntervalBox& box : boxes) {
+      const RealVector r = *space::nearest(std::array<space::IntervalBox, 1>{box}, p), e = space::minus(r, p);
+      if (dot(e, e) != square) continue;
+      points.push_back({{{r[0], r[0], true, true}, {r[1], r[1], true, true}, {r[2], r[2], true, true}}});
+    }
+    best = BoxComplex::of_boxes(points);
+  } else if (objective.kind == Objective::Kind::kX || objective.kind == Objective::Kind::kY ||
+             objective.kind == Objective::Kind::kZ) {
+    const std::size_t k = objective.kind == Objective::Kind::kX ? 0 : objective.kind == Objective::Kind::kY ? 1 : 2;
+    std::optional<Real> end;
+    for (const space::IntervalBox& box : boxes) {
+      const auto& c = greatest ? box[k].to : box[k].from;
+      if (!c) {
+        out.unbounded = true;
+        return out;
+      }
+      if (!end || (greatest ? *end < *c : *c < *end)) end = c;
+    }
+    if (!end) return out;
+    out.value = *end * world_.step;
+    space::IntervalBox slab;
+    slab[k] = {end, end, true, true};
+    best = BoxComplex::of_boxes(std::array<space::IntervalBox, 1>{slab});
+  } else {
+    throw Error(ErrorCode::kUnsupported, "in 3D the objectives are x, y, z and the distance to a point (minimised)");
+  }
+  const auto within = [&](const BoxComplex& set) {
+    return overlay(std::array<const BoxComplex*, 2>{&set, &best},
+                   [](std::span<const Mark> m) { return Mark(m[0] && m[1]); })
+        .simplified();
+  };
+  out.at = within(region);
+  out.attained = !out.at.empty();
+  if (!out.attained) out.at = within(region.closure());
+  return out;
+}
+
+}  // namespace findspace::situation

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A formula over a world of solid shapes: at a position (any shapes that bodies hold), and for all positions at once
+// where all shapes have axis-parallel faces, or only `gamma2 -> min` is asked. The counterpart of solve.h in space.
+// Guarantee: check: exact truth, Error(kUnsupported) where a value that is not an exact number is too near its level.
+// feasible: the exact set, slits and points included; Error(kUnsupported) for an atom whose positions have round edges,
+// with the atom's name. Keywords: feasible region, configuration space, situation, solid.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "distance/box_pair.h"
+#include "distance/extremum.h"
+#include "situation/formula.h"
+#include "space/convex_set.h"
+
+namespace findspace::situation {
+
+/// A shape of the scene in grid steps, in the forms that it has.
+struct SpaceShape {
+  std::optional<space::BoxComplex> boxes;   // all faces axis-parallel: the exact set
+  std::shared_ptr<const space::Body> body;  // a closed body; null: `refused` says why
+  std::string refused;
+};
+
+SpaceShape space_shape(const plane::Shape& shape);
+
+struct SpaceWorld {
+  std::map<std::string, SpaceShape> shapes;
+  std::vector<std::string> moving;
+  exact::Real step;  // one grid step in the scene's unit
+};
+
+using SpacePlace = std::array<double, 3>;
+
+/// One distance at one position; lengths and places in the scene's unit.
+struct SpaceDistanceAt {
+  std::string text;
+  std::optional<double> value;  // nothing: undefined, +infinity, or refused
+  std::optional<SpacePlace> nearest;
+  std::optional<std::array<SpacePlace, 2>> points;  // of the moving shape and of the fixed one
+  std::string refused;                              // why it is not computed; only of measure()
+};
+
+struct SpaceAtomAt {
+  Atom atom;
+  SpaceDistanceAt distance;
+  bool holds = false;
+};
+
+struct SpaceOptimum {
+  std::optional<exact::Real> value;  // in the scene's unit
+  bool unbounded = false, attained = false;
+  space::BoxComplex at;
+};
+
+class SpaceSolver {
+ public:
+  explicit SpaceSolver(SpaceWorld world);
+  ~SpaceSolver();
+
+  struct Check {
+    bool holds = false;
+    std::vector<SpaceAtomAt> atoms;
+  };
+  /// `p` in the scene's unit.
+  Check check(const Formula& formula, const space::RealVector& p) const;
+  std::vector<SpaceDistanceAt> measure(const space::RealVector& p) const;
+
+  /// In grid steps.
+  space::BoxComplex feasible(const Formula& formula) const;
+  /// The same where the formula has one distance only, whose sublevel set is a convex polytope; nothing where that is
+  /// not so.
+  struct ConvexMap {
+    space::ConvexSet set;
+    exact::Real step;  // one unit of its coordinates in the scene's unit
+  };
+  std::optional<ConvexMap> feasible_convex(const Formula& formula) const;
+  /// The first `distance -> min` of the formula, if it has one.
+  std::optional<SpaceOptimum> minimum_of(const Formula& formula) const;
+  /// Of x, y, z or the distance to a point over the region.
+  SpaceOptimum optimize(const space::BoxComplex& region, const Objective& objective, distance::Sense sense) const;
+
+  const SpaceWorld& world() const { return world_; }
+  /// Whether the faces of all shapes are parallel to the axes.
+  bool axis_parallel() const;
+
+ private:
+  struct Pair;
+  struct Cache;
+  struct Named {
+    std::shared_ptr<const Pair> pair;
+    distance::Which which;
+  };
+
+  Named named(const Distance& distance) const;
+  std::optional<distance::SolidValue> value(const Distance& distance, const space::RealVector& p) const;
+  SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
+  int sign(const SignMap& map, const space::RealVector& p) const;
+  space::BoxComplex sign_map(const SignMap& map) const;
+  distance::BoxPair::Least least(const Distance& distance) const;
+
+  SpaceWorld world_;
+  std::unique_ptr<Cache> cache_;
+};
+
+}  // namespace findspace::situation

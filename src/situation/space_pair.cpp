@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "situation/space_pair.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "findspace/error.h"
+#include "situation/solve_space.h"
+#include "space/min_ball.h"
+
+namespace findspace::situation {
+
+using distance::BoxPair;
+using distance::SolidValue;
+using distance::Which;
+using exact::Real;
+using space::Body;
+using space::BoxComplex;
+using space::Mark;
+using space::real;
+using space::RealVector;
+
+namespace {
+
+/// The union of the shapes as closed boxes.
+std::optional<BoxComplex> united_boxes(const std::vector<const SpaceShape*>& shapes) {
+  std::vector<const BoxComplex*> sets;
+  for (const SpaceShape* s : shapes) {
+    if (!s->boxes) return std::nullopt;
+    sets.push_back(&*s->boxes);
+  }
+  return overlay(sets,
+                 [](std::span<const Mark> m) {
+                   return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x != 0; }));
+                 })
+      .closure();
+}
+
+std::shared_ptr<const Body> united_bodies(const std::vector<const SpaceShape*>& shapes, std::string& refused) {
+  std::vector<const Body*> bodies;
+  for (const SpaceShape* s : shapes) {
+    if (!s->body) {
+      refused = s->refused;
+      return nullptr;
+    }
+    bodies.push_back(s->body.get());
+  }
+  return bodies.size() == 1 ? shapes[0]->body : std::make_shared<const Body>(united(bodies));
+}
+
+void scale_down(SolidValue& v, const Real& scale) {
+  const auto down = [&](RealVector& q) {
+    for (Real& c : q) c /= scale;
+  };
+  v.value /= scale;
+  if (v.nearest) down(*v.nearest);
+  if (v.points) down((*v.points)[0]), down((*v.points)[1]);
+}
+
+}  // namespace
+
+SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed) {
+  auto b = united_boxes(moving), a = united_boxes(fixed);
+  if (b && a) boxes_ = std::make_unique<BoxPair>(std::move(*b), std::move(*a));
+  b_ = united_bodies(moving, refused_);
+  a_ = united_bodies(fixed, refused_);
+  if (!b_ || !a_) return;
+  if (b_->outside) {
+    if (!boxes_) throw Error(ErrorCode::kUnsupported, "a moving shape has to be bounded");
+    refused_ = "a moving shape has to be bounded";
+    return;
+  }
+  scale_ = std::lcm(b_->scale, a_->scale);
+  b_ = std::make_shared<const Body>(space::at_scale(*b_, scale_));
+  a_ = std::make_shared<const Body>(space::at_scale(*a_, scale_));
+  bodies_ = std::make_unique<distance::SolidPair>(b_, a_);
+}
+
+const BoxPair& SpacePair::boxes() const {
+  if (boxes_) return *boxes_;
+  throw Error(ErrorCode::kUnsupported, "an exact map needs shapes whose faces are all parallel to the axes");
+}
+
+const distance::SolidPair& SpacePair::bodies() const {
+  if (bodies_) return *bodies_;
+  throw Error(ErrorCode::kUnsupported, refused_);
+}
+
+std::optional<SolidValue> SpacePair::value(Which which, const RealVector& p) const {
+  if (boxes_ && BoxPair::has_value(which)) {
+    try {
+      return boxes_->value(which, p);
+    } catch (const Error& e) {
+      // Too many coordinates for the grid: the bodies need none.
+      if (e.code() != ErrorCode::kUnsupported || !bodies_) throw;
+    }
+  }
+  const Real scale(scale_);
+  auto v = bodies().value(which, space::scaled(scale, p));
+  if (v && scale_ != 1) scale_down(*v, scale);
+  return v;
+}
+
+namespace {
+
+/// The half spaces {p : B + p does not leave this facet of A by more than the level}; `turned` for p -> -p.
+std::vector<space::HalfSpace> fitting_planes(const Body& b, const space::BodyPart& a, const Real& level, bool turned) {
+  std::vector<space::HalfSpace> planes;
+  for (const space::Plane& p : a.core->planes()) {
+    const RealVector n = real(p.normal);
+    planes.emplace_back(turned ? space::negated(n) : n,
+                        Real(p.offset) + support(b, n) - level * sqrt(space::dot(n, n)));
+  }
+  return planes;
+}
+
+std::vector<space::HalfSpace> overlap_planes(const space::BodyPart& b, const space::BodyPart& a, const Real& level) {
+  std::vector<space::HalfSpace> planes;
+  for (const space::HalfSpace& h : space::difference_planes(a, b)) {
+    planes.emplace_back(h.normal,
+                        level.sign() == 0 ? h.offset : h.offset - level * sqrt(space::dot(h.normal, h.normal)));
+  }
+  return planes;
+}
+
+}  // namespace
+
+std::optional<SpacePair::Sublevel> SpacePair::sublevel(Which which, const Real& level) const {
+  if (!bodies_ || a_->outside || level.sign() > 0) return std::nullopt;
+  const Real scale(scale_), at = level * scale;
+  const bool eta = which == Which::kEta1 || which == Which::kMu,
+             delta = which == Which::kDelta1 || which == Which::kMuBack;
+  const auto plain = [](const Body& body) { return body.convex() && body.parts[0].core && !body.round(); };
+  std::vector<space::HalfSpace> planes;
+  if (eta && plain(*a_))
+    planes = fitting_planes(*b_, a_->parts[0], at, false);
+  else if (delta && plain(*b_))
+    planes = fitting_planes(*a_, b_->parts[0], at, true);
+  else if (which == Which::kGamma1 && plain(*a_) && plain(*b_))
+    planes = overlap_planes(b_->parts[0], a_->parts[0], at);
+  else
+    return std::nullopt;
+  // All positions at which the boxes around the shapes meet.
+  const space::Bounds3 a = bounds(*a_), b = bounds(*b_);
+  Sublevel out{space::ConvexRegion(space::minus(a.low, b.high), space::minus(a.high, b.low)), scale};
+  for (const space::HalfSpace& h : planes) out.region.cut(h);
+  return out;
+}
+
+std::optional<BoxPair::Least> SpacePair::least(Which which) const {
+  if (which != Which::kGamma2) return boxes_ ? boxes_->least(which) : std::nullopt;
+  bodies();
+  const Body &b = *b_, &a = *a_;
+  if (a.outside) return std::nullopt;
+  // The farthest points of A and B + p are vertices: the centre of the smallest ball around their differences is
+  // nearest to all.
+  const Real round = a.parts[0].radius + b.parts[0].radius;
+  std::vector<RealVector> points;
+  for (const space::BodyPart& t : a.parts) {
+    for (const space::BodyPart& s : b.parts) {
+      if (t.radius + s.radius != round) return std::nullopt;
+      for (const space::Point& v : t.vertices()) {
+        for (const space::Point& w : s.vertices()) points.push_back(real(v - w));
+      }
+    }
+  }
+  const space::EnclosingBall ball = space::min_ball(points);
+  const Real scale(scale_);
+  space::IntervalBox at;
+  for (std::size_t k = 0; k < 3; ++k) at[k] = {ball.center[k] / scale, ball.center[k] / scale, true, true};
+  return BoxPair::Least{(sqrt(ball.square) + round) / scale,
+                        BoxComplex::of_boxes(std::array<space::IntervalBox, 1>{at})};
+}
+
+}  // namespace findspace::situation

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// One moving and one fixed shape of space (each perhaps several names) in the forms they have: as boxes, as bodies, or
+// both. Lengths in grid steps. Distances that boxes answer exactly are asked of them, the others of the bodies.
+// Guarantee: as box_pair.h and solid_pair.h.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "distance/box_pair.h"
+#include "space/convex_region.h"
+
+namespace findspace::situation {
+
+struct SpaceShape;
+
+class SpacePair {
+ public:
+  SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed);
+
+  std::optional<distance::SolidValue> value(distance::Which which, const space::RealVector& p) const;
+  /// The least value and its positions; nothing where this is not computed.
+  std::optional<distance::BoxPair::Least> least(distance::Which which) const;
+  /// {distance <= level}, if it is a convex polytope: gamma1 of convex shapes, eta1 (mu) in a convex one, delta1 of
+  /// one, at levels not above 0. Its coordinates are in grid steps times `scale`.
+  struct Sublevel {
+    space::ConvexRegion region;
+    exact::Real scale;
+  };
+  std::optional<Sublevel> sublevel(distance::Which which, const exact::Real& level) const;
+  /// Throws Error(kUnsupported) if one of the shapes has slanted or round faces.
+  const distance::BoxPair& boxes() const;
+
+ private:
+  const distance::SolidPair& bodies() const;
+
+  std::unique_ptr<distance::BoxPair> boxes_;
+  std::unique_ptr<distance::SolidPair> bodies_;
+  std::shared_ptr<const space::Body> b_, a_;
+  std::int64_t scale_ = 1;  // of the bodies' coordinates
+  std::string refused_;
+};
+
+}  // namespace findspace::situation

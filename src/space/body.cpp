@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "space/convex_region.h"
+
+namespace findspace::space {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+namespace {
+
+Body of_parts(ConvexParts parts) {
+  Body body;
+  body.scale = parts.scale;
+  body.rounded = parts.rounded;
+  body.moved = parts.moved;
+  for (Polytope& p : parts.parts) body.parts.push_back({std::move(p), {}, Real()});
+  return body;
+}
+
+[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::kUnsupported, what); }
+
+void append(Body& sum, const Body& more) {
+  const std::int64_t scale = std::lcm(sum.scale, more.scale);
+  Body a = at_scale(sum, scale), b = at_scale(more, scale);
+  a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
+  a.rounded += b.rounded;
+  a.moved = std::max(a.moved, b.moved);
+  sum = std::move(a);
+}
+
+std::int64_t in_range(int128 c) {
+  if (c > kCoordinateLimit || c < -kCoordinateLimit)
+    throw Error(ErrorCode::kOutOfRange, "a coordinate exceeds 2^40 grid steps");
+  return static_cast<std::int64_t>(c);
+}
+
+Body moved_by(Body body, const Point& t) {
+  const auto by = [&](std::int64_t c, std::int64_t d) { return in_range(c + int128(d) * body.scale); };
+  for (BodyPart& part : body.parts) {
+    part.center = {by(part.center.x, t.x), by(part.center.y, t.y), by(part.center.z, t.z)};
+    if (!part.core) continue;
+    for (const Point& v : part.core->vertices()) by(v.x, t.x), by(v.y, t.y), by(v.z, t.z);
+    part.core = part.core->translated({t.x * body.scale, t.y * body.scale, t.z * body.scale});
+  }
+  return body;
+}
+
+Body mirrored(Body body) {
+  for (BodyPart& part : body.parts) {
+    part.center = -part.center;
+    if (part.core) part.core = part.core->mirrored();
+  }
+  return body;
+}
+
+/// The hull of bodies that are all of one radius.
+Body grown(Body body, const Real& by) {
+  if (by.sign() < 0) refuse("an offset by a negative amount is computed for shapes with axis-parallel faces only");
+  if (body.outside) refuse("an offset of a complement is not computed in 3D");
+  for (BodyPart& part : body.parts) part.radius += by * Real(body.scale);
+  return body;
+}
+
+bool holds_ball(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) return solid->form == Solid::Form::kBall;
+  return shape.kind == Kind::kOffset || shape.kind == Kind::kComplement ||
+         std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return holds_ball(*c); });
+}
+
+/// The node, where it is not one of polytopes alone.
+Body mixed(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) {
+    Body ball;
+    ball.parts.push_back({std::nullopt, solid->mesh.vertices[0], solid->radius});
+    return ball;
+  }
+  const auto child = [&] { return body(*shape.children[0]); };
+  switch (shape.kind) {
+    case Kind::kUnion: {
+      Body sum;
+      for (const plane::ShapePtr& c : shape.children) {
+        const Body part = body(*c);
+        if (part.outside) refuse("a union with a complement is not computed in 3D for slanted or round shapes");
+        append(sum, part);
+      }
+      return sum;
+    }
+    case Kind::kComplement: {
+      Body b = child();
+      b.outside = !b.outside;
+      return b;
+    }
+    case Kind::kInterior:
+    case Kind::kClosure:
+    case Kind::kRegularize:
+      return child();
+    case Kind::kTranslate:
+      return moved_by(child(), {shape.points[0].x, shape.points[0].y, shape.lift});
+    case Kind::kMirror:
+      return mirrored(child());
+    case Kind::kOffset:
+      return grown(child(), shape.amount);
+    default:
+      break;
+  }
+  refuse("this kind of node is computed in 3D for polytopes only, not for round shapes");
+}
+
+}  // namespace
+
+bool Body::round() const {
+  return std::any_of(parts.begin(), parts.end(), [](const BodyPart& p) { return p.radius.sign() > 0; });
+}
+
+Body body(const plane::Shape& shape) {
+  try {
+    return holds_ball(shape) ? mixed(shape) : of_parts(convex_parts(shape));
+  } catch (const Error& e) {
+    if (shape.place.empty() || !e.place().empty()) throw;
+    throw e.within(shape.place);
+  }
+}
+
+Body at_scale(const Body& body, std::int64_t scale) {
+  const std::int64_t factor = scale / body.scale;
+  if (factor == 1) return body;
+  Body out = body;
+  out.scale = scale;
+  const auto times = [&](const Point& p) {
+    return Point{in_range(int128(p.x) * factor), in_range(int128(p.y) * factor), in_range(int128(p.z) * factor)};
+  };
+  for (BodyPart& part : out.parts) {
+    part.center = times(part.center);
+    part.radius *= Real(factor);
+    if (!part.core) continue;
+    std::vector<Point> points;
+    for (const Point& v : part.core->vertices()) points.push_back(times(v));
+    part.core = Polytope::hull(points);
+  }
+  return out;
+}
+
+Body united(const std::vector<const Body*>& bodies) {
+  Body sum = *bodies[0];
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    if (sum.outside || bodies[i]->outside)
+      refuse("a list with a complement is not computed in 3D for slanted or round shapes");
+    append(sum, *bodies[i]);
+  }
+  return sum;
+}
+
+Real support(const BodyPart& part, const RealVector& n) {
+  const Vector near = space::rounded(n);
+  double highest = -exact::kInfinity, size = 0;
+  for (const Point& v : part.vertices()) {
+    const Vector at = exact::shadow(v);
+    highest = std::max(highest, dot(near, at));
+    size = std::max(size, std::fabs(near.x * at.x) + std::fabs(near.y * at.y) + std::fabs(near.z * at.z));
+  }
+  std::optional<Real> best;
+  for (const Point& v : part.vertices()) {
+    if (dot(near, exact::shadow(v)) < highest - 0x1p-48 * size) continue;
+    const Real value = dot(n, real(v));
+    if (!best || *best < value) best = value;
+  }
+  return part.radius.sign() > 0 ? *best + part.radius * sqrt(dot(n, n)) : *best;
+}
+
+Real support(const Body& body, const RealVector& n) {
+  std::optional<Real> best;
+  for (const BodyPart& part : body.parts) {
+    const Real value = support(part, n);
+    if (!best || *best < value) best = value;
+  }
+  return *best;
+}
+
+Bounds3 bounds(const Body& body) {
+  Bounds3 box;
+  for (int k = 0; k < 3; ++k) {
+    RealVector n;
+    n[k] = Real(1);
+    box.high[k] = support(body, n);
+    n[k] = Real(-1);
+    box.low[k] = -support(body, n);
+  }
+  return box;
+}
+
+namespace {
+
+OutsideCell cell_of(const ConvexRegion& region) {
+  OutsideCell cell;
+  for (const int f : region.facets()) cell.planes.push_back(region.planes()[f]);
+  for (const ConvexRegion::Vertex& v : region.vertices()) cell.vertices.push_back(v.at);
+  for (const auto& [v, w] : region.edges()) {
+    cell.directions.push_back(minus(region.vertices()[w].at, region.vertices()[v].at));
+  }
+  return cell;
+}
+
+bool overlaps(const ConvexRegion& region, const Polytope& part) {
+  return std::all_of(part.planes().begin(), part.planes().end(),
+                     [&](const Plane& p) { return region.sides(HalfSpace(p)).inside; });
+}
+
+/// Adds the closures of the pieces of region \ part that have interior; they do not overlap.
+void subtract(ConvexRegion region, const Polytope& part, std::vector<ConvexRegion>& out) {
+  if (!overlaps(region, part)) {
+    out.push_back(std::move(region));
+    return;
+  }
+  for (const Plane& p : part.planes()) {
+    const HalfSpace inside(p);
+    if (!region.sides(inside).outside) continue;
+    ConvexRegion beyond = region;
+    beyond.cut(inside.opposite());
+    out.push_back(std::move(beyond));
+    region.cut(inside);
+    if (region.empty()) return;
+  }
+}
+
+}  // namespace
+
+std::vector<OutsideCell> outside_cells(const Body& body) {
+  std::vector<OutsideCell> cells;
+  if (body.parts.size() == 1) {
+    for (const Plane& p : body.parts[0].core->planes()) cells.push_back({{HalfSpace(p).opposite()}, {}, {}});
+    return cells;
+  }
+  const Bounds3 box = bounds(body);
+  for (int k = 0; k < 3; ++k) {
+    RealVector n;
+    n[k] = Real(1);
+    cells.push_back({{HalfSpace(n, -box.low[k])}, {}, {}});
+    n[k] = Real(-1);
+    cells.push_back({{HalfSpace(n, box.high[k])}, {}, {}});
+  }
+  std::vector<ConvexRegion> regions{ConvexRegion(box.low, box.high)};
+  for (const BodyPart& part : body.parts) {
+    std::vector<ConvexRegion> next;
+    for (ConvexRegion& r : regions) subtract(std::move(r), *part.core, next);
+    regions = std::move(next);
+  }
+  for (const ConvexRegion& r : regions) cells.push_back(cell_of(r));
+  return cells;
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A solid shape as the distances of space see it: the closed bounded set that is the union of finitely many parts, each
+// the sum of a convex polytope (or a point) and a ball of radius >= 0. So a ball is a point with a radius, an offset
+// polytope keeps its true round edges, and a mesh is its exact convex parts (convex_parts.h). Or, if `outside`, the
+// closure of the complement of that union. Nodes: polytope, box, ball, prism, mesh; union, intersection, difference,
+// complement, interior, closure, regularize (the distances take closures, so the last three change nothing here),
+// translate, mirror, hull and minkowski_sum of polytopes, offset by a positive amount. Guarantee: exact, but for
+// vertices rounded and counted by convex_parts.h. Keywords: solid model, constructive solid geometry.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "space/convex_parts.h"
+#include "space/open_cover.h"
+
+namespace findspace::space {
+
+struct BodyPart {
+  std::optional<Polytope> core;  // none: the point `center`
+  Point center;
+  exact::Real radius;  // in the same steps as the coordinates
+
+  std::span<const Point> vertices() const { return core ? core->vertices() : std::span<const Point>(&center, 1); }
+};
+
+struct Body {
+  std::vector<BodyPart> parts;
+  bool outside = false;    // the closure of the complement of the parts
+  std::int64_t scale = 1;  // coordinates and radii are in steps / scale
+  int rounded = 0;         // vertices that had to be rounded, and the farthest move in grid steps
+  double moved = 0;
+
+  bool round() const;  // whether a part has a radius
+  /// A single part: convex.
+  bool convex() const { return parts.size() == 1 && !outside; }
+};
+
+/// Throws Error(kUnsupported) for a node that such parts cannot represent, Error(kGeometry) for one without interior.
+Body body(const plane::Shape& shape);
+/// The same set in finer steps; `scale` is a multiple of its own.
+Body at_scale(const Body& body, std::int64_t scale);
+/// The union; all of the same scale and none `outside`.
+Body united(const std::vector<const Body*>& bodies);
+
+/// The smallest box with the parts.
+struct Bounds3 {
+  RealVector low, high;
+};
+Bounds3 bounds(const Body& body);
+
+/// n . x + offset <= 0 for all x of the part: the least offset.
+exact::Real support(const BodyPart& part, const RealVector& n);
+/// max n . x over the body.
+exact::Real support(const Body& body, const RealVector& n);
+
+/// Convex sets whose union is the closure of the complement of the body (no part has a radius). The first `unbounded`
+/// ones are half spaces; the others, cells of the bounding box, do not meet in their interiors.
+struct OutsideCell {
+  std::vector<HalfSpace> planes;       // all <= 0
+  std::vector<RealVector> vertices;    // none for a half space
+  std::vector<RealVector> directions;  // of its edges
+};
+std::vector<OutsideCell> outside_cells(const Body& body);
+
+}  // namespace findspace::space

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/box_shape.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+#include "space/convex_polygon.h"
+#include "space/mesh.h"
+
+namespace findspace::space {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+namespace {
+
+/// A horizontal face: its rings at height z; `sense` is +1 where the solid lies above it.
+struct Level {
+  std::int64_t z = 0;
+  int sense = 0;
+  std::vector<std::vector<Point2>> rings;
+};
+
+/// The levels and all vertices of a solid, if its faces are axis-parallel.
+struct Faces {
+  std::vector<Level> levels;
+  std::vector<Point> vertices;
+};
+
+bool one_axis(const Wide3& n) { return (n.x != 0) + (n.y != 0) + (n.z != 0) == 1; }
+
+std::optional<Faces> faces_of(const Mesh& mesh) {
+  Faces out;
+  out.vertices = mesh.vertices;
+  for (const auto& face : mesh.faces) {
+    const Wide3 n = area_vector(mesh, face);
+    if (!one_axis(n)) return std::nullopt;
+    if (n.z == 0) continue;
+    Level level{mesh.vertices[std::size_t(face[0])].z, n.z < 0 ? 1 : -1, {{}}};
+    for (const int v : face)
+      level.rings[0].push_back({mesh.vertices[std::size_t(v)].x, mesh.vertices[std::size_t(v)].y});
+    out.levels.push_back(std::move(level));
+  }
+  return out;
+}
+
+std::optional<Faces> faces_of(const Solid& solid) {
+  if (solid.form == Solid::Form::kBall) return std::nullopt;
+  if (solid.form == Solid::Form::kMesh) return faces_of(solid.mesh);
+  if (solid.form == Solid::Form::kPolytope) {
+    const Polytope hull = Polytope::hull(solid.mesh.vertices);
+    Mesh mesh{{hull.vertices().begin(), hull.vertices().end()}, {}};
+    for (int f = 0; f < hull.facet_count(); ++f) mesh.faces.push_back(hull.circuit(f));
+    return faces_of(mesh);
+  }
+  Faces out;
+  std::vector<std::vector<Point2>> rings;
+  for (const plane::Contour& contour : solid.contours) {
+    std::vector<Point2>& ring = rings.emplace_back();
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const plane::GridPoint a = contour[i].start, b = contour[(i + 1) % contour.size()].start;
+      if (contour[i].arc || (a.x != b.x && a.y != b.y)) return std::nullopt;
+      ring.push_back({a.x, a.y});
+      out.vertices.push_back({a.x, a.y, solid.low});
+    }
+  }
+  out.vertices.push_back({out.vertices[0].x, out.vertices[0].y, solid.high});
+  out.levels = {{solid.low, 1, rings}, {solid.high, -1, rings}};
+  return out;
+}
+
+/// Whether (x, y), given twice as large and on no edge, lies in the rings: an odd number of edges lie to the right.
+bool holds(const Level& level, std::int64_t x, std::int64_t y) {
+  bool inside = false;
+  for (const auto& ring : level.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if ((2 * a.y > y) != (2 * b.y > y) && 2 * a.x > x) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/// Columns of open boxes between the coordinates of all vertices, filled between the levels over them.
+std::optional<BoxComplex> filled(const Faces& faces) {
+  std::array<std::vector<std::int64_t>, 3> at;
+  for (const Point& v : faces.vertices) at[0].push_back(v.x), at[1].push_back(v.y), at[2].push_back(v.z);
+  for (auto& axis : at) {
+    std::sort(axis.begin(), axis.end());
+    axis.erase(std::unique(axis.begin(), axis.end()), axis.end());
+  }
+  std::vector<IntervalBox> boxes;
+  for (std::size_t i = 0; i + 1 < at[0].size(); ++i) {
+    for (std::size_t j = 0; j + 1 < at[1].size(); ++j) {
+      std::vector<std::pair<std::int64_t, int>> steps;
+      for (const Level& level : faces.levels) {
+        if (holds(level, at[0][i] + at[0][i + 1], at[1][j] + at[1][j + 1])) steps.emplace_back(level.z, level.sense);
+      }
+      std::sort(steps.begin(), steps.end());
+      int depth = 0;
+      for (std::size_t s = 0; s + 1 < steps.size(); ++s) {
+        depth += steps[s].second;
+        if (steps[s].first == steps[s + 1].first) continue;
+        // A surface that covers some space twice, or turns it inside out, is for the convex parts to refuse.
+        if (depth < 0 || depth > 1) return std::nullopt;
+        if (depth == 0) continue;
+        IntervalBox box;
+        box[0] = {Real(at[0][i]), Real(at[0][i + 1]), true, true};
+        box[1] = {Real(at[1][j]), Real(at[1][j + 1]), true, true};
+        box[2] = {Real(steps[s].first), Real(steps[s + 1].first), true, true};
+        boxes.push_back(std::move(box));
+      }
+    }
+  }
+  return BoxComplex::of_boxes(boxes);
+}
+
+/// The set as one closed box, if its closure is one.
+std::optional<IntervalBox> one_box(const BoxComplex& set) {
+  std::vector<IntervalBox> boxes = set.closure().simplified().boxes();
+  if (boxes.size() != 1) return std::nullopt;
+  return boxes[0];
+}
+
+std::optional<BoxComplex> hull_of(const BoxComplex& set) {
+  IntervalBox all;
+  for (const IntervalBox& box : set.boxes()) {
+    for (int k = 0; k < 3; ++k) {
+      if (!box[k].from || !box[k].to) return std::nullopt;
+      if (!all[k].from || *box[k].from < *all[k].from) all[k].from = box[k].from;
+      if (!all[k].to || *all[k].to < *box[k].to) all[k].to = box[k].to;
+      all[k].from_in = all[k].to_in = true;
+    }
+  }
+  const BoxComplex closed = set.closure();
+  for (int i = 0; i < 8; ++i) {
+    RealVector corner;
+    for (int k = 0; k < 3; ++k) corner[k] = (i >> k & 1) != 0 ? *all[k].to : *all[k].from;
+    if (closed.mark(corner) == 0) return std::nullopt;
+  }
+  return BoxComplex::of_boxes(std::array<IntervalBox, 1>{all});
+}
+
+std::optional<BoxComplex> offset_of(const BoxComplex& set, const Real& amount) {
+  if (amount.sign() == 0) return set;
+  std::optional<IntervalBox> box = amount.sign() < 0 ? one_box(set) : std::nullopt;
+  if (!box) return std::nullopt;
+  for (Interval& i : *box) {
+    if (i.from) i.from = *i.from - amount;
+    if (i.to) i.to = *i.to + amount;
+    if (i.from && i.to && *i.to < *i.from) return BoxComplex();
+  }
+  return BoxComplex::of_boxes(std::array<IntervalBox, 1>{*box});
+}
+
+std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxComplex>& c) {
+  std::vector<const BoxComplex*> sets;
+  for (const BoxComplex& s : c) sets.push_back(&s);
+  switch (shape.kind) {
+    case Kind::kUnion:
+      return overlay(sets, [](std::span<const Mark> m) {
+        return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x; }));
+      });
+    case Kind::kIntersection:
+      return overlay(sets, [](std::span<const Mark> m) {
+        return Mark(std::all_of(m.begin(), m.end(), [](Mark x) { return x; }));
+      });
+    case Kind::kDifference:
+      return overlay(sets, [](std::span<const Mark> m) {
+        return Mark(m[0] && std::none_of(m.begin() + 1, m.end(), [](Mark x) { return x; }));
+      });
+    case Kind::kComplement:
+      return c[0].complement();
+    case Kind::kInterior:
+      return c[0].interior();
+    case Kind::kClosure:
+      return c[0].closure();
+    case Kind::kRegularize:
+      return c[0].interior().closure();
+    case Kind::kBoundary: {
+      const BoxComplex closed = c[0].closure(), open = c[0].interior();
+      return overlay(std::array<const BoxComplex*, 2>{&closed, &open},
+                     [](std::span<const Mark> m) { return Mark(m[0] && !m[1]); });
+    }
+    case Kind::kTranslate:
+      return c[0].translated({Real(shape.points[0].x), Real(shape.points[0].y), Real(shape.lift)});
+    case Kind::kMirror:
+      return c[0].mirrored();
+    case Kind::kMinkowskiSum:
+      return sum(c[0], c[1]);
+    case Kind::kMinkowskiDifference:
+      return sum(c[0].complement(), c[1]).complement();
+    case Kind::kHull:
+      return hull_of(c[0]);
+    case Kind::kOffset:
+      return offset_of(c[0], shape.amount);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<BoxComplex> box_complex(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) {
+    try {
+      const auto faces = faces_of(*solid);
+      return faces ? filled(*faces) : std::nullopt;
+    } catch (const Error& e) {
+      throw e.place().empty() && !shape.place.empty() ? e.within(shape.place) : e;
+    }
+  }
+  std::vector<BoxComplex> children;
+  for (const plane::ShapePtr& child : shape.children) {
+    auto set = box_complex(*child);
+    if (!set) return std::nullopt;
+    children.push_back(std::move(*set));
+  }
+  if (children.empty()) return std::nullopt;
+  auto result = node(shape, children);
+  return result ? std::optional(result->simplified()) : std::nullopt;
+}
+
+std::optional<Body> body_of(const BoxComplex& set) {
+  const BoxComplex open = set.interior(), closed = set.closure(), whole = open.closure();
+  const BoxComplex differ = overlay(std::array<const BoxComplex*, 2>{&closed, &whole},
+                                    [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
+  if (!differ.empty() || open.empty()) return std::nullopt;
+  Body body;
+  for (const IntervalBox& box : whole.simplified().boxes()) {
+    std::vector<Point> corners;
+    std::array<std::array<std::int64_t, 2>, 3> ends{};
+    bool flat = false;
+    for (int k = 0; k < 3; ++k) {
+      if (!box[k].from || !box[k].to) return std::nullopt;
+      const auto a = box[k].from->integer(), b = box[k].to->integer();
+      if (!a || !b) return std::nullopt;
+      ends[k] = {static_cast<std::int64_t>(*a), static_cast<std::int64_t>(*b)};
+      flat = flat || *a == *b;
+    }
+    if (flat) continue;  // between boxes, which hold it in their closures
+    for (int i = 0; i < 8; ++i) corners.push_back({ends[0][i & 1], ends[1][i >> 1 & 1], ends[2][i >> 2 & 1]});
+    body.parts.push_back({Polytope::hull(corners), {}, Real()});
+  }
+  return body;
+}
+
+}  // namespace findspace::space

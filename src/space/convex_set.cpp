@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/convex_set.h"
+
+#include <algorithm>
+
+namespace findspace::space {
+
+using exact::Real;
+
+namespace {
+
+class Summarizer {
+ public:
+  Summarizer(const ConvexSet& set, const Real& step) : set_(set), step_(step), dimension_(set.region.dimension()) {
+    for (const ConvexRegion::Vertex& v : set.region.vertices()) {
+      corners_.push_back({(v.at[0] * step).to_double(), (v.at[1] * step).to_double(), (v.at[2] * step).to_double()});
+    }
+  }
+
+  SpaceSummary run() {
+    const bool solid = dimension_ == 3, inside = solid && set_.inside, frontier = dimension_ >= 0 && set_.frontier;
+    // Without an interior nothing lies inside, without vertices nothing on the frontier.
+    const bool lacks_inside = solid && !set_.inside, lacks_frontier = dimension_ >= 0 && !set_.frontier;
+    out_.empty = !inside && !frontier && !set_.outside;
+    out_.whole = set_.outside && !lacks_inside && !lacks_frontier;
+    out_.bounded = !set_.outside;
+    const bool trivial = out_.empty || out_.whole;
+    out_.open = trivial || !frontier;
+    out_.closed = trivial || frontier;
+    out_.regular = trivial || (frontier && (solid ? inside != set_.outside : set_.outside));
+    if (out_.bounded) out_.volume = inside ? volume() : 0;
+    if (!out_.bounded && !trivial) {
+      out_.holes = lacks_inside || lacks_frontier;
+      if (!lacks_inside && lacks_frontier) crack();
+    }
+    if (out_.bounded && frontier && !inside) dangle();
+    if (!out_.empty && out_.bounded) out_.bbox = box();
+    add_components(inside, frontier, solid);
+    return out_;
+  }
+
+ private:
+  void add_components(bool inside, bool frontier, bool solid) {
+    if (out_.empty) return;
+    if (inside || (frontier && !set_.outside)) {
+      SpaceComponent c;
+      c.dimension = inside ? 3 : solid ? 2 : dimension_;
+      if (!set_.outside || !frontier) {
+        c.volume = inside ? volume() : 0;
+        c.dangling_area = inside ? 0 : area();
+        c.dangling_length = inside ? 0 : length_of_segment();
+        c.bbox = box();
+        c.holes = solid && !inside;
+        c.sample = inside || !solid ? middle(all()) : middle(set_.region.circuit(set_.region.facets()[0]));
+        if (dimension_ == 0) out_.isolated.push_back(c.sample);
+        out_.components.push_back(c);
+        if (!set_.outside) {
+          out_.holes = c.holes;
+          return;
+        }
+      }
+    }
+    SpaceComponent c;
+    c.dimension = 3;
+    c.holes = out_.whole || (inside && frontier) ? 0 : dimension_ >= 0;
+    if (!corners_.empty()) {
+      c.sample = corners_[0];
+      for (const Place3& p : corners_) c.sample[0] = std::max(c.sample[0], p[0]);
+      c.sample[0] += 1;
+    }
+    out_.components.insert(out_.components.begin(), c);
+  }
+
+  std::vector<int> all() const {
+    std::vector<int> ids(corners_.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<int>(i);
+    return ids;
+  }
+  Place3 middle(const std::vector<int>& of) const {
+    Place3 p{};
+    for (const int v : of) {
+      for (std::size_t k = 0; k < 3; ++k) p[k] += corners_[std::size_t(v)][k] / double(of.size());
+    }
+    return p;
+  }
+  double volume() const { return (set_.region.six_volumes() / Real(6) * step_ * step_ * step_).to_double(); }
+
+  /// Of the frontier of a body, or of a flat set.
+  double area() const {
+    if (dimension_ < 2) return 0;
+    double sum = 0;
+    const std::vector<int> faces = set_.region.facets();
+    for (std::size_t f = 0; f < (dimension_ == 3 ? faces.size() : 1); ++f) {
+      const std::vector<int> ring = flat_ring(faces, f);
+      for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+        const auto at = [&](std::size_t k) {
+          const Place3& p = corners_[std::size_t(ring[k])];
+          return Vector{p[0], p[1], p[2]};
+        };
+        const Vector a = at(i) - at(0), b = at(i + 1) - at(0);
+        sum += length({a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}) / 2;
+      }
+    }
+    return sum;
+  }
+  /// A flat set is its one facet; which of the planes it lies in does not matter.
+  std::vector<int> flat_ring(const std::vector<int>& faces, std::size_t f) const {
+    if (dimension_ == 3) return set_.region.circuit(faces[f]);
+    for (const int k : faces) {
+      const std::vector<int> ring = set_.region.circuit(k);
+      if (ring.size() == corners_.size()) return ring;
+    }
+    return {};
+  }
+  double length_of_segment() const {
+    if (dimension_ != 1) return 0;
+    const Place3 &a = corners_[0], &b = corners_[1];
+    return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+  }
+  void dangle() {
+    out_.dangling_area = area();
+    out_.dangling_length = length_of_segment();
+  }
+  void crack() {
+    out_.crack_area = area();
+    out_.crack_length = length_of_segment();
+  }
+  PlaceBox box() const {
+    PlaceBox b{corners_[0], corners_[0]};
+    for (const Place3& p : corners_) {
+      for (std::size_t k = 0; k < 3; ++k) b.low[k] = std::min(b.low[k], p[k]), b.high[k] = std::max(b.high[k], p[k]);
+    }
+    return b;
+  }
+
+  const ConvexSet& set_;
+  const Real& step_;
+  int dimension_;
+  std::vector<Place3> corners_;
+  SpaceSummary out_;
+};
+
+}  // namespace
+
+SpaceSummary summarize(const ConvexSet& set, const Real& step) { return Summarizer(set, step).run(); }
+
+}  // namespace findspace::space

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/position_covers.h"
+
+#include <algorithm>
+
+#include "space/contact_surface.h"
+
+namespace findspace::space {
+
+using exact::Real;
+
+namespace {
+
+/// A box around vertices, a hair larger than their doubles say.
+Extent extent_of(std::span<const Vector> points) {
+  Extent e{points[0], points[0]};
+  double size = 1;
+  for (const Vector& p : points) {
+    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y), std::min(e.low.z, p.z)};
+    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y), std::max(e.high.z, p.z)};
+    size = std::max(size, size_of(p));
+  }
+  const Vector room{0x1p-48 * size, 0x1p-48 * size, 0x1p-48 * size};
+  e.low = e.low - room;
+  e.high = plus(e.high, room);
+  return e;
+}
+
+Extent difference(const Extent& a, const Extent& b) { return {a.low - b.high, a.high - b.low}; }
+
+Extent extent_of(const BodyPart& part) {
+  std::vector<Vector> points;
+  for (const Point& v : part.vertices()) points.push_back(exact::shadow(v));
+  return extent_of(points);
+}
+
+Extent extent_of(const OutsideCell& cell) {
+  std::vector<Vector> points;
+  for (const RealVector& v : cell.vertices) points.push_back(space::rounded(v));
+  return extent_of(points);
+}
+
+Real highest(std::span<const RealVector> points, const RealVector& n) {
+  std::optional<Real> best;
+  for (const RealVector& v : points) {
+    const Real value = dot(n, v);
+    if (!best || *best < value) best = value;
+  }
+  return *best;
+}
+
+/// Whether the face of the points in direction n has an edge, or may have one: else n belongs to no facet of a sum.
+bool selects_edge(const Vector& n, std::span<const Vector> points) {
+  double top = -exact::kInfinity, size = 0;
+  for (const Vector& v : points) top = std::max(top, dot(n, v)), size = std::max(size, size_of(v));
+  return std::count_if(points.begin(), points.end(),
+                       [&](const Vector& v) { return dot(n, v) >= top - 0x1p-36 * size; }) > 1;
+}
+
+}  // namespace
+
+Extent difference_extent(const BodyPart& a, const BodyPart& b) { return difference(extent_of(a), extent_of(b)); }
+
+std::vector<HalfSpace> difference_planes(const BodyPart& a, const BodyPart& b) {
+  std::vector<HalfSpace> planes;
+  if (a.core && b.core) {
+    const ContactSurface surface(*a.core, *b.core);
+    for (int f = 0; f < surface.facet_count(); ++f) planes.emplace_back(surface.plane(f));
+  } else if (a.core) {
+    for (const Plane& p : a.core->planes())
+      planes.emplace_back(Plane{p.normal, p.offset + exact::dot(p.normal, b.center)});
+  } else if (b.core) {
+    // c - s: the reflected polytope, moved by c.
+    for (const Plane& p : b.core->planes())
+      planes.emplace_back(Plane{-p.normal, p.offset + exact::dot(p.normal, a.center)});
+  }
+  return planes;
+}
+
+std::vector<HalfSpace> difference_planes(const OutsideCell& a, const Polytope& b) {
+  std::vector<HalfSpace> planes;
+  std::vector<RealVector> reflected;
+  for (const Point& v : b.vertices()) reflected.push_back(real(-v));
+  const auto add = [&](const RealVector& n) {
+    planes.emplace_back(n, -(highest(a.vertices, n) + highest(reflected, n)));
+  };
+  for (const HalfSpace& h : a.planes) add(h.normal);
+  for (const Plane& p : b.planes()) add(real(-p.normal));
+  std::vector<Vector> points_a, points_b;
+  for (const RealVector& v : a.vertices) points_a.push_back(space::rounded(v));
+  for (const RealVector& v : reflected) points_b.push_back(space::rounded(v));
+  for (const RealVector& d : a.directions) {
+    for (int h = 0; h < static_cast<int>(b.half_edges().size()); ++h) {
+      if (b.half_edges()[h].twin < h) continue;
+      const RealVector e = real(b.edge(h)), n = cross(d, e);
+      if (is_zero(n)) continue;
+      for (const RealVector& m : {n, negated(n)}) {
+        const Vector near = space::rounded(m), unit = scaled(1 / length(near), near);
+        const bool listed = std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& g) {
+          return dot(g.unit, unit) > 1 - 0x1p-30 && is_zero(cross(g.normal, m));
+        });
+        if (!listed && selects_edge(unit, points_a) && selects_edge(unit, points_b)) add(m);
+      }
+    }
+  }
+  return planes;
+}
+
+OpenCover overlap_cover(const Body& b, const Body& a) {
+  OpenCover cover;
+  for (const BodyPart& t : a.parts) {
+    for (const BodyPart& s : b.parts) {
+      cover.add(difference_extent(t, s), [&t, &s] { return difference_planes(t, s); });
+    }
+  }
+  return cover;
+}
+
+OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
+  OpenCover cover;
+  for (const OutsideCell& cell : outside_a) {
+    if (cell.vertices.empty()) {
+      const HalfSpace& h = cell.planes[0];
+      cover.add(everywhere(), OpenCover::Planes{HalfSpace(h.normal, h.offset - support(b, negated(h.normal)))});
+      continue;
+    }
+    const Extent extent = extent_of(cell);
+    for (const BodyPart& s : b.parts) {
+      cover.add(difference(extent, extent_of(s)), [&cell, &s] { return difference_planes(cell, *s.core); });
+    }
+  }
+  return cover;
+}
+
+}  // namespace findspace::space

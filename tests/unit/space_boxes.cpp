@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sets of boxes: degenerate cells, topological operations, sums, summaries; convex regions and the nearest uncovered
+// points.
+#include <gtest/gtest.h>
+
+#include "space/box_summary.h"
+#include "space/convex_set.h"
+#include "space/min_ball.h"
+#include "space/open_cover.h"
+#include "unit/space_bodies.h"
+
+namespace findspace::space {
+namespace {
+
+using exact::Real;
+
+TEST(BoxComplex, KeepsSheetsLinesPointsAndOpenEnds) {
+  std::vector<IntervalBox> boxes(4);
+  boxes[0] = {{{Real(0), Real(2), true, false}, {Real(0), Real(2), true, true}, {Real(0), Real(2), true, true}}};
+  boxes[1] = {{{Real(3), Real(3), true, true}, {Real(0), Real(1), true, true}, {Real(0), Real(1), true, true}}};
+  boxes[2] = {{{Real(3), Real(5), true, true}, {Real(0), Real(0), true, true}, {Real(0), Real(0), true, true}}};
+  boxes[3] = {{{Real(7), Real(7), true, true}, {Real(7), Real(7), true, true}, {Real(7), Real(7), true, true}}};
+  const BoxComplex set = BoxComplex::of_boxes(boxes);
+  EXPECT_EQ(set.mark(place(2, 1, 1)), 0);
+  EXPECT_EQ(set.mark(place(0, 1, 1)), 1);
+  EXPECT_EQ(set.closure().mark(place(2, 1, 1)), 1);
+  EXPECT_EQ(set.interior().mark(place(0, 1, 1)), 0);
+  const SpaceSummary s = summarize(set, Real::ratio(1, 2));
+  EXPECT_FALSE(s.open || s.closed || s.regular || s.empty);
+  EXPECT_DOUBLE_EQ(*s.volume, 1);
+  EXPECT_DOUBLE_EQ(s.dangling_area, 0.25);
+  EXPECT_EQ(s.components.size(), 3u);  // the line touches the sheet
+  EXPECT_DOUBLE_EQ(s.dangling_length, 1);
+  ASSERT_EQ(s.isolated.size(), 1u);
+  EXPECT_EQ(s.isolated[0], (Place3{3.5, 3.5, 3.5}));
+}
+
+TEST(BoxComplex, CavitiesSlitsAndUnboundedSets) {
+  const BoxComplex outer = box_set({{{{0, 0, 0}, {6, 6, 6}}}}), inner = box_set({{{{2, 2, 2}, {4, 4, 4}}}});
+  const BoxComplex shell = overlay(std::array<const BoxComplex*, 2>{&outer, &inner},
+                                   [](std::span<const Mark> m) { return Mark(m[0] && !m[1]); });
+  const SpaceSummary s = summarize(shell, Real(1));
+  EXPECT_EQ(s.holes, 1);
+  EXPECT_DOUBLE_EQ(*s.volume, 208);
+  EXPECT_FALSE(s.closed);
+  const SpaceSummary outside = summarize(shell.complement(), Real(1));
+  EXPECT_FALSE(outside.bounded);
+  EXPECT_FALSE(outside.volume);
+  EXPECT_EQ(outside.components.size(), 2u);
+  EXPECT_TRUE(summarize(BoxComplex({}, 1), Real(1)).whole);
+  EXPECT_TRUE(summarize(BoxComplex(), Real(1)).empty);
+}
+
+TEST(BoxComplex, SumOfOpenAndClosedBoxes) {
+  const BoxComplex a = box_set({{{{0, 0, 0}, {2, 2, 2}}}}), b = box_set({{{{-1, -1, -1}, {0, 0, 0}}}});
+  const BoxComplex open = sum(a.interior(), b);
+  EXPECT_EQ(open.mark(place(-1, 0, 0)), 0);
+  EXPECT_EQ(open.mark(place(-1, 1, 1, 2)), 1);
+  EXPECT_EQ(open.mark(place(2, 1, 1)), 0);
+  EXPECT_EQ(sum(a, b).mark(place(-1, -1, -1)), 1);
+}
+
+TEST(ConvexRegion, CutsDownToAPoint) {
+  ConvexRegion r(place(0, 0, 0), place(4, 4, 4));
+  EXPECT_EQ(r.six_volumes(), Real(6 * 64));
+  EXPECT_TRUE(r.cut(HalfSpace(place(1, 1, 1), Real(-4))));
+  EXPECT_EQ(r.vertices().size(), 4u);
+  EXPECT_EQ(r.six_volumes(), Real(64));
+  EXPECT_EQ(r.edges().size(), 6u);
+  EXPECT_FALSE(r.cut(HalfSpace(place(1, 1, 1), Real(-4))));
+  EXPECT_TRUE(r.cut(HalfSpace(place(-1, -1, -1), Real(4))));  // the slanted facet alone
+  EXPECT_EQ(r.dimension(), 2);
+  EXPECT_TRUE(r.cut(HalfSpace(place(1, 0, 0), Real(0))));
+  EXPECT_EQ(r.dimension(), 1);
+  EXPECT_TRUE(r.cut(HalfSpace(place(0, 1, 0), Real(0))));
+  EXPECT_EQ(r.dimension(), 0);
+  EXPECT_EQ(r.vertices()[0].at, place(0, 0, 4));
+  EXPECT_TRUE(r.cut(HalfSpace(place(0, 0, 1), Real(-3))));
+  EXPECT_TRUE(r.empty());
+}
+
+TEST(ConvexSet, SummaryOfATetrahedron) {
+  ConvexSet set{ConvexRegion(place(0, 0, 0), place(6, 6, 6)), true, true, false};
+  set.region.cut(HalfSpace(place(1, 1, 1), Real(-6)));
+  const SpaceSummary closed = summarize(set, Real(1));
+  EXPECT_TRUE(closed.closed && closed.regular && !closed.open && closed.bounded);
+  EXPECT_DOUBLE_EQ(*closed.volume, 36);
+  set.inside = false;
+  const SpaceSummary surface = summarize(set, Real(1));
+  EXPECT_EQ(surface.holes, 1);
+  EXPECT_EQ(surface.components.at(0).dimension, 2);
+  EXPECT_NEAR(surface.dangling_area, 3 * 18 + std::sqrt(3) / 4 * 72, 1e-9);  // no sign: test
+  set.outside = true;
+  const SpaceSummary free = summarize(set, Real(1));
+  EXPECT_TRUE(free.closed && free.regular && !free.bounded);
+}
+
+TEST(OpenCover, SlitsAndEmptyComplements) {
+  const auto slab = [](std::int64_t from, std::int64_t to) {  // from < x < to
+    return OpenCover::Planes{HalfSpace(place(-1, 0, 0), Real(from)), HalfSpace(place(1, 0, 0), Real(-to))};
+  };
+  OpenCover cover;
+  cover.add(everywhere(), slab(0, 3));
+  cover.add(everywhere(), slab(3, 9));
+  EXPECT_FALSE(cover.covers(place(3, 5, 5)));
+  EXPECT_TRUE(cover.covers(place(2, 5, 5)));
+  EXPECT_EQ(*cover.nearest_uncovered(place(4, 5, 5)), place(3, 5, 5));
+  EXPECT_EQ(*cover.nearest_uncovered(place(7, 5, 5)), place(9, 5, 5));
+  EXPECT_EQ(*cover.nearest_touching(place(-2, 1, 1)), place(0, 1, 1));
+  cover.add(everywhere(), slab(2, 4));
+  EXPECT_EQ(*cover.nearest_uncovered(place(4, 5, 5)), place(0, 5, 5));
+  OpenCover all;
+  all.add(everywhere(), OpenCover::Planes{HalfSpace(place(1, 0, 0), Real(-1))});
+  all.add(everywhere(), OpenCover::Planes{HalfSpace(place(-1, 1, 0), Real(0))});
+  all.add(everywhere(), OpenCover::Planes{HalfSpace(place(-1, -1, 0), Real(0))});
+  EXPECT_FALSE(all.nearest_uncovered(place(0, 0, 0)));
+}
+
+TEST(MinBall, OfPointsOnAndOffALine) {
+  EXPECT_EQ(min_ball({place(1, 2, 3)}).square, Real(0));
+  const EnclosingBall box = min_ball({place(0, 0, 0), place(2, 0, 0), place(0, 4, 0), place(2, 4, 6), place(1, 1, 1)});
+  EXPECT_EQ(box.center, place(1, 2, 3));
+  EXPECT_EQ(box.square, Real(14));
+}
+
+}  // namespace
+}  // namespace findspace::space
