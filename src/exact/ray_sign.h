@@ -59,6 +59,13 @@ struct RaisedPoint {
   bool raised = false;
 };
 
+/// The same for p displaced by infinitesimals, to the right and, less, upward: 0 only if a = b.
+inline int sign_turn_displaced(const Grid3& a, const Grid3& b, std::int64_t px, std::int64_t py) {
+  const int s = sign_turn(a.x, a.y, b.x, b.y, px, py);
+  if (s != 0) return s;
+  return a.y != b.y ? (a.y > b.y ? 1 : -1) : (b.x > a.x) - (b.x < a.x);
+}
+
 /// The sign of the volume when the raised points stand `by` higher, 0 <= by < 1.
 int sign_volume(const RaisedPoint& a, const RaisedPoint& b, const RaisedPoint& c, const RaisedPoint& d,
                 const Fraction& by);

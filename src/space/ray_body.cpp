@@ -42,6 +42,11 @@ bool before_clockwise(const Point& a, const Point& b, const Point& p, const Poin
 /// Pairs the sides of one edge; `group` are its sides. Each rising one gets the first falling one clockwise: solid
 /// between.
 void pair_group(const RayBody& body, const std::vector<Side>& group, std::vector<int>& twin) {
+  if (group.size() == 2 && group[0].rising != group[1].rising) {
+    twin[group[0].id] = group[1].id;
+    twin[group[1].id] = group[0].id;
+    return;
+  }
   const Sides sides{body};
   std::vector<int> rising, falling;
   for (const Side& s : group) (s.rising ? rising : falling).push_back(s.id);
@@ -51,7 +56,6 @@ void pair_group(const RayBody& body, const std::vector<Side>& group, std::vector
     const Point &a = body.points[sides.from(r)], &b = body.points[sides.to(r)];
     int best = -1;
     for (const int f : falling) {
-      if (twin[f] >= 0 && rising.size() == 1) continue;
       if (best < 0 || before_clockwise(a, b, sides.apex(r), sides.apex(f), sides.apex(best))) best = f;
     }
     if (best < 0 || twin[best] >= 0) refuse("faces cross or repeat at an edge");
@@ -68,8 +72,10 @@ std::vector<int> twins(const RayBody& body) {
     const int low = std::min(at.from(id), at.to(id)), high = std::max(at.from(id), at.to(id));
     sides.push_back({low, high, id, at.from(id) < at.to(id)});
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& s, const Side& t) { return std::tie(s.low, s.high, s.id) < std::tie(t.low, t.high, t.id); });
+  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+    if (s.low != t.low) return s.low < t.low;
+    return s.high != t.high ? s.high < t.high : s.id < t.id;
+  });
   std::vector<int> twin(sides.size(), -1);
   std::vector<Side> group;
   for (std::size_t i = 0; i < sides.size(); i += group.size()) {

@@ -43,7 +43,10 @@ RayGrid ray_grid(const Point& low, const Point& high, int axis, int n) {
 }
 
 int compare_positions(const RayPosition& p, const RayPosition& q) {
-  if (!p.real && !q.real) return exact::compare_fractions(p.exact, q.exact);
+  const double gap = p.value - q.value, blur = (p.radius + q.radius) * 2;
+  if (gap > blur) return 1;
+  if (gap < -blur) return -1;
+  if (!p.roots && !q.roots) return exact::compare_fractions(p.exact, q.exact);
   return exact::compare(p.to_real(), q.to_real());
 }
 

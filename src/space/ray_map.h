@@ -12,7 +12,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,13 +36,22 @@ struct RayGrid {
 /// are even to a millionth, and a margin of one cell about it. Throws Error(kBadValue) unless 1 <= n <= 2^14.
 RayGrid ray_grid(const Point& low, const Point& high, int axis, int n);
 
-/// A place along a line, in parts of a step.
-struct RayPosition {
-  double value = 0;                         // rounded
-  exact::Fraction exact{0, 0};              // the place, unless the denominator is 0
-  std::shared_ptr<const exact::Real> real;  // then it is this
+/// Gives places along lines that are no fractions.
+class RayRoots {
+ public:
+  virtual ~RayRoots() = default;
+  virtual exact::Real root(int patch, int which, int i, int j) const = 0;
+};
 
-  exact::Real to_real() const { return real ? *real : exact::to_real(exact); }
+/// A place along a line, in parts of a step: a fraction, or root `which` of a curved patch met by line (i, j).
+struct RayPosition {
+  double value = 0, radius = 0;  // the place is within `radius` of `value`
+  exact::Fraction exact{0, 0};
+  const RayRoots* roots = nullptr;  // where this is set it is not a fraction; lives as long as the source of the row
+  int patch = 0, i = 0, j = 0;
+  std::int8_t which = 0;
+
+  exact::Real to_real() const { return roots ? roots->root(patch, which, i, j) : exact::to_real(exact); }
 };
 
 /// The sign of p - q, exactly.

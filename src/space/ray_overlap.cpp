@@ -26,13 +26,6 @@ struct Probe {
     return {{3 * c.x + shift.x, 3 * c.y + shift.y, 3 * c.z + shift.z}, body_raised};
   }
 
-  /// Left of the projected edge from a to b, for q displaced by infinitesimals to the right and, less, upward.
-  static int displaced_turn(const Point& a, const Point& b, const Point& q) {
-    const int s = exact::sign_turn(a.x, a.y, b.x, b.y, q.x, q.y);
-    if (s != 0) return s;
-    return a.y != b.y ? (a.y > b.y ? 1 : -1) : (b.x > a.x) - (b.x < a.x);
-  }
-
   /// Whether q lies on the closed triangle, given that it lies in its plane.
   bool on_face(int f, const RaisedPoint& q) const {
     const RaisedPoint c[3] = {corner(f, 0), corner(f, 1), corner(f, 2)};
@@ -59,8 +52,10 @@ struct Probe {
       if (side == 0 && on_face(f, q)) return true;
       const int look = exact::sign(body.normals[f].z);
       if (look == 0 || side != -look) return false;
-      if (displaced_turn(a.at, b.at, q.at) == look && displaced_turn(b.at, c.at, q.at) == look &&
-          displaced_turn(c.at, a.at, q.at) == look) {
+      const auto left = [&](const RaisedPoint& p, const RaisedPoint& r) {
+        return exact::sign_turn_displaced(p.at, r.at, q.at.x, q.at.y) == look;
+      };
+      if (left(a, b) && left(b, c) && left(c, a)) {
         sum += look;
       }
       return false;
@@ -86,11 +81,22 @@ RayPlace ray_place(std::int64_t x, std::int64_t y, const Fraction& z) {
   return {{x, y, static_cast<std::int64_t>(whole)}, {z.numerator - whole * z.denominator, z.denominator}};
 }
 
-bool RayOverlap::interiors_meet(const RayPlace& p) const {
-  const bool raised = p.by.numerator != 0;
-  if (any_pair(a_tree_, b_tree_, p.whole, raised, [&](int f, int g) { return faces_overlap(a_, f, b_, g, p); }))
+bool RayOverlap::interiors_meet(const RayPlace& p, Recent& recent) const {
+  constexpr std::size_t kRemembered = 8;
+  auto& pairs = recent.pairs;
+  for (auto pair = pairs.begin(); pair != pairs.end(); ++pair) {
+    if (!faces_overlap(a_, (*pair)[0], b_, (*pair)[1], p)) continue;
+    std::rotate(pairs.begin(), pair, pair + 1);
     return true;
-  return pieces_inside(p);
+  }
+  const bool raised = p.by.numerator != 0;
+  const bool found = any_pair(a_tree_, b_tree_, p.whole, raised, [&](int f, int g) {
+    if (!faces_overlap(a_, f, b_, g, p)) return false;
+    if (pairs.size() == kRemembered) pairs.pop_back();
+    pairs.insert(pairs.begin(), {f, g});
+    return true;
+  });
+  return found || pieces_inside(p);
 }
 
 bool RayOverlap::pieces_inside(const RayPlace& p) const {

@@ -37,7 +37,15 @@ class RayOverlap {
   RayOverlap(const RayBody& a, const RayBody& b, bool a_inside_out)
       : a_(a), b_(b), a_tree_(a), b_tree_(b), a_inside_out_(a_inside_out) {}
 
-  bool interiors_meet(const RayPlace& p) const;
+  /// The pairs of triangles that showed the last overlaps: likely to show the next one nearby, so they are tried first.
+  struct Recent {
+    std::vector<std::array<int, 2>> pairs;
+  };
+  bool interiors_meet(const RayPlace& p, Recent& recent) const;
+  bool interiors_meet(const RayPlace& p) const {
+    Recent none;
+    return interiors_meet(p, none);
+  }
 
  private:
   bool pieces_inside(const RayPlace& p) const;

@@ -19,6 +19,8 @@ RayRow RowWork::run() {
   collect();
   sort_columns();
   group_first_.assign(1, 0);
+  groups_.reserve(sorted_.size());
+  cells_.reserve(sorted_.size() + columns_);
   for (int i = 0; i < columns_; ++i) {
     group_column(i);
     group_first_.push_back(static_cast<int>(groups_.size()));
@@ -43,15 +45,10 @@ void RowWork::collect() {
     const Sheet& s = sheets_[k];
     if (s.jump == 0) continue;
     for (int i = section.column[0]; i < section.column[1]; ++i) {
-      Hit hit{i, k, 0, s.slack, {0, 0}, s.jump, false};
-      if (s.slack <= kCoarseSlack) {
-        hit.at = s.height(sheets_.grid().u_at(i), y_);
-      } else {
-        hit.exact = s.height_exactly(sheets_.grid().u_at(i), y_);
-        hit.at = exact::to_double(hit.exact);
-        hit.error = 0x1p-50 * (std::fabs(hit.at) + 1);
-      }
-      hits_.push_back(hit);
+      const std::int64_t x = sheets_.grid().u_at(i);
+      const bool rounded = s.slack <= kCoarseSlack;
+      hits_.push_back(rounded ? Hit{s.height(x, y_), s.slack, i, k, -1, s.jump, false}
+                              : exact_hit(i, k, s.height_exactly(x, y_), s.jump, false));
     }
   }
   dirty_number_.assign(columns_, -1);
@@ -91,11 +88,8 @@ void RowWork::collect_dirty(int column) {
       if (t != 0) sense = t;
     }
     if (outside) continue;
-    Hit hit{column, k, 0, 0, s.height_exactly(x, y_), 0, edge};
-    if (s.meets_displaced(x, y_)) hit.jump = s.jump;
-    hit.at = exact::to_double(hit.exact);
-    hit.error = 0x1p-50 * (std::fabs(hit.at) + 1);
-    hits_.push_back(hit);
+    const int jump = s.meets_displaced(x, y_) ? s.jump : 0;
+    hits_.push_back(exact_hit(column, k, s.height_exactly(x, y_), jump, edge));
   }
 }
 
@@ -121,15 +115,20 @@ void RowWork::meet_upright(const Sheet& s, int sheet, int column, std::vector<Wa
   if (ends.empty()) return;
   const auto less = [](const Fraction& a, const Fraction& b) { return exact::compare_fractions(a, b) < 0; };
   const auto [low, high] = std::minmax_element(ends.begin(), ends.end(), less);
-  for (const Fraction& z : {*low, *high}) {
-    const double at = exact::to_double(z);
-    hits_.push_back({column, sheet, at, 0x1p-50 * (std::fabs(at) + 1), z, 0, true});
-  }
+  for (const Fraction& z : {*low, *high}) hits_.push_back(exact_hit(column, sheet, z, 0, true));
   if (less(*low, *high)) walls.push_back({*low, *high});
 }
 
+RowWork::Hit RowWork::exact_hit(int column, int sheet, const Fraction& z, int jump, bool touch) {
+  const double at = exact::to_double(z);
+  exacts_.push_back(z);
+  return {at,    0x1p-50 * (std::fabs(at) + 1),        column,
+          sheet, static_cast<int>(exacts_.size()) - 1, static_cast<std::int8_t>(jump),
+          touch};
+}
+
 Fraction RowWork::place(const Hit& h) const {
-  return h.exact.denominator != 0 ? h.exact : sheets_[h.sheet].height_exactly(sheets_.grid().u_at(h.column), y_);
+  return h.exact >= 0 ? exacts_[h.exact] : sheets_[h.sheet].height_exactly(sheets_.grid().u_at(h.column), y_);
 }
 
 bool RowWork::comes_before(const Hit& a, const Hit& b) const {
@@ -164,7 +163,7 @@ void RowWork::group_column(int column) {
   int winding = pair_.base_winding_;
   cells_.push_back({winding, false, 2});
   for (int h = hit_first_[column]; h < hit_first_[column + 1];) {
-    RayGroup group{sorted_[h].at, sorted_[h].error, h, 0, sorted_[h].exact};
+    RayGroup group{sorted_[h].at, sorted_[h].error, h, 0, -1};
     do {
       winding += sorted_[h].jump;
       ++group.count;
@@ -177,8 +176,11 @@ void RowWork::group_column(int column) {
 
 Fraction RowWork::place(int column, int group) {
   RayGroup& g = groups_[group_first_[column] + group];
-  if (g.exact.denominator == 0) g.exact = place(sorted_[g.first]);
-  return g.exact;
+  if (g.exact < 0) {
+    exacts_.push_back(place(sorted_[g.first]));
+    g.exact = static_cast<int>(exacts_.size()) - 1;
+  }
+  return exacts_[g.exact];
 }
 
 void RowWork::mark_walls(int column, const std::vector<Wall>& walls) {
@@ -193,8 +195,8 @@ void RowWork::mark_walls(int column, const std::vector<Wall>& walls) {
   }
 }
 
-bool RowWork::meets(int column, const Fraction& z) const {
-  return pair_.overlap_.interiors_meet(ray_place(sheets_.grid().u_at(column), y_, z));
+bool RowWork::meets(int column, const Fraction& z) {
+  return pair_.overlap_.interiors_meet(ray_place(sheets_.grid().u_at(column), y_, z), recent_);
 }
 
 /// On a facet, so touching at least. Beside a place that is not in the open set U it is not in U either.
@@ -228,6 +230,7 @@ void RowWork::emit(int column, RayRow& row) {
     RayEvent event;
     event.at.exact = place(column, k);
     event.at.value = groups_[group_first_[column] + k].at;
+    event.at.radius = groups_[group_first_[column] + k].error;
     event.here = static_cast<std::int8_t>(sense * here);
     event.after = static_cast<std::int8_t>(sense * after);
     row.events.push_back(std::move(event));

@@ -16,8 +16,8 @@ namespace findspace::space {
 /// A place on a line where it meets facets.
 struct RayGroup {
   double at = 0, error = 0;
-  int first = 0, count = 0;     // the facets met, in RowWork::hits_
-  exact::Fraction exact{0, 0};  // known if the denominator is not 0
+  int first = 0, count = 0;  // the facets met, in RowWork::sorted_
+  int exact = -1;            // its place in RowWork::exacts_, once asked for
 };
 
 /// What lies after group k - 1 and before group k of a line.
@@ -34,9 +34,9 @@ class RowWork {
 
  private:
   struct Hit {
-    int column, sheet;
     double at, error;
-    exact::Fraction exact{0, 0};  // of dirty lines, and of steep facets
+    int column, sheet;
+    int exact = -1;  // its place in exacts_: of dirty lines, and of steep facets
     std::int8_t jump = 0;
     bool touch = false;  // the line meets the facet at its edge, or runs in it
   };
@@ -45,6 +45,7 @@ class RowWork {
   };
 
   void collect();
+  Hit exact_hit(int column, int sheet, const exact::Fraction& z, int jump, bool touch);
   void collect_dirty(int column);
   void meet_upright(const Sheet& s, int sheet, int column, std::vector<Wall>& walls);
   void sort_columns();
@@ -60,7 +61,7 @@ class RowWork {
   void join_over_edge(int column, std::vector<std::pair<double, double>>& ranges);
   int cell_at(int column, double level) const;
   void test_joined();
-  bool meets(int column, const exact::Fraction& z) const;
+  bool meets(int column, const exact::Fraction& z);
 
   std::int8_t sign_here(int column, int group);
   void emit(int column, RayRow& row);
@@ -70,6 +71,8 @@ class RowWork {
   int j_, columns_;
   std::int64_t y_;
   std::vector<Hit> hits_, sorted_;
+  std::vector<exact::Fraction> exacts_;
+  RayOverlap::Recent recent_;
   std::vector<char> dirty_;
   std::vector<std::vector<Wall>> walls_;  // of dirty lines, by number
   std::vector<int> dirty_number_;

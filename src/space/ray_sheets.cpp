@@ -66,8 +66,7 @@ bool Sheet::meets_displaced(std::int64_t x, std::int64_t y) const {
   int seen = 0;
   for (int k = 0; k < facet.corners; ++k) {
     const Point &p = facet.corner[k], &q = facet.corner[k + 1 == facet.corners ? 0 : k + 1];
-    int s = exact::sign_turn(p.x, p.y, q.x, q.y, x, y);
-    if (s == 0) s = p.y != q.y ? (p.y > q.y ? 1 : -1) : (q.x > p.x) - (q.x < p.x);
+    const int s = exact::sign_turn_displaced(p, q, x, y);
     if (s == 0 || (seen != 0 && s != seen)) return false;
     seen = s;
   }

@@ -59,6 +59,7 @@ class Marching {
     for (int k = 0; k < lattice_.count[axis]; ++k) {
       RayPosition at;
       at.exact = {lattice_.at(axis, k), 1};
+      at.value = corner(k);
       double change = k == 0 ? corner(0) - half : corner(k);
       bool changed = k == 0;
       const auto note = [&](bool value, double where) {
