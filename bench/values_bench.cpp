@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 
@@ -45,6 +46,13 @@ double median_ms(Job&& job) {
   }
   std::nth_element(times.begin(), times.begin() + std::ptrdiff_t(times.size() / 2), times.end());
   return times[times.size() / 2];
+}
+
+template <class Job>
+double once_ms(Job&& job) {
+  auto begun = std::chrono::steady_clock::now();
+  job();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
 }
 
 Region region(const Polygon& polygon) {
@@ -90,15 +98,20 @@ void compare(const char* name, const Polygon& a, const Polygon& b, std::int64_t 
 void many_positions(const Polygon& a, const Polygon& b) {
   Region ra = region(a), rb = region(b);
   constexpr int kPositions = 10000;
-  const std::int64_t size = std::int64_t(1) << 23;
+  const std::int64_t size = std::int64_t(1) << 20;
   auto at = [&](int k) {
     double t = 2.399963 * k, r = double(size) * 2.5 * std::sqrt(double(k) / kPositions);  // a sunflower
     return RealPoint{std::int64_t(r * std::cos(t)), std::int64_t(r * std::sin(t))};
   };
   for (const Row& r : kRows) {
-    double fresh = median_ms(
-        [&] { AtPosition(std::make_shared<ShapePair>(region(b), region(a))).measure(r.which, at(kPositions - 1)); });
-    double all = median_ms([&] {
+    constexpr int kFresh = 12;  // spread over all positions, in and out
+    double fresh = once_ms([&] {
+                     for (int k = 0; k < kFresh; ++k)
+                       AtPosition(std::make_shared<ShapePair>(region(b), region(a)))
+                           .measure(r.which, at((2 * k + 1) * kPositions / (2 * kFresh)));
+                   }) /
+                   kFresh;
+    double all = once_ms([&] {
       AtPosition prepared(std::make_shared<ShapePair>(rb, ra));
       for (int k = 0; k < kPositions; ++k) prepared.measure(r.which, at(k));
     });
@@ -110,7 +123,7 @@ void many_positions(const Polygon& a, const Polygon& b) {
 /// reach.
 void many_atoms(int m) {
   namespace situation = findspace::situation;
-  const std::int64_t size = std::int64_t(1) << 23;
+  const std::int64_t size = std::int64_t(1) << 20;
   situation::World world;
   situation::Context context;
   std::string formula;
@@ -160,8 +173,9 @@ void many_atoms(int m) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   int n = argc > 1 ? std::atoi(argv[1]) : 1000;
-  const std::int64_t size = std::int64_t(1) << 23;
+  const std::int64_t size = std::int64_t(1) << 20;
   fmt::print(
       "| {} vertices each | distance | value | ours, from the shapes, ms | ours, prepared, ms | GEOS, ms | Boost, ms "
       "|\n",

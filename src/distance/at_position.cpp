@@ -111,9 +111,6 @@ std::optional<Measured> AtPosition::farthest(Which which, const RealPoint& p) co
 /// mu(B + p, A), or mu(A, B + p) if `back`.
 std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p) const {
   if (back && fixed_.region().faces[0].mark > 0) return std::nullopt;
-  Standing s = standing(p);
-  if (s.kind == (back ? Standing::Kind::kAround : Standing::Kind::kInside))
-    return Measured{-s.pair->distance, std::nullopt, std::nullopt, features(*s.pair)};
   const SiteTree &from = back ? fixed_ : moving_, &to = back ? moving_ : fixed_;
   const RealPoint by = back ? RealPoint{-p.x, -p.y} : p;
   double scale = from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
@@ -123,7 +120,10 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p) cons
   };
   auto place = search(scale * kClearlyOut);
   if (!place) {
-    // One lies in the other, or all but: containment decides.
+    Standing s = standing(p);
+    if (s.kind == (back ? Standing::Kind::kAround : Standing::Kind::kInside))
+      return Measured{-s.pair->distance, std::nullopt, std::nullopt, features(*s.pair)};
+    // One touches the other from inside, or all but: containment decides.
     auto margin = by_map(back ? Which::kDelta1 : Which::kEta1, p);
     if (margin && margin->value.sign() <= 0) return margin;
     place = search(scale * kHardlyOut);

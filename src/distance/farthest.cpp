@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "distance/point_set.h"
+#include "findspace/error.h"
+#include "plane/hull.h"
 #include "plane/minkowski.h"
 #include "plane/overlay.h"
 #include "plane/primitives.h"
@@ -21,6 +23,15 @@ using plane::Mark;
 using plane::SignMap;
 
 namespace {
+
+/// The convex hull of a set, which has the same farthest points; the set itself where its hull cannot be represented.
+plane::Region outline(const plane::Region& set) {
+  try {
+    return plane::hull(set);
+  } catch (const Error&) {
+    return set;
+  }
+}
 
 SignMap point_map(const RealPoint& p) { return point_set({&p, 1}, 0, 1); }
 
@@ -43,7 +54,7 @@ SignMap Farthest::sign_map(const Real& level) const {
     return single ? point_map(set_.geometry.exact(set_.vertices[0].point)) : CellComplex::uniform(1);
   }
   // All of C within the disc about p: -C + p in the disc about the origin.
-  return containment_map(plane::region_of_disc(0, 0, level), mirrored(set_));
+  return containment_map(plane::region_of_disc(0, 0, level), mirrored(outline(set_)));
 }
 
 Farthest::Best Farthest::best(const RealPoint& p) const {

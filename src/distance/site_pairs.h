@@ -9,15 +9,10 @@
 // dual tree traversal, branch and bound.
 #pragma once
 
+#include "distance/exact_pairs.h"
 #include "distance/site_tree.h"
 
 namespace findspace::distance {
-
-struct SitePair {
-  exact::Real distance;
-  exact::RealPoint first, second;       // the points, of A and of B + p
-  plane::Cell first_cell, second_cell;  // vertices or edges of A and of B
-};
 
 /// The pair of nearest boundary points. Nothing where the boundaries meet or numbers do not exclude it.
 std::optional<SitePair> nearest_pair(const SiteTree& a, const SiteTree& b, const exact::RealPoint& p);
