@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "distance/sites.h"
-#include "plane/moved_geometry.h"
+#include "plane/moved.h"
 #include "plane/overlay.h"
 #include "plane/parallel.h"
 #include "plane/swept.h"
