@@ -31,6 +31,7 @@ io::Page page(const Session& session, const situation::World& world, const situa
   p.region = &region;
   p.summary = &summary;
   p.around = around;
+  p.around_text = "positions not excluded at every angle";
   session.add_scenery(p, world, &formula);
   return {std::move(title), io::picture_svg(p)};
 }

@@ -162,7 +162,7 @@ class PictureWriter {
       out.push_back({M::kPole, fmt::format("at p = ({}, {})", shown((*position_)[0]), shown((*position_)[1]))});
     }
     if (!placed_.empty()) out.push_back({M::kMoving, fmt::format("placed: {}", placed_.size())});
-    if (around_) out.push_back({M::kAround, "all feasible positions"});
+    if (around_) out.push_back({M::kAround, p_.around_text});
     if (!fixed_.empty()) out.push_back({M::kFixed, fixed_.size() == 1 ? "fixed shape" : "fixed shapes"});
     return out;
   }

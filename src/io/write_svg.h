@@ -28,6 +28,7 @@ struct Picture {
   const plane::Region* region = nullptr;    // the region, if there is one
   const plane::Summary* summary = nullptr;  // of the region
   const plane::Region* around = nullptr;    // positions of which the region is a part, drawn faintly
+  std::string around_text = "all feasible positions";  // in the legend
   bool of_positions = true;                 // the region is one of positions; else it is a shape
   std::vector<NamedRegion> fixed;           // in outline
   std::vector<NamedRegion> moving;          // drawn at `position`

@@ -51,8 +51,12 @@ std::vector<Turn> TurnedContact::events() const { return contact_turns(net_, fix
 MarkSet TurnedContact::marks_met(const Turn& angle, MarkSet enough) {
   MarkSet met = unbounded_ ? bit(fixed_.faces[0].mark) : 0;
   const TurnedNet now = net_.turned(angle);
+  in_face_.assign(now.vertices.size(), 0);
   for (Index v = 0; v < now.vertices.size() && (met & enough) == 0; ++v) {
-    if (turning_.vertices[v].mark != 0) met |= bit(locate_fixed_.mark(now.vertices[v] + to_));
+    if (turning_.vertices[v].mark == 0) continue;
+    const Cell cell = locate_fixed_.locate(now.vertices[v] + to_);
+    met |= bit(mark_of(fixed_, cell));
+    in_face_[v] = cell.dimension == 2;
   }
   for (const TurnedEdge& e : now.edges) {
     if ((met & enough) != 0) return met;
@@ -84,8 +88,10 @@ void TurnedContact::meet_edge(const TurnedEdge& e, MarkSet& met, MarkSet enough)
   stops.insert(stops.begin(), e.p);
   stops.push_back(e.q);
   for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
-    const bool inner = k > 0 && k + 2 < stops.size();
-    if (inner && compare_along(e, stops[k], stops[k + 1]) == 0) continue;
+    const bool first = k == 0, last = k + 2 == stops.size();
+    // A piece that begins or ends in a face lies in it, and that has been seen.
+    if ((first && in_face_[e.v0] != 0) || (last && in_face_[e.v1] != 0)) continue;
+    if (!first && !last && compare_along(e, stops[k], stops[k + 1]) == 0) continue;
     met |= bit(locate_fixed_.mark(point_between(e, stops[k], stops[k + 1]) + to_));
   }
 }

@@ -59,6 +59,7 @@ class TurnedContact {
   TurnedNet net_, fixed_net_;
   std::vector<RoughBox> fixed_boxes_;
   std::vector<Sample> samples_;
+  std::vector<char> in_face_;  // of the angle looked at: vertices of T that lie in faces of M
   bool unbounded_ = false;
   Locator locate_turning_, locate_fixed_;
 };
