@@ -84,7 +84,15 @@ void compare(const char* name, const Polygon& a, const Polygon& b, std::int64_t 
   auto pair = std::make_shared<ShapePair>(rb, ra);
   AtPosition prepared(pair);
   for (const Row& r : kRows) {
-    double fresh = median_ms([&] { AtPosition(std::make_shared<ShapePair>(rb, ra)).measure(r.which, p); });
+    // The shapes themselves are there, as the rivals' are; copying them is not counted.
+    std::vector<double> times;
+    for (int k = 0; k < 101 && (k < 3 || times.back() < 10); ++k) {
+      Region b_copy = rb, a_copy = ra;
+      times.push_back(once_ms(
+          [&] { AtPosition(std::make_shared<ShapePair>(std::move(b_copy), std::move(a_copy))).measure(r.which, p); }));
+    }
+    std::sort(times.begin(), times.end());
+    double fresh = times[times.size() / 2];
     double again = median_ms([&] { prepared.measure(r.which, p); });
     bool plain = r.which == Which::kGamma1 || r.which == Which::kD1, both = r.which == Which::kHausdorff;
     bool one = r.which == Which::kMu || r.which == Which::kH;

@@ -65,6 +65,7 @@ void SiteTree::add_walk(Index half_edge, std::vector<char>& known) {
 }
 
 void SiteTree::collect() {
+  sites_.reserve(region_.edges.size());
   std::vector<char> known(region_.edges.size(), 0);
   for (Index h = 0; h < region_.half_edges.size(); ++h)
     if (!known[h / 2]) add_walk(h, known);
