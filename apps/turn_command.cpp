@@ -104,8 +104,8 @@ std::string picture(const Session& session, const situation::World& world, const
 
 bool asks_for_angle(const Session& session) {
   if (session.options().angle || turns(session.scene().free)) return true;
-  const auto& atoms = session.where().atoms();
-  return std::any_of(atoms.begin(), atoms.end(),
+  const situation::Formula formula = session.where();
+  return std::any_of(formula.atoms().begin(), formula.atoms().end(),
                      [](const situation::Atom& a) { return a.distance.mode == situation::Mode::kTurning; });
 }
 
