@@ -48,8 +48,9 @@ void add_regions(Answer& answer, const Problem& problem, std::vector<std::vector
   }
   for (std::size_t k = 0; k < owner.size(); ++k) {
     const Body& body = problem.bodies[owner[k]];
-    answer.result.regions.push_back(
-        {body.name, turns(body) ? std::optional(body.angles[answer.kept[k].angle]) : std::nullopt, &answer.kept[k].region});
+    answer.result.regions.push_back({body.name,
+                                     turns(body) ? std::optional(body.angles[answer.kept[k].angle]) : std::nullopt,
+                                     &answer.kept[k].region});
   }
 }
 
@@ -82,7 +83,8 @@ Answer simultaneous(const planning::Relations& relations, const planning::Limit&
   answer.result.method = "simultaneous";
   for (std::size_t b = 0; b < problem.bodies.size(); ++b)
     answer.result.placed.push_back(placed(problem.bodies[b], found.witness[b]));
-  answer.complete = std::all_of(found.witness.begin(), found.witness.end(), [](const auto& p) { return p.has_value(); });
+  answer.complete =
+      std::all_of(found.witness.begin(), found.witness.end(), [](const auto& p) { return p.has_value(); });
   answer.result.unproven = found.unproven;
   answer.poses = std::move(found.witness);
   add_regions(answer, problem, std::move(found.positions));

@@ -79,7 +79,8 @@ class Maker {
   void add_names(std::size_t index) {
     const Body& body = problem_.bodies[index];
     problem_.names[body.name] = {index, std::nullopt};
-    for (std::size_t k = 0; body.shapes.size() > 1 && k < body.shapes.size(); ++k) problem_.names[body.shapes[k]] = {index, k};
+    for (std::size_t k = 0; body.shapes.size() > 1 && k < body.shapes.size(); ++k)
+      problem_.names[body.shapes[k]] = {index, k};
   }
 
   void build_world() {
@@ -123,7 +124,8 @@ class Maker {
   void add_each() {
     if (place_.each.empty()) return;
     const FormulaPointer formula = parsed(place_.each, fixed_context());
-    for (std::size_t i = 0; i < problem_.bodies.size(); ++i) problem_.conditions.push_back({formula, {{"self", {i, {}}}}});
+    for (std::size_t i = 0; i < problem_.bodies.size(); ++i)
+      problem_.conditions.push_back({formula, {{"self", {i, {}}}}});
   }
 
   void add_pairs() {
@@ -147,14 +149,16 @@ class Maker {
 
   void check_and_note(const situation::Atom& atom, const io::FormulaText& text, Roles& roles) const {
     std::set<std::size_t> first, second;
-    for (const auto& [names, bodies] : {std::pair(&atom.distance.first, &first), std::pair(&atom.distance.second, &second)})
+    for (const auto& [names, bodies] :
+         {std::pair(&atom.distance.first, &first), std::pair(&atom.distance.second, &second)})
       for (const std::string& name : *names)
         if (auto found = problem_.names.find(name); found != problem_.names.end()) {
           roles.insert(*found);
           bodies->insert(found->second.body);
         }
     if (!first.empty() && first == second) {
-      throw Error(ErrorCode::kBadValue, fmt::format("{}: the two move together, so their distance never changes", atom.text),
+      throw Error(ErrorCode::kBadValue,
+                  fmt::format("{}: the two move together, so their distance never changes", atom.text),
                   fmt::format("{}:{}:{}", text.file, text.line, text.column));
     }
   }
@@ -162,8 +166,7 @@ class Maker {
   void add_objectives() {
     situation::Context context = named_context();
     context.moving.push_back("self");
-    for (const io::FormulaText& text : place_.minimize)
-      problem_.goals.push_back(session_.goal(text, context));
+    for (const io::FormulaText& text : place_.minimize) problem_.goals.push_back(session_.goal(text, context));
   }
 
   const Session& session_;
@@ -178,10 +181,12 @@ class Maker {
 Problem placement_problem(const Session& session) {
   const io::Scene& scene = session.scene();
   auto refuse = [&](const std::string& what) { throw Error(ErrorCode::kUnsupported, what, scene.file); };
-  if (!scene.place.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"place\": nothing says what to place", scene.file);
+  if (!scene.place.given())
+    throw Error(ErrorCode::kBadValue, "the scene has no \"place\": nothing says what to place", scene.file);
   if (scene.dimension != 2) refuse("a placement of 3D shapes is not computed by this version");
   if (scene.motion.given()) refuse("a placement over a \"motion\" is not computed");
-  if (scene.free.kind != io::Free::Kind::kPosition) refuse("a placement ranges over positions: \"free\" has no meaning with it");
+  if (scene.free.kind != io::Free::Kind::kPosition)
+    refuse("a placement ranges over positions: \"free\" has no meaning with it");
   return Maker(session).run();
 }
 

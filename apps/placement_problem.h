@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// From the `place` of a scene to a placement problem: shapes turned by their allowed angles, formulas with the bodies they
-// speak of. Mistakes are reported at their place in the scene.
+// From the `place` of a scene to a placement problem: shapes turned by their allowed angles, formulas with the bodies
+// they speak of. Mistakes are reported at their place in the scene.
 #pragma once
 
 #include "planning/problem.h"

@@ -77,6 +77,16 @@ def scene(parts, height, bound):
                       "each": "inside(self, strip)", "pairs": "clear(self, other)", "minimize": ["x", "y", "grid"]}}
 
 
+def scene_text(made, about):
+    """A scene as a file for people: one shape a line, long rings broken."""
+    lines = ["// " + line for line in about] + ["{", '  "findspace": 1,', '  "shapes": {']
+    shapes = [f"    {json.dumps(name)}: {json.dumps(shape)}" for name, shape in made["shapes"].items()]
+    lines += [text + ("," if k + 1 < len(shapes) else "") for k, text in enumerate(shapes)] + ["  },", '  "place": {']
+    keys = [f"    {json.dumps(key)}: {json.dumps(value)}" for key, value in made["place"].items()]
+    lines += [text + ("," if k + 1 < len(keys) else "") for k, text in enumerate(keys)] + ["  }", "}"]
+    return "\n".join(lines) + "\n"
+
+
 def bound_of(parts, height):
     """A strip that is long enough for what bottom-left placement does."""
     total = sum(area(p.ring) * p.demand for p in parts)
@@ -237,12 +247,13 @@ def main(argv):
     for order, size, seconds in tried:
         print(f"{instance:10} {order:10} length {float(size):12.3f}  {seconds:6.1f} s", file=sys.stderr)
     print(f"{instance}: length {best}, density {float(density) * 100:.2f} %, {'valid' if not faults else faults}")
-    made = scene(sequence, height, bound_of(parts, height))
+    made = scene(sequence, height, best.to_integral_value() + 1)
     if options.scene:
         with open(options.scene, "w", encoding="utf-8") as file:
-            json.dump(made, file)
+            file.write(scene_text(made, [f"All {sum(p.demand for p in parts)} parts of the nesting instance '{instance}' bottom-left on a strip, in an order that tools/nest.py found.",
+                                         "(tests/data/README.md says whose data and which licence.)"]))
     if options.svg:
-        place(exe, sequence, height, "-o", options.svg)
+        subprocess.run([exe, "place", "-", "-q", "-o", options.svg], input=json.dumps(made), text=True, check=True)
     if options.json:
         print(json.dumps({"positions": positions}, default=number))
     return 1 if faults else 0

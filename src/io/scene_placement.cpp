@@ -34,7 +34,8 @@ PlacedBody read_body(const JsonValue& value, ShapeReader& shapes, std::vector<st
     const JsonValue& at = value.is(Kind::kArray) ? value.items[i] : value;
     shapes.named(name, at, label);
     if (std::find(known.begin(), known.end(), name) != known.end())
-      json.fail(ErrorCode::kBadValue, fmt::format("'{}' stands here twice; several of a shape are a \"count\"", name), label, at);
+      json.fail(ErrorCode::kBadValue, fmt::format("'{}' stands here twice; several of a shape are a \"count\"", name),
+                label, at);
     known.push_back(name);
   }
   body.name = fmt::format("{}", fmt::join(body.shapes, "+"));
@@ -67,7 +68,8 @@ void for_bodies(const JsonValue* value, Placement& place, const SceneReader& jso
     const std::string& name = value->keys[i];
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-      json.fail(ErrorCode::kUnknownName, fmt::format("'{}' is not among the placed shapes{}", name, suggestion(name, names)), label,
+      json.fail(ErrorCode::kUnknownName,
+                fmt::format("'{}' is not among the placed shapes{}", name, suggestion(name, names)), label,
                 value->items[i]);
     }
     read(place.bodies[std::size_t(found - names.begin())], value->items[i], label.part(name));
@@ -88,7 +90,8 @@ void read_body_angles(PlacedBody& body, const JsonValue& value, const SceneReade
 void read_count(PlacedBody& body, const JsonValue& value, const SceneReader& json, const Label& label) {
   const auto count = json.number(value, label).integer();
   if (!count || *count < 1 || *count > kMostCopies)
-    json.fail(ErrorCode::kBadValue, fmt::format("a count is a whole number from 1 to {}", int(kMostCopies)), label, value);
+    json.fail(ErrorCode::kBadValue, fmt::format("a count is a whole number from 1 to {}", int(kMostCopies)), label,
+              value);
   body.count = int(*count);
 }
 
@@ -97,7 +100,8 @@ Placement::Method read_method(const JsonValue* value, const SceneReader& json, c
   const std::string& word = json.text(*value, "\"method\"", label);
   if (word == "simultaneous") return Placement::Method::kSimultaneous;
   if (word == "sequential") return Placement::Method::kSequential;
-  json.fail(ErrorCode::kUnknownName, fmt::format("\"method\" is sequential or simultaneous, not '{}'", word), label, *value);
+  json.fail(ErrorCode::kUnknownName, fmt::format("\"method\" is sequential or simultaneous, not '{}'", word), label,
+            *value);
 }
 
 }  // namespace

@@ -22,7 +22,9 @@ void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
 }
 
-std::string scaled(const Real& steps, const Real& step) { return json_number((Twofold(steps) * Twofold(step)).value()); }
+std::string scaled(const Real& steps, const Real& step) {
+  return json_number((Twofold(steps) * Twofold(step)).value());
+}
 
 std::string placed_json(const PlacedResult& p, const Real& step) {
   std::string out = fmt::format("{{\"shape\": {}", json_string(p.shape));
@@ -89,8 +91,8 @@ std::string placement_text(const PlacementResult& result, const Real& step, std:
     const std::string name = p.copy > 0 ? fmt::format("{} {}", p.shape, p.copy) : p.shape;
     put(out, "  {:<{}}  ", name, width);
     if (p.at) {
-      put(out, "({}, {}){}", shown((Twofold(p.at->x) * Twofold(step)).value()), shown((Twofold(p.at->y) * Twofold(step)).value()),
-          suffix);
+      put(out, "({}, {}){}", shown((Twofold(p.at->x) * Twofold(step)).value()),
+          shown((Twofold(p.at->y) * Twofold(step)).value()), suffix);
       if (p.angle) put(out, ", turned by {} deg", shown(p.angle->to_double()));
     } else {
       out += p.attained ? "no room" : "no best position: the least value is not taken";

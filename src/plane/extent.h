@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A box around all curves and points of a complex: outside it the mark is that of the unbounded face. Guarantee: the box holds
-// them; it may be larger by the rounding of doubles. No sign is decided. Cost: linear. Keywords: bounding box, locality, culling.
+// A box around all curves and points of a complex: outside it the mark is that of the unbounded face. Guarantee: the
+// box holds them; it may be larger by the rounding of doubles. No sign is decided. Cost: linear. Keywords: bounding
+// box, locality, culling.
 #pragma once
 
 #include <optional>

@@ -67,7 +67,8 @@ class Expand {
   explicit Expand(const Condition& condition) : condition_(condition) {}
 
   std::vector<Alternative> run(const Node& node, bool negated) {
-    Condition whole{std::make_shared<const Formula>(Extract(*condition_.formula).formula(node, negated)), condition_.roles};
+    Condition whole{std::make_shared<const Formula>(Extract(*condition_.formula).formula(node, negated)),
+                    condition_.roles};
     if (is_single(whole)) return {{std::move(whole)}};
     if (node.op == Op::kNot) return run(node.operands[0], !negated);
     const bool conjunction = (node.op == Op::kAnd) != negated;
@@ -75,8 +76,10 @@ class Expand {
     if (conjunction) out.push_back({});
     for (const Node& operand : grouped(node)) {
       std::vector<Alternative> more = run(operand, negated);
-      if (conjunction) out = both(out, more);
-      else std::move(more.begin(), more.end(), std::back_inserter(out));
+      if (conjunction)
+        out = both(out, more);
+      else
+        std::move(more.begin(), more.end(), std::back_inserter(out));
     }
     check_size(out.size());
     return out;
@@ -88,7 +91,8 @@ class Expand {
     std::map<std::vector<std::size_t>, Node> groups;
     std::vector<Node> out;
     for (const Node& operand : node.operands) {
-      Condition part{std::make_shared<const Formula>(Extract(*condition_.formula).formula(operand, false)), condition_.roles};
+      Condition part{std::make_shared<const Formula>(Extract(*condition_.formula).formula(operand, false)),
+                     condition_.roles};
       if (!is_single(part)) {
         out.push_back(operand);
         continue;
@@ -98,8 +102,10 @@ class Expand {
       group.operands.push_back(operand);
     }
     for (auto& [bodies, group] : groups) {
-      if (group.operands.size() == 1) out.push_back(std::move(group.operands[0]));
-      else out.push_back(std::move(group));
+      if (group.operands.size() == 1)
+        out.push_back(std::move(group.operands[0]));
+      else
+        out.push_back(std::move(group));
     }
     return out;
   }

@@ -36,7 +36,8 @@ bool same_point(const RealPoint& p, const RealPoint& q) { return p.x == q.x && p
 /// The projection of a bounded polyhedron on one body, by its extreme points.
 class Shadow {
  public:
-  Shadow(LinearProgram& program, std::size_t variables, std::size_t body) : program_(program), variables_(variables), body_(body) {}
+  Shadow(LinearProgram& program, std::size_t variables, std::size_t body)
+      : program_(program), variables_(variables), body_(body) {}
 
   std::vector<RealPoint> corners() {
     RealPoint low = farthest(-1, 0), high = farthest(1, 0);
@@ -86,16 +87,17 @@ class Shadow {
 
 class Search {
  public:
-  Search(const PairSystem& system, const Limit& limit) : system_(system), limit_(limit), variables_(2 * system.own.size()) {
+  Search(const PairSystem& system, const Limit& limit)
+      : system_(system), limit_(limit), variables_(2 * system.own.size()) {
     closed_ = std::all_of(system.own.begin(), system.own.end(), plane::is_closed) &&
-              std::all_of(system.between.begin(), system.between.end(), [](const auto& b) { return plane::is_closed(b.second); });
+              std::all_of(system.between.begin(), system.between.end(),
+                          [](const auto& b) { return plane::is_closed(b.second); });
     for (std::size_t i = 0; i < system.own.size(); ++i) add_choices(system.own[i], i, std::nullopt);
     // The sets of one body first; then pairs, so that the bodies met so far are joined completely before the next.
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (const auto& [pair, region] : system.between) pairs.push_back(pair);
-    std::sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) {
-      return std::pair(p.second, p.first) < std::pair(q.second, q.first);
-    });
+    std::sort(pairs.begin(), pairs.end(),
+              [](const auto& p, const auto& q) { return std::pair(p.second, p.first) < std::pair(q.second, q.first); });
     for (const auto& p : pairs) add_choices(system.between.at(p), p.first, p.second);
     out_.positions.assign(system.own.size(), CellComplex::uniform(0));
     found_.resize(system.own.size());

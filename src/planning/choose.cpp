@@ -43,7 +43,8 @@ ScaledForm scaled(const std::array<Real, 2>& form) {
   // Decimals: a power of ten makes both whole.
   Real scale(1), a = form[0], b = form[1];
   for (int digits = 0; !a.integer() || !b.integer(); ++digits) {
-    if (digits > kMostDecimals) throw Error(ErrorCode::kOutOfRange, "a linear form has a coefficient with more than 12 decimals");
+    if (digits > kMostDecimals)
+      throw Error(ErrorCode::kOutOfRange, "a linear form has a coefficient with more than 12 decimals");
     a = a * Real(10), b = b * Real(10), scale = scale * Real(10);
   }
   if (exact::abs(a) > Real(kLargestCoefficient) || exact::abs(b) > Real(kLargestCoefficient))
@@ -63,7 +64,8 @@ struct Best {
 /// Goals over the positions of one body.
 class Goals {
  public:
-  Goals(const Relations& relations, std::size_t body, const Poses& poses) : relations_(relations), body_(body), poses_(poses) {
+  Goals(const Relations& relations, std::size_t body, const Poses& poses)
+      : relations_(relations), body_(body), poses_(poses) {
     roles_ = relations.problem().names;
     roles_["self"] = {body, std::nullopt};
   }
@@ -204,9 +206,7 @@ std::optional<RealPoint> representative(const Region& positions) {
 
 Chosen choose(const Relations& relations, std::size_t body, const std::vector<AtAngle>& all, const Poses& poses) {
   std::vector<AtAngle> positions = all;
-  const auto drop_empty = [&] {
-    std::erase_if(positions, [](const AtAngle& p) { return plane::is_empty(p.region); });
-  };
+  const auto drop_empty = [&] { std::erase_if(positions, [](const AtAngle& p) { return plane::is_empty(p.region); }); };
   Chosen out;
   const Goals goals(relations, body, poses);
   drop_empty();
@@ -237,7 +237,8 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
   if (positions.empty()) return out;
   out.pose = first_of_all(positions);
   if (on_grid) {
-    const auto& whole = *std::find_if(all.begin(), all.end(), [&](const AtAngle& p) { return p.angle == out.pose->angle; });
+    const auto& whole =
+        *std::find_if(all.begin(), all.end(), [&](const AtAngle& p) { return p.angle == out.pose->angle; });
     out.pose->at = near_grid(whole.region, out.pose->at);
   }
   return out;

@@ -60,7 +60,8 @@ class Cells {
   void add_edge(Index e) {
     const bool strict = !closed_;
     if (vertical(e)) {
-      cells_.push_back({less_x(from(e).x, false), more_x(from(e).x, false), {0, 1, to(e).y, strict}, {0, -1, -from(e).y, strict}});
+      cells_.push_back(
+          {less_x(from(e).x, false), more_x(from(e).x, false), {0, 1, to(e).y, strict}, {0, -1, -from(e).y, strict}});
     } else {
       cells_.push_back({beyond(e, 1, false), beyond(e, -1, false), less_x(to(e).x, strict), more_x(from(e).x, strict)});
     }
@@ -88,7 +89,8 @@ class Cells {
     for (const Open& o : open) close(o, std::nullopt);
   }
 
-  /// Trapezoids of the slab; those that continue one of `open` over a vertical line without any vertex take its left end.
+  /// Trapezoids of the slab; those that continue one of `open` over a vertical line without any vertex take its left
+  /// end.
   void advance(std::vector<Open>& open, std::vector<Open>& now, const std::optional<Real>& at) {
     std::vector<char> used(open.size());
     for (Open& n : now) {
@@ -164,7 +166,9 @@ class Cells {
     ys.erase(std::unique(ys.begin(), ys.end()), ys.end());
     plane::Locator locator(r_);
     for (std::size_t k = 0; k <= ys.size(); ++k) {
-      const Real y = k == 0 ? ys[0] - Real(1) : k == ys.size() ? ys[k - 1] + Real(1) : (ys[k - 1] + ys[k]) * Real::ratio(1, 2);
+      const Real y = k == 0           ? ys[0] - Real(1)
+                     : k == ys.size() ? ys[k - 1] + Real(1)
+                                      : (ys[k - 1] + ys[k]) * Real::ratio(1, 2);
       const plane::Cell cell = locator.locate({x, y});
       if (cell.dimension != 2 || r_.faces[cell.index].mark <= 0) continue;
       ConvexCell wall{less_x(x, false), more_x(x, false)};

@@ -34,16 +34,17 @@ void LinearProgram::solve_for_free_variables() {
 void LinearProgram::pivot(std::size_t row, std::size_t column) {
   Row& r = rows_[row];
   const Real factor = Real(1) / r.terms[column];
-  for (std::size_t j = 0; j < r.terms.size(); ++j)
-    r.terms[j] = j == column ? factor : r.terms[j] * factor;
+  for (std::size_t j = 0; j < r.terms.size(); ++j) r.terms[j] = j == column ? factor : r.terms[j] * factor;
   r.value = r.value * factor;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (i == row || rows_[i].terms[column].sign() == 0) continue;
     Row& other = rows_[i];
     const Real by = other.terms[column];
     for (std::size_t j = 0; j < r.terms.size(); ++j) {
-      if (j == column) other.terms[j] = -by * factor;
-      else if (r.terms[j].sign() != 0) other.terms[j] = other.terms[j] - by * r.terms[j];
+      if (j == column)
+        other.terms[j] = -by * factor;
+      else if (r.terms[j].sign() != 0)
+        other.terms[j] = other.terms[j] - by * r.terms[j];
     }
     other.value = other.value - by * r.value;
   }
@@ -55,11 +56,13 @@ bool LinearProgram::restore() {
   while (true) {
     std::size_t leaving = rows_.size();
     for (std::size_t i = 0; i < rows_.size(); ++i)
-      if (!is_free(basic_[i]) && rows_[i].value.sign() < 0 && (leaving == rows_.size() || basic_[i] < basic_[leaving])) leaving = i;
+      if (!is_free(basic_[i]) && rows_[i].value.sign() < 0 && (leaving == rows_.size() || basic_[i] < basic_[leaving]))
+        leaving = i;
     if (leaving == rows_.size()) return true;
     std::size_t entering = variables_;
     for (std::size_t j = 0; j < variables_; ++j)
-      if (rows_[leaving].terms[j].sign() < 0 && (entering == variables_ || nonbasic_[j] < nonbasic_[entering])) entering = j;
+      if (rows_[leaving].terms[j].sign() < 0 && (entering == variables_ || nonbasic_[j] < nonbasic_[entering]))
+        entering = j;
     if (entering == variables_) return false;
     pivot(leaving, entering);
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Linear programs of few variables in exact reals: rows a.x <= b, variables free. Feasible or not, and a greatest value with a
-// point that has it, without any rounding. Method: a dictionary; free variables are solved for first, feasibility by the dual
-// simplex for the objective 0, then the primal simplex; Bland's rule in both, so no cycling.
-// Cost: rows times variables a pivot, a pivot or two a row. Source: Chvatal, "Linear Programming", chapters 2, 3 and 10.
-// Keywords: simplex, exact linear programming, feasibility.
+// Linear programs of few variables in exact reals: rows a.x <= b, variables free. Feasible or not, and a greatest value
+// with a point that has it, without any rounding. Method: a dictionary; free variables are solved for first,
+// feasibility by the dual simplex for the objective 0, then the primal simplex; Bland's rule in both, so no cycling.
+// Cost: rows times variables a pivot, a pivot or two a row. Source: Chvatal, "Linear Programming", chapters 2, 3
+// and 10. Keywords: simplex, exact linear programming, feasibility.
 #pragma once
 
 #include <optional>

@@ -141,7 +141,8 @@ class Projector {
     std::vector<std::size_t> reached{members[0]};
     for (std::size_t k = 0; k < reached.size(); ++k)
       for (std::size_t i : members)
-        if (std::find(reached.begin(), reached.end(), i) == reached.end() && s_.between.count(std::minmax(i, reached[k])) != 0) {
+        if (std::find(reached.begin(), reached.end(), i) == reached.end() &&
+            s_.between.count(std::minmax(i, reached[k])) != 0) {
           order.push_back({i, reached[k]});
           reached.push_back(i);
         }
@@ -158,7 +159,8 @@ class Projector {
     for (std::size_t i : members) out.own.push_back(out_.positions[i]);
     for (std::size_t a = 0; a < members.size(); ++a)
       for (std::size_t b = a + 1; b < members.size(); ++b)
-        if (auto n = s_.between.find({members[a], members[b]}); n != s_.between.end()) out.between.emplace(Pair{a, b}, n->second);
+        if (auto n = s_.between.find({members[a], members[b]}); n != s_.between.end())
+          out.between.emplace(Pair{a, b}, n->second);
     return out;
   }
 
@@ -167,10 +169,12 @@ class Projector {
     std::optional<std::vector<RealPoint>> points;
     std::size_t chosen = 0;
     for (std::size_t i : members)
-      if (auto p = as_points(out_.positions[i]); p && (!points || p->size() < points->size())) points = std::move(p), chosen = i;
+      if (auto p = as_points(out_.positions[i]); p && (!points || p->size() < points->size()))
+        points = std::move(p), chosen = i;
     if (!points) return false;
     std::vector<std::size_t> others;
-    std::copy_if(members.begin(), members.end(), std::back_inserter(others), [&](std::size_t i) { return i != chosen; });
+    std::copy_if(members.begin(), members.end(), std::back_inserter(others),
+                 [&](std::size_t i) { return i != chosen; });
     std::vector<Region> sums(members.size(), CellComplex::uniform(0));
     finite_found_ = false;
     bool unknown = false;
@@ -219,7 +223,8 @@ class Projector {
     return !none || !found.exact;
   }
 
-  static constexpr const char* kArcs = "a ring of conditions with circular boundaries on three or more shapes is not decided exactly";
+  static constexpr const char* kArcs =
+      "a ring of conditions with circular boundaries on three or more shapes is not decided exactly";
 
   PairSystem s_;
   const Limit& limit_;

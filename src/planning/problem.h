@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The placement of several bodies (distances.md 6): body i at angle a_i, translated by p_i, such that every condition holds. A
-// condition is a formula whose distances are between two bodies, or a body and something that stands still; the first kind depends
-// on p_i - p_j only. Values, made by the caller (io has the scene, apps the command). Keywords: nesting, layout, arrangement.
+// The placement of several bodies (distances.md 6): body i at angle a_i, translated by p_i, such that every condition
+// holds. A condition is a formula whose distances are between two bodies, or a body and something that stands still;
+// the first kind depends on p_i - p_j only. Values, made by the caller (io has the scene, apps the command). Keywords:
+// nesting, layout, arrangement.
 #pragma once
 
 #include <chrono>
@@ -52,8 +53,8 @@ struct Problem {
 
 /// Where a body stands.
 struct Pose {
-  std::size_t angle = 0;   // index into Body::angles
-  exact::RealPoint at{};   // in grid steps
+  std::size_t angle = 0;  // index into Body::angles
+  exact::RealPoint at{};  // in grid steps
 };
 using Poses = std::vector<std::optional<Pose>>;  // by body
 
@@ -63,7 +64,8 @@ class Limit {
   Limit() = default;
   /// `seconds` <= 0: none.
   explicit Limit(double seconds) {
-    if (seconds > 0) end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    if (seconds > 0)
+      end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
   bool over() const { return end_ && Clock::now() >= *end_; }
 

@@ -39,8 +39,10 @@ std::vector<std::string> world_names(const std::vector<std::string>& names, cons
     }
     const Role& role = found->second;
     const auto& variant = problem.bodies[role.body].variants[angles[role.body]->angle];
-    if (role.shape) out.push_back(variant[*role.shape]);
-    else out.insert(out.end(), variant.begin(), variant.end());
+    if (role.shape)
+      out.push_back(variant[*role.shape]);
+    else
+      out.insert(out.end(), variant.begin(), variant.end());
   }
   return out;
 }

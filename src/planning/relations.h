@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The sets behind the conditions of a placement: N_i = {p : the condition holds for body i at p} for conditions on one body, and
-// N_ij = {q : it holds where p_i - p_j = q} for conditions on two; seen from the other body that is -N_ij, so the direction of
-// directed distances is kept (distances.md 6.1). Each is made once for a formula and a pair of turned shapes and then only moved.
-// Guarantee: exact sets, open, closed or neither. Threads: safe. Keywords: no-fit map, relative position.
+// The sets behind the conditions of a placement: N_i = {p : the condition holds for body i at p} for conditions on one
+// body, and N_ij = {q : it holds where p_i - p_j = q} for conditions on two; seen from the other body that is -N_ij, so
+// the direction of directed distances is kept (distances.md 6.1). Each is made once for a formula and a pair of turned
+// shapes and then only moved. Guarantee: exact sets, open, closed or neither. Threads: safe. Keywords: no-fit map,
+// relative position.
 #pragma once
 
 #include <memory>
@@ -27,8 +28,8 @@ using BoxedPointer = std::shared_ptr<const BoxedRegion>;
 
 /// The bodies that a formula's distances speak of, in ascending order.
 std::vector<std::size_t> bodies_of(const situation::Formula& formula, const Roles& roles);
-/// Whether every distance is between the same two bodies, or all are between one body and what stands still: the condition is
-/// one set of (relative) positions.
+/// Whether every distance is between the same two bodies, or all are between one body and what stands still: the
+/// condition is one set of (relative) positions.
 bool is_single(const Condition& condition);
 
 class Relations {
@@ -42,9 +43,11 @@ class Relations {
   /// Of a single condition: the positions of its one body; or the relative positions p_i - p_j of its two bodies i < j.
   BoxedPointer set(const Condition& condition, const Poses& angles) const;
 
-  /// The positions of body i, at its angle in `poses`, at which the condition holds, the other bodies standing where `poses` says.
+  /// The positions of body i, at its angle in `poses`, at which the condition holds, the other bodies standing where
+  /// `poses` says.
   plane::Region allowed(const Condition& condition, std::size_t body, const Poses& poses) const;
-  /// The same where only positions within `where` matter: outside it the set may be anything. Nothing: every position there.
+  /// The same where only positions within `where` matter: outside it the set may be anything. Nothing: every position
+  /// there.
   std::optional<plane::Region> allowed_within(const Condition& condition, std::size_t body, const Poses& poses,
                                               const std::optional<plane::PieceBox>& where) const;
 
@@ -60,7 +63,8 @@ class Relations {
 
   plane::SignMap sign_map(const situation::Distance& distance, const situation::SignMap& wanted) const;
   plane::Region relative(const Condition& condition, const Poses& angles) const;
-  plane::SignMap seen(const situation::SignMap& map, const Condition& condition, std::size_t body, const Poses& poses) const;
+  plane::SignMap seen(const situation::SignMap& map, const Condition& condition, std::size_t body,
+                      const Poses& poses) const;
   plane::Region general(const Condition& condition, std::size_t body, const Poses& poses) const;
 
   const Problem& problem_;

@@ -28,13 +28,15 @@ Region intersection(std::vector<Region> sets) {
 
 class Sequence {
  public:
-  explicit Sequence(const Relations& relations) : relations_(relations), problem_(relations.problem()), poses_(problem_.bodies.size()) {
+  explicit Sequence(const Relations& relations)
+      : relations_(relations), problem_(relations.problem()), poses_(problem_.bodies.size()) {
     for (const Condition& c : problem_.conditions) bodies_.push_back(bodies_of(*c.formula, c.roles));
   }
 
   Step place(std::size_t body) {
     Step step;
-    for (std::size_t a = 0; a < problem_.bodies[body].angles.size(); ++a) step.positions.push_back({a, region(body, a)});
+    for (std::size_t a = 0; a < problem_.bodies[body].angles.size(); ++a)
+      step.positions.push_back({a, region(body, a)});
     step.chosen = choose(relations_, body, step.positions, poses_);
     poses_[body] = step.chosen.pose;
     return step;
@@ -77,7 +79,8 @@ class Sequence {
     std::vector<Region> sets{std::move(out.region)};
     for (std::size_t c = 0; c < bodies_.size(); ++c) {
       if (bodies_[c].size() <= 1 || !counts(c, body) || (known && all_minded(c, body, *known))) continue;
-      if (auto set = relations_.allowed_within(problem_.conditions[c], body, poses, where)) sets.push_back(std::move(*set));
+      if (auto set = relations_.allowed_within(problem_.conditions[c], body, poses, where))
+        sets.push_back(std::move(*set));
     }
     out.region = intersection(std::move(sets));
     return out;
@@ -92,7 +95,8 @@ class Sequence {
   Region own_room(std::size_t body, const Poses& poses) const {
     std::vector<Region> own;
     for (std::size_t c = 0; c < bodies_.size(); ++c)
-      if (bodies_[c].size() <= 1 && counts(c, body)) own.push_back(relations_.allowed(problem_.conditions[c], body, poses));
+      if (bodies_[c].size() <= 1 && counts(c, body))
+        own.push_back(relations_.allowed(problem_.conditions[c], body, poses));
     return intersection(std::move(own));
   }
 

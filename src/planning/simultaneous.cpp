@@ -24,7 +24,10 @@ namespace {
 class Simultaneous {
  public:
   Simultaneous(const Relations& relations, const Limit& limit)
-      : relations_(relations), problem_(relations.problem()), limit_(limit), alternatives_(alternatives(problem_.conditions)) {}
+      : relations_(relations),
+        problem_(relations.problem()),
+        limit_(limit),
+        alternatives_(alternatives(problem_.conditions)) {}
 
   SimultaneousPlacement run() {
     SimultaneousPlacement out;
@@ -54,7 +57,8 @@ class Simultaneous {
     });
   }
 
-  /// Where nothing is decided one after another may still succeed; then each body may stand wherever it can among the others.
+  /// Where nothing is decided one after another may still succeed; then each body may stand wherever it can among the
+  /// others.
   void try_sequence(SimultaneousPlacement& out) {
     SequentialPlacement found = place_sequentially(relations_, limit_);
     if (!std::all_of(found.poses.begin(), found.poses.end(), [](const auto& p) { return p.has_value(); })) return;
@@ -119,7 +123,8 @@ class Simultaneous {
     return plane::intersect(all);
   }
 
-  void add(const Alternative& alternative, const Poses& fixed, const Poses& poses, std::vector<std::vector<AtAngle>>& out) {
+  void add(const Alternative& alternative, const Poses& fixed, const Poses& poses,
+           std::vector<std::vector<AtAngle>>& out) {
     if (limit_.over()) {
       unproven_ = "the time limit came before all combinations were tried";
       return;

@@ -17,11 +17,11 @@
 namespace findspace::situation {
 
 struct Goal {
-  std::optional<Objective> objective;                       // a distance, or distance to a point ...
-  bool negated = false;                                     // ... minus it
-  std::optional<std::array<exact::Real, 2>> form;           // or a*x + b*y, not 0 everywhere ...
-  std::optional<exact::Real> equals;                        // ... with the value it must have, in the scene's unit
-  bool grid = false;                                        // or "grid"
+  std::optional<Objective> objective;              // a distance, or distance to a point ...
+  bool negated = false;                            // ... minus it
+  std::optional<std::array<exact::Real, 2>> form;  // or a*x + b*y, not 0 everywhere ...
+  std::optional<exact::Real> equals;               // ... with the value it must have, in the scene's unit
+  bool grid = false;                               // or "grid"
 };
 
 /// In two dimensions.
