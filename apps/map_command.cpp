@@ -112,8 +112,9 @@ Outcome run_map(const Options& options, Talk& talk) {
   if (session.in_space()) {
     session.require_positions_in_space();
     require_question(session);
-    return map_space(session);
+    return options.resolution > 0 ? map_rays(session) : map_space(session);
   }
+  if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for maps of 3D scenes");
   check_outputs(options, {".svg", ".wkt", ".json"});
   const bool line = session.scene().free.kind == io::Free::Kind::kLine;
   if (line) check_outputs(options, {".json"});
