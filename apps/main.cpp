@@ -81,6 +81,9 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (is(verb, "map")) {
     command.add_option("--apply", o.apply, "an operation on the region")
         ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));
+    command.add_option("--resolution", o.resolution, "3D: the map on N x N lines, for solids of any shape")
+        ->type_name("N")
+        ->check(CLI::Range(1, 16384));
   }
   if (is(verb, "convert")) {
     command.add_option("--unit", o.unit, "of a drawing that states none")->type_name("um|mm|cm|m|in|mil");

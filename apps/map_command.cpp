@@ -149,8 +149,9 @@ Outcome run_map(const Options& options, Talk& talk) {
   if (session.in_space()) {
     session.require_positions_in_space();
     require_question(session);
-    return map_space(session);
+    return options.resolution > 0 ? map_rays(session) : map_space(session);
   }
+  if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for maps of 3D scenes");
   const io::Scene& scene = session.scene();
   const bool line = scene.free.kind == io::Free::Kind::kLine, time = scene.free.kind == io::Free::Kind::kTime;
   check_outputs(options, line || time ? std::vector<std::string>{".json"} : std::vector<std::string>{".svg", ".wkt", ".json"});

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// `map --resolution N` of a 3D scene: the region on N x N lines along z, for solids of any shape.
+#include <fmt/format.h>
+
+#include "io/write_json_rays.h"
+#include "io/write_mesh.h"
+#include "plane/parallel.h"
+#include "situation/solve_rays.h"
+#include "space_commands.h"
+
+namespace findspace::app {
+namespace {
+
+situation::RayWorld ray_world(const Session& session) {
+  situation::RayWorld world;
+  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, space::ray_solids(*shape));
+  world.moving = session.scene().moving;
+  world.step = session.step();
+  return world;
+}
+
+std::string summary_text(const std::string& title, const space::RaySummary& summary, bool unbounded, double step,
+                         const std::string& unit) {
+  if (summary.empty && !unbounded)
+    return title + ": no line meets the region (smaller parts may lie between the lines)\n";
+  std::string out = fmt::format("{}: on {} lines, {} intervals\n", title, summary.lines, summary.intervals);
+  if (unbounded) return out + "  the region is unbounded\n";
+  return out + fmt::format("  volume about {} {}3, {} components by overlap of neighbouring lines\n",
+                           summary.volume * step * step * step, unit, summary.components.size());
+}
+
+}  // namespace
+
+Outcome map_rays(const Session& session) {
+  const Options& options = session.options();
+  constexpr const char* kSurfaces[] = {".obj", ".off", ".stl"};
+  check_outputs(options, {".json", ".obj", ".off", ".stl"});
+  if (session.goal())
+    throw Error(ErrorCode::kUnsupported, "an objective is not computed on rays", session.scene().file);
+  if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply needs an exact map, not one on rays");
+  const situation::Formula formula = session.where();
+  session.talk().stage("building the shapes");
+  const situation::RayWorld world = ray_world(session);
+  const auto [low, high] = situation::window(world, formula);
+  const bool unbounded = situation::holds_far_away(formula);
+  const double step = session.step().to_double();
+  const std::string title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
+  session.talk().stage("casting rays");
+  const space::RayGrid grid = space::ray_grid(low, high, 2, options.resolution);
+  const auto rays = situation::ray_region(world, formula, grid);
+  space::RaySummarizer summarizer(grid);
+  io::RayLines lines(grid, step);
+  space::each_row(*rays, [&](int j, space::RayRow&& row) {
+    summarizer.add(j, row);
+    lines.add(j, row);
+  });
+  const space::RaySummary summary = summarizer.finish();
+  const auto json = [&] { return io::rays_json(summary, grid, unbounded, step, session.unit(), lines.text()); };
+  const auto surface = [&] {
+    const space::RayLattice lattice = space::ray_lattice(low, high, options.resolution);
+    return io::ray_surface_mesh(
+        space::ray_surface(
+            lattice, [&](int axis) { return situation::ray_region(world, formula, lattice.grid(axis)); },
+            [](std::int8_t sign) { return sign <= 0; }),
+        step);
+  };
+  session.talk().stage("writing");
+  Writers writers{{".json", json}};
+  for (const char* ending : kSurfaces)
+    writers.emplace(ending, [=] { return io::surface_text(surface(), title, ending); });
+  write_outputs(options, writers);
+  return {options.json ? json() : summary_text(title, summary, unbounded, step, std::string(session.unit())), kDone};
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/write_json_rays.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace findspace::io {
+namespace {
+
+std::string place(const std::array<double, 3>& p, double step) {
+  return fmt::format("[{}, {}, {}]", p[0] * step, p[1] * step, p[2] * step);
+}
+
+}  // namespace
+
+void RayLines::add(int j, const space::RayRow& row) {
+  for (int i = 0; i < grid_.nu; ++i) {
+    std::string intervals;
+    bool in = row.before[i] <= 0, from_in = false;
+    std::string from = "null";
+    const auto close = [&](const std::string& to, bool to_in) {
+      intervals += fmt::format("{}[{}, {}, {}, {}]", intervals.empty() ? "" : ", ", from, to, from_in, to_in);
+    };
+    for (int e = row.first[i]; e < row.first[i + 1]; ++e) {
+      const space::RayEvent& event = row.events[e];
+      const bool here = event.here <= 0, after = event.after <= 0;
+      const std::string at = fmt::format("{}", event.at.value * scale_);
+      if (in && !(here && after)) close(at, here);
+      if (!in || !here || !after) {
+        from = at;
+        // A place that belongs to the interval before does not to the next.
+        from_in = here && !in;
+        if (!in && here && !after) close(at, true);
+      }
+      in = after;
+    }
+    if (in) close("null", false);
+    if (intervals.empty()) continue;
+    text_ +=
+        fmt::format("{}[{}, {}, [{}]]", text_.empty() ? "" : ",\n    ", static_cast<double>(grid_.u_at(i)) * scale_,
+                    static_cast<double>(grid_.v_at(j)) * scale_, intervals);
+  }
+}
+
+std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, bool unbounded, double step,
+                      std::string_view unit, std::string_view lines) {
+  const double cube = step * step * step, part = step / static_cast<double>(grid.parts);
+  constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+  std::string out = "{\n  \"dimension\": 3,\n";
+  if (!unit.empty()) out += fmt::format("  \"unit\": \"{}\",\n", unit);
+  out += fmt::format("  \"empty\": {}, \"whole\": false, \"bounded\": {},\n", summary.empty && !unbounded, !unbounded);
+  out += "  \"exact\": false,\n";
+  out += unbounded ? std::string("  \"volume\": null,\n") : fmt::format("  \"volume\": {},\n", summary.volume * cube);
+  if (!summary.empty)
+    out += fmt::format("  \"bbox\": [{}, {}],\n", place(summary.low, step), place(summary.high, step));
+  out += "  \"components\": [";
+  for (std::size_t k = 0; k < summary.components.size(); ++k) {
+    const space::RayComponent& c = summary.components[k];
+    out += fmt::format("{}\n    {{\"volume\": {}, \"sample\": {}, \"bbox\": [{}, {}]}}", k == 0 ? "" : ",",
+                       c.volume * cube, place(c.sample, step), place(c.low, step), place(c.high, step));
+  }
+  out += summary.components.empty() ? "],\n" : "\n  ],\n";
+  out += fmt::format(
+      "  \"rays\": {{\"axis\": \"{}\", \"counts\": [{}, {}], \"spacing\": [{}, {}], \"precision\": {}, \"intervals\": "
+      "{}, "
+      "\"points\": {},\n    \"connectivity\": \"overlapping intervals of neighbouring lines\"",
+      kAxes[grid.axis], grid.nu, grid.nv, static_cast<double>(grid.du) * part, static_cast<double>(grid.dv) * part,
+      summary.precision * step, summary.intervals, summary.points);
+  if (!lines.empty()) out += fmt::format(",\n    \"lines\": [\n    {}]", lines);
+  return out + "}\n}\n";
+}
+
+Surface ray_surface_mesh(const space::RaySurface& surface, double step) {
+  Surface out;
+  for (const auto& v : surface.vertices) out.vertices.push_back({v[0] * step, v[1] * step, v[2] * step});
+  for (const auto& f : surface.faces) out.faces.push_back({f[0], f[1], f[2]});
+  return out;
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A region on rays as JSON: the summary of docs/results.md as far as samples tell it, and every line with its marked
+// intervals. Written line by line: the rows are not kept. Keywords: serialisation, linear ray representation.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/write_mesh.h"
+#include "space/ray_summary.h"
+#include "space/ray_surface.h"
+
+namespace findspace::io {
+
+/// The lines that meet the region: [[u, v, [[from, to, from_in, to_in], ...]], ...]; an end is null where there is
+/// none.
+class RayLines {
+ public:
+  RayLines(const space::RayGrid& grid, double step) : grid_(grid), scale_(step / static_cast<double>(grid.parts)) {}
+  void add(int j, const space::RayRow& row);
+  const std::string& text() const { return text_; }
+
+ private:
+  space::RayGrid grid_;
+  double scale_;
+  std::string text_;
+};
+
+/// `lines` may be empty: then only the summary is written. `unbounded`: the region goes on beyond the window.
+std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, bool unbounded, double step,
+                      std::string_view unit, std::string_view lines);
+
+/// In the scene's unit.
+Surface ray_surface_mesh(const space::RaySurface& surface, double step);
+
+}  // namespace findspace::io

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/ray_solids.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+#include "space/convex_polygon.h"
+#include "space/mesh.h"
+#include "space/triangulate.h"
+
+namespace findspace::space {
+namespace {
+
+using Kind = plane::Shape::Kind;
+
+/// Walls over the rings, and the convex parts of the polygon as floor and lid; `clean` matches their sides.
+Triangles prism(const Solid& solid) {
+  Mesh mesh;
+  const auto vertex = [&](const Point2& p, std::int64_t z) {
+    mesh.vertices.push_back({p.x, p.y, z});
+    return static_cast<int>(mesh.vertices.size()) - 1;
+  };
+  std::vector<std::vector<Point2>> rings;
+  for (const plane::Contour& contour : solid.contours) {
+    std::vector<Point2>& ring = rings.emplace_back();
+    for (const plane::ContourEdge& edge : contour) {
+      if (edge.arc) throw Error(ErrorCode::kUnsupported, "a prism with arcs has no ray map");
+      ring.push_back({edge.start.x, edge.start.y});
+    }
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point2 &p = ring[k], &q = ring[(k + 1) % ring.size()];
+      mesh.faces.push_back({vertex(p, solid.low), vertex(q, solid.low), vertex(q, solid.high), vertex(p, solid.high)});
+    }
+  }
+  for (const ConvexPolygon& part : convex_parts(rings)) {
+    std::vector<int> floor, lid;
+    for (const Point2& p : part.vertices()) {
+      lid.push_back(vertex(p, solid.high));
+      floor.insert(floor.begin(), vertex(p, solid.low));
+    }
+    mesh.faces.push_back(lid);
+    mesh.faces.push_back(floor);
+  }
+  clean(mesh, 1);
+  return triangles(mesh);
+}
+
+RaySolid primitive(const Solid& solid) {
+  switch (solid.form) {
+    case Solid::Form::kPolytope:
+      return {triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
+    case Solid::Form::kMesh:
+      return {triangles(solid.mesh), {}, {}};
+    case Solid::Form::kPrism:
+      return {prism(solid), {}, {}};
+    case Solid::Form::kBall:
+      break;
+  }
+  return {{}, solid.mesh.vertices[0], solid.radius};
+}
+
+}  // namespace
+
+std::vector<RaySolid> ray_solids(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) return {primitive(*solid)};
+  std::vector<RaySolid> all;
+  for (const plane::ShapePtr& child : shape.children) {
+    for (RaySolid& s : ray_solids(*child)) all.push_back(std::move(s));
+  }
+  switch (shape.kind) {
+    case Kind::kUnion:
+    case Kind::kClosure:
+    case Kind::kRegularize:
+      return all;
+    case Kind::kTranslate:
+      for (RaySolid& s : all) {
+        const Point by{shape.points[0].x, shape.points[0].y, shape.lift};
+        s.surface = moved(std::move(s.surface), by);
+        s.center = s.center + by;
+      }
+      return all;
+    case Kind::kMirror:
+      for (RaySolid& s : all) {
+        s.surface = scaled(std::move(s.surface), -1);
+        s.center = -s.center;
+      }
+      return all;
+    default:
+      break;
+  }
+  throw Error(ErrorCode::kUnsupported, "this kind of shape has no ray map; state it as a mesh or a union of solids",
+              shape.place);
+}
+
+void extend_box(const std::vector<RaySolid>& solids, Point& low, Point& high, bool& any) {
+  const auto add = [&](const Point& p) {
+    if (!any) low = high = p;
+    any = true;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  };
+  for (const RaySolid& s : solids) {
+    for (const Point& p : s.surface.points) add(p);
+    if (!s.ball()) continue;
+    const auto r = static_cast<std::int64_t>(exact::floor(s.radius)) + 1;
+    add(s.center - Point{r, r, r});
+    add(s.center + Point{r, r, r});
+  }
+}
+
+}  // namespace findspace::space
