@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "distance/directional.h"
+#include "distance/directional_least.h"
 #include "distance/extremum.h"
 #include "distance/over_time.h"
 #include "findspace/error.h"
@@ -44,6 +45,8 @@ Which signed_base(Kind kind) {
   const bool eta = kind == Kind::kEta1 || kind == Kind::kEta2;
   return gamma ? Which::kGamma1 : eta ? Which::kEta1 : Which::kDelta1;
 }
+
+bool is_directional(const Distance& d) { return d.mode == Mode::kAlong || d.mode == Mode::kToward; }
 
 bool is_farthest(Kind kind) { return kind == Kind::kGamma2 || kind == Kind::kEta2 || kind == Kind::kDelta2; }
 
@@ -130,7 +133,7 @@ distance::PositionFunctionPointer Solver::function(const Distance& wanted) const
 }
 
 TDistancePointer Solver::distance(const Distance& wanted) const {
-  if (wanted.mode != Mode::kPlain) refuse(wanted, "the least and greatest values of distances along a direction or in rotation are not computed");
+  if (wanted.mode != Mode::kPlain) refuse(wanted, "distances along a direction or in rotation are no objectives");
   if (world_.motion.given()) refuse(wanted, "the least and greatest values over positions are not computed with a motion");
   return plain(roles(wanted));
 }
@@ -142,6 +145,13 @@ plane::SignMap Solver::sign_map(const SignMap& wanted) const {
   return plane::remark(std::move(e.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
 }
 
+distance::Extremum Solver::least_directional(const Distance& wanted) const {
+  if (world_.motion.given()) refuse(wanted, "the least and greatest values over positions are not computed with a motion");
+  const Roles r = roles(wanted);
+  auto base = pair(r.names)->distance(signed_base(r.wanted.kind));
+  return distance::least_directional(static_cast<const distance::SignedDistance&>(*base).base(), track(r.wanted), is_farthest(r.wanted.kind));
+}
+
 distance::Extremum Solver::least(const Distance& wanted) const {
   std::string key = text(wanted);
   {
@@ -149,7 +159,7 @@ distance::Extremum Solver::least(const Distance& wanted) const {
     auto found = cache_->least.find(key);
     if (found != cache_->least.end()) return found->second;
   }
-  distance::Extremum e = distance::least(*distance(wanted));
+  distance::Extremum e = is_directional(wanted) ? least_directional(wanted) : distance::least(*distance(wanted));
   std::lock_guard lock(cache_->guard);
   return cache_->least.emplace(key, std::move(e)).first->second;
 }
