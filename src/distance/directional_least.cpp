@@ -18,6 +18,13 @@ using plane::RealVector;
 using plane::Section;
 using plane::SignMap;
 
+using plane::cross;
+using plane::dot;
+using plane::turned_left;
+using plane::operator+;
+using plane::operator-;
+using plane::operator*;
+
 namespace {
 
 /// Distances of two places on one line along the track, in vectors of the track.

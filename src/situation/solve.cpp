@@ -148,7 +148,7 @@ plane::SignMap Solver::sign_map(const SignMap& wanted) const {
 distance::Extremum Solver::least_directional(const Distance& wanted) const {
   if (world_.motion.given()) refuse(wanted, "the least and greatest values over positions are not computed with a motion");
   const Roles r = roles(wanted);
-  auto base = pair(r.names)->distance(signed_base(r.wanted.kind));
+  auto base = pair(r.names)->pair().distance(signed_base(r.wanted.kind));
   return distance::least_directional(static_cast<const distance::SignedDistance&>(*base).base(), track(r.wanted), is_farthest(r.wanted.kind));
 }
 
