@@ -144,17 +144,17 @@ class Near {
       return plane::remark(std::move(e.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
     }
     const bool local = is_plain(d) && d.kind == Kind::kGamma1 && level.sign() >= 0 && moves(d.first[0]);
-    if (!local) return solver_.distance(wanted.distance)->sign_map(level);
+    if (!local) return solver_.function(wanted.distance)->sign_map(level);
     const Region b = united(d.first);
     const auto reach = plane::extent(b);
-    if (!reach) return solver_.distance(wanted.distance)->sign_map(level);
+    if (!reach) return solver_.function(wanted.distance)->sign_map(level);
     const PieceBox window =
         grown({box_.x0 + reach->x0, box_.y0 + reach->y0, box_.x1 + reach->x1, box_.y1 + reach->y1}, level);
     std::vector<Region> parts;
     for (const std::string& name : d.second) {
       const Region& a = solver_.world().shapes.at(name);
       const auto box = plane::extent(a);
-      if (!plane::is_bounded(a)) return solver_.distance(wanted.distance)->sign_map(level);
+      if (!plane::is_bounded(a)) return solver_.function(wanted.distance)->sign_map(level);
       if (box && box->meets(window)) parts.push_back(within(a, window));
     }
     std::vector<const Region*> all;
