@@ -26,7 +26,8 @@ std::string picture(const Session& session, const situation::World& world, const
 }
 
 /// Nothing also where the region is not computed, as of shapes that turn in time.
-std::optional<situation::NearestFeasible> nearest_feasible(const situation::Solver& solver, const situation::Formula& formula,
+std::optional<situation::NearestFeasible> nearest_feasible(const situation::Solver& solver,
+                                                           const situation::Formula& formula,
                                                            const exact::RealPoint& at, Talk& talk) {
   talk.stage("looking for the nearest feasible position");
   try {
@@ -56,7 +57,8 @@ Outcome run_check(const Options& options, Talk& talk) {
   const situation::Solver solver(session.world());
   talk.stage("checking");
   const situation::Solver::Check check = solver.check(formula, at);
-  const std::optional<situation::NearestFeasible> nearest = check.holds ? std::nullopt : nearest_feasible(solver, formula, at, talk);
+  const std::optional<situation::NearestFeasible> nearest =
+      check.holds ? std::nullopt : nearest_feasible(solver, formula, at, talk);
   const situation::NearestFeasible* near = nearest ? &*nearest : nullptr;
   const auto json = [&] { return io::check_json(check, at, session.step(), session.unit(), std::nullopt, near); };
   const auto svg = [&] {
@@ -64,7 +66,8 @@ Outcome run_check(const Options& options, Talk& talk) {
                    session.scene().where.text);
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : check_text(check, at, session.step(), session.unit(), near), check.holds ? kDone : kEmpty};
+  return {options.json ? json() : check_text(check, at, session.step(), session.unit(), near),
+          check.holds ? kDone : kEmpty};
 }
 
 Outcome run_measure(const Options& options, Talk& talk) {

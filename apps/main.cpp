@@ -74,7 +74,8 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
         ->type_name(is(verb, "phi") ? "X,Y,Z" : "X,Y[,Z]");
   }
   if (is(verb, "check")) {
-    command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")->type_name("DEG");
+    command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")
+        ->type_name("DEG");
   }
   if (is(verb, "check") || is(verb, "measure"))
     command.add_option("--time", o.time, "the instant of the motion, a decimal taken exactly")->type_name("T");

@@ -52,15 +52,19 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
   const std::optional<Session::Goal> goal = session.goal();
   talk.stage("solving");
   if (solver.turns_in(formula)) {
-    if (goal) throw Error(ErrorCode::kUnsupported, "objectives are not computed of shapes that turn in time", session.scene().file);
+    if (goal)
+      throw Error(ErrorCode::kUnsupported, "objectives are not computed of shapes that turn in time",
+                  session.scene().file);
     if (!session.options().apply.empty())
-      throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn in time only bounds of the region are known", session.scene().file);
+      throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn in time only bounds of the region are known",
+                  session.scene().file);
     situation::Solver::Bounds bounds = solver.feasible_bounds(formula);
     talk.note("shapes turn in time: certainly feasible positions, and in \"outer\" the possible ones");
     return {std::move(bounds.inner), std::nullopt, std::nullopt, std::move(bounds.outer)};
   }
   const bool still = !session.scene().motion.given();
-  Map map{still ? situation::feasible_near(solver, formula) : solver.feasible(formula), std::nullopt, std::nullopt, std::nullopt};
+  Map map{still ? situation::feasible_near(solver, formula) : solver.feasible(formula), std::nullopt, std::nullopt,
+          std::nullopt};
   if (goal) {
     talk.stage("optimizing");
     situation::Optimum best = situation::optimize(map.region, goal->objective, goal->sense, solver);
@@ -137,7 +141,9 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
   session.talk().stage("writing");
   write_outputs(session.options(), {{".json", json}, {".svg", svg}, {".wkt", wkt}});
   return {session.options().json ? json() : summary_text(title(session), summary, session.unit(), extreme),
-          !summary.empty ? kDone : !map.outer || plane::is_empty(*map.outer) ? kEmpty : kLimit};
+          !summary.empty                              ? kDone
+          : !map.outer || plane::is_empty(*map.outer) ? kEmpty
+                                                      : kLimit};
 }
 
 }  // namespace
@@ -154,10 +160,12 @@ Outcome run_map(const Options& options, Talk& talk) {
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for maps of 3D scenes");
   const io::Scene& scene = session.scene();
   const bool line = scene.free.kind == io::Free::Kind::kLine, time = scene.free.kind == io::Free::Kind::kTime;
-  check_outputs(options, line || time ? std::vector<std::string>{".json"} : std::vector<std::string>{".svg", ".wkt", ".json"});
+  check_outputs(options,
+                line || time ? std::vector<std::string>{".json"} : std::vector<std::string>{".svg", ".wkt", ".json"});
   if ((line || time) && !options.apply.empty())
     throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line or of time");
-  if (options.at && !time) throw Error(ErrorCode::kUsage, "--at is for a map of time: a map of positions has all of them");
+  if (options.at && !time)
+    throw Error(ErrorCode::kUsage, "--at is for a map of time: a map of positions has all of them");
   session.require_positions(true);
   if ((line || time) && session.goal())
     throw Error(ErrorCode::kUnsupported, "an objective on a line or in time is not computed", scene.file);

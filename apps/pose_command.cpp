@@ -18,13 +18,14 @@ using planning::PoseStack;
 std::string area_text(const plane::Region& r, const exact::Real& step) {
   const plane::Summary s = plane::summarize(r, step);
   if (s.empty) return "empty";
-  return s.area ? fmt::format("area {}, {} component{}", io::shown(*s.area), s.components.size(), s.components.size() == 1 ? "" : "s")
+  return s.area ? fmt::format("area {}, {} component{}", io::shown(*s.area), s.components.size(),
+                              s.components.size() == 1 ? "" : "s")
                 : "unbounded";
 }
 
 /// One page: a region of positions, another faintly around it, the moving shape turned.
-io::Page page(const Session& session, const situation::World& world, const situation::Formula& formula, std::string title,
-              const plane::Region& region, const plane::Region* around) {
+io::Page page(const Session& session, const situation::World& world, const situation::Formula& formula,
+              std::string title, const plane::Region& region, const plane::Region* around) {
   const plane::Summary summary = plane::summarize(region, session.step());
   io::Picture p;
   p.title = title;
@@ -43,7 +44,8 @@ std::string pages(const Session& session, const PoseStack& stack, const situatio
   plane::Rounding drawn;
   for (const PoseSlice& s : stack.slices) {
     const situation::World turned = situation::turned_world(world, centre, s.degrees, drawn);
-    out.push_back(page(session, turned, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())), s.region, nullptr));
+    out.push_back(
+        page(session, turned, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())), s.region, nullptr));
     for (const PoseSector& t : stack.sectors) {
       if (!(t.from == s.degrees)) continue;
       out.push_back(page(session, turned, formula,
@@ -60,9 +62,9 @@ std::string stack_text(const Session& session, const PoseStack& stack) {
   for (const PoseSlice& s : stack.slices)
     out += fmt::format("  at {}°: {}\n", io::shown(s.degrees.to_double()), area_text(s.region, session.step()));
   for (const PoseSector& s : stack.sectors) {
-    out += fmt::format("  {}° to {}°: at all angles {}; at some within {} (bound {} {})\n", io::shown(s.from.to_double()),
-                       io::shown(s.to.to_double()), area_text(s.inner, session.step()), area_text(s.outer, session.step()),
-                       io::shown(s.bound), session.unit());
+    out += fmt::format("  {}° to {}°: at all angles {}; at some within {} (bound {} {})\n",
+                       io::shown(s.from.to_double()), io::shown(s.to.to_double()), area_text(s.inner, session.step()),
+                       area_text(s.outer, session.step()), io::shown(s.bound), session.unit());
   }
   return out;
 }
@@ -74,8 +76,9 @@ void say_rounding(const Session& session, const PoseStack& stack) {
     all.largest = std::max(all.largest, s.rounding.largest);
   }
   if (all.points == 0) return;
-  session.talk().note(fmt::format("{} turned vertices were put on the grid, moved by at most {:.2g} {}; the sectors allow for it",
-                                  all.points, all.largest * session.scene().grid.step_size(), session.unit()));
+  session.talk().note(
+      fmt::format("{} turned vertices were put on the grid, moved by at most {:.2g} {}; the sectors allow for it",
+                  all.points, all.largest * session.scene().grid.step_size(), session.unit()));
 }
 
 }  // namespace

@@ -129,8 +129,10 @@ std::string check_text(const situation::Solver::Check& check, const exact::RealP
     out += where.empty() ? "\n" : fmt::format("\n       {:<{}}  between {}\n", "", width, where);
   }
   if (nearest != nullptr) {
-    put(out, "nearest feasible position {}, {} away{}\n", point(Place{(Twofold(nearest->at.x) * factor).value(), (Twofold(nearest->at.y) * factor).value()}),
-        length(nearest->distance.to_double(), unit), nearest->attained ? "" : ", not feasible itself: the region is open there");
+    put(out, "nearest feasible position {}, {} away{}\n",
+        point(Place{(Twofold(nearest->at.x) * factor).value(), (Twofold(nearest->at.y) * factor).value()}),
+        length(nearest->distance.to_double(), unit),
+        nearest->attained ? "" : ", not feasible itself: the region is open there");
   }
   return out;
 }
@@ -143,7 +145,8 @@ std::string measure_text(const std::vector<situation::DistanceAt>& distances, co
   std::string out = fmt::format("at {}\n", point(at));
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const std::string where = io::witness_words(distances[i], Twofold(step));
-    put(out, "  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : room, where.empty() ? "" : "  " + where);
+    put(out, "  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : room,
+        where.empty() ? "" : "  " + where);
   }
   return out;
 }

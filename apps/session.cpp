@@ -98,7 +98,8 @@ void Session::require_positions(bool line) const {
     throw Error(ErrorCode::kUnsupported, what + " is not computed by this version", scene_.file);
   };
   if (scene_.dimension != 2) refuse("a map of a 3D scene");
-  if (scene_.free.kind != Kind::kPosition && !(line && (scene_.free.kind == Kind::kLine || scene_.free.kind == Kind::kTime)))
+  if (scene_.free.kind != Kind::kPosition &&
+      !(line && (scene_.free.kind == Kind::kLine || scene_.free.kind == Kind::kTime)))
     refuse("this kind of \"free\"");
   if (scene_.moving.empty())
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
@@ -241,7 +242,8 @@ exact::Real Session::angle() const {
   constexpr int kMostDegrees = 1'000'000'000;
   try {
     const Real degrees = Real::parse_decimal(*options_.angle);
-    if (degrees > Real(kMostDegrees) || degrees < Real(-kMostDegrees)) throw Error(ErrorCode::kOutOfRange, "too far round");
+    if (degrees > Real(kMostDegrees) || degrees < Real(-kMostDegrees))
+      throw Error(ErrorCode::kOutOfRange, "too far round");
     return degrees;
   } catch (const Error&) {
     throw Error(ErrorCode::kUsage, fmt::format("--angle wants a decimal number of degrees, not '{}'", *options_.angle));

@@ -52,7 +52,8 @@ std::string turns_text(const Session& session, const std::vector<io::DegreeInter
     else if (i.to - i.from >= 360 && i.from_in)
       out += "  all\n";
     else
-      out += fmt::format("  {}{}, {}{}\n", i.from_in ? "[" : "(", io::shown(i.from), io::shown(i.to), i.to_in ? "]" : ")");
+      out +=
+          fmt::format("  {}{}, {}{}\n", i.from_in ? "[" : "(", io::shown(i.from), io::shown(i.to), i.to_in ? "]" : ")");
   }
   return out;
 }
@@ -124,8 +125,7 @@ Outcome check_at_angle(const Session& session) {
   };
   const auto svg = [&] {
     plane::Rounding drawn;
-    const situation::World turned_shapes =
-        situation::turned_world(solver.world(), turned.about(), pose.degrees, drawn);
+    const situation::World turned_shapes = situation::turned_world(solver.world(), turned.about(), pose.degrees, drawn);
     io::Picture p;
     p.title = check.holds ? "Feasible" : "Not feasible";
     p.subtitle = session.scene().where.text;
@@ -134,7 +134,8 @@ Outcome check_at_angle(const Session& session) {
     return io::picture_svg(p);
   };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  return {session.options().json ? json() : check_text(check, pose.at, session.step(), session.unit(), nullptr), check.holds ? kDone : kEmpty};
+  return {session.options().json ? json() : check_text(check, pose.at, session.step(), session.unit(), nullptr),
+          check.holds ? kDone : kEmpty};
 }
 
 situation::Formula question_over_angles(const Session& session) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verbs `map` and `check` where the moving shape turns: "free": "angle" or "pose", --angle, distances with turning=.
+// The verbs `map` and `check` where the moving shape turns: "free": "angle" or "pose", --angle, distances with
+// turning=.
 #pragma once
 
 #include "session.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The benchmark: one run, every contender on the same input, medians and ratios as a Markdown table on standard output (and
-// as JSON with --json FILE). bench/README.md says what the columns mean and how results are kept.
+// The benchmark: one run, every contender on the same input, medians and ratios as a Markdown table on standard output
+// (and as JSON with --json FILE). bench/README.md says what the columns mean and how results are kept.
 //
 // usage: findspace_bench [--only TEXT] [--limit SECONDS] [--json FILE]
 #include <sys/utsname.h>
@@ -55,9 +55,8 @@ Row pairs_row(const std::string& instance, std::size_t step) {
 }
 
 Row offset_row(const std::string& name, const Polygon& a, double r) {
-  return {name + (r > 0 ? " out" : " in"), [a, r](const Contender& c) -> Job {
-            return c.offset ? Job([&] { return c.offset(a, r); }) : Job();
-          }};
+  return {name + (r > 0 ? " out" : " in"),
+          [a, r](const Contender& c) -> Job { return c.offset ? Job([&] { return c.offset(a, r); }) : Job(); }};
 }
 
 Table sums() {
@@ -98,9 +97,8 @@ Table overlays() {
     for (double depth : {0.5, 3.0}) {
       auto all = litter(count, depth, 7);
       std::string name = std::to_string(count) + " polygons of 10 vertices, " + (depth < 1 ? "sparse" : "dense");
-      table.rows.push_back({name, [all](const Contender& c) -> Job {
-                              return c.unite ? Job([&] { return c.unite(all); }) : Job();
-                            }});
+      table.rows.push_back(
+          {name, [all](const Contender& c) -> Job { return c.unite ? Job([&] { return c.unite(all); }) : Job(); }});
     }
   }
   return table;
@@ -130,10 +128,14 @@ std::string number(double value) {
 std::string cell(const Measurement& m, double limit_s) {
   using enum Measurement::Outcome;
   switch (m.outcome) {
-    case kNone: return "–";
-    case kTooLong: return "> " + number(limit_s * 1000);
-    case kFailed: return "failed";
-    case kDone: return number(m.median_ms) + " (" + number(m.peak_mib) + ")";
+    case kNone:
+      return "–";
+    case kTooLong:
+      return "> " + number(limit_s * 1000);
+    case kFailed:
+      return "failed";
+    case kDone:
+      return number(m.median_ms) + " (" + number(m.peak_mib) + ")";
   }
   return "";
 }
@@ -159,8 +161,10 @@ nlohmann::json machine() {
   char date[32];
   std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
-  return {{"date", date}, {"processor", first_line("/proc/cpuinfo", "model name")},
-          {"cores", std::thread::hardware_concurrency()}, {"system", name.sysname + std::string(" ") + name.machine},
+  return {{"date", date},
+          {"processor", first_line("/proc/cpuinfo", "model name")},
+          {"cores", std::thread::hardware_concurrency()},
+          {"system", name.sysname + std::string(" ") + name.machine},
           {"compiler", __VERSION__}};
 }
 
@@ -191,7 +195,8 @@ nlohmann::json run(const Table& table, const std::vector<Contender>& all, const 
     for (const Contender* c : columns) found.push_back(measure(row.job(*c), options.limit_s));
     std::cout << "| " << row.name << " |";
     for (const Measurement& m : found) std::cout << ' ' << cell(m, options.limit_s) << " |";
-    for (std::size_t k = 1; k < found.size(); ++k) std::cout << ' ' << ratio(found[0], found[k], options.limit_s) << " |";
+    for (std::size_t k = 1; k < found.size(); ++k)
+      std::cout << ' ' << ratio(found[0], found[k], options.limit_s) << " |";
     std::cout << std::endl;
     nlohmann::json entry{{"input", row.name}};
     for (std::size_t k = 0; k < found.size(); ++k) {

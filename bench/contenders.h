@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Who is measured. Every contender does the whole job from integer vertices to its own result and returns the number of
-// vertices of that result, so that nothing is optimised away and a wrong result stands out. One file a contender; those whose
-// library is not installed are not built.
+// vertices of that result, so that nothing is optimised away and a wrong result stands out. One file a contender; those
+// whose library is not installed are not built.
 #pragma once
 
 #include <cstddef>

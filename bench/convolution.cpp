@@ -26,13 +26,14 @@ struct Edges {
   explicit Edges(const Polygon& p) : direction(p.size()), order(p.size()) {
     for (std::size_t i = 0; i < p.size(); ++i) direction[i] = p[(i + 1) % p.size()] - p[i];
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return before(direction[i], direction[j]); });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t j) { return before(direction[i], direction[j]); });
   }
-  std::vector<Point> direction;       // of the edge that starts at each vertex
-  std::vector<std::size_t> order;     // edges by angle
+  std::vector<Point> direction;    // of the edge that starts at each vertex
+  std::vector<std::size_t> order;  // edges by angle
 
-  // Calls use(edge) for the edges with directions from `low` counter-clockwise to `high`; `closed_low`: low itself counts
-  // and high does not, else the other way round.
+  // Calls use(edge) for the edges with directions from `low` counter-clockwise to `high`; `closed_low`: low itself
+  // counts and high does not, else the other way round.
   template <class Use>
   void in_sector(const Point& low, const Point& high, bool closed_low, Use use) const {
     auto first = bound(low, closed_low), last = bound(high, closed_low);
@@ -123,15 +124,16 @@ std::vector<std::vector<std::size_t>> triangles(const Polygon& p) {
   return all;
 }
 
-// The union of two convex parts, the left one with the edge from u to v and the right one with that from v to u, if it is
-// convex, else nothing.
-std::vector<std::size_t> merged(const Polygon& p, const std::vector<std::size_t>& left, const std::vector<std::size_t>& right,
-                                std::size_t u, std::size_t v) {
+// The union of two convex parts, the left one with the edge from u to v and the right one with that from v to u, if it
+// is convex, else nothing.
+std::vector<std::size_t> merged(const Polygon& p, const std::vector<std::size_t>& left,
+                                const std::vector<std::size_t>& right, std::size_t u, std::size_t v) {
   auto at = [](const std::vector<std::size_t>& part, std::size_t i) {
     return std::size_t(std::find(part.begin(), part.end(), i) - part.begin());
   };
   std::vector<std::size_t> whole;
-  for (std::size_t k = 0, i = at(left, v); k < left.size(); ++k) whole.push_back(left[(i + k) % left.size()]);    // v ... u
+  for (std::size_t k = 0, i = at(left, v); k < left.size(); ++k)
+    whole.push_back(left[(i + k) % left.size()]);  // v ... u
   for (std::size_t k = 1, i = at(right, u); k + 1 < right.size(); ++k) whole.push_back(right[(i + k) % right.size()]);
   std::size_t n = whole.size(), end = left.size() - 1;
   bool convex_at_u = turn(p[whole[end - 1]], p[u], p[whole[(end + 1) % n]]) >= 0;
@@ -177,7 +179,7 @@ std::vector<Polygon> convex_parts(const Polygon& p) {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;
   };
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> right_of;    // directed edge -> triangle on its right
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> right_of;  // directed edge -> triangle on its right
   for (std::size_t t = 0; t < parts.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) right_of[{parts[t][(k + 1) % 3], parts[t][k]}] = t;
   }
@@ -206,9 +208,10 @@ std::vector<Polygon> convex_parts(const Polygon& p) {
 
 Polygon convex_sum(const Polygon& a, const Polygon& b) {
   auto lowest = [](const Polygon& p) {
-    return std::size_t(std::min_element(p.begin(), p.end(), [](const Point& s, const Point& t) {
-                         return s.y != t.y ? s.y < t.y : s.x < t.x;
-                       }) - p.begin());
+    return std::size_t(
+        std::min_element(p.begin(), p.end(),
+                         [](const Point& s, const Point& t) { return s.y != t.y ? s.y < t.y : s.x < t.x; }) -
+        p.begin());
   };
   std::size_t i0 = lowest(a), j0 = lowest(b), i = 0, j = 0, n = a.size(), m = b.size();
   Polygon sum;

@@ -68,7 +68,9 @@ Polygon comb(int n, unsigned seed, double degrees) {
   std::vector<std::pair<double, double>> points{{-kSize, -0.2 * kSize}, {kSize, -0.2 * kSize}};
   for (int i = teeth; i-- > 0;) {
     double x = -kSize + 2 * width * i, top = kSize * length(random), lean = width * jitter(random);
-    points.insert(points.end(), {valley(x + width * 1.5), {x + width * 1.2 + lean, top}, {x + width * 0.8 + lean, top * 0.97},
+    points.insert(points.end(), {valley(x + width * 1.5),
+                                 {x + width * 1.2 + lean, top},
+                                 {x + width * 0.8 + lean, top * 0.97},
                                  valley(x + width * 0.5)});
   }
   Polygon p;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What the benchmarks measure on: simple polygons with integer vertices, counter-clockwise, without collinear or repeated
-// vertices, |coordinate| < 2^24, so that every rival runs in its fastest number type. Generated ones are the same in every run.
+// What the benchmarks measure on: simple polygons with integer vertices, counter-clockwise, without collinear or
+// repeated vertices, |coordinate| < 2^24, so that every rival runs in its fastest number type. Generated ones are the
+// same in every run.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// One measurement: a job is run in a process of its own, so that a rival that runs for ever, out of memory or into an error ends only
-// itself, and so that its peak memory is its own.
+// One measurement: a job is run in a process of its own, so that a rival that runs for ever, out of memory or into an
+// error ends only itself, and so that its peak memory is its own.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace bench {
 
 struct Measurement {
   enum class Outcome { kDone, kTooLong, kFailed, kNone } outcome = Outcome::kNone;
-  double median_ms = 0;     // of `runs` runs
+  double median_ms = 0;  // of `runs` runs
   int runs = 0;
-  double peak_mib = 0;      // resident memory beyond that at the start
-  std::size_t result = 0;   // what the job returned
+  double peak_mib = 0;     // resident memory beyond that at the start
+  std::size_t result = 0;  // what the job returned
 };
 
 /// Runs the job at least once and until half a second or 15 runs are reached; gives up after `limit_s`.

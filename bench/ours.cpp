@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Our side: from the integer vertices to the marked complex, nothing prepared beforehand; where all pairs of parts are summed,
-// each part is checked and made a region once, within the measured time.
+// Our side: from the integer vertices to the marked complex, nothing prepared beforehand; where all pairs of parts are
+// summed, each part is checked and made a region once, within the measured time.
 #include <array>
 
 #include "contenders.h"
@@ -50,6 +50,8 @@ std::size_t unite_all(const std::vector<Polygon>& all) {
 
 }  // namespace
 
-std::vector<Contender> ours() { return {Contender{.name = "findspace", .sum = sum, .pairs = pairs, .offset = offset, .unite = unite_all}}; }
+std::vector<Contender> ours() {
+  return {Contender{.name = "findspace", .sum = sum, .pairs = pairs, .offset = offset, .unite = unite_all}};
+}
 
 }  // namespace bench

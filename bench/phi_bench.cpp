@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Phi-functions against their rivals, on the same input in the same run. One thread.
-//   build    gamma12 with its facets, exactly, from two polytopes: against CGAL minkowski_sum_3 and against Qhull of all
+//   build    gamma12 with its facets, exactly, from two polytopes: against CGAL minkowski_sum_3 and against Qhull of
+//   all
 //            differences. Input: k random points on a sphere (k = 8 .. 2048), and the convex polytopes given as files.
 //   depth    penetration depth at random overlapping positions: against FCL and libccd, with the share of answers that
 //            are off by more than 1e-3 of the true depth.

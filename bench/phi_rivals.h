@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The rivals of the Phi benchmarks behind plain types, one translation unit each. Inputs are vertex lists and convex faces
-// of A and B in doubles that are exact integers. Times are seconds of the construction or query alone; converting the
-// input into a rival's own types is not counted.
+// The rivals of the Phi benchmarks behind plain types, one translation unit each. Inputs are vertex lists and convex
+// faces of A and B in doubles that are exact integers. Times are seconds of the construction or query alone; converting
+// the input into a rival's own types is not counted.
 #pragma once
 
 #include <array>

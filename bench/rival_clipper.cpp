@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Clipper 6 (libpolyclipping), the fastest inexact way to a Minkowski sum: it rounds crossings to integers. Two ways, of which
-// the better one counts per input: the cycles of the signed convolution united with non-zero fill; and sums of convex parts,
-// united by halves.
+// Clipper 6 (libpolyclipping), the fastest inexact way to a Minkowski sum: it rounds crossings to integers. Two ways,
+// of which the better one counts per input: the cycles of the signed convolution united with non-zero fill; and sums of
+// convex parts, united by halves.
 #include <algorithm>
 #include <polyclipping/clipper.hpp>
 
@@ -33,7 +33,8 @@ Paths united(const Paths& paths) {
 
 Paths united_by_halves(const std::vector<Path>& paths, std::size_t from, std::size_t to) {
   constexpr std::size_t kAtOnce = 8;
-  if (to - from <= kAtOnce) return united(Paths(paths.begin() + std::ptrdiff_t(from), paths.begin() + std::ptrdiff_t(to)));
+  if (to - from <= kAtOnce)
+    return united(Paths(paths.begin() + std::ptrdiff_t(from), paths.begin() + std::ptrdiff_t(to)));
   std::size_t middle = (from + to) / 2;
   Paths both = united_by_halves(paths, from, middle);
   Paths right = united_by_halves(paths, middle, to);

@@ -14,14 +14,14 @@
 namespace findspace {
 
 enum class ErrorCode {
-  kUsage,          // wrong command line: exit status 2
-  kSyntax,         // a file or a formula cannot be parsed
-  kUnknownName,    // an unknown key, shape, distance or unit
-  kBadValue,       // a number or a combination that means nothing (NaN, negative radius, wrong unit)
-  kGeometry,       // a shape that is not what it claims to be (self-intersection, zero area, hole outside)
-  kOutOfRange,     // a coordinate too large for the grid
-  kFile,           // a file that is missing, truncated or of an unknown kind
-  kUnsupported     // a valid request outside what the program computes
+  kUsage,        // wrong command line: exit status 2
+  kSyntax,       // a file or a formula cannot be parsed
+  kUnknownName,  // an unknown key, shape, distance or unit
+  kBadValue,     // a number or a combination that means nothing (NaN, negative radius, wrong unit)
+  kGeometry,     // a shape that is not what it claims to be (self-intersection, zero area, hole outside)
+  kOutOfRange,   // a coordinate too large for the grid
+  kFile,         // a file that is missing, truncated or of an unknown kind
+  kUnsupported   // a valid request outside what the program computes
 };
 
 class Error : public std::runtime_error {

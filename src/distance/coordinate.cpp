@@ -33,11 +33,13 @@ void add_arc_values(const Region& s, Index e, const LinearForm& form, std::vecto
   const exact::Carrier& k = s.carrier(e);
   const Index from = s.vertices[s.edges[e].v0].point, to = s.vertices[s.edges[e].v1].point;
   const bool above = s.edges[e].half > 0;
-  const Real along = k.w * Real(form.b) / exact::sqrt(Real(exact::int128(form.a) * form.a + exact::int128(form.b) * form.b));
+  const Real along =
+      k.w * Real(form.b) / exact::sqrt(Real(exact::int128(form.a) * form.a + exact::int128(form.b) * form.b));
   const Real over = along * Real::ratio(form.a, form.b);
   // The point (over, along) from the centre lies above it where along > 0; the opposite one is the other extreme.
   const bool same = (along.sign() > 0) == above;
-  const Real x = same ? k.center_x() + over : k.center_x() - over, y = same ? k.center_y() + along : k.center_y() - along;
+  const Real x = same ? k.center_x() + over : k.center_x() - over,
+             y = same ? k.center_y() + along : k.center_y() - along;
   if (x > s.geometry.exact_x(from) && x < s.geometry.exact_x(to)) out.push_back(value_at(form, {x, y}));
 }
 
@@ -48,7 +50,8 @@ struct Rough {
 
 Rough rough(const LinearForm& f, const exact::Point& p) {
   const double a = double(f.a), b = double(f.b);
-  return {a * p.x + b * p.y, (std::abs(a) + std::abs(b)) * p.error * 2 + (std::abs(a * p.x) + std::abs(b * p.y)) * 0x1p-48};
+  return {a * p.x + b * p.y,
+          (std::abs(a) + std::abs(b)) * p.error * 2 + (std::abs(a * p.x) + std::abs(b * p.y)) * 0x1p-48};
 }
 
 /// Values that can be extreme: those of vertices that doubles cannot rule out, and of arcs.
@@ -82,7 +85,8 @@ Region line_across(const Region& s, const LinearForm& form, const Real& value) {
   const Real reach = Real::from_double(std::ceil(size));
   const bool steep = std::abs(form.a) > std::abs(form.b);
   auto point = [&](const Real& t) -> RealPoint {
-    return steep ? RealPoint{(value - Real(form.b) * t) / Real(form.a), t} : RealPoint{t, (value - Real(form.a) * t) / Real(form.b)};
+    return steep ? RealPoint{(value - Real(form.b) * t) / Real(form.a), t}
+                 : RealPoint{t, (value - Real(form.a) * t) / Real(form.b)};
   };
   plane::PieceBuilder b;
   const RealPoint from = point(-reach), to = point(reach);

@@ -26,7 +26,8 @@ Front turned_round(Front f) {
 
 class CutOff : public TDistance {
  public:
-  CutOff(TDistancePointer f, Real floor, bool negated) : f_(std::move(f)), floor_(std::move(floor)), negated_(negated) {}
+  CutOff(TDistancePointer f, Real floor, bool negated)
+      : f_(std::move(f)), floor_(std::move(floor)), negated_(negated) {}
 
   bool defined() const override { return negated_ || f_->defined(); }
 
@@ -143,7 +144,9 @@ TDistancePointer cut_off(TDistancePointer f, Real floor, bool negated) {
   return std::make_shared<CutOff>(std::move(f), std::move(floor), negated);
 }
 
-TDistancePointer greater(TDistancePointer f, TDistancePointer g) { return std::make_shared<Greater>(std::move(f), std::move(g)); }
+TDistancePointer greater(TDistancePointer f, TDistancePointer g) {
+  return std::make_shared<Greater>(std::move(f), std::move(g));
+}
 
 TDistancePointer reflected(TDistancePointer f) { return std::make_shared<Reflected>(std::move(f)); }
 

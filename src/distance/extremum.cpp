@@ -43,13 +43,19 @@ double simple_between(double low, double high) {
 class Search {
  public:
   Search(const TDistance& f, const Region& s, Sense sense)
-      : f_(f), s_(s), closure_(plane::closure(s)), whole_(plane::is_whole(s)), turn_(sense == Sense::kMinimum ? 1 : -1) {}
+      : f_(f),
+        s_(s),
+        closure_(plane::closure(s)),
+        whole_(plane::is_whole(s)),
+        turn_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run();
 
  private:
   CellComplex probe(const Real& level, const Region& over) const;
-  RealPoint start() const { return whole_ || closure_.vertices.empty() ? f_.seed() : closure_.geometry.exact(closure_.vertices[0].point); }
+  RealPoint start() const {
+    return whole_ || closure_.vertices.empty() ? f_.seed() : closure_.geometry.exact(closure_.vertices[0].point);
+  }
   double number(const Real& level) const { return turn_ * near_value(level); }
   bool reaches(const Real& level);
   bool accept(const Real& level);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The least or greatest value of a T-distance f over a set S of positions, and where it is taken: inf {f(p) : p in S} and the
-// points of S (or, if none of them takes it, of the closure of S) at that value: points, curves or faces (distances.md 4.4).
-// Method: bisection on the level with exact sign maps brackets the value; where the sublevel set has become small, the fronts
-// that pass there are met in pairs and triples; each meeting is a candidate, and one is accepted only with the proof that
-// no position of S lies beyond it and some position on it, by one more exact sign map.
-// Guarantee: `proven` values and sets are exact. A value that square roots cannot express is given from the side of S, right
-// to 1e-13 of the value or of the extent, and one position for each component (proven = false). Cost: 20 to 50 sign maps.
-// Keywords: argmin, constrained minimum, largest inscribed circle, smallest enclosing circle, minimal Hausdorff distance.
+// The least or greatest value of a T-distance f over a set S of positions, and where it is taken: inf {f(p) : p in S}
+// and the points of S (or, if none of them takes it, of the closure of S) at that value: points, curves or faces
+// (distances.md 4.4). Method: bisection on the level with exact sign maps brackets the value; where the sublevel set
+// has become small, the fronts that pass there are met in pairs and triples; each meeting is a candidate, and one is
+// accepted only with the proof that no position of S lies beyond it and some position on it, by one more exact sign
+// map. Guarantee: `proven` values and sets are exact. A value that square roots cannot express is given from the side
+// of S, right to 1e-13 of the value or of the extent, and one position for each component (proven = false). Cost: 20 to
+// 50 sign maps. Keywords: argmin, constrained minimum, largest inscribed circle, smallest enclosing circle, minimal
+// Hausdorff distance.
 #pragma once
 
 #include "distance/t_distance.h"
@@ -18,12 +19,12 @@ namespace findspace::distance {
 enum class Sense { kMinimum, kMaximum };
 
 struct Extremum {
-  bool exists = false;    // S is not empty, f is defined and bounded on S in this sense
-  bool unbounded = false; // the maximum over an unbounded set
-  exact::Real level;      // in grid steps
-  bool attained = false;  // by a position of S
+  bool exists = false;     // S is not empty, f is defined and bounded on S in this sense
+  bool unbounded = false;  // the maximum over an unbounded set
+  exact::Real level;       // in grid steps
+  bool attained = false;   // by a position of S
   bool proven = false;
-  plane::Region at;       // the positions
+  plane::Region at;  // the positions
 };
 
 Extremum extremum(const TDistance& f, const plane::Region& s, Sense sense);

@@ -34,7 +34,8 @@ std::vector<Place> places(const CellComplex& reached) {
   for (std::size_t next = 0; out.size() < kMostPlaces;) {
     Place p = all[next];
     out.push_back(p);
-    for (std::size_t k = 0; k < all.size(); ++k) apart[k] = std::min(apart[k], std::hypot(all[k].x - p.x, all[k].y - p.y));
+    for (std::size_t k = 0; k < all.size(); ++k)
+      apart[k] = std::min(apart[k], std::hypot(all[k].x - p.x, all[k].y - p.y));
     next = std::size_t(std::max_element(apart.begin(), apart.end()) - apart.begin());
     if (apart[next] == 0) break;
   }
@@ -51,7 +52,8 @@ bool same(const Front& f, const Front& g) {
 }
 
 void add_new(std::vector<Front>& fronts, const Front& f, std::size_t most) {
-  if (fronts.size() < most && std::none_of(fronts.begin(), fronts.end(), [&](const Front& g) { return same(f, g); })) fronts.push_back(f);
+  if (fronts.size() < most && std::none_of(fronts.begin(), fronts.end(), [&](const Front& g) { return same(f, g); }))
+    fronts.push_back(f);
 }
 
 class Collector {
@@ -66,7 +68,8 @@ class Collector {
     for (const Event& e : all) take(e.level);
   }
   std::vector<Real> sorted() && {
-    std::stable_sort(levels_.begin(), levels_.end(), [](const Real& p, const Real& q) { return near_value(p) < near_value(q); });
+    std::stable_sort(levels_.begin(), levels_.end(),
+                     [](const Real& p, const Real& q) { return near_value(p) < near_value(q); });
     return std::move(levels_);
   }
 
@@ -83,7 +86,8 @@ void simplest_first(std::vector<Real>& levels) {
 
 }  // namespace
 
-std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, const CellComplex& reached, double low, double high) {
+std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, const CellComplex& reached, double low,
+                                      double high) {
   Collector out(low, high);
   for (const Real& l : f.special_levels()) out.take(l);
   double scale = 1;
@@ -93,7 +97,8 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
   std::vector<Front> moving, still;
   for (const Place& p : near) {
     auto fronts = f.fronts({Real::from_double(p.x), Real::from_double(p.y)}, room);
-    std::stable_sort(fronts.begin(), fronts.end(), [](const NearFront& u, const NearFront& v) { return u.gap < v.gap; });
+    std::stable_sort(fronts.begin(), fronts.end(),
+                     [](const NearFront& u, const NearFront& v) { return u.gap < v.gap; });
     for (const NearFront& n : fronts) out.take(events(n.front));
     for (std::size_t k = 0; k < fronts.size() && k < kMostAtPlace; ++k) add_new(moving, fronts[k].front, kMostFronts);
   }
@@ -101,8 +106,10 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
     for (const Site& s : sites(*over, [](plane::Mark m) { return m > 0; })) {
       bool close = std::any_of(near.begin(), near.end(), [&](const Place& p) { return s.distance(p.x, p.y) <= room; });
       if (!close) continue;
-      if (!s.is_vertex()) add_new(still, still_front(*over, s), kMostFronts);
-      else if (auto v = f.value(over->geometry.exact(over->vertices[s.cell.index].point))) out.take(v->value);
+      if (!s.is_vertex())
+        add_new(still, still_front(*over, s), kMostFronts);
+      else if (auto v = f.value(over->geometry.exact(over->vertices[s.cell.index].point)))
+        out.take(v->value);
     }
   }
   std::vector<const Front*> all;
@@ -111,11 +118,13 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
   for (std::size_t i = 0; i < moving.size(); ++i) {
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       out.take(events(moving[i], *all[j]));
-      for (std::size_t k = j + 1; k < all.size() && j < moving.size(); ++k) out.take(events(moving[i], *all[j], *all[k]));
+      for (std::size_t k = j + 1; k < all.size() && j < moving.size(); ++k)
+        out.take(events(moving[i], *all[j], *all[k]));
     }
   }
   auto levels = std::move(out).sorted();
-  if (!levels.empty() && near_value(levels.back()) - near_value(levels.front()) <= scale * 0x1p-40) simplest_first(levels);
+  if (!levels.empty() && near_value(levels.back()) - near_value(levels.front()) <= scale * 0x1p-40)
+    simplest_first(levels);
   return levels;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Candidates for an extreme level of a T-distance over a set: the levels at which the fronts near some positions, and the
-// boundary of the set, meet. Guarantee: exact numbers; whether one is the extremum is for the caller to prove.
+// Candidates for an extreme level of a T-distance over a set: the levels at which the fronts near some positions, and
+// the boundary of the set, meet. Guarantee: exact numbers; whether one is the extremum is for the caller to prove.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@
 namespace findspace::distance {
 
 /// Near the vertices of `reached` (marks > 0) and, if given, of the closed set `over`; between low and high, ascending.
-std::vector<exact::Real> extremum_candidates(const TDistance& f, const plane::Region* over, const plane::CellComplex& reached,
-                                             double low, double high);
+std::vector<exact::Real> extremum_candidates(const TDistance& f, const plane::Region* over,
+                                             const plane::CellComplex& reached, double low, double high);
 
 /// A vertex of each connected piece of the cells with marks > 0.
 std::vector<exact::RealPoint> one_point_a_component(const plane::CellComplex& c);

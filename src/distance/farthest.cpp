@@ -90,7 +90,8 @@ RealPoint Farthest::farthest_point(const RealPoint& p) const { return best(p).at
 
 RealPoint Farthest::seed() const {
   const Site& s = sites_.front();
-  return set_.geometry.exact(s.is_vertex() ? set_.vertices[s.cell.index].point : set_.vertices[set_.edges[s.cell.index].v0].point);
+  return set_.geometry.exact(s.is_vertex() ? set_.vertices[s.cell.index].point
+                                           : set_.vertices[set_.edges[s.cell.index].v0].point);
 }
 
 std::vector<NearFront> Farthest::fronts(const RealPoint& p, double room) const {

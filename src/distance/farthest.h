@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The farthest distances gamma2, eta2, delta2 (distances.md 3.2): f(p) = max {|c - p| : c in C} for a closed bounded set C,
+// The farthest distances gamma2, eta2, delta2 (distances.md 3.2): f(p) = max {|c - p| : c in C} for a closed bounded
+// set C,
 //   gamma2: C = X (the shapes meet);  eta2: C = E (B+p in A);  delta2: C = D (A in B+p);
 // with all dangling parts and isolated points of C. Undefined (+infinity) if C is empty or unbounded.
 // {f <= l} is an intersection of equal discs, convex; the least level is the radius of the smallest circle around C.
-// Guarantee: exact. Cost: sign map: a hull and one convolution with a disc; value: linear. Keywords: farthest point, reach, diameter.
+// Guarantee: exact. Cost: sign map: a hull and one convolution with a disc; value: linear. Keywords: farthest point,
+// reach, diameter.
 #pragma once
 
 #include "distance/sites.h"

@@ -27,7 +27,8 @@ bool inside(Mark m) { return m > 0; }
 
 RealPoint operator+(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
 
-/// In p: where edge e of B + p, a straight one, passes through the place between two lines of A at equal distance `level`.
+/// In p: where edge e of B + p, a straight one, passes through the place between two lines of A at equal distance
+/// `level`.
 std::optional<Front> corner_front(const Front& edge, const Front& f, const Front& g) {
   Real d = f.a * g.b - f.b * g.a;
   if (d.sign() == 0) return std::nullopt;
@@ -36,14 +37,16 @@ std::optional<Front> corner_front(const Front& edge, const Front& f, const Front
   return Front::line(edge.a, edge.b, edge.a * x0 + edge.b * y0 - edge.c, edge.a * x1 + edge.b * y1);
 }
 
-/// In p: where the edge's greatest distance from the inside of a circle of A is `level`: its least distance to the centre is r - level.
+/// In p: where the edge's greatest distance from the inside of a circle of A is `level`: its least distance to the
+/// centre is r - level.
 std::vector<Front> hollow_fronts(const Front& edge, const Front& circle) {
   if (edge.circle) {
     Real x = circle.a - edge.a, y = circle.b - edge.b;
     return {Front::ring(x, y, circle.c + edge.c, circle.k), Front::ring(x, y, edge.c - circle.c, -circle.k)};
   }
   Real n = sqrt(edge.a * edge.a + edge.b * edge.b), c = edge.a * circle.a + edge.b * circle.b - edge.c;
-  return {Front::line(edge.a, edge.b, c - n * circle.c, -n * circle.k), Front::line(edge.a, edge.b, c + n * circle.c, n * circle.k)};
+  return {Front::line(edge.a, edge.b, c - n * circle.c, -n * circle.k),
+          Front::line(edge.a, edge.b, c + n * circle.c, n * circle.k)};
 }
 
 }  // namespace

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The point of a set B + p that is farthest from a closed set A: the directed Hausdorff distance h(B+p, A) = max over b of d(b, A),
-// over the whole of B (its vertices, edges and inside), not over samples.
-// Method: boxes over B, the one with the largest bound first. A box carries the parts of A's boundary that can be nearest in it;
-// its bound is the least over those of their greatest distance in the box (at a corner, distances to convex parts being convex).
-// In a box with few parts the candidates are: B's vertices; on B's edges the places between two parts of A, by intervals
-// with the same bound; inside B the places equally far from three parts. The best place is then computed exactly from the fronts
-// that meet there. Guarantee: numbers to about 1e-14 of the coordinates, the final value exact in the place found.
-// Cost: about (n + m) log(n + m) for shapes that are apart or similar. Source: branch and bound; Alt, Behrends, Blömer 1995
-// for where the maximum can lie. Keywords: directed Hausdorff distance, lower envelope, branch and bound.
+// The point of a set B + p that is farthest from a closed set A: the directed Hausdorff distance h(B+p, A) = max over b
+// of d(b, A), over the whole of B (its vertices, edges and inside), not over samples. Method: boxes over B, the one
+// with the largest bound first. A box carries the parts of A's boundary that can be nearest in it; its bound is the
+// least over those of their greatest distance in the box (at a corner, distances to convex parts being convex). In a
+// box with few parts the candidates are: B's vertices; on B's edges the places between two parts of A, by intervals
+// with the same bound; inside B the places equally far from three parts. The best place is then computed exactly from
+// the fronts that meet there. Guarantee: numbers to about 1e-14 of the coordinates, the final value exact in the place
+// found. Cost: about (n + m) log(n + m) for shapes that are apart or similar. Source: branch and bound; Alt, Behrends,
+// Blömer 1995 for where the maximum can lie. Keywords: directed Hausdorff distance, lower envelope, branch and bound.
 #pragma once
 
 #include <vector>

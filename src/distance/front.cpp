@@ -44,8 +44,7 @@ Plane plane_of(const Front& line) { return {line.a, line.b, -line.k, line.c}; }
 std::optional<Plane> radical(const Front& f, const Front& g) {
   if (compare(f.k * f.k, g.k * g.k) != 0) return std::nullopt;
   auto power = [](const Front& h) { return h.a * h.a + h.b * h.b - h.c * h.c; };
-  return Plane{Real(2) * (g.a - f.a), Real(2) * (g.b - f.b), Real(2) * (g.c * g.k - f.c * f.k),
-               power(g) - power(f)};
+  return Plane{Real(2) * (g.a - f.a), Real(2) * (g.b - f.b), Real(2) * (g.c * g.k - f.c * f.k), power(g) - power(f)};
 }
 
 Event event_on(const Ray& r, const Real& t) {
@@ -115,7 +114,8 @@ std::vector<Event> lines_coincide(const Front& f, const Front& g) {
   return {{(f.c * m - g.c * n) / k, std::nullopt}};
 }
 
-/// Of three circles two have a radical plane; where that stands upright (two vertices) and the third circle keeps still.
+/// Of three circles two have a radical plane; where that stands upright (two vertices) and the third circle keeps
+/// still.
 std::vector<Event> still_and_two(const Front& f, const Front& g, const Front& h, const Plane& upright) {
   const Front* still = f.k.sign() == 0 ? &f : g.k.sign() == 0 ? &g : &h;
   const Front& moves = still == &f ? g : f;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The curve of positions at which one elementary distance (to a vertex, a line, a circle) equals a level, as a function of that
-// level: a line that moves, or a circle that grows or shrinks about its centre. A distance is a minimum and maximum of elementary
-// ones, so its extreme levels are among those where fronts meet:
+// The curve of positions at which one elementary distance (to a vertex, a line, a circle) equals a level, as a function
+// of that level: a line that moves, or a circle that grows or shrinks about its centre. A distance is a minimum and
+// maximum of elementary ones, so its extreme levels are among those where fronts meet:
 //   one circle:   its radius becomes 0;
 //   two fronts:   they touch (centres on one line, circle and line tangent, parallel lines coincide);
 //   three fronts: they pass through one point (Apollonius' problem, with lines and circles that keep still admitted).
-// Guarantee: all results are exact reals; every proper event of a pair is found, of a triple every one that square roots can
-// express (all, unless circles that move and circles that keep still are mixed). Cost: microseconds.
-// Source: Apollonius' problem by elimination; distances.md 3.5. Keywords: medial axis, Voronoi vertex, inscribed circle.
+// Guarantee: all results are exact reals; every proper event of a pair is found, of a triple every one that square
+// roots can express (all, unless circles that move and circles that keep still are mixed). Cost: microseconds. Source:
+// Apollonius' problem by elimination; distances.md 3.5. Keywords: medial axis, Voronoi vertex, inscribed circle.
 #pragma once
 
 #include <optional>

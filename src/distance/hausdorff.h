@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The signed directed Hausdorff distance mu(B+p, A) = max over b in B of gamma1(b+p, A) (distances.md 3.3, 3.5): how far B + p
-// sticks out of A at most, or minus the margin it has inside. With V = A (+) level * int K and its closed companion:
-//   level > 0: - where B+p lies in V, 0 where it lies in A (+) level * K but not in V, + elsewhere; the zero set may be fat;
-//   level <= 0: as eta1.
+// The signed directed Hausdorff distance mu(B+p, A) = max over b in B of gamma1(b+p, A) (distances.md 3.3, 3.5): how
+// far B + p sticks out of A at most, or minus the margin it has inside. With V = A (+) level * int K and its closed
+// companion:
+//   level > 0: - where B+p lies in V, 0 where it lies in A (+) level * K but not in V, + elsewhere; the zero set may be
+//   fat; level <= 0: as eta1.
 // The other order, mu(A, B+p), is reflected(mu of A moving over B); the Hausdorff distance is the greater of the two.
-// Guarantee: sign maps exact; values exact in a place found by search (see farthest_from_set.h). Cost: sign map: one convolution
-// with a disc, two with B. Keywords: Hausdorff distance, directed Hausdorff distance.
+// Guarantee: sign maps exact; values exact in a place found by search (see farthest_from_set.h). Cost: sign map: one
+// convolution with a disc, two with B. Keywords: Hausdorff distance, directed Hausdorff distance.
 #pragma once
 
 #include <memory>

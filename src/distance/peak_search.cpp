@@ -24,10 +24,20 @@ double box_distance(double x0, double y0, double x1, double y1, double x, double
 
 }  // namespace
 
-PeakSearch::PeakSearch(const plane::Region& a, const plane::Region& b, std::span<const Site> a_sites, std::span<const Site> b_sites,
-                       double px, double py, double scale, double room, double least_value)
-    : a_region_(a), a_(a_sites), b_(b_sites), px_(px), py_(py), scale_(scale), room_(room), least_value_(least_value), locate_a_(a),
-      locate_b_(b), arc_done_(b_sites.size(), 0) {}
+PeakSearch::PeakSearch(const plane::Region& a, const plane::Region& b, std::span<const Site> a_sites,
+                       std::span<const Site> b_sites, double px, double py, double scale, double room,
+                       double least_value)
+    : a_region_(a),
+      a_(a_sites),
+      b_(b_sites),
+      px_(px),
+      py_(py),
+      scale_(scale),
+      room_(room),
+      least_value_(least_value),
+      locate_a_(a),
+      locate_b_(b),
+      arc_done_(b_sites.size(), 0) {}
 
 PeakSearch::Spot PeakSearch::on_edge(int edge, double t) const {
   const Site& s = b_[edge];
@@ -83,7 +93,8 @@ double PeakSearch::nearest(const Range& r, std::span<const Spot> hull, double x,
     return part.distance(x, y);
   }
   double x0 = hull[0].x, x1 = x0, y0 = hull[0].y, y1 = y0;
-  for (const Spot& h : hull) x0 = std::min(x0, h.x), x1 = std::max(x1, h.x), y0 = std::min(y0, h.y), y1 = std::max(y1, h.y);
+  for (const Spot& h : hull)
+    x0 = std::min(x0, h.x), x1 = std::max(x1, h.x), y0 = std::min(y0, h.y), y1 = std::max(y1, h.y);
   double near = box_distance(x0, y0, x1, y1, x, y);
   if (r.edge < 0) return near;
   const Site& e = b_[r.edge];
@@ -125,7 +136,9 @@ PeakSearch::List PeakSearch::close_to(const List& list, Spot at, double radius) 
 }
 
 bool PeakSearch::in_a(Spot at) { return locate_a_.mark({Real::from_double(at.x), Real::from_double(at.y)}) > 0; }
-bool PeakSearch::in_b(Spot at) { return locate_b_.mark({Real::from_double(at.x - px_), Real::from_double(at.y - py_)}) > 0; }
+bool PeakSearch::in_b(Spot at) {
+  return locate_b_.mark({Real::from_double(at.x - px_), Real::from_double(at.y - py_)}) > 0;
+}
 
 double PeakSearch::height(const List& list, Spot at) {
   double d = least(list, at);
@@ -193,7 +206,8 @@ void PeakSearch::split_edge(const Range& part) {
   }
 }
 
-/// Equally far from three parts, or the centre of an arc: the only places inside B where the distance has a strict maximum.
+/// Equally far from three parts, or the centre of an arc: the only places inside B where the distance has a strict
+/// maximum.
 void PeakSearch::inner_candidates(const Range& box) {
   List list(box.a.begin(), box.a.begin() + std::ptrdiff_t(std::min(box.a.size(), kFewSites + 2)));
   double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2, slack = scale_ * 0x1p-40;
@@ -273,8 +287,10 @@ std::vector<Peak> PeakSearch::run() {
     }
     visit_vertices(r);
     bool small = std::max(r.x1 - r.x0, r.y1 - r.y0) < scale_ * kSmallBox;
-    if (r.a.size() <= kFewSites || small) leaf(r);
-    else split_box(r);
+    if (r.a.size() <= kFewSites || small)
+      leaf(r);
+    else
+      split_box(r);
   }
   std::erase_if(peaks_, [&](const Peak& p) { return p.value < best_ - room_; });
   std::sort(peaks_.begin(), peaks_.end(), [](const Peak& p, const Peak& q) { return p.value > q.value; });

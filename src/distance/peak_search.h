@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The search behind farthest_from_set.h, in numbers: where over B + p is the distance to A greatest? See there for the method.
-// Guarantee: bounds hold up to rounding (about 1e-14 of the coordinates).
+// The search behind farthest_from_set.h, in numbers: where over B + p is the distance to A greatest? See there for the
+// method. Guarantee: bounds hold up to rounding (about 1e-14 of the coordinates).
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ namespace findspace::distance {
 
 class PeakSearch {
  public:
-  PeakSearch(const plane::Region& a, const plane::Region& b, std::span<const Site> a_sites, std::span<const Site> b_sites, double px,
-             double py, double scale, double room, double least_value);
+  PeakSearch(const plane::Region& a, const plane::Region& b, std::span<const Site> a_sites,
+             std::span<const Site> b_sites, double px, double py, double scale, double room, double least_value);
   std::vector<Peak> run();
 
  private:

@@ -40,22 +40,38 @@ TDistancePointer ShapePair::diameter() const {
 TDistancePointer ShapePair::made(Which which) const {
   auto shared = [](SignedDistance d) { return std::make_shared<SignedDistance>(std::move(d)); };
   switch (which) {
-    case Which::kGamma1: return shared(SignedDistance::gamma1(b_, a_));
-    case Which::kEta1: return shared(SignedDistance::eta1(b_, a_));
-    case Which::kDelta1: return shared(SignedDistance::delta1(b_, a_));
-    case Which::kGamma2: return farthest(Which::kGamma1);
-    case Which::kEta2: return farthest(Which::kEta1);
-    case Which::kDelta2: return farthest(Which::kDelta1);
-    case Which::kMu: return std::make_shared<DirectedHausdorff>(b_, a_);
-    case Which::kMuBack: return reflected(std::make_shared<DirectedHausdorff>(a_, b_));
-    case Which::kHausdorff: return greater(distance(Which::kMu), distance(Which::kMuBack));
-    case Which::kD1: return cut_off(distance(Which::kGamma1), Real());
-    case Which::kH: return cut_off(distance(Which::kMu), Real());
-    case Which::kHBack: return cut_off(distance(Which::kMuBack), Real());
-    case Which::kDstar: return cut_off(distance(Which::kDelta1), Real(), true);
-    case Which::kDstarBack: return cut_off(distance(Which::kEta1), Real(), true);
-    case Which::kDiameter: return diameter();
-    case Which::kPenetration: return cut_off(distance(Which::kGamma1), Real(), true);
+    case Which::kGamma1:
+      return shared(SignedDistance::gamma1(b_, a_));
+    case Which::kEta1:
+      return shared(SignedDistance::eta1(b_, a_));
+    case Which::kDelta1:
+      return shared(SignedDistance::delta1(b_, a_));
+    case Which::kGamma2:
+      return farthest(Which::kGamma1);
+    case Which::kEta2:
+      return farthest(Which::kEta1);
+    case Which::kDelta2:
+      return farthest(Which::kDelta1);
+    case Which::kMu:
+      return std::make_shared<DirectedHausdorff>(b_, a_);
+    case Which::kMuBack:
+      return reflected(std::make_shared<DirectedHausdorff>(a_, b_));
+    case Which::kHausdorff:
+      return greater(distance(Which::kMu), distance(Which::kMuBack));
+    case Which::kD1:
+      return cut_off(distance(Which::kGamma1), Real());
+    case Which::kH:
+      return cut_off(distance(Which::kMu), Real());
+    case Which::kHBack:
+      return cut_off(distance(Which::kMuBack), Real());
+    case Which::kDstar:
+      return cut_off(distance(Which::kDelta1), Real(), true);
+    case Which::kDstarBack:
+      return cut_off(distance(Which::kEta1), Real(), true);
+    case Which::kDiameter:
+      return diameter();
+    case Which::kPenetration:
+      return cut_off(distance(Which::kGamma1), Real(), true);
   }
   return nullptr;
 }

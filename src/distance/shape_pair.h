@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// All T-distances of one moving shape B and one fixed shape A, each made once when first asked for and sharing what they have in
-// common: the sets X (shapes meet), E (B in A) and D (A in B). The table of distances.md 3.1 to 3.4.
+// All T-distances of one moving shape B and one fixed shape A, each made once when first asked for and sharing what
+// they have in common: the sets X (shapes meet), E (B in A) and D (A in B). The table of distances.md 3.1 to 3.4.
 // Guarantee: as the families'. Threads: safe. Units: grid steps.
 #pragma once
 
@@ -17,14 +17,22 @@ namespace findspace::distance {
 
 /// "moving to fixed": the first argument of the formula is the moving shape.
 enum class Which {
-  kGamma1, kGamma2, kEta1, kEta2, kDelta1, kDelta2,
-  kMu,             // of B+p to A
-  kMuBack,         // of A to B+p
-  kHausdorff, kD1,
-  kH, kHBack,      // as kMu, kMuBack
-  kDstar,          // d*(B+p, A) = d(A, complement of B+p)
-  kDstarBack,      // d*(A, B+p) = d(B+p, complement of A)
-  kDiameter, kPenetration
+  kGamma1,
+  kGamma2,
+  kEta1,
+  kEta2,
+  kDelta1,
+  kDelta2,
+  kMu,      // of B+p to A
+  kMuBack,  // of A to B+p
+  kHausdorff,
+  kD1,
+  kH,
+  kHBack,      // as kMu, kMuBack
+  kDstar,      // d*(B+p, A) = d(A, complement of B+p)
+  kDstarBack,  // d*(A, B+p) = d(B+p, complement of A)
+  kDiameter,
+  kPenetration
 };
 inline constexpr std::size_t kWhichCount = 16;
 

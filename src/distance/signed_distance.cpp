@@ -49,7 +49,10 @@ std::optional<Value> SignedDistance::value(const exact::RealPoint& p) const {
   if (!defined_) return std::nullopt;
   Mark sign = mark_of(base_, locate(base_, p));
   if (sign == 0) return Value{exact::Real(), std::nullopt};
-  auto n = sign > 0 ? nearest(base_, [](Mark m) { return m <= 0; }, p) : nearest(base_, [](Mark m) { return m >= 0; }, p);
+  auto n = sign > 0 ? nearest(
+                          base_, [](Mark m) { return m <= 0; }, p)
+                    : nearest(
+                          base_, [](Mark m) { return m >= 0; }, p);
   if (!n) return std::nullopt;
   return Value{sign > 0 ? n->distance : -n->distance, n->at};
 }

@@ -4,11 +4,11 @@
 // The signed pair distances gamma1, eta1 and delta1 of a moving shape B at p and a fixed shape A (distances.md 3.1):
 //   f(p) = d(p, C) - d(p, O^c)   with open O and closed C, O in C:
 //   gamma1: O = U (interiors meet),       C = X (the shapes meet);      always defined
-//   eta1:   O = {B+p in int A},           C = {B+p in A};               defined if C is not empty, else +infinity everywhere
-//   delta1: O = {A in int (B+p)},         C = {A in B+p};               likewise
+//   eta1:   O = {B+p in int A},           C = {B+p in A};               defined if C is not empty, else +infinity
+//   everywhere delta1: O = {A in int (B+p)},         C = {A in B+p};               likewise
 // Shapes are taken as closed sets (their closure); B must be bounded. Units: grid steps.
-// Guarantee: sign maps are exact at every level; values are exact reals. Cost: one convolution for the base map, one with a
-// disc for each level other than 0. Keywords: signed distance, penetration depth, clearance, containment margin.
+// Guarantee: sign maps are exact at every level; values are exact reals. Cost: one convolution for the base map, one
+// with a disc for each level other than 0. Keywords: signed distance, penetration depth, clearance, containment margin.
 #pragma once
 
 #include <optional>

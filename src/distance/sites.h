@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The elementary parts of a closed set's boundary: vertices, segments and arcs, as numbers for search and as exact fronts for
-// decisions. Guarantee: numbers are right to about 1e-15 of the coordinates; fronts are exact. Keywords: sites, features.
+// The elementary parts of a closed set's boundary: vertices, segments and arcs, as numbers for search and as exact
+// fronts for decisions. Guarantee: numbers are right to about 1e-15 of the coordinates; fronts are exact. Keywords:
+// sites, features.
 #pragma once
 
 #include <functional>
@@ -22,10 +23,10 @@ double near_value(const exact::Real& r);
 struct Site {
   plane::Cell cell;
   bool arc = false;
-  std::int8_t half = 0;             // arc: +1 upper, -1 lower half of its circle
-  double x0 = 0, y0 = 0;            // first end, or the vertex
-  double x1 = 0, y1 = 0;            // second end
-  double cx = 0, cy = 0, r = 0;     // circle of an arc
+  std::int8_t half = 0;          // arc: +1 upper, -1 lower half of its circle
+  double x0 = 0, y0 = 0;         // first end, or the vertex
+  double x1 = 0, y1 = 0;         // second end
+  double cx = 0, cy = 0, r = 0;  // circle of an arc
 
   bool is_vertex() const { return cell.dimension == 0; }
   /// Of the closed site.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What every distance f(p) of a moving shape B at p and a fixed shape A offers (a PositionFunction): its sign map at a level and
-// its value at a position. A T-distance (distances.md 3) is one that is 1-Lipschitz in p and tends to infinity with |p|; it offers
-// besides the elementary distances ("fronts") that can decide it near a position, from which exact extrema are made. Distances
-// along a direction (7.1) are no T-distances, they jump. Lengths are in grid steps.
-// Guarantee: sign maps and values are exact unless the family says otherwise. Keywords: T-distance, level set, sublevel set.
+// What every distance f(p) of a moving shape B at p and a fixed shape A offers (a PositionFunction): its sign map at a
+// level and its value at a position. A T-distance (distances.md 3) is one that is 1-Lipschitz in p and tends to
+// infinity with |p|; it offers besides the elementary distances ("fronts") that can decide it near a position, from
+// which exact extrema are made. Distances along a direction (7.1) are no T-distances, they jump. Lengths are in grid
+// steps. Guarantee: sign maps and values are exact unless the family says otherwise. Keywords: T-distance, level set,
+// sublevel set.
 #pragma once
 
 #include <array>
@@ -19,9 +20,9 @@
 namespace findspace::distance {
 
 struct Value {
-  exact::Real value;                           // f(p)
-  std::optional<exact::RealPoint> nearest;     // signed distances: the nearest position where f = 0, if f(p) is not 0
-  bool minus_infinity = false;                 // f(p) is -infinity, and `value` means nothing
+  exact::Real value;                        // f(p)
+  std::optional<exact::RealPoint> nearest;  // signed distances: the nearest position where f = 0, if f(p) is not 0
+  bool minus_infinity = false;              // f(p) is -infinity, and `value` means nothing
 };
 
 class PositionFunction {

@@ -53,23 +53,38 @@ TurnedContact::Pair TurnedPair::turned(const SignMap& fixed, bool back) const {
 
 TurnMap TurnedPair::sign_map(Which which, const Real& level) const {
   switch (which) {
-    case Which::kGamma1: return least(level);
-    case Which::kGamma2: return greatest(Which::kGamma2, level, false);
-    case Which::kEta1: return contained(level, false);
-    case Which::kDelta1: return contained(level, true);
-    case Which::kMu: return greatest(Which::kGamma1, level, false);
-    case Which::kMuBack: return greatest(Which::kGamma1, level, true);
+    case Which::kGamma1:
+      return least(level);
+    case Which::kGamma2:
+      return greatest(Which::kGamma2, level, false);
+    case Which::kEta1:
+      return contained(level, false);
+    case Which::kDelta1:
+      return contained(level, true);
+    case Which::kMu:
+      return greatest(Which::kGamma1, level, false);
+    case Which::kMuBack:
+      return greatest(Which::kGamma1, level, true);
     case Which::kHausdorff:
       return combined(sign_map(Which::kMu, level), sign_map(Which::kMuBack, level), std::max<Mark>);
-    case Which::kD1: return cut_off(Which::kGamma1, level, false);
-    case Which::kH: return cut_off(Which::kMu, level, false);
-    case Which::kHBack: return cut_off(Which::kMuBack, level, false);
-    case Which::kDstar: return cut_off(Which::kDelta1, level, true);
-    case Which::kDstarBack: return cut_off(Which::kEta1, level, true);
-    case Which::kDiameter: return diameter(level);
-    case Which::kPenetration: return cut_off(Which::kGamma1, level, true);
-    case Which::kEta2: refuse("eta2");
-    case Which::kDelta2: refuse("delta2");
+    case Which::kD1:
+      return cut_off(Which::kGamma1, level, false);
+    case Which::kH:
+      return cut_off(Which::kMu, level, false);
+    case Which::kHBack:
+      return cut_off(Which::kMuBack, level, false);
+    case Which::kDstar:
+      return cut_off(Which::kDelta1, level, true);
+    case Which::kDstarBack:
+      return cut_off(Which::kEta1, level, true);
+    case Which::kDiameter:
+      return diameter(level);
+    case Which::kPenetration:
+      return cut_off(Which::kGamma1, level, true);
+    case Which::kEta2:
+      refuse("eta2");
+    case Which::kDelta2:
+      refuse("delta2");
   }
   return {};
 }

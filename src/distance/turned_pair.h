@@ -2,15 +2,15 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The T-distances of a shape B that turns about a point and a fixed shape A, as functions of the angle: the sign of
-// f(B turned by angle, A) - level on the whole circle (distances.md 7.2). What can be said of the points of B one by one is reduced to a
-// sign map M of the plane, that of a single point against A at the level:
+// f(B turned by angle, A) - level on the whole circle (distances.md 7.2). What can be said of the points of B one by
+// one is reduced to a sign map M of the plane, that of a single point against A at the level:
 //   gamma1 >= 0, d1:           the least mark of M that B meets;
 //   gamma2, mu, h, eta1 <= 0:  the greatest one;
 //   delta1 <= 0, mu and h of A to B, d*: the same with A turned back over B.
-// gamma1 below 0 (depth), eta1 and delta1 above 0, eta2 and delta2 depend on all of B at once, through corners of sums that move: their
-// angles are roots of higher degree, and are refused: Error(kUnsupported).
-// Guarantee: exact, contacts at single angles and sliding ones included. Cost: one level map of A, then as turned_contact.h.
-// Units: grid steps. Keywords: rotational sweep, orientation, configuration space of a rotation.
+// gamma1 below 0 (depth), eta1 and delta1 above 0, eta2 and delta2 depend on all of B at once, through corners of sums
+// that move: their angles are roots of higher degree, and are refused: Error(kUnsupported). Guarantee: exact, contacts
+// at single angles and sliding ones included. Cost: one level map of A, then as turned_contact.h. Units: grid steps.
+// Keywords: rotational sweep, orientation, configuration space of a rotation.
 #pragma once
 
 #include "distance/shape_pair.h"

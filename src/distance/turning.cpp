@@ -26,7 +26,8 @@ double way(const Angle& from, const Angle& to) {
   return d > 0 ? d : d + 360;
 }
 
-/// The distance of the angle, which carries `sign`, to the nearest one that does not (or lies at an end of those that do).
+/// The distance of the angle, which carries `sign`, to the nearest one that does not (or lies at an end of those that
+/// do).
 double distance_out_of(const TurnMap& map, const Angle& at, Mark sign) {
   double best = kInfinity;
   for (std::size_t k = 0; k < map.at.size(); ++k) {
@@ -37,8 +38,8 @@ double distance_out_of(const TurnMap& map, const Angle& at, Mark sign) {
   return best;
 }
 
-/// Marks along an open arc of the base map that carries `sign`, as f behaves there: - sign near its ends, 0 at the distance t from an
-/// end, sign deeper inside.
+/// Marks along an open arc of the base map that carries `sign`, as f behaves there: - sign near its ends, 0 at the
+/// distance t from an end, sign deeper inside.
 class LevelArcs {
  public:
   LevelArcs(const TurnMap& base, Real distance, Mark sign) : base_(base), t_(std::move(distance)), sign_(sign) {}
@@ -83,7 +84,8 @@ class LevelArcs {
 
 bool has(const TurnMap& map, bool (*wanted)(Mark)) {
   if (map.at.empty()) return wanted(map.everywhere);
-  return std::any_of(map.here.begin(), map.here.end(), wanted) || std::any_of(map.after.begin(), map.after.end(), wanted);
+  return std::any_of(map.here.begin(), map.here.end(), wanted) ||
+         std::any_of(map.after.begin(), map.after.end(), wanted);
 }
 
 bool in_c(Mark m) { return m <= 0; }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Rotational distances: how far B has to turn about a point until the answer changes (distances.md 7.2). From the map that carries -
-// on O, 0 on C \ O, + elsewhere on the circle (gamma: interiors meet, shapes meet; eta: B in int A, in A; delta exchanged):
+// Rotational distances: how far B has to turn about a point until the answer changes (distances.md 7.2). From the map
+// that carries - on O, 0 on C \ O, + elsewhere on the circle (gamma: interiors meet, shapes meet; eta: B in int A, in
+// A; delta exchanged):
 //   gamma1, eta1, delta1:  f = -(distance to the angles outside O) in O, 0 in C \ O, the distance to C elsewhere;
 //   gamma2, eta2, delta2:  the greatest distance to an angle of C.
-// Distances are measured along the circle, in degrees, at most 180. +infinity where C is empty; -infinity where O is everything.
-// Guarantee: sign maps exact, their ends the contact angles plus or minus the level; values correct to about 1e-13.
-// Keywords: angular clearance, rotation to contact.
+// Distances are measured along the circle, in degrees, at most 180. +infinity where C is empty; -infinity where O is
+// everything. Guarantee: sign maps exact, their ends the contact angles plus or minus the level; values correct to
+// about 1e-13. Keywords: angular clearance, rotation to contact.
 #pragma once
 
 #include "plane/turn_map.h"

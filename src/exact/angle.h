@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Exact angles. A Turn is a rotation about the origin given by its cosine and sine as exact reals with cos^2 + sin^2 = 1; an Angle is a
-// turn plus a rational number of degrees, so that "the angle of that contact, and 12.5 degrees more" is a value too. Angles
-// live on the circle: their place is in [0, 360).
+// Exact angles. A Turn is a rotation about the origin given by its cosine and sine as exact reals with cos^2 + sin^2 =
+// 1; an Angle is a turn plus a rational number of degrees, so that "the angle of that contact, and 12.5 degrees more"
+// is a value too. Angles live on the circle: their place is in [0, 360).
 //
-// Guarantee: the order of two angles is exact. One with degrees added is first compared by enclosures of 180 bits; where these leave
-// it open, d = 360 k / n in lowest terms is the angle of a turn exactly if that turn n times is no turn at all, which is decided among
-// the turn's own numbers. Angles closer than that and different are refused with Error(kUnsupported).
-// Cost: a comparison of doubles where the angles are not within 1e-9 degrees of each other.
+// Guarantee: the order of two angles is exact. One with degrees added is first compared by enclosures of 180 bits;
+// where these leave it open, d = 360 k / n in lowest terms is the angle of a turn exactly if that turn n times is no
+// turn at all, which is decided among the turn's own numbers. Angles closer than that and different are refused with
+// Error(kUnsupported). Cost: a comparison of doubles where the angles are not within 1e-9 degrees of each other.
 // Keywords: rotation, root of unity, circular order.
 #pragma once
 
@@ -49,8 +49,8 @@ struct Angle {
 
 /// By place in [0, 360): exact.
 int compare(const Angle& p, const Angle& q);
-/// A turn of rational cosine and sine (where doubles find one) strictly between two different angles without degrees added,
-/// counter-clockwise from the first. Of two equal ones: somewhere on the rest of the circle.
+/// A turn of rational cosine and sine (where doubles find one) strictly between two different angles without degrees
+/// added, counter-clockwise from the first. Of two equal ones: somewhere on the rest of the circle.
 Turn between(const Turn& from, const Turn& to);
 
 }  // namespace findspace::exact

@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A double together with a bound on its distance from the exact value: the first stage of every predicate.
-// Guarantee: |exact - value| <= error after any sequence of the operations below. Each operation adds the rounding error of
-// its own result (half an ulp, bounded by kUnit * |value|) and inflates the bound by kGrow to cover the rounding of the
-// bound itself. Cost: two to six floating point operations. Keywords: static filter, running error analysis.
+// Guarantee: |exact - value| <= error after any sequence of the operations below. Each operation adds the rounding
+// error of its own result (half an ulp, bounded by kUnit * |value|) and inflates the bound by kGrow to cover the
+// rounding of the bound itself. Cost: two to six floating point operations. Keywords: static filter, running error
+// analysis.
 #pragma once
 
 #include <cmath>
@@ -36,7 +37,8 @@ struct Approx {
   friend Approx operator-(const Approx& p) { return {-p.value, p.error}; }
   friend Approx operator*(const Approx& p, const Approx& q) {
     double v = p.value * q.value;
-    return {v, (std::abs(p.value) * q.error + std::abs(q.value) * p.error + p.error * q.error + kUnit * std::abs(v)) * kGrow +
+    return {v, (std::abs(p.value) * q.error + std::abs(q.value) * p.error + p.error * q.error + kUnit * std::abs(v)) *
+                       kGrow +
                    kTiny};
   }
   friend Approx operator/(const Approx& p, const Approx& q) {

@@ -60,8 +60,9 @@ Approx line_offset(const Carrier& l) {
   return l.grid ? from_int(l.c) : from_int(l.c) + from_real(l.w) * normal_length(l);
 }
 
-/// |a|, |b| < 2^53, so the doubles are exact. With u = 2^-53 the squared length is off by at most 2u (two roundings on each
-/// path), its root by 2u (half of that and its own rounding), a quotient by 3u; 4u covers the terms of second order.
+/// |a|, |b| < 2^53, so the doubles are exact. With u = 2^-53 the squared length is off by at most 2u (two roundings on
+/// each path), its root by 2u (half of that and its own rounding), a quotient by 3u; 4u covers the terms of second
+/// order.
 void set_line_filter(Carrier& l) {
   double a = double(l.a), b = double(l.b), n = std::sqrt(a * a + b * b);
   double x = a / n, y = b / n;
@@ -146,8 +147,8 @@ bool same_carrier(const Carrier& p, const Carrier& q) {
     return p.offset() == q.offset();
   }
   if ((p.x - q.x).sign() != 0 || (p.y - q.y).sign() != 0) return false;
-  bool same_center = p.grid && q.grid ? p.a == q.a && p.b == q.b
-                                      : p.center_x() == q.center_x() && p.center_y() == q.center_y();
+  bool same_center =
+      p.grid && q.grid ? p.a == q.a && p.b == q.b : p.center_x() == q.center_x() && p.center_y() == q.center_y();
   return same_center && p.w == q.w;
 }
 
@@ -389,7 +390,8 @@ int Geometry::right_of_center(std::uint32_t p, std::uint32_t circle) const {
 std::array<Approx, 2> Geometry::tangent(std::uint32_t p, Heading h) const {
   const Carrier& k = carriers[h.carrier];
   Approx dx = k.y, dy = -k.x;
-  if (k.circle) dx = k.y - from_double(points[p].y, points[p].error), dy = from_double(points[p].x, points[p].error) - k.x;
+  if (k.circle)
+    dx = k.y - from_double(points[p].y, points[p].error), dy = from_double(points[p].x, points[p].error) - k.x;
   if (h.forward) return {dx, dy};
   return {-dx, -dy};
 }

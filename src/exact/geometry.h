@@ -3,9 +3,10 @@
 //
 // Carriers (supporting lines and circles), implicit points, and every sign the planar kernel needs about them.
 //
-// A line is a*x + b*y = c with (a, b) a primitive integer vector (a > 0, or a = 0 and b > 0) and c an integer, an integer
-// plus w*sqrt(a^2+b^2) (a grid line displaced by w, kept unevaluated), or any exact real. A circle has a grid or a real centre and a real radius. A point is a grid
-// point, a pair of exact reals, or "where carriers i and j meet, root r": it is never replaced by rounded coordinates.
+// A line is a*x + b*y = c with (a, b) a primitive integer vector (a > 0, or a = 0 and b > 0) and c an integer, an
+// integer plus w*sqrt(a^2+b^2) (a grid line displaced by w, kept unevaluated), or any exact real. A circle has a grid
+// or a real centre and a real radius. A point is a grid point, a pair of exact reals, or "where carriers i and j meet,
+// root r": it is never replaced by rounded coordinates.
 //
 // Guarantee: every function that returns a sign or a truth value is exact. Stages: double with a running error bound;
 // fixed-width integers where all data are grid lines and grid points; exact reals (closed forms, then a separation
@@ -30,11 +31,12 @@ struct RealPoint {
 
 struct Carrier {
   bool circle = false;
-  bool grid = true;            // line: the offset is the integer c; circle: the centre is (a, b)
-  std::int64_t a = 0, b = 0;   // line: normal; circle: grid centre
-  int128 c = 0;                // line: integer offset
-  std::shared_ptr<const RealPoint> real;  // line: x = offset, null unless neither grid nor displaced; circle: centre unless grid
-  Real w;                      // circle: radius; line: displacement along its unit normal, 0 unless displaced
+  bool grid = true;           // line: the offset is the integer c; circle: the centre is (a, b)
+  std::int64_t a = 0, b = 0;  // line: normal; circle: grid centre
+  int128 c = 0;               // line: integer offset
+  std::shared_ptr<const RealPoint>
+      real;  // line: x = offset, null unless neither grid nor displaced; circle: centre unless grid
+  Real w;    // circle: radius; line: displacement along its unit normal, 0 unless displaced
   // First stage: line: unit normal (x, y) and distance z of the origin; circle: centre (x, y), radius z.
   Approx x, y, z;
 
@@ -45,7 +47,9 @@ struct Carrier {
   static Carrier circle_at(std::int64_t cx, std::int64_t cy, const Real& r);
   static Carrier circle_at(const Real& cx, const Real& cy, const Real& r);
   bool displaced() const { return !circle && !grid && !real; }
-  Real offset() const { return grid ? Real(c) : real ? real->x : Real(c) + w * sqrt(Real(int128(a) * a + int128(b) * b)); }
+  Real offset() const {
+    return grid ? Real(c) : real ? real->x : Real(c) + w * sqrt(Real(int128(a) * a + int128(b) * b));
+  }
   Real center_x() const { return grid ? Real(a) : real->x; }
   Real center_y() const { return grid ? Real(b) : real->y; }
 };
@@ -118,7 +122,8 @@ class Geometry {
   int right_of_center(std::uint32_t p, std::uint32_t circle) const;
   bool lies_on(std::uint32_t p, std::uint32_t carrier) const { return side(p, carrier) == 0; }
 
-  /// Is p by its definition the only common point of carriers i and j, not both lines? (False may be for want of knowledge.)
+  /// Is p by its definition the only common point of carriers i and j, not both lines? (False may be for want of
+  /// knowledge.)
   bool touch_at(std::uint32_t p, std::uint32_t i, std::uint32_t j) const;
 
   /// A direction of travel at a point: along a line, or along a circle's tangent there. `forward` on a line is
@@ -135,7 +140,8 @@ class Geometry {
   int compare_curvature(Heading h, Heading k) const;
 
  private:
-  /// Sign of x - y where it exceeds `error` (inflated for its rounding) and the rounding of the difference, 2^-52 of it.
+  /// Sign of x - y where it exceeds `error` (inflated for its rounding) and the rounding of the difference, 2^-52 of
+  /// it.
   static int filtered(double x, double y, double error) {
     double gap = x - y, room = error * Approx::kGrow + std::abs(gap) * Approx::kUnit * 2;
     return (gap > room) - (gap < -room);

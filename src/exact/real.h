@@ -49,9 +49,9 @@ class Real {
  public:
   Real() noexcept = default;  // 0, allocates nothing
   template <std::integral T>
-  Real(T value) noexcept : numerator_(value) {}      // NOLINT: exact, implicit on purpose
-  Real(int128 value) noexcept : numerator_(value) {} // NOLINT
-  Real(double) = delete;                             // say from_double or parse_decimal
+  Real(T value) noexcept : numerator_(value) {}       // NOLINT: exact, implicit on purpose
+  Real(int128 value) noexcept : numerator_(value) {}  // NOLINT
+  Real(double) = delete;                              // say from_double or parse_decimal
   /// numerator / denominator; throws Error(kBadValue) if the denominator is 0.
   static Real ratio(int128 numerator, int128 denominator);
   /// The exact dyadic value; throws Error(kBadValue) for NaN and infinities.
@@ -64,9 +64,7 @@ class Real {
     if (node_) node_->references.fetch_add(1, std::memory_order_relaxed);
   }
   Real(Real&& other) noexcept
-      : numerator_(other.numerator_),
-        denominator_(other.denominator_),
-        node_(std::exchange(other.node_, nullptr)) {}
+      : numerator_(other.numerator_), denominator_(other.denominator_), node_(std::exchange(other.node_, nullptr)) {}
   Real& operator=(Real other) noexcept {
     std::swap(node_, other.node_);
     numerator_ = other.numerator_;
@@ -82,14 +80,14 @@ class Real {
   friend Real operator*(const Real&, const Real&);
   friend Real operator/(const Real&, const Real&);  // throws Error(kBadValue) if the divisor is exactly 0
   Real operator-() const;
-  friend Real sqrt(const Real&);                    // throws Error(kBadValue) if the argument is negative
+  friend Real sqrt(const Real&);  // throws Error(kBadValue) if the argument is negative
   Real& operator+=(const Real& b) { return *this = *this + b; }
   Real& operator-=(const Real& b) { return *this = *this - b; }
   Real& operator*=(const Real& b) { return *this = *this * b; }
   Real& operator/=(const Real& b) { return *this = *this / b; }
 
-  int sign() const;                               // exact: -1, 0, +1
-  friend int compare(const Real&, const Real&);   // exact: sign of the difference
+  int sign() const;                              // exact: -1, 0, +1
+  friend int compare(const Real&, const Real&);  // exact: sign of the difference
   friend bool operator==(const Real& a, const Real& b) { return compare(a, b) == 0; }
   friend bool operator<(const Real& a, const Real& b) { return compare(a, b) < 0; }
   friend bool operator>(const Real& a, const Real& b) { return compare(a, b) > 0; }

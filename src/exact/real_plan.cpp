@@ -49,13 +49,20 @@ bool is_leaf(const Real& x) { return !Access::node(x) || is_closed(*Access::node
 
 StepKind step_kind(NodeKind kind) {
   switch (kind) {
-    case NodeKind::kNeg: return StepKind::kNeg;
-    case NodeKind::kAdd: return StepKind::kAdd;
-    case NodeKind::kSub: return StepKind::kSub;
-    case NodeKind::kMul: return StepKind::kMul;
-    case NodeKind::kDiv: return StepKind::kDiv;
-    case NodeKind::kSqrt: return StepKind::kSqrt;
-    default: return StepKind::kLeaf;
+    case NodeKind::kNeg:
+      return StepKind::kNeg;
+    case NodeKind::kAdd:
+      return StepKind::kAdd;
+    case NodeKind::kSub:
+      return StepKind::kSub;
+    case NodeKind::kMul:
+      return StepKind::kMul;
+    case NodeKind::kDiv:
+      return StepKind::kDiv;
+    case NodeKind::kSqrt:
+      return StepKind::kSqrt;
+    default:
+      return StepKind::kLeaf;
   }
 }
 
@@ -108,8 +115,8 @@ int Plan::operation_step(const OperationNode& node, int a, int b) {
   const StepKind kind = step_kind(node.kind);
   if ((kind == StepKind::kAdd || kind == StepKind::kMul) && a > b) std::swap(a, b);
   if (kind == StepKind::kSub && a == b) return small_step(Small{});
-  const std::uint64_t key = static_cast<std::uint64_t>(kind) << 60 | static_cast<std::uint64_t>(a) << 30 |
-                            static_cast<std::uint64_t>(b + 1);
+  const std::uint64_t key =
+      static_cast<std::uint64_t>(kind) << 60 | static_cast<std::uint64_t>(a) << 30 | static_cast<std::uint64_t>(b + 1);
   const auto next = static_cast<int>(steps_.size());
   const int found = operations_.find_or_put(key, next, [](int) { return true; });
   if (found >= 0) return found;
@@ -178,16 +185,22 @@ double log2_sum(double x, double y) {
 Bound bound_of(const Step& step, const std::vector<Bound>& bounds) {
   const Bound a = step.a >= 0 ? bounds[step.a] : Bound{}, b = step.b >= 0 ? bounds[step.b] : Bound{};
   switch (step.kind) {
-    case StepKind::kSmall: return {log2_of(enclose(step.small.p)), log2_of(enclose(step.small.q))};
-    case StepKind::kPlainRoot: return {log2_of(step.leaf->n) / 2, 0};
+    case StepKind::kSmall:
+      return {log2_of(enclose(step.small.p)), log2_of(enclose(step.small.q))};
+    case StepKind::kPlainRoot:
+      return {log2_of(step.leaf->n) / 2, 0};
     case StepKind::kLeaf:
       if (step.leaf->rational()) return {log2_of(step.leaf->p), log2_of(step.leaf->q)};
       return {log2_sum(log2_of(step.leaf->p), log2_of(step.leaf->r) + a.u), log2_of(step.leaf->q)};
-    case StepKind::kNeg: return a;
+    case StepKind::kNeg:
+      return a;
     case StepKind::kAdd:
-    case StepKind::kSub: return {log2_sum(a.u + b.l, a.l + b.u), up(a.l + b.l)};
-    case StepKind::kMul: return {up(a.u + b.u), up(a.l + b.l)};
-    case StepKind::kDiv: return {up(a.u + b.l), up(a.l + b.u)};
+    case StepKind::kSub:
+      return {log2_sum(a.u + b.l, a.l + b.u), up(a.l + b.l)};
+    case StepKind::kMul:
+      return {up(a.u + b.u), up(a.l + b.l)};
+    case StepKind::kDiv:
+      return {up(a.u + b.l), up(a.l + b.u)};
     case StepKind::kSqrt:
       if (a.u >= a.l) return {up((a.u + a.l) / 2), a.l};
       return {a.u, up((a.u + a.l) / 2)};

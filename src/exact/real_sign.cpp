@@ -72,18 +72,34 @@ void Balls::evaluate_leaf(const Step& step) {
 void Balls::evaluate(const Step& step) {
   Ball& result = balls_.back();
   switch (step.kind) {
-    case StepKind::kSmall: evaluate_small(step.small); break;
+    case StepKind::kSmall:
+      evaluate_small(step.small);
+      break;
     case StepKind::kPlainRoot:
       result.set(step.leaf->n.get_mpz_t());
       result.square_root(result);
       break;
-    case StepKind::kLeaf: evaluate_leaf(step); break;
-    case StepKind::kNeg: result.negate(balls_[step.a]); break;
-    case StepKind::kAdd: result.add(balls_[step.a], balls_[step.b]); break;
-    case StepKind::kSub: result.subtract(balls_[step.a], balls_[step.b]); break;
-    case StepKind::kMul: result.multiply(balls_[step.a], balls_[step.b]); break;
-    case StepKind::kDiv: result.divide(balls_[step.a], balls_[step.b]); break;
-    case StepKind::kSqrt: result.square_root(balls_[step.a]); break;
+    case StepKind::kLeaf:
+      evaluate_leaf(step);
+      break;
+    case StepKind::kNeg:
+      result.negate(balls_[step.a]);
+      break;
+    case StepKind::kAdd:
+      result.add(balls_[step.a], balls_[step.b]);
+      break;
+    case StepKind::kSub:
+      result.subtract(balls_[step.a], balls_[step.b]);
+      break;
+    case StepKind::kMul:
+      result.multiply(balls_[step.a], balls_[step.b]);
+      break;
+    case StepKind::kDiv:
+      result.divide(balls_[step.a], balls_[step.b]);
+      break;
+    case StepKind::kSqrt:
+      result.square_root(balls_[step.a]);
+      break;
   }
 }
 

@@ -8,9 +8,9 @@
 //   dot(cross(e, f), g)    at most 3 * 2^83 * 2^41 < 2^125: int128 holds it
 //   offset of a facet of A - B: at most 3 * 2^83 * 2^41 < 2^125: int128 holds it
 //
-// Hence every combinatorial decision of hulls and contact surfaces is one int128 sign; in front of it stands a filter in
-// doubles. Only planes evaluated at free positions (dyadic doubles) may need more, and then GMP decides.
-// Guarantee: every sign is exact. Cost: a few nanoseconds in the filter, about ten in int128, a microsecond in GMP.
+// Hence every combinatorial decision of hulls and contact surfaces is one int128 sign; in front of it stands a filter
+// in doubles. Only planes evaluated at free positions (dyadic doubles) may need more, and then GMP decides. Guarantee:
+// every sign is exact. Cost: a few nanoseconds in the filter, about ten in int128, a microsecond in GMP.
 #pragma once
 
 #include <cmath>
@@ -66,10 +66,10 @@ inline Shadow3 shadow(const Grid3& p) { return {double(p.x), double(p.y), double
 Shadow3 shadow(const Wide3& n);
 inline Shadow3 operator-(const Shadow3& a, const Shadow3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
-/// The sign of the dot product of two shadows of integer vectors, or 2 where doubles cannot tell. The grid factor is exact
-/// (below 2^53), the normal has one rounding, each product one, the two sums two: the error is below 5 * 2^-53 times the
-/// sum of the magnitudes of the products; 2^-50 covers it and the roundings of the bound itself. Where that sum is at most
-/// 2^52 everything is a small integer and nothing was rounded: ties on coarse data are decided here too.
+/// The sign of the dot product of two shadows of integer vectors, or 2 where doubles cannot tell. The grid factor is
+/// exact (below 2^53), the normal has one rounding, each product one, the two sums two: the error is below 5 * 2^-53
+/// times the sum of the magnitudes of the products; 2^-50 covers it and the roundings of the bound itself. Where that
+/// sum is at most 2^52 everything is a small integer and nothing was rounded: ties on coarse data are decided here too.
 inline int filtered_sign_dot(const Shadow3& n, const Shadow3& e) {
   const double a = n.x * e.x, b = n.y * e.y, c = n.z * e.z;
   const double sum = (a + b) + c;
@@ -86,8 +86,8 @@ int sign_plane_at(const Wide3& n, int128 d, double x, double y, double z);
 /// n . x + d at a point of finite doubles, with one rounding.
 double value_plane_at(const Wide3& n, int128 d, double x, double y, double z);
 
-/// The sign of a / sqrt(p) - b / sqrt(q), where a and b are the values of two planes at one point and p and q the squared
-/// lengths of their normals: which of the two planes is higher there, exactly.
+/// The sign of a / sqrt(p) - b / sqrt(q), where a and b are the values of two planes at one point and p and q the
+/// squared lengths of their normals: which of the two planes is higher there, exactly.
 int compare_planes_at(const Wide3& n, int128 d, const Wide3& m, int128 e, double x, double y, double z);
 
 }  // namespace findspace::exact

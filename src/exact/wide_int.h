@@ -31,8 +31,7 @@ struct WideInt {
   }
   /// Sign extension from a narrower integer.
   template <int M>
-    requires(M < N)
-  WideInt(const WideInt<M>& narrow) {  // NOLINT: exact, implicit on purpose
+  requires(M < N) WideInt(const WideInt<M>& narrow) {  // NOLINT: exact, implicit on purpose
     for (int i = 0; i < M; ++i) limb[i] = narrow.limb[i];
     fill_sign<M>();
   }

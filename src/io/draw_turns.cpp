@@ -33,8 +33,8 @@ class Dial {
   }
 
   std::string svg() {
-    put("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" stroke=\"#e3e6ea\" stroke-width=\"{}\"/>\n", pixels(center_.x),
-        pixels(center_.y), kRadius, kBand);
+    put("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" stroke=\"#e3e6ea\" stroke-width=\"{}\"/>\n",
+        pixels(center_.x), pixels(center_.y), kRadius, kBand);
     for (int d = 0; d < 360; d += 30) tick(d);
     for (const DegreeInterval& i : angles_) band(i);
     for (const DegreeInterval& i : angles_) ends(i);
@@ -57,7 +57,8 @@ class Dial {
   void tick(int degrees) {
     const Spot p = at(degrees, kRadius + kBand / 2 + 3), q = at(degrees, kRadius + kBand / 2 + 8),
                t = at(degrees, kRadius + kBand / 2 + 21);
-    put("<path d=\"M{} {}L{} {}\" stroke=\"#667\" stroke-width=\"1\"/>\n", pixels(p.x), pixels(p.y), pixels(q.x), pixels(q.y));
+    put("<path d=\"M{} {}L{} {}\" stroke=\"#667\" stroke-width=\"1\"/>\n", pixels(p.x), pixels(p.y), pixels(q.x),
+        pixels(q.y));
     put("<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"#556\" text-anchor=\"middle\" "
         "font-family=\"sans-serif\">{}°</text>\n",
         pixels(t.x), pixels(t.y + 4), degrees);
@@ -91,7 +92,8 @@ class Dial {
 
   void line(std::size_t row, const std::string& text, bool bold = false) {
     put("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{} fill=\"#223\" font-family=\"sans-serif\">{}</text>\n",
-        pixels(left_ + 24), pixels(list_top() + double(row) * kLine), kFontSize, bold ? " font-weight=\"bold\"" : "", text);
+        pixels(left_ + 24), pixels(list_top() + double(row) * kLine), kFontSize, bold ? " font-weight=\"bold\"" : "",
+        text);
   }
 
   void list() {
@@ -102,7 +104,8 @@ class Dial {
       if (i.from == i.to)
         line(k + 1, fmt::format("{}° alone", shown(i.from)));
       else
-        line(k + 1, fmt::format("{} {}° to {}° {}", i.from_in ? "[" : "(", shown(i.from), shown(i.to), i.to_in ? "]" : ")"));
+        line(k + 1,
+             fmt::format("{} {}° to {}° {}", i.from_in ? "[" : "(", shown(i.from), shown(i.to), i.to_in ? "]" : ")"));
     }
   }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A set of angles as a dial: a ring with the angles that belong in colour, full and hollow dots at ends that belong and do not,
-// dots for single angles, degrees counted counter-clockwise from the right. Keywords: polar plot, angular intervals.
+// A set of angles as a dial: a ring with the angles that belong in colour, full and hollow dots at ends that belong and
+// do not, dots for single angles, degrees counted counter-clockwise from the right. Keywords: polar plot, angular
+// intervals.
 #pragma once
 
 #include <string>

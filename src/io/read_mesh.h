@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Meshes from files: STL (ASCII and binary), OBJ, OFF, PLY (ASCII, and binary of either byte order), by the ending.
-// Vertices are put on the grid (decimals exactly, binary floats as the exact values they are), equal ones joined, and the
-// surface cleaned (space/mesh.h): it must be closed. What was changed is told in the context's notes.
-// Errors: Error(kFile) missing or truncated, kSyntax with the line, kGeometry not closed (with its open edges).
+// Vertices are put on the grid (decimals exactly, binary floats as the exact values they are), equal ones joined, and
+// the surface cleaned (space/mesh.h): it must be closed. What was changed is told in the context's notes. Errors:
+// Error(kFile) missing or truncated, kSyntax with the line, kGeometry not closed (with its open edges).
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// PLY: a header that describes elements (vertex, face, ...) and their properties, then the data in the same order, as text
-// or binary. Read: x y z of vertices and vertex_indices (or vertex_index) of faces; everything else is stepped over.
+// PLY: a header that describes elements (vertex, face, ...) and their properties, then the data in the same order, as
+// text or binary. Read: x y z of vertices and vertex_indices (or vertex_index) of faces; everything else is stepped
+// over.
 #include "io/read_mesh_ply.h"
 
 #include <fmt/format.h>
@@ -50,7 +51,8 @@ Header read_header(TextLines& lines) {
   lines.fail("the header does not end");
 }
 
-/// The numbers of the data part one after another, from text or from bytes. Text keeps the decimals as they are written.
+/// The numbers of the data part one after another, from text or from bytes. Text keeps the decimals as they are
+/// written.
 class Data {
  public:
   Data(const std::string& bytes, TextLines& lines, Encoding encoding)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What the mesh readers share (lines of words, the mesh being built on the grid, numbers out of bytes), and the PLY reader.
+// What the mesh readers share (lines of words, the mesh being built on the grid, numbers out of bytes), and the PLY
+// reader.
 #pragma once
 
 #include <findspace/error.h>

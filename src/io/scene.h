@@ -59,10 +59,10 @@ struct Motion {
 
 /// What has one position in a placement: a shape, or several that move together.
 struct PlacedBody {
-  std::string name;                             // the shape's, or "A1+A2"
+  std::string name;  // the shape's, or "A1+A2"
   std::vector<std::string> shapes;
   std::vector<exact::Real> angles{exact::Real(0)};  // allowed, in degrees about the pole, in the order given
-  int count = 1;                                // how many of it are placed
+  int count = 1;                                    // how many of it are placed
 };
 
 /// The placement of several shapes (docs/scene.md, "place").

@@ -193,8 +193,8 @@ std::string check_json(const situation::Solver::Check& check, const exact::RealP
   }
   out += "}";
   if (nearest != nullptr) {
-    put(out, ",\n  \"nearest_feasible\": {{\"at\": {}, \"distance\": {}, \"attained\": {}}}", json_point(nearest->at, factor),
-        json_number(nearest->distance.to_double()), truth(nearest->attained));
+    put(out, ",\n  \"nearest_feasible\": {{\"at\": {}, \"distance\": {}, \"attained\": {}}}",
+        json_point(nearest->at, factor), json_number(nearest->distance.to_double()), truth(nearest->attained));
   }
   std::vector<situation::DistanceAt> all;
   for (const situation::AtomAt& a : check.atoms) all.push_back(a.distance);

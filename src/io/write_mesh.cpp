@@ -56,7 +56,8 @@ Picture fit(const Surface& s) {
     for (int k = 0; k < 2; ++k) low[k] = std::min(low[k], c[k]), high[k] = std::max(high[k], c[k]);
   }
   Picture p;
-  p.scale = (kSize - 2 * kMargin) / std::max({high[0] - low[0], high[1] - low[1], 1e-300});  // no sign: keeps a picture of nothing finite
+  p.scale = (kSize - 2 * kMargin) /
+            std::max({high[0] - low[0], high[1] - low[1], 1e-300});  // no sign: keeps a picture of nothing finite
   p.left = low[0];
   p.top = high[1];
   p.width = (high[0] - low[0]) * p.scale + 2 * kMargin;

@@ -3,7 +3,8 @@
 //
 // Surfaces out: OBJ, OFF and ASCII STL, and a wireframe picture in SVG with hidden lines dashed.
 // Guarantee: OBJ and OFF keep polygons and the shortest decimals that read back the same; STL triangulates faces about
-// their first corner (faces are convex). The picture is an orthogonal view; an edge is hidden if both its faces look away.
+// their first corner (faces are convex). The picture is an orthogonal view; an edge is hidden if both its faces look
+// away.
 #pragma once
 
 #include <array>

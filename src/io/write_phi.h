@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A Phi-function in text: the JSON result of the verb `phi`, a readable table, and the surface for the mesh writers.
-// Coordinates are in the scene's unit. Planes are coprime integers a x + b y + c z + d <= 0 (inside) in that unit, exactly.
+// Coordinates are in the scene's unit. Planes are coprime integers a x + b y + c z + d <= 0 (inside) in that unit,
+// exactly.
 #pragma once
 
 #include <optional>

@@ -62,9 +62,12 @@ std::string poses_json(const planning::PoseStack& stack, const exact::Real& step
 std::string pages_html(std::string_view title, const std::vector<Page>& pages) {
   std::string out = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
-      "<style>body{{font:15px sans-serif;margin:18px;color:#223}}nav{{margin:8px 0}}input{{width:420px;vertical-align:middle}}"
-      "h2{{font-size:17px;margin:6px 0}}button{{font-size:15px}}</style></head><body>\n<h1 style=\"font-size:20px\">{0}</h1>\n"
-      "<nav hidden><button id=\"back\">&#9664;</button> <input type=\"range\" min=\"0\" value=\"0\" aria-label=\"page\"> "
+      "<style>body{{font:15px sans-serif;margin:18px;color:#223}}nav{{margin:8px "
+      "0}}input{{width:420px;vertical-align:middle}}"
+      "h2{{font-size:17px;margin:6px 0}}button{{font-size:15px}}</style></head><body>\n<h1 "
+      "style=\"font-size:20px\">{0}</h1>\n"
+      "<nav hidden><button id=\"back\">&#9664;</button> <input type=\"range\" min=\"0\" value=\"0\" "
+      "aria-label=\"page\"> "
       "<button id=\"on\">&#9654;</button></nav>\n",
       xml_escaped(title));
   for (const Page& p : pages) out += fmt::format("<section><h2>{}</h2>\n{}</section>\n", xml_escaped(p.title), p.svg);

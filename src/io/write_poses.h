@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A stack of maps, one an angle, with the certified regions of the sectors between: as JSON (docs/results.md), and as one HTML file
-// with all pages in it, nothing loaded from elsewhere. Keywords: multi-page SVG, flip book.
+// A stack of maps, one an angle, with the certified regions of the sectors between: as JSON (docs/results.md), and as
+// one HTML file with all pages in it, nothing loaded from elsewhere. Keywords: multi-page SVG, flip book.
 #pragma once
 
 #include <string>

@@ -23,17 +23,17 @@ struct NamedRegion {
 
 struct Picture {
   std::string title, subtitle;
-  exact::Real step;                         // one grid step in the scene's unit
-  std::string unit;                         // its name, or empty
-  const plane::Region* region = nullptr;    // the region, if there is one
-  const plane::Summary* summary = nullptr;  // of the region
-  const plane::Region* around = nullptr;    // positions of which the region is a part, drawn faintly
+  exact::Real step;                                    // one grid step in the scene's unit
+  std::string unit;                                    // its name, or empty
+  const plane::Region* region = nullptr;               // the region, if there is one
+  const plane::Summary* summary = nullptr;             // of the region
+  const plane::Region* around = nullptr;               // positions of which the region is a part, drawn faintly
   std::string around_text = "all feasible positions";  // in the legend
-  bool of_positions = true;                 // the region is one of positions; else it is a shape
-  std::vector<NamedRegion> fixed;           // in outline
-  std::vector<NamedRegion> moving;          // drawn at `position`
-  std::vector<NamedRegion> placed;          // as `moving`, each where its region says
-  std::optional<plane::Place> position;     // none: the sample of the region's largest component
+  bool of_positions = true;                            // the region is one of positions; else it is a shape
+  std::vector<NamedRegion> fixed;                      // in outline
+  std::vector<NamedRegion> moving;                     // drawn at `position`
+  std::vector<NamedRegion> placed;                     // as `moving`, each where its region says
+  std::optional<plane::Place> position;                // none: the sample of the region's largest component
 };
 
 std::string picture_svg(const Picture& picture);

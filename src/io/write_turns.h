@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Sets of angles as JSON (docs/results.md): intervals in degrees, `from` in [0, 360), `to` beyond 360 where one goes across 0.
+// Sets of angles as JSON (docs/results.md): intervals in degrees, `from` in [0, 360), `to` beyond 360 where one goes
+// across 0.
 #pragma once
 
 #include <string>

@@ -33,8 +33,8 @@ bool before(const Arrangement& a, Index v, Index h, Index k) {
 
 }  // namespace
 
-// Angles run over [-90, 90] for those that go right, [90, 270] for the others; both ends occur where a circle starts with a
-// vertical tangent.
+// Angles run over [-90, 90] for those that go right, [90, 270] for the others; both ends occur where a circle starts
+// with a vertical tangent.
 bool comes_before(const Geometry& g, Index point, bool left, Geometry::Heading first, std::int8_t first_half,
                   Geometry::Heading second) {
   int t = g.turn(point, first, second);

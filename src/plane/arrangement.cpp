@@ -38,8 +38,10 @@ Chains sort_along(const Geometry& g, std::span<const Piece> pieces, const PieceM
     auto first = sorted.begin() + start[i], last = sorted.begin() + start[i + 1];
     small_sort(first, last, [&](Index a, Index b) { return a != b && compare_along(g, p, a, b) < 0; });
     for (auto k = first; k != last; ++k) {
-      if (k != first && (*k == *(k - 1) || compare_along(g, p, *k, *(k - 1)) == 0)) same.unite(*k, *(k - 1));
-      else chains.point.push_back(*k);
+      if (k != first && (*k == *(k - 1) || compare_along(g, p, *k, *(k - 1)) == 0))
+        same.unite(*k, *(k - 1));
+      else
+        chains.point.push_back(*k);
     }
     chains.point.push_back(p.p1);
   }
@@ -102,15 +104,16 @@ void make_edges(Arrangement& a, const Chains& chains) {
   cover_count.reserve(parts.size());
   for (Index v = 0; v < n; ++v) {
     auto first = parts.begin() + start[v], last = parts.begin() + start[v + 1];
-    small_sort(first, last, [](const Part& p, const Part& q) { return p.v1 != q.v1 ? p.v1 < q.v1 : p.piece < q.piece; });
+    small_sort(first, last,
+               [](const Part& p, const Part& q) { return p.v1 != q.v1 ? p.v1 < q.v1 : p.piece < q.piece; });
     Index group = Index(a.edges.size());
     for (auto k = first; k != last; ++k) {
       if (k != first && k->v1 != (k - 1)->v1) group = Index(a.edges.size());
       const Piece& p = a.pieces[k->piece];
       Index e = group;
-      while (e < a.edges.size() && !(a.edges[e].half == p.half &&
-                                     (p.half == 0 || a.edges[e].carrier == p.carrier ||
-                                      same_carrier(a.geometry.carriers[a.edges[e].carrier], a.geometry.carriers[p.carrier]))))
+      while (e < a.edges.size() && !(a.edges[e].half == p.half && (p.half == 0 || a.edges[e].carrier == p.carrier ||
+                                                                   same_carrier(a.geometry.carriers[a.edges[e].carrier],
+                                                                                a.geometry.carriers[p.carrier]))))
         ++e;
       if (e == a.edges.size()) a.edges.push_back({v, k->v1, p.carrier, p.half}), cover_count.push_back(0);
       ++cover_count[e];

@@ -2,10 +2,11 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The subdivision of the plane by a set of segments, circular arcs and isolated points in any position: pieces may
-// overlap, touch, share ends and meet many at a point. Guarantee: exact, vertices are implicit points and coinciding ones are
-// one vertex. Cost: O(n log n + k log k) for inputs spread evenly over a grid of cells, k crossings found; about 0.2 us a crossing.
-// Method: pairs from a uniform grid, exact sorting along every piece (ties unite points), exact angular order at every
-// vertex, one vertical ray a connected component for the nesting. Source: Halperin & Sharir; Guibas & Marimont for ties.
+// overlap, touch, share ends and meet many at a point. Guarantee: exact, vertices are implicit points and coinciding
+// ones are one vertex. Cost: O(n log n + k log k) for inputs spread evenly over a grid of cells, k crossings found;
+// about 0.2 us a crossing. Method: pairs from a uniform grid, exact sorting along every piece (ties unite points),
+// exact angular order at every vertex, one vertical ray a connected component for the nesting. Source: Halperin &
+// Sharir; Guibas & Marimont for ties.
 #pragma once
 
 #include <span>
@@ -15,14 +16,15 @@
 
 namespace findspace::plane {
 
-/// An x-monotone curve: a segment, or part of the upper or lower half of a circle, from p0 to the lexicographically larger p1.
+/// An x-monotone curve: a segment, or part of the upper or lower half of a circle, from p0 to the lexicographically
+/// larger p1.
 struct Piece {
   Index carrier = 0;
-  Index p0 = 0, p1 = 0;          // in geometry.points
-  std::int8_t half = 0;          // circle: +1 upper, -1 lower
-  bool smooth0 = false;          // at p0 it continues into exactly one other piece with the same tangent ...
-  bool smooth1 = false;          // ... and the same at p1; the two then meet nowhere else
-  Index group = kNone;           // pieces of one group (not kNone) meet only in common ends
+  Index p0 = 0, p1 = 0;  // in geometry.points
+  std::int8_t half = 0;  // circle: +1 upper, -1 lower
+  bool smooth0 = false;  // at p0 it continues into exactly one other piece with the same tangent ...
+  bool smooth1 = false;  // ... and the same at p1; the two then meet nowhere else
+  Index group = kNone;   // pieces of one group (not kNone) meet only in common ends
 };
 
 struct Arrangement {
@@ -33,16 +35,16 @@ struct Arrangement {
 
   exact::Geometry geometry;
   std::vector<Piece> pieces;
-  std::vector<Index> vertex_point;                    // vertex -> point
-  std::vector<Index> point_vertex;                    // point -> vertex, kNone if unused
+  std::vector<Index> vertex_point;  // vertex -> point
+  std::vector<Index> point_vertex;  // point -> vertex, kNone if unused
   std::vector<Edge> edges;
-  std::vector<Index> cover_start, cover;              // edge -> pieces that cover it
-  std::vector<Index> chain_start, chain;              // piece -> its edges from p0 to p1
-  std::vector<Index> out_start, out;                  // vertex -> half-edges, counter-clockwise from straight down
-  std::vector<Index> rank;                            // half-edge -> its place in its vertex's list
-  std::vector<Index> next;                            // half-edge -> next of the face on its left
-  std::vector<Index> face;                            // half-edge -> face; 0 is unbounded
-  std::vector<Index> isolated_face;                   // vertex without edges -> face; kNone otherwise
+  std::vector<Index> cover_start, cover;  // edge -> pieces that cover it
+  std::vector<Index> chain_start, chain;  // piece -> its edges from p0 to p1
+  std::vector<Index> out_start, out;      // vertex -> half-edges, counter-clockwise from straight down
+  std::vector<Index> rank;                // half-edge -> its place in its vertex's list
+  std::vector<Index> next;                // half-edge -> next of the face on its left
+  std::vector<Index> face;                // half-edge -> face; 0 is unbounded
+  std::vector<Index> isolated_face;       // vertex without edges -> face; kNone otherwise
   Index face_count = 1;
 
   Index origin(Index h) const { return h & 1u ? edges[h / 2].v1 : edges[h / 2].v0; }

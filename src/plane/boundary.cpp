@@ -45,21 +45,27 @@ Position operator+(const Position& p, const Position& q) {
 }
 
 void Position::mirror() {
-  if (real) *this = of(-real->x, -real->y);
-  else x = -x, y = -y;
+  if (real)
+    *this = of(-real->x, -real->y);
+  else
+    x = -x, y = -y;
 }
 
 Direction Direction::of(const Real& x, const Real& y) {
   Direction d;
   auto ix = x.integer(), iy = y.integer();
-  if (ix && iy) d.x = std::int64_t(*ix), d.y = std::int64_t(*iy);
-  else d.real = std::make_shared<const exact::RealPoint>(exact::RealPoint{x, y});
+  if (ix && iy)
+    d.x = std::int64_t(*ix), d.y = std::int64_t(*iy);
+  else
+    d.real = std::make_shared<const exact::RealPoint>(exact::RealPoint{x, y});
   return d;
 }
 
 void Direction::mirror() {
-  if (real) *this = of(-real->x, -real->y);
-  else x = -x, y = -y;
+  if (real)
+    *this = of(-real->x, -real->y);
+  else
+    x = -x, y = -y;
 }
 
 Direction Direction::operator-() const {
@@ -191,7 +197,8 @@ Extent extent(const Path& path) {
     grow(s.from.approx_x(), s.from.approx_y());
     // Of an arc its highest or lowest point too, not its whole circle: a hole must not seem larger than it is.
     double x = s.arc ? s.center.approx_x() : 0;
-    if (s.arc && (x - s.from.approx_x()) * (x - s.to.approx_x()) < 0) grow(x, s.center.approx_y() + s.half * s.radius.interval().hi);
+    if (s.arc && (x - s.from.approx_x()) * (x - s.to.approx_x()) < 0)
+      grow(x, s.center.approx_y() + s.half * s.radius.interval().hi);
   }
   return e;
 }

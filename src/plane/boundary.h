@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The boundary of a set as directed closed paths, the set on their left: what a convolution takes. A set is given as
-// parts: open faces of a complex, and (for closed sets) the curves and points outside the closure of its interior, which are
-// walked on both sides. Guarantee: exact. Cost: linear; a bridge between a hole and its surroundings is linear in the face.
-// Keywords: boundary cycles, weakly simple polygon, keyhole.
+// parts: open faces of a complex, and (for closed sets) the curves and points outside the closure of its interior,
+// which are walked on both sides. Guarantee: exact. Cost: linear; a bridge between a hole and its surroundings is
+// linear in the face. Keywords: boundary cycles, weakly simple polygon, keyhole.
 #pragma once
 
 #include <functional>
@@ -59,14 +59,14 @@ int compare_angle(const Direction& p, const Direction& q);
 /// A directed segment or arc (x-monotone) of a boundary path.
 struct Step {
   Position from, to;
-  Direction start, end;      // tangents; equal for a segment
+  Direction start, end;  // tangents; equal for a segment
   bool arc = false, ccw = true;
-  Position center;           // of an arc
+  Position center;  // of an arc
   exact::Real radius;
-  std::int8_t half = 0;      // of an arc: +1 upper, -1 lower
+  std::int8_t half = 0;  // of an arc: +1 upper, -1 lower
 
   Step reversed() const;
-  void mirror();             // through the origin
+  void mirror();  // through the origin
 };
 
 /// Sign of curvature(p) - curvature(q), positive when turning left.
@@ -85,11 +85,11 @@ struct Extent {
 /// One connected piece of a set with its boundary paths.
 struct Part {
   std::vector<Path> paths;
-  bool flat = false;         // a curve or point walked on both sides, without interior
+  bool flat = false;  // a curve or point walked on both sides, without interior
   bool unbounded = false;
-  int euler = 1;             // Euler characteristic of the part: 1 minus its bridgeless holes
-  Extent filled{};           // of the part with its holes filled (bounded parts)
-  std::vector<Extent> holes; // of the holes that are not bridged
+  int euler = 1;              // Euler characteristic of the part: 1 minus its bridgeless holes
+  Extent filled{};            // of the part with its holes filled (bounded parts)
+  std::vector<Extent> holes;  // of the holes that are not bridged
 };
 
 /// The open faces for which `wanted` holds, each as a part.
@@ -99,8 +99,8 @@ std::vector<Part> face_parts(const CellComplex& complex, const std::function<boo
 std::vector<Part> flat_parts(const CellComplex& complex, const std::function<bool(Mark)>& wanted);
 
 /// The same part with its holes joined to their surroundings by horizontal bridges, so that it is simply connected. The
-/// bridge is walked on both sides; as an open set it lacks the bridge, which no Minkowski sum with an open set notices. For
-/// an unbounded part one bridge leads left for at least `reach`.
+/// bridge is walked on both sides; as an open set it lacks the bridge, which no Minkowski sum with an open set notices.
+/// For an unbounded part one bridge leads left for at least `reach`.
 Part bridged(Part part, std::int64_t reach);
 
 Part mirrored(Part part);

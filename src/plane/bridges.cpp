@@ -40,8 +40,8 @@ bool in_sector(const Direction& from, const Direction& to, const Direction& d) {
 
 bool agree(const Direction& p, const Direction& q) { return cross_sign(p, q) == 0 && dot_sign(p, q) > 0; }
 
-/// The corner before step k looks into direction d: a straight ray that leaves there starts in the part. Curves that leave in
-/// one direction are told apart by how they bend.
+/// The corner before step k looks into direction d: a straight ray that leaves there starts in the part. Curves that
+/// leave in one direction are told apart by how they bend.
 bool looks(const std::vector<Step>& steps, std::size_t k, const Direction& d) {
   const Step &out = steps[k], &in = steps[k == 0 ? steps.size() - 1 : k - 1];
   bool along_out = agree(out.start, d), along_in = agree(-in.end, d);
@@ -153,8 +153,10 @@ Part bridged(Part part, std::int64_t reach) {
   std::vector<std::vector<Step>> paths;
   std::vector<Hole> holes;
   for (std::size_t k = 0; k < part.paths.size(); ++k) {
-    if (k == 0 && !part.unbounded) paths.push_back(part.paths[0].steps);
-    else holes.push_back(hole_of(part.paths[k]));
+    if (k == 0 && !part.unbounded)
+      paths.push_back(part.paths[0].steps);
+    else
+      holes.push_back(hole_of(part.paths[k]));
   }
   std::sort(holes.begin(), holes.end(), [](const Hole& p, const Hole& q) { return compare_xy(p.first, q.first) < 0; });
   for (const Hole& hole : holes) {

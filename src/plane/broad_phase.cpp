@@ -43,7 +43,7 @@ CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std:
 
 void CellGrid::enter_sorted() {
   column_scale_ = 1 / std::max(box_.x1 - box_.x0, 1e-300);  // no sign: keeps the scale of a flat box finite
-  row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);  // no sign: keeps the scale of a flat box finite
+  row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);     // no sign: keeps the scale of a flat box finite
   std::vector<std::pair<double, Index>> order;
   order.reserve(boxes_.size());
   for (Index i = 0; i < boxes_.size(); ++i) order.push_back({boxes_[i].x0, i});
@@ -73,8 +73,10 @@ void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces
     if (p.half != 0) {
       const exact::Carrier& k = g.carriers[p.carrier];
       double e = slack_ + k.z.error + k.y.error + std::abs(k.z.value) * kRelativeSlack;
-      if (p.half > 0) box.y1 = std::max(box.y1, k.y.value + k.z.value + e);
-      else box.y0 = std::min(box.y0, k.y.value - k.z.value - e);
+      if (p.half > 0)
+        box.y1 = std::max(box.y1, k.y.value + k.z.value + e);
+      else
+        box.y0 = std::min(box.y0, k.y.value - k.z.value - e);
       if (k.x.value > box.x1 || k.x.value < box.x0) {  // monotone on this part: the ends bound it
         box.y0 = std::min(a.y, b.y) - slack_, box.y1 = std::max(a.y, b.y) + slack_;
       }
@@ -90,7 +92,8 @@ void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces
 }
 
 void CellGrid::set_resolution(std::size_t pieces) {
-  double w = std::max(box_.x1 - box_.x0, 1e-300), h = std::max(box_.y1 - box_.y0, 1e-300);  // no sign: keeps the scale of a flat box finite
+  double w = std::max(box_.x1 - box_.x0, 1e-300),
+         h = std::max(box_.y1 - box_.y0, 1e-300);  // no sign: keeps the scale of a flat box finite
   double cells = std::clamp(double(pieces), 1.0, 4.0e6), aspect = std::sqrt(w / h);
   double side = std::sqrt(cells);
   columns_ = Index(std::clamp(side * aspect, 1.0, cells));

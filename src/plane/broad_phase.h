@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Which pieces may meet: a uniform grid of cells, every piece entered in the cells it may cross, column by column. Few pieces
-// share a single cell, sorted by their left ends and swept.
-// Guarantee: two pieces with a common point share a cell; a pair may be reported although the pieces do not meet, and
-// (rarely) twice. Everything here is conservative double arithmetic; no sign is decided. Cost: O(cells crossed + pairs).
-// Keywords: uniform grid, broad phase, spatial hashing.
+// Which pieces may meet: a uniform grid of cells, every piece entered in the cells it may cross, column by column. Few
+// pieces share a single cell, sorted by their left ends and swept. Guarantee: two pieces with a common point share a
+// cell; a pair may be reported although the pieces do not meet, and (rarely) twice. Everything here is conservative
+// double arithmetic; no sign is decided. Cost: O(cells crossed + pairs). Keywords: uniform grid, broad phase, spatial
+// hashing.
 #pragma once
 
 #include <algorithm>

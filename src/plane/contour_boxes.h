@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // All pairs of boxes that meet, by a tree of boxes descended against itself: O(n log n + pairs) for boxes that are
-// small beside the whole, whatever their order; a little faster where neighbours in the list are neighbours in the plane, as the
-// edges of a ring are. Used by contour.cpp only.
+// small beside the whole, whatever their order; a little faster where neighbours in the list are neighbours in the
+// plane, as the edges of a ring are. Used by contour.cpp only.
 #pragma once
 
 #include <algorithm>

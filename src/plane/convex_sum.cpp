@@ -8,15 +8,16 @@
 namespace findspace::plane {
 namespace {
 
-/// The step after which directions leave the lower half: the first with an angle in [0, 180). Nothing if the part is not a convex
-/// polygon: one ring that turns left everywhere and round once.
+/// The step after which directions leave the lower half: the first with an angle in [0, 180). Nothing if the part is
+/// not a convex polygon: one ring that turns left everywhere and round once.
 std::optional<std::size_t> first_step(const Part& part) {
   if (part.flat || part.unbounded || part.paths.size() != 1 || part.paths[0].lonely) return std::nullopt;
   const auto& steps = part.paths[0].steps;
   std::optional<std::size_t> first;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const Step &s = steps[k], &before = steps[k == 0 ? steps.size() - 1 : k - 1];
-    if (s.arc || !s.from.grid() || !s.start.grid() || !before.start.grid() || cross_sign(before.start, s.start) <= 0) return std::nullopt;
+    if (s.arc || !s.from.grid() || !s.start.grid() || !before.start.grid() || cross_sign(before.start, s.start) <= 0)
+      return std::nullopt;
     if (!is_lower(before.start) || is_lower(s.start)) continue;
     if (first) return std::nullopt;
     first = k;
@@ -57,7 +58,8 @@ std::optional<SignMap> convex_sum(const Part& a, const Part& b) {
   Contour ring;
   ring.reserve(a.paths[0].steps.size() + b.paths[0].steps.size());
   while (!p.ended() || !q.ended()) {
-    // A step of one ring starts at the sum of its start and of the vertex where the other ring stands: the start of its next step.
+    // A step of one ring starts at the sum of its start and of the vertex where the other ring stands: the start of its
+    // next step.
     const Position &u = p.step().from, &v = q.step().from;
     ring.push_back({.start = {u.x + v.x, u.y + v.y}});
     int o = order(p, q);

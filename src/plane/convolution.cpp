@@ -32,8 +32,9 @@ void make_room(std::vector<T>& v, std::size_t more) {
 
 }  // namespace
 
-/// The convolution of one path of a with one path of b. Its curves are nodes (place in a, place in b): a line of one side with a
-/// turn of the other, or two turns. Nodes follow each other in closed walks; those of length 0 are walked through.
+/// The convolution of one path of a with one path of b. Its curves are nodes (place in a, place in b): a line of one
+/// side with a turn of the other, or two turns. Nodes follow each other in closed walks; those of length 0 are walked
+/// through.
 class PathPair {
  public:
   PathPair(ConvolutionBuilder& out, const TurningPath& a, const TurningPath& b, Index keys)
@@ -49,8 +50,10 @@ class PathPair {
     reserve(nodes_.size());
     for (Index k = 0; k < nodes_.size(); ++k) {
       Node& n = nodes_[k];
-      if (n.kind == Kind::kLine) n.carrier = add_line(line_of(n), turn_of(n));
-      else n.carrier = k > 0 && on_one_circle(nodes_[k - 1], n) ? nodes_[k - 1].carrier : add_circle(n);
+      if (n.kind == Kind::kLine)
+        n.carrier = add_line(line_of(n), turn_of(n));
+      else
+        n.carrier = k > 0 && on_one_circle(nodes_[k - 1], n) ? nodes_[k - 1].carrier : add_circle(n);
     }
     for (Node& n : nodes_) n.end = nodes_[n.next].start = add_end(n, nodes_[n.next]);
     for (Node& n : nodes_) finish(n);
@@ -62,20 +65,20 @@ class PathPair {
 
   struct Node {
     Kind kind;
-    std::uint8_t side;             // kLine: whose line
-    bool forward = true;           // true direction of travel is that of the common tangent; displaced side accordingly
-    bool turns_left = true;        // kArc: directions run counter-clockwise
+    std::uint8_t side;       // kLine: whose line
+    bool forward = true;     // true direction of travel is that of the common tangent; displaced side accordingly
+    bool turns_left = true;  // kArc: directions run counter-clockwise
     bool smooth_start = false, smooth_end = false;
     std::int8_t rotation = 0, extra = 0;  // at its end
-    Index at[2] = {0, 0};          // the turns; kLine: at[side] is the line
-    Index key_in = 0, key_out = 0; // kArc: directions at its start and end; kLine: both the line's key
-    Index start = kNone, end = kNone;  // points
+    Index at[2] = {0, 0};                 // the turns; kLine: at[side] is the line
+    Index key_in = 0, key_out = 0;        // kArc: directions at its start and end; kLine: both the line's key
+    Index start = kNone, end = kNone;     // points
     Index next = kNone;
     Index carrier = kNone, piece = kNone;
   };
 
-  struct Range {                   // the lines whose keys a turn of the other side sweeps
-    Index first, count, base;      // places in `sorted`; first node
+  struct Range {               // the lines whose keys a turn of the other side sweeps
+    Index first, count, base;  // places in `sorted`; first node
   };
 
   Index minus(Index p, Index q) const { return p >= q ? p - q : p + keys_ - q; }
@@ -88,7 +91,8 @@ class PathPair {
     const TurningPath &p = *side_[s], &other = *side_[1 - s];
     Index n = Index(p.sorted.size()), total = 0;
     auto below = [&](Index key) {
-      auto at = std::lower_bound(p.sorted.begin(), p.sorted.end(), key, [&](Index line, Index k) { return p.lines[line].key < k; });
+      auto at = std::lower_bound(p.sorted.begin(), p.sorted.end(), key,
+                                 [&](Index line, Index k) { return p.lines[line].key < k; });
       return Index(at - p.sorted.begin());
     };
     ranges_[s].reserve(other.size());
@@ -141,13 +145,16 @@ class PathPair {
     const Turn &p = side_[0]->turns[i], &q = side_[1]->turns[j];
     if (p.length == 0 || q.length == 0) return;
     Index low;
-    if (minus(q.low, p.low) < p.length) low = q.low;
-    else if (minus(p.low, q.low) < q.length) low = p.low;
-    else return;
+    if (minus(q.low, p.low) < p.length)
+      low = q.low;
+    else if (minus(p.low, q.low) < q.length)
+      low = p.low;
+    else
+      return;
     int sum = !p.arc ? q.sign : !q.arc ? p.sign : (p.radius() + q.radius()).sign();
     Index high_end = minus(high(p), low) <= minus(high(q), low) ? high(p) : high(q);
     if (low / 2 == high_end / 2) return;  // one direction only: a single place
-    if (sum == 0) {  // equal radii: a single place in many directions
+    if (sum == 0) {                       // equal radii: a single place in many directions
       still_.push_back({i, j});
       return;
     }
@@ -187,8 +194,8 @@ class PathPair {
     return true;
   }
 
-  /// Leaves a turn pair, a single place unless `moved`, at the first end of one of its two intervals in the direction of
-  /// movement. `moved`: the pair is a curve, and its end has been reached.
+  /// Leaves a turn pair, a single place unless `moved`, at the first end of one of its two intervals in the direction
+  /// of movement. `moved`: the pair is a curve, and its end has been reached.
   void step_out(Index turns[2], Index key, bool left, std::int64_t turned, Index k, bool moved) {
     for (;;) {
       Index room[2];
@@ -220,8 +227,8 @@ class PathPair {
     }
   }
 
-  /// Walks that stay at one point: an arc against one of the same radius and their neighbours, round and round. The displaced
-  /// path circles the point.
+  /// Walks that stay at one point: an arc against one of the same radius and their neighbours, round and round. The
+  /// displaced path circles the point.
   void add_still_walks() {
     for (const auto& [i, j] : still_) {
       if (passed_.count(pair_key(i, j))) continue;
@@ -261,20 +268,23 @@ class PathPair {
     int halves = cross == sign ? 0 : cross == -sign ? 2 : dot_sign(d, e) < 0 ? 1 : 0;
     if (cross == 0 && halves == 0 && 2 * (sign * rest) > keys) full += sign, halves = 0;
     if (in.forward != out.forward) return std::int8_t(full);
-    // Displaced to the left, the path goes round clockwise by half a turn less what it turns; to the right, the other way.
+    // Displaced to the left, the path goes round clockwise by half a turn less what it turns; to the right, the other
+    // way.
     int side = in.forward ? 1 : -1, bend = halves == 1 ? -side * bend_sum(in, out) : 0;
     if (side * sign < 0 && (halves == 2 || bend > 0)) full -= side;
     if (side * sign > 0 && (halves == 2 || bend < 0)) full += side;
     return std::int8_t(full);
   }
 
-  /// Sign of the sum of the curvatures, positive to the left of the direction of travel: where the path turns back, which of its
-  /// two ends lies to the left of the other.
+  /// Sign of the sum of the curvatures, positive to the left of the direction of travel: where the path turns back,
+  /// which of its two ends lies to the left of the other.
   int bend_sum(const Node& in, const Node& out) const {
     auto bend = [](const Node& n) { return n.kind == Kind::kLine ? 0 : n.turns_left ? 1 : -1; };
     int p = bend(in), q = bend(out);
     if (p + q != 0 || p == 0) return p + q;
-    auto radius = [&](const Node& n) { return abs(side_[0]->turns[n.at[0]].radius() + side_[1]->turns[n.at[1]].radius()); };
+    auto radius = [&](const Node& n) {
+      return abs(side_[0]->turns[n.at[0]].radius() + side_[1]->turns[n.at[1]].radius());
+    };
     return p * compare(radius(out), radius(in));  // the smaller radius bends more
   }
 
@@ -315,8 +325,8 @@ class PathPair {
     return add_position(g, place(side_[0]->turns[n.at[0]], d) + place(side_[1]->turns[n.at[1]], d));
   }
 
-  /// Smooth neighbours, a line and a circle: their common point needs no coordinates; but where the line is parallel to an axis
-  /// these are simple.
+  /// Smooth neighbours, a line and a circle: their common point needs no coordinates; but where the line is parallel to
+  /// an axis these are simple.
   bool touch_obliquely(const Node& line, const Node& arc) const {
     if (line.kind != Kind::kLine || arc.kind != Kind::kArc) return false;
     const Direction& d = *line_of(line).direction;
@@ -343,8 +353,12 @@ class PathPair {
       right = (half < 0) == n.turns_left;
     }
     n.piece = Index(out_.curves.pieces.size());
-    out_.curves.pieces.push_back({.carrier = n.carrier, .p0 = right ? n.start : n.end, .p1 = right ? n.end : n.start, .half = half,
-                                  .smooth0 = right ? n.smooth_start : n.smooth_end, .smooth1 = right ? n.smooth_end : n.smooth_start});
+    out_.curves.pieces.push_back({.carrier = n.carrier,
+                                  .p0 = right ? n.start : n.end,
+                                  .p1 = right ? n.end : n.start,
+                                  .half = half,
+                                  .smooth0 = right ? n.smooth_start : n.smooth_end,
+                                  .smooth1 = right ? n.smooth_end : n.smooth_start});
     out_.curves.forward.push_back(right);
     out_.strands.push_back({.forward = right, .displaced_left = n.forward == out_.inward_});
   }
@@ -354,14 +368,16 @@ class PathPair {
     if (n.kind != Kind::kArc || m.kind != Kind::kArc || n.at[0] != m.at[0]) return false;
     const Turn &p = side_[1]->turns[n.at[1]], &q = side_[1]->turns[m.at[1]];
     if (!p.arc || !q.arc || p.sign != q.sign) return false;
-    return p.center->grid() && q.center->grid() && p.center->x == q.center->x && p.center->y == q.center->y && p.radius() == q.radius();
+    return p.center->grid() && q.center->grid() && p.center->x == q.center->x && p.center->y == q.center->y &&
+           p.radius() == q.radius();
   }
 
   Index add_circle(const Node& n) {
     const Turn &p = side_[0]->turns[n.at[0]], &q = side_[1]->turns[n.at[1]];
     Position c = *p.center + *q.center;
     Real r = abs(p.radius() + q.radius());
-    return out_.curves.geometry.add(c.grid() ? Carrier::circle_at(c.x, c.y, r) : Carrier::circle_at(c.real->x, c.real->y, r));
+    return out_.curves.geometry.add(c.grid() ? Carrier::circle_at(c.x, c.y, r)
+                                             : Carrier::circle_at(c.real->x, c.real->y, r));
   }
 
   Index add_line(const Line& l, const Turn& t) {
@@ -372,7 +388,8 @@ class PathPair {
     auto& g = out_.curves.geometry;
     const Position &p = *l.from, &q = *t.center;
     if (!t.arc && p.grid() && q.grid()) return g.add_line(a, b, int128(a) * (p.x + q.x) + int128(b) * (p.y + q.y));
-    // The place on an arc is the centre plus the radius times the unit normal, which is (a, b) / |(a, b)| or its opposite.
+    // The place on an arc is the centre plus the radius times the unit normal, which is (a, b) / |(a, b)| or its
+    // opposite.
     Real shift = flipped ? -t.radius() : t.radius();
     Position sum = p + q;
     if (sum.grid()) return g.add(Carrier::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, shift));
@@ -388,11 +405,11 @@ class PathPair {
   ConvolutionBuilder& out_;
   const TurningPath* side_[2];
   Index keys_;
-  std::vector<Range> ranges_[2];      // of the lines of a side, per turn of the other
+  std::vector<Range> ranges_[2];  // of the lines of a side, per turn of the other
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, Index> arc_node_;
-  std::vector<std::array<Index, 2>> still_;    // pairs of arcs of one radius: curves of length 0 that turn
-  std::unordered_set<std::uint64_t> passed_;   // pairs walked through; kept only if there are such arcs
+  std::vector<std::array<Index, 2>> still_;   // pairs of arcs of one radius: curves of length 0 that turn
+  std::unordered_set<std::uint64_t> passed_;  // pairs walked through; kept only if there are such arcs
   std::array<Index, 2> loop_start_{kNone, kNone};
   std::int64_t loop_turned_ = 0;
 };

@@ -10,7 +10,8 @@
 
 namespace findspace::plane {
 
-/// Calls visit(h) once for every bounded face: the face on the left of half-edge h has been visited, that of its twin is new.
+/// Calls visit(h) once for every bounded face: the face on the left of half-edge h has been visited, that of its twin
+/// is new.
 template <class Visit>
 void walk_faces(const Arrangement& a, Visit&& visit) {
   std::vector<Index> first(a.face_count, kNone), next(a.face.size());  // lists of the half-edges of each face

@@ -14,7 +14,8 @@ struct Run {
   std::int64_t row, first, last;
 };
 
-/// Half a cell more than enough for the rounding of the arithmetic here: coordinates stay below 2^43 steps, sides above 2.
+/// Half a cell more than enough for the rounding of the arithmetic here: coordinates stay below 2^43 steps, sides
+/// above 2.
 constexpr double kSlack = 0x1p-6;
 
 class Raster {
@@ -50,7 +51,8 @@ class Raster {
       double bottom = double(first_row_ + r) * side_, low = std::max(y0, bottom), high = std::min(y1, bottom + side_);
       double xa = x_at(std::min(low, y1)), xb = x_at(std::max(high, y0));
       if (y0 == y1) xa = e.x0, xb = e.x1;
-      touched_[std::size_t(r)].push_back({column(std::min(xa, xb) / side_ - kSlack), column(std::max(xa, xb) / side_ + kSlack)});
+      touched_[std::size_t(r)].push_back(
+          {column(std::min(xa, xb) / side_ - kSlack), column(std::max(xa, xb) / side_ + kSlack)});
       double middle = bottom + side_ / 2;
       if (y0 <= middle && middle < y1) crossings_[std::size_t(r)].push_back(x_at(middle));
     }
@@ -133,7 +135,8 @@ InnerMask::InnerMask(std::span<const Pair> pairs, std::int64_t side) : side_(sid
         --line[p.last + q.last + 1];
       }
   for (std::int64_t r = 0; r < rows_; ++r)
-    for (std::int64_t c = 1; c < columns_; ++c) in_[std::size_t(r * columns_ + c)] += in_[std::size_t(r * columns_ + c - 1)];
+    for (std::int64_t c = 1; c < columns_; ++c)
+      in_[std::size_t(r * columns_ + c)] += in_[std::size_t(r * columns_ + c - 1)];
 }
 
 }  // namespace findspace::plane

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Square cells that certainly lie inside an open Minkowski sum: cells of a lattice that lie inside A and inside B add up to
-// squares of twice the side inside A (+) B, each of which has one cell of the half-shifted lattice strictly inside. What lies in
-// such a cell cannot be boundary, so it need not be arranged. Guarantee: every marked cell, closed, lies in the open sum; cells may
-// be missing. Only conservative double arithmetic; no sign is decided. Cost: edges * rows + (runs of A) * (runs of B), capped.
-// Keywords: bitmap Minkowski sum, conservative rasterisation, pruning.
+// Square cells that certainly lie inside an open Minkowski sum: cells of a lattice that lie inside A and inside B add
+// up to squares of twice the side inside A (+) B, each of which has one cell of the half-shifted lattice strictly
+// inside. What lies in such a cell cannot be boundary, so it need not be arranged. Guarantee: every marked cell,
+// closed, lies in the open sum; cells may be missing. Only conservative double arithmetic; no sign is decided. Cost:
+// edges * rows + (runs of A) * (runs of B), capped. Keywords: bitmap Minkowski sum, conservative rasterisation,
+// pruning.
 #pragma once
 
 #include <cstdint>

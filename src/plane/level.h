@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// From a sign map at level 0 to the sign map at any level, for a signed pair distance f = d(p, C) - d(p, O^c) (distances.md 3.1):
-// the base map carries - on the open set O, 0 on C \ O, + elsewhere.
+// From a sign map at level 0 to the sign map at any level, for a signed pair distance f = d(p, C) - d(p, O^c)
+// (distances.md 3.1): the base map carries - on the open set O, 0 on C \ O, + elsewhere.
 //   level > 0: the sign of d(p, C) - level;  level < 0: the sign of |level| - d(p, O^c), never of an erosion of C.
-// Guarantee: exact for every level, also at critical ones (mid-lines of gaps, centres of holes); boundary arcs are arcs.
-// Cost: one convolution with a disc. Source: distances.md 3.5, 3.6. Keywords: offset, buffer, parallel curve, clearance.
+// Guarantee: exact for every level, also at critical ones (mid-lines of gaps, centres of holes); boundary arcs are
+// arcs. Cost: one convolution with a disc. Source: distances.md 3.5, 3.6. Keywords: offset, buffer, parallel curve,
+// clearance.
 #pragma once
 
 #include "plane/cell_complex.h"

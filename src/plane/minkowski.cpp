@@ -29,10 +29,13 @@ bool can_enclose(const Part& ring, const Part& other) {
                      [&](const Extent& hole) { return other.unbounded || fits(hole, other.filled); });
 }
 
-std::int64_t reach_of(const Part& p) { return std::int64_t(std::ceil(std::hypot(p.filled.x1 - p.filled.x0, p.filled.y1 - p.filled.y0))) + 2; }
+std::int64_t reach_of(const Part& p) {
+  return std::int64_t(std::ceil(std::hypot(p.filled.x1 - p.filled.x0, p.filled.y1 - p.filled.y0))) + 2;
+}
 
-/// Adds up the convolutions of pairs of parts; where an intersection of the two could be a ring, whose Euler characteristic is 0,
-/// holes are bridged first so that every number counts simply connected components. The parts given must outlive the sum.
+/// Adds up the convolutions of pairs of parts; where an intersection of the two could be a ring, whose Euler
+/// characteristic is 0, holes are bridged first so that every number counts simply connected components. The parts
+/// given must outlive the sum.
 class SumOfPairs {
  public:
   explicit SumOfPairs(bool open) : builder_(open) {}
@@ -49,13 +52,15 @@ class SumOfPairs {
     if (!a.unbounded && !b.unbounded && !a.flat && !b.flat) bounded_.push_back({&a, &b});
   }
 
-  /// Marks 1 where the number is positive. Of the open sum: 0 elsewhere. `closure`: -1 inside, 0 on the boundary, +1 outside.
+  /// Marks 1 where the number is positive. Of the open sum: 0 elsewhere. `closure`: -1 inside, 0 on the boundary, +1
+  /// outside.
   CellComplex open_sum() && {
     if (builder_.points.empty() && pruning_pays(builder_)) return pruned();
     Arrangement a = arranged();
     Windings w = windings(a, strands_, corners_, base_);
     add_circled(a, w);
-    for (Index p : lonely_) w.vertices[a.point_vertex[p]] -= w.vertices[a.point_vertex[p]] != kUnwanted;  // a missing point
+    for (Index p : lonely_)
+      w.vertices[a.point_vertex[p]] -= w.vertices[a.point_vertex[p]] != kUnwanted;  // a missing point
     Marks m;
     for (auto k : w.faces) m.faces.push_back(k > 0 ? -1 : 1);
     for (Index e = 0; e < a.edge_count(); ++e) {
@@ -90,7 +95,8 @@ class SumOfPairs {
   static Outline outline(const Part& part) {
     Outline out;
     for (const Path& path : part.paths)
-      for (const Step& s : path.steps) out.push_back({s.from.approx_x(), s.from.approx_y(), s.to.approx_x(), s.to.approx_y()});
+      for (const Step& s : path.steps)
+        out.push_back({s.from.approx_x(), s.from.approx_y(), s.to.approx_x(), s.to.approx_y()});
     return out;
   }
 
@@ -194,11 +200,14 @@ void mirror_geometry(exact::Geometry& g) {
   // A crossing with a line keeps its root only if the line's direction is mirrored too, and that stays canonical.
   for (exact::Point& p : g.points) {
     p.gx = -p.gx, p.gy = -p.gy, p.x = -p.x, p.y = -p.y;
-    if (p.kind == exact::Point::Kind::kCross && g.carriers[p.i].circle != g.carriers[p.j].circle) p.root = std::int8_t(-p.root);
+    if (p.kind == exact::Point::Kind::kCross && g.carriers[p.i].circle != g.carriers[p.j].circle)
+      p.root = std::int8_t(-p.root);
   }
   for (Carrier& k : g.carriers) {
-    if (k.circle) k = k.grid ? Carrier::circle_at(-k.a, -k.b, k.w) : Carrier::circle_at(-k.real->x, -k.real->y, k.w);
-    else k = k.real ? Carrier::line(k.a, k.b, -k.real->x) : Carrier::displaced_line(k.a, k.b, -k.c, -k.w);
+    if (k.circle)
+      k = k.grid ? Carrier::circle_at(-k.a, -k.b, k.w) : Carrier::circle_at(-k.real->x, -k.real->y, k.w);
+    else
+      k = k.real ? Carrier::line(k.a, k.b, -k.real->x) : Carrier::displaced_line(k.a, k.b, -k.c, -k.w);
   }
   for (exact::RealPoint& p : g.reals) p = {-p.x, -p.y};
 }
@@ -214,14 +223,15 @@ CellComplex mirrored(const CellComplex& c) {
     std::swap(e.v0, e.v1);
     e.half = std::int8_t(-e.half);
   }
-  for (Index h = 0; h < c.half_edges.size(); ++h) m.half_edges[flip(h)] = {flip(c.half_edges[h].next), c.half_edges[h].face};
+  for (Index h = 0; h < c.half_edges.size(); ++h)
+    m.half_edges[flip(h)] = {flip(c.half_edges[h].next), c.half_edges[h].face};
   for (Face& f : m.faces) {
     f.outer = flip(f.outer);
     for (Index& h : f.inner) h = flip(h);
   }
   for (Index v = 0; v < c.vertices.size(); ++v) {
-    // Counter-clockwise from straight down now means from straight up before: the first of those that went left, if there
-    // are others.
+    // Counter-clockwise from straight down now means from straight up before: the first of those that went left, if
+    // there are others.
     Index first = c.vertices[v].out;
     if (first != kNone && !(first & 1u)) {
       Index h = c.clockwise(first);

@@ -6,10 +6,11 @@
 //
 // For closed sets A, B (B bounded) and positions p, with X = A (+) -B and U = (int A (+) -B) u (A (+) -int B):
 //   contact_map(A, B):     - on U (interiors meet), 0 on X \ U (touching), + elsewhere: sign of gamma1 at level 0;
-//   containment_map(A, B): - where B + p lies in int A, 0 where it lies in A but not in int A, + elsewhere: sign of eta1.
+//   containment_map(A, B): - where B + p lies in int A, 0 where it lies in A but not in int A, + elsewhere: sign of
+//   eta1.
 // Guarantee: exact, including zero-width slots (segments of 0 inside -) and exact fits (single points of 0). Cost: one
-// arrangement of the signed convolution (convolution.h). Source: docs/decisions/0002-displaced-winding-numbers.md; Wein 2006.
-// Keywords: Minkowski sum, no-fit polygon, inner-fit polygon, configuration-space obstacle, erosion, dilation.
+// arrangement of the signed convolution (convolution.h). Source: docs/decisions/0002-displaced-winding-numbers.md; Wein
+// 2006. Keywords: Minkowski sum, no-fit polygon, inner-fit polygon, configuration-space obstacle, erosion, dilation.
 #pragma once
 
 #include "plane/cell_complex.h"

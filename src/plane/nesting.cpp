@@ -68,9 +68,8 @@ class DownwardRay {
 
   Index side_of_hit() const {
     auto first = a_.chain.begin() + a_.chain_start[best_], last = a_.chain.begin() + a_.chain_start[best_ + 1];
-    auto hit = std::partition_point(first, last, [&](Index e) {
-      return g_.compare_x(a_.vertex_point[a_.edges[e].v1], from_) < 0;
-    });
+    auto hit = std::partition_point(first, last,
+                                    [&](Index e) { return g_.compare_x(a_.vertex_point[a_.edges[e].v1], from_) < 0; });
     Index w = a_.edges[*hit].v1;
     if (g_.compare_x(a_.vertex_point[w], from_) != 0) return 2 * *hit;
     // The ray ends in a vertex: the sector that looks up and a little to the left.
@@ -129,8 +128,10 @@ void nest(Arrangement& a, const CellGrid& grid) {
   for (Index v : order) {
     Index h = order.front() == v ? kNone : ray.face_side(v);
     Index f = h == kNone ? 0 : face_of[cycle[h]];
-    if (a.degree(v)) face_of[cycle[a.out[a.out_start[v + 1] - 1]]] = f;
-    else a.isolated_face[v] = f;
+    if (a.degree(v))
+      face_of[cycle[a.out[a.out_start[v + 1] - 1]]] = f;
+    else
+      a.isolated_face[v] = f;
   }
   a.face.resize(a.next.size());
   for (Index h = 0; h < a.next.size(); ++h) a.face[h] = face_of[cycle[h]];

@@ -50,8 +50,11 @@ Input gather(std::span<const CellComplex* const> operands) {
     in.point_offset.push_back(point);
     for (Index e = 0; e < c.edges.size(); ++e) {
       const Edge& d = c.edges[e];
-      in.pieces.push_back({.carrier = d.carrier + carrier, .p0 = c.vertices[d.v0].point + point,
-                           .p1 = c.vertices[d.v1].point + point, .half = d.half, .group = k});
+      in.pieces.push_back({.carrier = d.carrier + carrier,
+                           .p0 = c.vertices[d.v0].point + point,
+                           .p1 = c.vertices[d.v1].point + point,
+                           .half = d.half,
+                           .group = k});
       in.source.push_back({k, e});
     }
     for (const Vertex& v : c.vertices)
@@ -137,7 +140,8 @@ class Labels {
 /// On every cell the sum of the weights of the operands (of marks 0 and 1) that contain it.
 class Weights {
  public:
-  Weights(const Arrangement& a, const Input& in, std::span<const Region* const> operands, std::span<const std::int32_t> weight)
+  Weights(const Arrangement& a, const Input& in, std::span<const Region* const> operands,
+          std::span<const std::int32_t> weight)
       : a_(a), in_(in), operands_(operands), weight_(weight) {
     weigh_faces();
     weigh_edges();
@@ -186,8 +190,8 @@ class Weights {
     }
   }
 
-  /// Starts from the face in the sector after the first half-edge; an operand with something at the vertex counts there with the
-  /// mark of that instead of the mark of its face in that sector.
+  /// Starts from the face in the sector after the first half-edge; an operand with something at the vertex counts there
+  /// with the mark of that instead of the mark of its face in that sector.
   void weigh_vertices() {
     vertices_.resize(a_.vertex_count());
     for (Index v = 0; v < a_.vertex_count(); ++v) vertices_[v] = faces_[a_.some_face(v)];
@@ -209,8 +213,8 @@ class Weights {
     }
   }
 
-  /// Of the operand's half-edges around the origin of `out`, the last one before or at the first of the arrangement's, going
-  /// counter-clockwise; `piece` is the operand's first.
+  /// Of the operand's half-edges around the origin of `out`, the last one before or at the first of the arrangement's,
+  /// going counter-clockwise; `piece` is the operand's first.
   Index face_before(const Region& c, Index out, Index piece) const {
     Index best = kNone, best_rank = 0, h = out;
     do {
@@ -240,7 +244,8 @@ Region combine(std::span<const Region* const> regions, std::span<const std::int3
 
 }  // namespace
 
-CellComplex overlay(std::span<const CellComplex* const> operands, const std::function<Mark(std::span<const Mark>)>& rule) {
+CellComplex overlay(std::span<const CellComplex* const> operands,
+                    const std::function<Mark(std::span<const Mark>)>& rule) {
   Input in = gather(operands);
   Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated);
   return extract(a, Labels(a, in, operands).evaluate(rule));

@@ -10,7 +10,8 @@ namespace findspace::plane {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
   if (count == 1) return task(0);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) { task(k); }, tbb::simple_partitioner());
+  tbb::parallel_for(
+      std::size_t{0}, count, [&](std::size_t k) { task(k); }, tbb::simple_partitioner());
 }
 
 struct ThreadLimit::Control {

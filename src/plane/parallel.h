@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The one place where work is spread over threads. Every task writes only its own result, so results are the same bytes for any
-// number of threads. An exception in a task reaches the caller. Keywords: parallel for, oneTBB.
+// The one place where work is spread over threads. Every task writes only its own result, so results are the same bytes
+// for any number of threads. An exception in a task reaches the caller. Keywords: parallel for, oneTBB.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Directed curves cut into the x-monotone pieces an arrangement takes. Guarantee: exact; a circle is cut at its leftmost and
-// rightmost point only.
+// Directed curves cut into the x-monotone pieces an arrangement takes. Guarantee: exact; a circle is cut at its
+// leftmost and rightmost point only.
 #pragma once
 
 #include <vector>

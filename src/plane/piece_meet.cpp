@@ -44,7 +44,8 @@ void PieceMeetings::add_pair(Index i, Index j) {
   const Piece &p = pieces_[i], &q = pieces_[j];
   if (p.group == q.group && p.group != kNone) return;
   if (p.half == 0 && q.half == 0) return lines(i, j);
-  if ((p.carrier == q.carrier || same_carrier(g_.carriers[p.carrier], g_.carriers[q.carrier])) && p.half != 0 && q.half != 0)
+  if ((p.carrier == q.carrier || same_carrier(g_.carriers[p.carrier], g_.carriers[q.carrier])) && p.half != 0 &&
+      q.half != 0)
     return overlap(i, j);
   curves(i, j);
 }
@@ -117,8 +118,11 @@ void PieceMeetings::meet_at(Index i, Index j, Index point) {
   Within wq = within(g_, q, point);
   if (wq == Within::kOutside) return;
   // Prefer the id of an end, so that known points keep one id.
-  Index id = wp == Within::kAtStart ? p.p0 : wp == Within::kAtEnd ? p.p1 : wq == Within::kAtStart ? q.p0
-             : wq == Within::kAtEnd ? q.p1 : point;
+  Index id = wp == Within::kAtStart   ? p.p0
+             : wp == Within::kAtEnd   ? p.p1
+             : wq == Within::kAtStart ? q.p0
+             : wq == Within::kAtEnd   ? q.p1
+                                      : point;
   place(i, id, wp);
   place(j, id, wq);
 }

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Where pieces meet: the exact narrow phase of the arrangement. Guarantee: after all pairs that share a cell have been
-// given, every common point of two pieces is an end of them or recorded as a split, under point ids that either are the same
-// or are united by `ties` or by the later sort along a piece. Cost: two to four orientation tests for two segments.
+// given, every common point of two pieces is an end of them or recorded as a split, under point ids that either are the
+// same or are united by `ties` or by the later sort along a piece. Cost: two to four orientation tests for two
+// segments.
 #pragma once
 
 #include <span>

@@ -50,7 +50,8 @@ void PointWinding::make_bands() {
   band_.resize(band_start_.back());
   std::vector<Index> order(pieces_.size()), at(band_start_.begin(), band_start_.end() - 1);
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](Index p, Index q) { return right_[p] != right_[q] ? right_[p] > right_[q] : p < q; });
+  std::sort(order.begin(), order.end(),
+            [&](Index p, Index q) { return right_[p] != right_[q] ? right_[p] > right_[q] : p < q; });
   for (Index k : order)
     for (Index b = band_of(low_[k]); b <= band_of(high_[k]); ++b) band_[at[b]++] = k;
 }
@@ -78,9 +79,11 @@ std::int32_t PointWinding::far_and_through(const Geometry& g, Index point) const
   const exact::Point& p = g.points[point];
   double low = p.y - p.error, high = p.y + p.error;
   std::int32_t number = 0;
-  // The band of the point holds every piece at its height, unless its error reaches over a border: then all are looked at.
+  // The band of the point holds every piece at its height, unless its error reaches over a border: then all are looked
+  // at.
   Index first = band_of(low), last = band_of(high);
-  for (std::size_t i = first == last ? band_start_[first] : 0; i < (first == last ? band_start_[first + 1] : pieces_.size()); ++i) {
+  for (std::size_t i = first == last ? band_start_[first] : 0;
+       i < (first == last ? band_start_[first + 1] : pieces_.size()); ++i) {
     std::size_t k = first == last ? band_[i] : i;
     if (first == last && right_[k] < p.x - p.error) break;
     if (high < low_[k] || low > high_[k]) continue;
@@ -111,7 +114,8 @@ std::int32_t PointWinding::at(const Geometry& g, Index point) const {
   std::int32_t number = base_ + far_and_through(g, point);
   const exact::Point& p = g.points[point];
   GridPoint place{std::int64_t(std::llround(p.x)), std::int64_t(std::llround(p.y))};
-  auto k = std::lower_bound(corners_.begin(), corners_.end(), place, [](const Turning& t, const GridPoint& q) { return t.at < q; });
+  auto k = std::lower_bound(corners_.begin(), corners_.end(), place,
+                            [](const Turning& t, const GridPoint& q) { return t.at < q; });
   if (k == corners_.end() || k->at != place || g.compare_xy(k->point, point) != 0) return number;
   for (; k != corners_.end() && k->at == place; ++k) number += crossing(k->from, k->to, k->rotation);
   return number;

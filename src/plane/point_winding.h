@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The displaced winding number (winding.h) of a convolution of segments at one point, without arranging it: a ray to the right,
-// turned up by an infinitesimal, counts what it crosses; curves and corners through the point itself count by the side they are
-// displaced to. Guarantee: exact for every point. Cost: building O(n log n); a query looks at the
+// The displaced winding number (winding.h) of a convolution of segments at one point, without arranging it: a ray to
+// the right, turned up by an infinitesimal, counts what it crosses; curves and corners through the point itself count
+// by the side they are displaced to. Guarantee: exact for every point. Cost: building O(n log n); a query looks at the
 // curves to the right of the point in its band of y, a comparison of doubles each.
 #pragma once
 
@@ -25,11 +25,11 @@ class PointWinding {
   struct Vector {
     std::int64_t x, y;
   };
-  struct Turning {           // a corner: from the back direction of one curve to the direction of the next
+  struct Turning {  // a corner: from the back direction of one curve to the direction of the next
     GridPoint at;
-    Index point;             // the same, in the convolution's geometry
+    Index point;  // the same, in the convolution's geometry
     Vector from, to;
-    int rotation;            // +1 counter-clockwise
+    int rotation;  // +1 counter-clockwise
   };
   /// +1, -1 or 0: how a path that turns from one direction to another around the point crosses the ray.
   static int crossing(Vector from, Vector to, int rotation);
@@ -44,7 +44,7 @@ class PointWinding {
   // Bands of y: the pieces that reach into each, those that reach furthest to the right first.
   double bottom_ = 0, bands_per_step_ = 0;
   std::vector<Index> band_start_, band_;
-  std::vector<Turning> corners_;        // by place
+  std::vector<Turning> corners_;  // by place
 };
 
 }  // namespace findspace::plane

@@ -43,13 +43,17 @@ class RingBuilder {
     for (Index k = 0; k < n; ++k) {
       Index next = k + 1 == n ? 0 : k + 1;
       const ContourEdge& e = ring[k];
-      if (e.arc) builder_.arc(builder_.geometry.add(exact::Carrier::circle_at(e.cx, e.cy, e.r)), corner[k], corner[next], e.ccw);
-      else builder_.segment(builder_.line(e.start, ring[next].start), corner[k], corner[next], e.start < ring[next].start);
+      if (e.arc)
+        builder_.arc(builder_.geometry.add(exact::Carrier::circle_at(e.cx, e.cy, e.r)), corner[k], corner[next], e.ccw);
+      else
+        builder_.segment(builder_.line(e.start, ring[next].start), corner[k], corner[next], e.start < ring[next].start);
     }
     Index end = Index(builder_.pieces.size());
     Face &inner = region_.faces[1], &outer = region_.faces[outside];
-    if (outside == 0) inner.outer = along(first), outer.inner.push_back(along(first) ^ 1u);
-    else inner.inner.push_back(along(first)), outer.outer = along(first) ^ 1u;
+    if (outside == 0)
+      inner.outer = along(first), outer.inner.push_back(along(first) ^ 1u);
+    else
+      inner.inner.push_back(along(first)), outer.outer = along(first) ^ 1u;
     for (Index i = first; i < end; ++i) {
       const Piece& p = builder_.pieces[i];
       could_merge_ |= could_continue(builder_.pieces[i == first ? end - 1 : i - 1], p);
@@ -77,8 +81,8 @@ class RingBuilder {
   void set_first(Index v) {
     Index h = region_.vertices[v].out, k = region_.clockwise(h);
     bool swap = (h & 1u) != (k & 1u) ? (h & 1u)
-                                     : !comes_before(region_.geometry, region_.vertices[v].point, h & 1u, region_.heading(h),
-                                                     region_.edges[h / 2].half, region_.heading(k));
+                                     : !comes_before(region_.geometry, region_.vertices[v].point, h & 1u,
+                                                     region_.heading(h), region_.edges[h / 2].half, region_.heading(k));
     if (swap) region_.vertices[v].out = k;
   }
 

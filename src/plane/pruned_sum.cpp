@@ -40,8 +40,8 @@ double estimated_crossings(const Extents& e) {
 constexpr std::size_t kFewPieces = 300;
 constexpr double kManyCrossings = 3;  // a piece
 
-/// Cuts away what lies in masked cells. A piece is followed along its longer axis; it is cut where it passes from a line of cells that
-/// are all masked to one that is not, on the border between them, which is a grid line.
+/// Cuts away what lies in masked cells. A piece is followed along its longer axis; it is cut where it passes from a
+/// line of cells that are all masked to one that is not, on the border between them, which is a grid line.
 class Cutter {
  public:
   Cutter(Geometry& g, const InnerMask& mask) : g_(g), mask_(mask) {}
@@ -97,8 +97,8 @@ class Cutter {
 /// A piece that is left, or a part of one.
 struct KeptPiece {
   bool inner_left = false;  // its inner side is to the left of p0 -> p1
-  /// Whether the displaced curve passes between its end and the directions on its inner side. Not at a corner that turns round the
-  /// other way, nor twice at one that turns left into another kept piece.
+  /// Whether the displaced curve passes between its end and the directions on its inner side. Not at a corner that
+  /// turns round the other way, nor twice at one that turns left into another kept piece.
   bool hides_at_p0 = true, hides_at_p1 = true;
 };
 
@@ -193,21 +193,25 @@ class Labels {
     }
   }
 
-  /// Only where every direction is the inner side of some curve at the vertex can it be a single point outside the open sum.
+  /// Only where every direction is the inner side of some curve at the vertex can it be a single point outside the open
+  /// sum.
   bool surrounded(Index v) {
     Index d = a_.degree(v);
     const Index* out = a_.out.data() + a_.out_start[v];
-    // Each curve covers less than half a turn; two cannot cover a whole one. A curve passing through is seen on both its edges.
+    // Each curve covers less than half a turn; two cannot cover a whole one. A curve passing through is seen on both
+    // its edges.
     int twice = 0;
     for (Index r = 0; r < d; ++r)
-      for (char hides : {hides_[2 * out[r]], hides_[2 * out[r] + 1]}) twice += (hides & kThrough ? 1 : 0) + (hides & kEnd ? 2 : 0);
+      for (char hides : {hides_[2 * out[r]], hides_[2 * out[r] + 1]})
+        twice += (hides & kThrough ? 1 : 0) + (hides & kEnd ? 2 : 0);
     if (twice < 6) return false;
     covered_.assign(d, 0);
     for (Index r = 0; r < d; ++r) {
       if (hides_[2 * out[r]])  // sectors counter-clockwise from out[r], through half a turn
         for (Index s = 0; s < d && (s == 0 || left_of(v, out[r], out[(r + s) % d])); ++s) covered_[(r + s) % d] = 1;
       if (hides_[2 * out[r] + 1])  // sectors clockwise
-        for (Index s = 1; s <= d && (s == 1 || left_of(v, out[(r + d - s + 1) % d], out[r])); ++s) covered_[(r + d - s) % d] = 1;
+        for (Index s = 1; s <= d && (s == 1 || left_of(v, out[(r + d - s + 1) % d], out[r])); ++s)
+          covered_[(r + d - s) % d] = 1;
     }
     return std::all_of(covered_.begin(), covered_.end(), [](char c) { return c != 0; });
   }

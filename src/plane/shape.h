@@ -39,30 +39,37 @@ using ShapePtr = std::shared_ptr<const Shape>;
 
 struct Shape {
   enum class Kind {
-    kRings,       // contours[0] the outer ring, the rest holes: the closed set between them. Validated, outer ring
-                  // counter-clockwise, holes clockwise.
-    kDisc,        // closed disc about points[0] with radius `amount`
-    kPoints,      // isolated points
-    kPolyline,    // open chain contours[0], a set without interior
-    kUnion, kIntersection, kDifference, kComplement,
-    kInterior, kClosure, kBoundary, kRegularize,
-    kTranslate,   // by points[0], in 3D and by `lift` along z
-    kRotate,      // `degrees` counter-clockwise about points[0]; multiples of 90 are exact, others round vertices once
-    kMirror,      // reflection through the origin
-    kMinkowskiSum, kMinkowskiDifference,  // a (+) b ; a (-) b = AND_{q in b} (a + q)   (distances.md 1.3)
-    kOffset,      // by `amount`: > 0 grows by the closed ball, < 0 erodes
+    kRings,     // contours[0] the outer ring, the rest holes: the closed set between them. Validated, outer ring
+                // counter-clockwise, holes clockwise.
+    kDisc,      // closed disc about points[0] with radius `amount`
+    kPoints,    // isolated points
+    kPolyline,  // open chain contours[0], a set without interior
+    kUnion,
+    kIntersection,
+    kDifference,
+    kComplement,
+    kInterior,
+    kClosure,
+    kBoundary,
+    kRegularize,
+    kTranslate,  // by points[0], in 3D and by `lift` along z
+    kRotate,     // `degrees` counter-clockwise about points[0]; multiples of 90 are exact, others round vertices once
+    kMirror,     // reflection through the origin
+    kMinkowskiSum,
+    kMinkowskiDifference,  // a (+) b ; a (-) b = AND_{q in b} (a + q)   (distances.md 1.3)
+    kOffset,               // by `amount`: > 0 grows by the closed ball, < 0 erodes
     kHull
   };
   Kind kind = Kind::kPoints;
-  std::string name;                 // its name in the scene, empty for an inline shape
-  std::string place;                // where the scene states it, for messages
-  std::vector<ShapePtr> children;   // of constructive nodes, in order
+  std::string name;                // its name in the scene, empty for an inline shape
+  std::string place;               // where the scene states it, for messages
+  std::vector<ShapePtr> children;  // of constructive nodes, in order
   std::vector<Contour> contours;
   std::vector<GridPoint> points;
-  exact::Real amount{};             // radius or offset, in grid steps
+  exact::Real amount{};  // radius or offset, in grid steps
   exact::Real degrees{};
-  std::int64_t lift = 0;            // of kTranslate in 3D
-  bool collection = false;          // a kUnion written as a list: its parts keep their names for reports
+  std::int64_t lift = 0;              // of kTranslate in 3D
+  bool collection = false;            // a kUnion written as a list: its parts keep their names for reports
   std::shared_ptr<const void> solid;  // a 3D primitive: a space::Solid, opaque to this layer; null in 2D
 };
 

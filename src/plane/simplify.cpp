@@ -252,10 +252,10 @@ class Merger {
   const exact::Geometry& geometry_;
   CellComplex out_;
   UnionFind faces_;
-  std::vector<char> kept_, passes_;                  // per raw edge, per raw vertex
-  std::vector<Index> first_;                         // raw vertex -> first kept half-edge
-  std::vector<Index> starts_, ends_;                 // raw edge -> the new edge it starts / ends
-  std::vector<Index> first_part_, last_part_;        // new edge -> its first / last raw edge
+  std::vector<char> kept_, passes_;            // per raw edge, per raw vertex
+  std::vector<Index> first_;                   // raw vertex -> first kept half-edge
+  std::vector<Index> starts_, ends_;           // raw edge -> the new edge it starts / ends
+  std::vector<Index> first_part_, last_part_;  // new edge -> its first / last raw edge
 };
 
 }  // namespace

@@ -29,9 +29,9 @@ struct Component {
   std::optional<double> area;  // none where unbounded
   double dangling_length = 0;
   int holes = 0;                  // bounded components of its own complement
-  Place sample{};              // a point of it, strictly inside where it has an interior
+  Place sample{};                 // a point of it, strictly inside where it has an interior
   exact::RealPoint sample_point;  // the same, exactly, in grid steps
-  std::optional<Bounds> bbox;        // none where unbounded
+  std::optional<Bounds> bbox;     // none where unbounded
 };
 
 struct Summary {
@@ -41,8 +41,8 @@ struct Summary {
   double dangling_length = 0;         // of the curves of the set outside the closure of its interior
   double crack_length = 0;            // of the curves missing from it inside the interior of its closure
   int holes = 0;                      // bounded components of the complement
-  std::vector<Place> isolated;     // its isolated points, from left to right
-  std::optional<Bounds> bbox;            // none where empty or unbounded
+  std::vector<Place> isolated;        // its isolated points, from left to right
+  std::optional<Bounds> bbox;         // none where empty or unbounded
   std::vector<Component> components;  // unbounded first, then higher dimension, then from left to right
 };
 

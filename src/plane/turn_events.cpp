@@ -67,7 +67,9 @@ class Collector {
   }
 
  private:
-  void grow(const RoughEdge& e) { size_ = std::max({size_, std::abs(e.p), std::abs(e.q), std::abs(e.center) + e.radius}); }
+  void grow(const RoughEdge& e) {
+    size_ = std::max({size_, std::abs(e.p), std::abs(e.q), std::abs(e.center) + e.radius});
+  }
 
   /// a cos + b sin = c, where `plausible` (of the turn as a unit number) holds. `back`: of the turn by minus the angle.
   template <class Plausible>
@@ -114,7 +116,8 @@ class Collector {
   }
 
   /// The circle, turned (or the line turned back: then `back`, and the circle stands still), touches the line.
-  void line_and_circle(const TurnedEdge& line, const RoughEdge& l, const TurnedEdge& circle, const RoughEdge& o, bool back) {
+  void line_and_circle(const TurnedEdge& line, const RoughEdge& l, const TurnedEdge& circle, const RoughEdge& o,
+                       bool back) {
     const RealVector n = turned_left(line.q - line.p);
     const Rough rn = Rough(0, 1) * (l.q - l.p);
     const Real length = sqrt(plane::dot(n, n)), level = plane::dot(n, line.p), reach = circle.radius * length;

@@ -84,8 +84,8 @@ namespace {
 /// The same map with its angles in the order of their places again; they are in the right circular order.
 TurnMap rotated_to_start(TurnMap map) {
   if (map.at.empty()) return map;
-  const auto least = std::min_element(map.at.begin(), map.at.end(),
-                                      [](const Angle& p, const Angle& q) { return compare(p, q) < 0; });
+  const auto least =
+      std::min_element(map.at.begin(), map.at.end(), [](const Angle& p, const Angle& q) { return compare(p, q) < 0; });
   const auto by = least - map.at.begin();
   std::rotate(map.at.begin(), map.at.begin() + by, map.at.end());
   std::rotate(map.here.begin(), map.here.begin() + by, map.here.end());

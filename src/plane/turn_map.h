@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The result type on the circle of angles: a finite partition into single angles and open arcs, each with a mark; what a
-// CellComplex is in the plane. With marks 0/1 a set of angles, with -1/0/+1 the sign of a distance minus its level.
+// The result type on the circle of angles: a finite partition into single angles and open arcs, each with a mark; what
+// a CellComplex is in the plane. With marks 0/1 a set of angles, with -1/0/+1 the sign of a distance minus its level.
 //
 // Guarantee: exact, isolated angles and missing ones included. Cost: linear but for the sorting of angles.
 // Source: distances.md 7.2. Keywords: circular intervals, periodic set, angular interval.
@@ -18,8 +18,8 @@
 
 namespace findspace::plane {
 
-/// Invariant: `at` ascends in [0, 360); here[k] is the mark at at[k], after[k] that of the open arc from there to the next. Nothing
-/// can be merged: no angle has its own mark on both sides.
+/// Invariant: `at` ascends in [0, 360); here[k] is the mark at at[k], after[k] that of the open arc from there to the
+/// next. Nothing can be merged: no angle has its own mark on both sides.
 struct TurnMap {
   std::vector<exact::Angle> at;
   std::vector<Mark> here, after;
@@ -48,7 +48,8 @@ struct TurnInterval {
   bool round = false;  // from and to are one angle, and all others lie between
 };
 
-/// The maximal intervals of the angles with marks other than 0, by their place in [0, 360). The whole circle is [0, 0), round.
+/// The maximal intervals of the angles with marks other than 0, by their place in [0, 360). The whole circle is [0, 0),
+/// round.
 std::vector<TurnInterval> intervals(const TurnMap& set);
 
 }  // namespace findspace::plane

@@ -112,7 +112,8 @@ struct Rounds {
   std::vector<Mark> here, after;
 };
 
-Rounds evaluate_all(const TurnedContact::Pair& pair, const std::vector<Turn>& events, Mark (*rule)(MarkSet), MarkSet enough) {
+Rounds evaluate_all(const TurnedContact::Pair& pair, const std::vector<Turn>& events, Mark (*rule)(MarkSet),
+                    MarkSet enough) {
   constexpr std::size_t kBlock = 16;
   const std::size_t n = events.size();
   Rounds rounds{std::vector<Mark>(n), std::vector<Mark>(n)};

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A closed set T that turns about a point, against a marked complex M that stands still: which marks of M does T meet at an angle?
-// With M the sign map of a distance that answers "do they meet, do their insides meet, does T lie in ...", at a level too.
+// A closed set T that turns about a point, against a marked complex M that stands still: which marks of M does T meet
+// at an angle? With M the sign map of a distance that answers "do they meet, do their insides meet, does T lie in ...",
+// at a level too.
 //
-// Guarantee: exact at every angle of exact cosine and sine, so also at the angles where the answer changes, which are found all:
-// a vertex of one on a line or circle of the other, a line tangent to a circle, two circles tangent, each is
+// Guarantee: exact at every angle of exact cosine and sine, so also at the angles where the answer changes, which are
+// found all: a vertex of one on a line or circle of the other, a line tangent to a circle, two circles tangent, each is
 // a cos + b sin = c; an isolated contact is no limit of its neighbours and is evaluated by itself (distances.md 7.2).
-// Method: T's edges are cut where they meet M's edges and vertices; each piece lies in one cell of M, found exactly; components of
-// equal mark that no edge of T meets are inside T or not, decided at one point. Cost: one angle: pairs of edges whose boxes meet; the
-// angles: pairs of edges. Keywords: contact angle, critical orientation, rotational sweep.
+// Method: T's edges are cut where they meet M's edges and vertices; each piece lies in one cell of M, found exactly;
+// components of equal mark that no edge of T meets are inside T or not, decided at one point. Cost: one angle: pairs of
+// edges whose boxes meet; the angles: pairs of edges. Keywords: contact angle, critical orientation, rotational sweep.
 #pragma once
 
 #include <vector>
@@ -27,8 +28,8 @@ inline constexpr MarkSet kNegative = 1, kZero = 2, kPositive = 4;
 
 class TurnedContact {
  public:
-  /// A pair of sets: T = { to + turned(b - about) : b in `turning` }, closed, marks 0/1, and a map with marks -1, 0, +1. Lengths in
-  /// grid steps.
+  /// A pair of sets: T = { to + turned(b - about) : b in `turning` }, closed, marks 0/1, and a map with marks -1, 0,
+  /// +1. Lengths in grid steps.
   struct Pair {
     const Region& turning;
     const SignMap& fixed;

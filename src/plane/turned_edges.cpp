@@ -59,7 +59,8 @@ RoughBox box_of(const TurnedEdge& e) {
   if (!e.arc) return b;
   const auto cx = e.center.x.interval(), cy = e.center.y.interval(), r = e.radius.interval();
   // The arc lies to the right of its chord, within half a circle: the box of the circle where an extreme may lie on it.
-  const double dx = qx.hi - px.lo, dy = qy.hi - py.lo, room = (std::abs(dx) + std::abs(dy) + r.hi) * 0x1p-20;  // no sign: a wider box is right too
+  const double dx = qx.hi - px.lo, dy = qy.hi - py.lo,
+               room = (std::abs(dx) + std::abs(dy) + r.hi) * 0x1p-20;  // no sign: a wider box is right too
   if (dx > -room) b.y0 = std::min(b.y0, cy.lo - r.hi);
   if (dx < room) b.y1 = std::max(b.y1, cy.hi + r.hi);
   if (dy > -room) b.x1 = std::max(b.x1, cx.hi + r.hi);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The boundary of a set as segments and arcs with exact real ends, relative to a centre of rotation, so that the set can be turned by any
-// exact angle; and where two such edges meet. Arcs run counter-clockwise and measure at most 180 degrees.
-// Guarantee: exact. Cost: a few exact operations an edge, a few dozen a pair that meets.
+// The boundary of a set as segments and arcs with exact real ends, relative to a centre of rotation, so that the set
+// can be turned by any exact angle; and where two such edges meet. Arcs run counter-clockwise and measure at most 180
+// degrees. Guarantee: exact. Cost: a few exact operations an edge, a few dozen a pair that meets.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ struct TurnedEdge {
   bool arc = false;
   RealVector center;
   exact::Real radius;
-  Index cell = 0;       // the edge of the complex
-  Index v0 = 0, v1 = 0; // the vertices of the complex at p and q
+  Index cell = 0;        // the edge of the complex
+  Index v0 = 0, v1 = 0;  // the vertices of the complex at p and q
 };
 
 struct RoughBox {

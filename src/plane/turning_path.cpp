@@ -20,8 +20,8 @@ Turn vertex_turn(const Step& in, const Step& out, bool flat, bool& turns) {
   if (c != 0) {
     t.sign = std::int8_t(c);
   } else if (dot_sign(in.end, out.start) < 0) {
-    // Back along the same tangent: a cusp of the set (left turn) or of its complement, or the tip of a slit (right turn).
-    // The end of a curve that is a set of its own is always passed on the left.
+    // Back along the same tangent: a cusp of the set (left turn) or of its complement, or the tip of a slit (right
+    // turn). The end of a curve that is a set of its own is always passed on the left.
     t.half_turn = turns = true;
     t.sign = flat || compare_curvature(in.reversed(), out) > 0 ? 1 : -1;
   }
@@ -62,18 +62,19 @@ TurningPath TurningPath::from(const Path& path, bool flat) {
       out.turns.push_back(t);
     }
   }
-  if (out.lines.size() > out.turns.size()) out.turns.push_back({.center = &steps[0].from});  // runs smoothly into the arc at the start
+  if (out.lines.size() > out.turns.size())
+    out.turns.push_back({.center = &steps[0].from});  // runs smoothly into the arc at the start
   return out;
 }
 
 namespace {
 
 struct Entry {
-  std::int64_t x, y;           // of a grid direction
+  std::int64_t x, y;  // of a grid direction
   const Direction* direction;
   TurningPath* path;
   Index line;
-  std::uint8_t odd, lower;     // lower: angle in [180, 360)
+  std::uint8_t odd, lower;  // lower: angle in [180, 360)
   bool grid;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A boundary path in the form a convolution walks it: line, turn, line, turn ... Lines may have length 0 (between an arc and a
-// corner), turns may be empty (between segments in one direction). Directions are replaced by their places in the circular
-// order of all directions of both operands: keys. Nothing is copied: a turning path refers to its `Path`, which must outlive it.
+// A boundary path in the form a convolution walks it: line, turn, line, turn ... Lines may have length 0 (between an
+// arc and a corner), turns may be empty (between segments in one direction). Directions are replaced by their places in
+// the circular order of all directions of both operands: keys. Nothing is copied: a turning path refers to its `Path`,
+// which must outlive it.
 #pragma once
 
 #include <vector>
@@ -18,14 +19,14 @@ struct TurningPath {
     const Position *from, *to;
     bool empty = false;
     Index key = 0;
-    Index place = 0;             // in `sorted`, unless empty
+    Index place = 0;  // in `sorted`, unless empty
   };
   struct Turn {  // turn k follows line k
     const Position* center;
-    const Step* arc = nullptr;   // null: a vertex
-    std::int8_t sign = 1;        // +1 turns left, -1 right
-    bool half_turn = false;      // by exactly 180 degrees at a vertex
-    Index low = 0, length = 0;   // keys swept: low, low + 1, ..., low + length, counter-clockwise whatever the sign
+    const Step* arc = nullptr;  // null: a vertex
+    std::int8_t sign = 1;       // +1 turns left, -1 right
+    bool half_turn = false;     // by exactly 180 degrees at a vertex
+    Index low = 0, length = 0;  // keys swept: low, low + 1, ..., low + length, counter-clockwise whatever the sign
 
     /// > 0 for a counter-clockwise arc, < 0 for a clockwise one, 0 for a vertex.
     exact::Real radius() const { return !arc ? exact::Real() : sign > 0 ? arc->radius : -arc->radius; }
@@ -34,7 +35,7 @@ struct TurningPath {
   };
   std::vector<Line> lines;
   std::vector<Turn> turns;
-  std::vector<Index> sorted;     // the lines that are not empty, by key
+  std::vector<Index> sorted;  // the lines that are not empty, by key
 
   /// `flat`: the path of a curve or point that is a set of its own, walked on both sides.
   static TurningPath from(const Path& path, bool flat);

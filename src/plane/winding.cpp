@@ -28,7 +28,8 @@ std::vector<std::int32_t> spread(const Arrangement& a, std::int32_t base, Jump&&
 
 class VertexNumbers {
  public:
-  VertexNumbers(const Arrangement& a, const std::vector<Strand>& strands, Windings& w) : a_(a), strands_(strands), w_(w) {}
+  VertexNumbers(const Arrangement& a, const std::vector<Strand>& strands, Windings& w)
+      : a_(a), strands_(strands), w_(w) {}
 
   /// Starts from the face in the sector after the vertex's first half-edge.
   void prepare(VertexScope scope) {
@@ -78,10 +79,12 @@ class VertexNumbers {
 
  private:
   Index back_half_edge(Index piece) const {
-    return strands_[piece].forward ? 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1 : 2 * a_.chain[a_.chain_start[piece]];
+    return strands_[piece].forward ? 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1
+                                   : 2 * a_.chain[a_.chain_start[piece]];
   }
   Index ahead_half_edge(Index piece) const {
-    return strands_[piece].forward ? 2 * a_.chain[a_.chain_start[piece]] : 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1;
+    return strands_[piece].forward ? 2 * a_.chain[a_.chain_start[piece]]
+                                   : 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1;
   }
 
   const Arrangement& a_;
@@ -101,7 +104,8 @@ std::vector<std::int32_t> face_windings(const Arrangement& a, const std::vector<
 
 Windings windings(const Arrangement& a, const std::vector<Strand>& strands, const std::vector<Corner>& corners,
                   std::int32_t base, VertexScope scope) {
-  std::vector<std::int32_t> jump(a.edge_count(), 0), on(a.edge_count(), 0);  // on: number of the edge - number on its right
+  std::vector<std::int32_t> jump(a.edge_count(), 0),
+      on(a.edge_count(), 0);  // on: number of the edge - number on its right
   for (Index e = 0; e < a.edge_count(); ++e)
     for (Index i : cover(a, e)) {
       const Strand& s = strands[i];

@@ -4,10 +4,11 @@
 // Winding numbers on every cell of an arrangement of directed closed curves, each curve thought to be displaced by an
 // infinitesimal to one of its sides, so that the cells of the curves themselves have a number too.
 //
-// A piece adds +1 to the faces on the left of its direction against those on its right, and lies displaced to its left or right
-// (`Strand::displaced_left`). The number of an edge is that of the side its strands do not lie on, counted strand by strand;
-// the number of a vertex counts the strands and corners that pass between it and a neighbouring face. This is how
-// open (displaced inwards) and closed (displaced outwards) sums are told apart on slots and single points.
+// A piece adds +1 to the faces on the left of its direction against those on its right, and lies displaced to its left
+// or right
+// (`Strand::displaced_left`). The number of an edge is that of the side its strands do not lie on, counted strand by
+// strand; the number of a vertex counts the strands and corners that pass between it and a neighbouring face. This is
+// how open (displaced inwards) and closed (displaced outwards) sums are told apart on slots and single points.
 // Guarantee: exact. Cost: linear. Source: docs/decisions/0002-displaced-winding-numbers.md.
 #pragma once
 
@@ -25,9 +26,9 @@ struct Strand {
   std::int32_t weight = 1;     // how often it counts; one closed curve has one weight
 };
 
-/// The path turns from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path runs from
-/// the back direction of `in` to the direction of `out`: clockwise if both lie displaced to the left, counter-clockwise if both to the
-/// right, else as `rotation` says (+1 counter-clockwise, -1 clockwise, 0 not at all).
+/// The path turns from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path runs
+/// from the back direction of `in` to the direction of `out`: clockwise if both lie displaced to the left,
+/// counter-clockwise if both to the right, else as `rotation` says (+1 counter-clockwise, -1 clockwise, 0 not at all).
 struct Corner {
   Index in = 0, out = 0;
   std::int8_t rotation = 0;
@@ -38,8 +39,8 @@ struct Windings {
   std::vector<std::int32_t> faces, edges, vertices;
 };
 
-/// Which vertices get a number: all, or only those where all faces and edges around have a positive number (an open set is
-/// decided by its neighbours everywhere else); the others get kUnwanted.
+/// Which vertices get a number: all, or only those where all faces and edges around have a positive number (an open set
+/// is decided by its neighbours everywhere else); the others get kUnwanted.
 enum class VertexScope { kInside, kAll };
 inline constexpr std::int32_t kUnwanted = INT32_MIN;
 

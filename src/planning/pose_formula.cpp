@@ -26,19 +26,25 @@ struct Response {
   bool lipschitz = false;     // at all levels
   bool from_zero_up = false;  // only between levels >= 0 (gamma1)
   bool as_mu = false;         // at levels <= 0 it has the signs of mu (eta1, delta1)
-  bool grows = false;           // a larger moving shape makes it larger, else smaller
+  bool grows = false;         // a larger moving shape makes it larger, else smaller
   bool known = true;
 };
 
 Response response(Kind kind) {
   switch (kind) {
-    case Kind::kGamma1: return {.from_zero_up = true};
-    case Kind::kEta1: return {.as_mu = true, .grows = true};
-    case Kind::kDelta1: return {.as_mu = true};
-    case Kind::kPenetration: return {.grows = true};
+    case Kind::kGamma1:
+      return {.from_zero_up = true};
+    case Kind::kEta1:
+      return {.as_mu = true, .grows = true};
+    case Kind::kDelta1:
+      return {.as_mu = true};
+    case Kind::kPenetration:
+      return {.grows = true};
     case Kind::kEta2:
-    case Kind::kDelta2: return {.known = false};
-    default: return {.lipschitz = true};
+    case Kind::kDelta2:
+      return {.known = false};
+    default:
+      return {.lipschitz = true};
   }
 }
 
@@ -58,17 +64,21 @@ class Hedge {
   Formula run(const Node& node, Certainty certainty) {
     std::vector<Formula> operands;
     switch (node.op) {
-      case Node::Op::kTrue: return situation::constant(true);
-      case Node::Op::kFalse: return situation::constant(false);
+      case Node::Op::kTrue:
+        return situation::constant(true);
+      case Node::Op::kFalse:
+        return situation::constant(false);
       case Node::Op::kNot:
-        return negation(run(node.operands.front(), certainty == Certainty::kCertain ? Certainty::kPossible : Certainty::kCertain));
+        return negation(
+            run(node.operands.front(), certainty == Certainty::kCertain ? Certainty::kPossible : Certainty::kCertain));
       case Node::Op::kAtom: {
         const Atom& a = formula_.atoms()[node.atom];
         require_plain(a);
         return certainty == Certainty::kCertain ? certain(a, a.relation) : negation(certain(a, complement(a.relation)));
       }
       case Node::Op::kAnd:
-      case Node::Op::kOr: break;
+      case Node::Op::kOr:
+        break;
     }
     for (const Node& n : node.operands) operands.push_back(run(n, certainty));
     return node.op == Node::Op::kAnd ? conjunction(operands) : disjunction(operands);
@@ -76,7 +86,8 @@ class Hedge {
 
  private:
   static void require_plain(const Atom& a) {
-    if (!a.minimum && a.distance.mode == situation::Mode::kPlain && a.distance.prefix == situation::Extremum::kNone) return;
+    if (!a.minimum && a.distance.mode == situation::Mode::kPlain && a.distance.prefix == situation::Extremum::kNone)
+      return;
     throw Error(ErrorCode::kUnsupported, a.text + ": not computed over positions and angles");
   }
 
@@ -98,7 +109,8 @@ class Hedge {
     Formula of_variant(situation::compare(with(d, true, r.grows == at_most ? bound_ : -bound_), relation, atom.level));
     if (!r.from_zero_up || atom.level.sign() < 0) return of_variant;
     // Or the shape itself is so deep in the other that it cannot leave it by more than the level.
-    const std::array either{std::move(of_variant), Formula(situation::compare(with(d, false, level), relation, Real()))};
+    const std::array either{std::move(of_variant),
+                            Formula(situation::compare(with(d, false, level), relation, Real()))};
     return situation::disjunction(either);
   }
 

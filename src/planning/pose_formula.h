@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A formula that holds wherever the original certainly holds for every shape that is near the moving one, and one that holds wherever the
-// original may. "Near": contains the shape eroded by a bound, lies in the shape grown by it, and is reached without any
-// point of it travelling further. See pose_stack.h for the reasons. Guarantee: conservative on the side asked for.
+// A formula that holds wherever the original certainly holds for every shape that is near the moving one, and one that
+// holds wherever the original may. "Near": contains the shape eroded by a bound, lies in the shape grown by it, and is
+// reached without any point of it travelling further. See pose_stack.h for the reasons. Guarantee: conservative on the
+// side asked for.
 #pragma once
 
 #include <string>

@@ -106,10 +106,12 @@ Region both(const Region& a, const Region& b, bool all) {
 
 }  // namespace
 
-PoseStack pose_stack(const World& world, const Formula& formula, const plane::GridPoint& about, std::vector<Real> degrees) {
+PoseStack pose_stack(const World& world, const Formula& formula, const plane::GridPoint& about,
+                     std::vector<Real> degrees) {
   degrees = sorted_places(std::move(degrees));
   const double radius = reach(world, about);
-  const double roundings = has_arcs(world) ? 4 : 1;  // an arc keeps its radius: its middle moves a little more than its ends
+  const double roundings =
+      has_arcs(world) ? 4 : 1;  // an arc keeps its radius: its middle moves a little more than its ends
   PoseStack out;
   std::vector<Stand> stands;
   for (const Real& d : degrees) stands.emplace_back(world, formula, about, d);

@@ -34,14 +34,18 @@ Optimum optimum(distance::Extremum e, const Real& step, bool negated) {
 Optimum optimize(const plane::Region& region, const Objective& objective, Sense sense, const Solver& solver) {
   const Real& step = solver.world().step;
   switch (objective.kind) {
-    case Objective::Kind::kX: return optimum(linear_extremum(region, distance::kX, sense), step, false);
-    case Objective::Kind::kY: return optimum(linear_extremum(region, distance::kY, sense), step, false);
-    case Objective::Kind::kZ: throw Error(ErrorCode::kUnsupported, "the objective z needs a scene in three dimensions");
+    case Objective::Kind::kX:
+      return optimum(linear_extremum(region, distance::kX, sense), step, false);
+    case Objective::Kind::kY:
+      return optimum(linear_extremum(region, distance::kY, sense), step, false);
+    case Objective::Kind::kZ:
+      throw Error(ErrorCode::kUnsupported, "the objective z needs a scene in three dimensions");
     case Objective::Kind::kDistanceToPoint: {
       auto f = distance::Farthest::from_point({objective.point.at(0) / step, objective.point.at(1) / step});
       return optimum(extremum(f, region, sense), step, false);
     }
-    case Objective::Kind::kDistance: break;
+    case Objective::Kind::kDistance:
+      break;
   }
   Sense of_distance = objective.negated ? opposite(sense) : sense;
   return optimum(extremum(*solver.distance(objective.distance), region, of_distance), step, objective.negated);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// `minimize` and `maximize` of a scene over a region of positions, and the minimum behind `distance -> min` (interface.md 3,
-// distances.md 4.4): value, whether it is attained, and the positions. Objectives: a distance, x, y, distance to a point.
-// Guarantee: exact where `proven` (see distance/extremum.h). Use: `optimize(solver.feasible(where), objective, sense, solver)`; where
-// the scene has no objective, `minimum_of(where, solver)` gives the value of its first `distance -> min`, if it has one.
-// Keywords: constrained minimum, argmin, infimum.
+// `minimize` and `maximize` of a scene over a region of positions, and the minimum behind `distance -> min`
+// (interface.md 3, distances.md 4.4): value, whether it is attained, and the positions. Objectives: a distance, x, y,
+// distance to a point. Guarantee: exact where `proven` (see distance/extremum.h). Use:
+// `optimize(solver.feasible(where), objective, sense, solver)`; where the scene has no objective, `minimum_of(where,
+// solver)` gives the value of its first `distance -> min`, if it has one. Keywords: constrained minimum, argmin,
+// infimum.
 #pragma once
 
 #include <optional>
@@ -22,7 +23,7 @@ struct Optimum {
   bool unbounded = false;            // no bound in this sense
   bool attained = false;             // by a position of the region; else it is an infimum (supremum)
   bool proven = false;
-  plane::Region at;                  // the positions (in grid steps): of the region, or of its closure if not attained
+  plane::Region at;  // the positions (in grid steps): of the region, or of its closure if not attained
 };
 
 Optimum optimize(const plane::Region& region, const Objective& objective, distance::Sense sense, const Solver& solver);

@@ -219,8 +219,9 @@ void Reader::fail_unknown_shape(const Token& token) const {
   std::string hint = question(token.text, names_);
   if (hint.empty()) hint = names_.empty() ? "; the scene has no shapes" : "; the shapes are " + listed(names_);
   if (token.text == "self" || token.text == "other") {
-    hint = token.text == "self" ? "; it is the shape being placed, in a placement's \"each\", \"pairs\" and \"minimize\""
-                                : "; it is a shape placed before, in a placement's \"pairs\"";
+    hint = token.text == "self"
+               ? "; it is the shape being placed, in a placement's \"each\", \"pairs\" and \"minimize\""
+               : "; it is a shape placed before, in a placement's \"pairs\"";
   }
   if (peek(1).kind == K::kName) hint += "; a name with blanks stands in quotes";
   fail(ErrorCode::kUnknownName, token.span, "unknown shape '{}'{}", printable(token.text), hint);

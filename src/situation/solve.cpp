@@ -90,7 +90,8 @@ plane::Region Solver::shape(const std::vector<std::string>& names) const {
 std::shared_ptr<const distance::AtPosition> Solver::pair(const Names& names) const {
   std::lock_guard lock(cache_->guard);
   auto& slot = cache_->pairs[names];
-  if (!slot) slot = std::make_shared<distance::AtPosition>(std::make_shared<ShapePair>(shape(names.first), shape(names.second)));
+  if (!slot)
+    slot = std::make_shared<distance::AtPosition>(std::make_shared<ShapePair>(shape(names.first), shape(names.second)));
   return slot;
 }
 
@@ -102,7 +103,8 @@ Solver::Roles Solver::roles(const Distance& wanted) const {
   r.names = r.second_moves ? Names{d.second, d.first} : Names{d.first, d.second};
   if (!world_.motion.given()) return r;
   r.path = relative_path(world_.motion, r.names.first, r.names.second);
-  r.turning = turns(common_trajectory(world_.motion, r.names.first)) || turns(common_trajectory(world_.motion, r.names.second));
+  r.turning =
+      turns(common_trajectory(world_.motion, r.names.first)) || turns(common_trajectory(world_.motion, r.names.second));
   return r;
 }
 
@@ -127,14 +129,17 @@ distance::PositionFunctionPointer Solver::function(const Distance& wanted) const
   if (world_.instant && wanted.prefix == Extremum::kNone)
     return distance::at_instant(of_instant(r), position_at(r.path, *world_.instant));
   if (r.wanted.mode != Mode::kPlain)
-    refuse(wanted, "along a direction it jumps in time, so it has no extremum over a motion; ask for an instant (\"free\": \"time\", or --time)");
+    refuse(wanted,
+           "along a direction it jumps in time, so it has no extremum over a motion; ask for an instant (\"free\": "
+           "\"time\", or --time)");
   const bool least = natural_extremum(r.wanted) == Extremum::kInf;
   return distance::over_time(plain(r), r.path.path, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);
 }
 
 TDistancePointer Solver::distance(const Distance& wanted) const {
   if (wanted.mode != Mode::kPlain) refuse(wanted, "distances along a direction or in rotation are no objectives");
-  if (world_.motion.given()) refuse(wanted, "the least and greatest values over positions are not computed with a motion");
+  if (world_.motion.given())
+    refuse(wanted, "the least and greatest values over positions are not computed with a motion");
   return plain(roles(wanted));
 }
 
@@ -146,10 +151,12 @@ plane::SignMap Solver::sign_map(const SignMap& wanted) const {
 }
 
 distance::Extremum Solver::least_directional(const Distance& wanted) const {
-  if (world_.motion.given()) refuse(wanted, "the least and greatest values over positions are not computed with a motion");
+  if (world_.motion.given())
+    refuse(wanted, "the least and greatest values over positions are not computed with a motion");
   const Roles r = roles(wanted);
   auto base = pair(r.names)->pair().distance(signed_base(r.wanted.kind));
-  return distance::least_directional(static_cast<const distance::SignedDistance&>(*base).base(), track(r.wanted), is_farthest(r.wanted.kind));
+  return distance::least_directional(static_cast<const distance::SignedDistance&>(*base).base(), track(r.wanted),
+                                     is_farthest(r.wanted.kind));
 }
 
 distance::Extremum Solver::least(const Distance& wanted) const {
@@ -189,7 +196,8 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
   }
   if (!world_.motion.given() && r.wanted.mode == Mode::kPlain) {
     auto pair = this->pair(r.names);
-    if (auto m = pair->measure(situation::which(r.wanted.kind, r.second_moves), p)) add_witness(out, wanted, r.names, *pair, *m, p);
+    if (auto m = pair->measure(situation::which(r.wanted.kind, r.second_moves), p))
+      add_witness(out, wanted, r.names, *pair, *m, p);
     return out;
   }
   auto v = function(wanted)->value(p);
@@ -207,7 +215,8 @@ void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& n
   for (const distance::Feature& f : m.witness)
     out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
                                         f.of_moving ? names.first : names.second, world_.shapes, world_.parts, p));
-  bool turned = wanted.first == names.second && !out.witness.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
+  bool turned =
+      wanted.first == names.second && !out.witness.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
   if (turned) std::swap(out.witness[0], out.witness[1]);
 }
 
@@ -234,7 +243,8 @@ std::vector<distance::TurningPose> Solver::turning_poses(const Roles& r, bool in
 
 bool Solver::turns_in(const Formula& formula) const {
   const auto& maps = formula.sign_maps();
-  return !world_.instant && std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) { return roles(m.distance).turning; });
+  return !world_.instant &&
+         std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) { return roles(m.distance).turning; });
 }
 
 distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
@@ -244,14 +254,19 @@ distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
     return {exact, exact};
   }
   if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
-  if (r.wanted.mode != Mode::kPlain) refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  if (r.wanted.mode != Mode::kPlain)
+    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
   Which kind = situation::which(r.wanted.kind, r.second_moves);
   // Containment down from level 0 is the directed Hausdorff distance, which changes no faster than the shapes do.
   if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
     kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
   const bool jumps = kind == Which::kEta1 || kind == Which::kDelta1 || kind == Which::kEta2 || kind == Which::kDelta2;
-  if (jumps) refuse(wanted.distance, "of shapes that turn in time, regions are computed for eta1 and delta1 up to level 0 only, not for eta2 and delta2");
-  const auto sense = natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+  if (jumps)
+    refuse(wanted.distance,
+           "of shapes that turn in time, regions are computed for eta1 and delta1 up to level 0 only, not for eta2 and "
+           "delta2");
+  const auto sense =
+      natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
   return distance::turning_maps(shape(r.names.first), shape(r.names.second), kind, turning_poses(r, false), sense,
                                 wanted.level / world_.step);
 }
@@ -277,13 +292,16 @@ Solver::Bounds Solver::feasible_bounds(const Formula& formula) const {
     choose(0);
     return Mark(all ? 2 : some ? 1 : 0);
   });
-  return {plane::remark(both, [](Mark m) { return Mark(m == 2); }), plane::remark(both, [](Mark m) { return Mark(m > 0); })};
+  return {plane::remark(both, [](Mark m) { return Mark(m == 2); }),
+          plane::remark(both, [](Mark m) { return Mark(m > 0); })};
 }
 
 std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
-  if (r.wanted.mode != Mode::kPlain) refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  if (r.wanted.mode != Mode::kPlain)
+    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
   const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
-  const distance::TurningMotion f(shape(r.names.first), shape(r.names.second), situation::which(r.wanted.kind, r.second_moves), turning_poses(r, one));
+  const distance::TurningMotion f(shape(r.names.first), shape(r.names.second),
+                                  situation::which(r.wanted.kind, r.second_moves), turning_poses(r, one));
   if (one) return f.instant(p, 0, Real());
   const bool least = natural_extremum(r.wanted) == Extremum::kInf;
   return f.extremum(p, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);
@@ -313,7 +331,8 @@ Solver::Check Solver::check(const Formula& formula, const RealPoint& position) c
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
     AtomAt a{atom, value(atom.distance, p), holds(atom, signs[formula.sign_map_of(k)]), std::nullopt};
-    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum) a.lacks = std::abs(*a.distance.value - atom.level.to_double());
+    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum)
+      a.lacks = std::abs(*a.distance.value - atom.level.to_double());
     out.atoms.push_back(std::move(a));
   }
   return out;
@@ -323,8 +342,10 @@ plane::Section Solver::instants(const Formula& formula, const RealPoint& positio
   const RealPoint p = steps(position);
   std::vector<plane::Section> lines(formula.sign_maps().size());
   plane::parallel_for(lines.size(), [&](std::size_t k) { lines[k] = instants(formula.sign_maps()[k], p); });
-  lines.push_back(plane::Section::constant(world_.motion.start, world_.motion.end, 0));  // also where there are no atoms
-  plane::Section line = overlay_sections(lines, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+  lines.push_back(
+      plane::Section::constant(world_.motion.start, world_.motion.end, 0));  // also where there are no atoms
+  plane::Section line =
+      overlay_sections(lines, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
   line.before = line.stops.back().after = 0;  // there is no time outside the motion
   return line;
 }
@@ -333,7 +354,8 @@ plane::Section Solver::instants(const SignMap& wanted, const RealPoint& p) const
   const Motion& motion = world_.motion;
   const bool whole_time = wanted.distance.prefix != Extremum::kNone;
   const Roles r = roles(wanted.distance);
-  if (r.turning) refuse(wanted.distance, "the instants of shapes that turn are not computed; check --time gives single ones");
+  if (r.turning)
+    refuse(wanted.distance, "the instants of shapes that turn are not computed; check --time gives single ones");
   if (whole_time) {
     const plane::SignMap map = sign_map(wanted);
     return plane::Section::constant(motion.start, motion.end, mark_of(map, locate(map, p)));

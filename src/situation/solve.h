@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A formula over a world of shapes, answered for all positions at once and for single ones. All sign maps of the formula are
-// laid over each other once; every vertex, edge and face of the overlay gets the truth of the formula (architecture.md 1).
-// Guarantee: the exact set, slots, points, open and closed boundaries included. Lengths are in the scene's unit; the region that
-// comes back is in grid steps. Cost: one convolution a pair of shapes, one more for each level other than 0, one overlay.
-// Keywords: feasible region, configuration space, situation.
+// A formula over a world of shapes, answered for all positions at once and for single ones. All sign maps of the
+// formula are laid over each other once; every vertex, edge and face of the overlay gets the truth of the formula
+// (architecture.md 1). Guarantee: the exact set, slots, points, open and closed boundaries included. Lengths are in the
+// scene's unit; the region that comes back is in grid steps. Cost: one convolution a pair of shapes, one more for each
+// level other than 0, one overlay. Keywords: feasible region, configuration space, situation.
 #pragma once
 
 #include <map>
@@ -29,34 +29,34 @@ namespace findspace::situation {
 struct World {
   std::map<std::string, plane::Region> shapes;  // in grid steps
   std::vector<std::string> moving;
-  exact::Real step;                             // one grid step in the scene's unit
-  Motion motion;                                // if given, distances are taken over its time
-  std::optional<exact::Real> instant;           // of the motion: distances without inf and sup are those of this time
-  Parts parts;                                  // of the shapes that are collections, for reports
+  exact::Real step;                    // one grid step in the scene's unit
+  Motion motion;                       // if given, distances are taken over its time
+  std::optional<exact::Real> instant;  // of the motion: distances without inf and sup are those of this time
+  Parts parts;                         // of the shapes that are collections, for reports
 };
 
 /// One distance at one position.
 struct DistanceAt {
-  std::string text;              // canonical: "gamma1(B, A)"
-  std::optional<double> value;   // in the scene's unit, may be -infinity; nothing: undefined, +infinity
-  std::optional<exact::RealPoint> nearest;  // in grid steps: the nearest position where it is 0, if that is known
+  std::string text;                          // canonical: "gamma1(B, A)"
+  std::optional<double> value;               // in the scene's unit, may be -infinity; nothing: undefined, +infinity
+  std::optional<exact::RealPoint> nearest;   // in grid steps: the nearest position where it is 0, if that is known
   std::optional<exact::RealPoint> farthest;  // in grid steps: of eta2 and delta2 the position of the farthest touching
   std::vector<FeatureAt> witness;            // two features that attain it, in the order of the arguments; or none
-  std::optional<double> bound{};            // not exact: how far the true value may be, of shapes that turn in time
+  std::optional<double> bound{};             // not exact: how far the true value may be, of shapes that turn in time
 };
 
 struct AtomAt {
   Atom atom;
   DistanceAt distance;
-  bool holds = false;            // exact, also on a boundary
-  std::optional<double> lacks;   // how far the value is from holding, if it does not (of a strict relation the infimum)
+  bool holds = false;           // exact, also on a boundary
+  std::optional<double> lacks;  // how far the value is from holding, if it does not (of a strict relation the infimum)
 };
 
 /// The point of the closure of a region that is nearest to a position.
 struct NearestFeasible {
-  exact::RealPoint at;           // in grid steps
-  exact::Real distance;          // in the scene's unit
-  bool attained = false;         // `at` itself is feasible
+  exact::RealPoint at;    // in grid steps
+  exact::Real distance;   // in the scene's unit
+  bool attained = false;  // `at` itself is feasible
 };
 
 class Solver {
@@ -72,7 +72,8 @@ class Solver {
     plane::Region inner, outer;
   };
   Bounds feasible_bounds(const Formula& formula) const;
-  /// Some shape of the formula turns in time, and no instant is asked for: feasible() is refused, feasible_bounds() is not.
+  /// Some shape of the formula turns in time, and no instant is asked for: feasible() is refused, feasible_bounds() is
+  /// not.
   bool turns_in(const Formula& formula) const;
 
   /// Every atom of the formula at position p (in the scene's unit), and whether the formula holds there.
@@ -87,17 +88,18 @@ class Solver {
   /// The nearest position at which the formula holds, or of the closure of those; nothing if it holds nowhere.
   std::optional<NearestFeasible> nearest_feasible(const Formula& formula, const exact::RealPoint& p) const;
 
-  /// All distances of the moving shapes to every other shape at p (in the scene's unit), with a motion their inf and sup;
-  /// and those that the formula names besides.
+  /// All distances of the moving shapes to every other shape at p (in the scene's unit), with a motion their inf and
+  /// sup; and those that the formula names besides.
   std::vector<DistanceAt> measure(const exact::RealPoint& p, const Formula& formula = {}) const;
 
-  /// With a motion: the marks that the formula has at p (in the scene's unit) from the start to the end of the motion, 1 where
-  /// it holds at the instant. Distances with inf or sup keep to the whole time.
+  /// With a motion: the marks that the formula has at p (in the scene's unit) from the start to the end of the motion,
+  /// 1 where it holds at the instant. Distances with inf or sup keep to the whole time.
   plane::Section instants(const Formula& formula, const exact::RealPoint& p) const;
 
   /// The function that a formula means, in grid steps: along a direction, over time or at the instant too.
   distance::PositionFunctionPointer function(const Distance& wanted) const;
-  /// The T-distance that a formula means, whose extrema are computed. Throws Error(kUnsupported) for those that are none.
+  /// The T-distance that a formula means, whose extrema are computed. Throws Error(kUnsupported) for those that are
+  /// none.
   distance::TDistancePointer distance(const Distance& wanted) const;
   /// Its global minimum and the positions that have it: `distance -> min`.
   distance::Extremum least(const Distance& wanted) const;

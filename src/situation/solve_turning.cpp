@@ -13,12 +13,12 @@
 
 namespace findspace::situation {
 
-using distance::TurnedPair;
-using distance::Which;
 using distance::farthest_turning;
 using distance::farthest_turning_sign_map;
+using distance::TurnedPair;
 using distance::turning_distance;
 using distance::turning_sign_map;
+using distance::Which;
 using exact::Angle;
 using exact::Real;
 using exact::RealPoint;
@@ -53,12 +53,18 @@ Which base_of(Which which, bool& farthest) {
 bool truth(const Node& node, const std::vector<AtomAt>& atoms) {
   const auto holds = [&](const Node& n) { return truth(n, atoms); };
   switch (node.op) {
-    case Node::Op::kTrue: return true;
-    case Node::Op::kFalse: return false;
-    case Node::Op::kAtom: return atoms[node.atom].holds;
-    case Node::Op::kNot: return !holds(node.operands.front());
-    case Node::Op::kAnd: return std::all_of(node.operands.begin(), node.operands.end(), holds);
-    case Node::Op::kOr: return std::any_of(node.operands.begin(), node.operands.end(), holds);
+    case Node::Op::kTrue:
+      return true;
+    case Node::Op::kFalse:
+      return false;
+    case Node::Op::kAtom:
+      return atoms[node.atom].holds;
+    case Node::Op::kNot:
+      return !holds(node.operands.front());
+    case Node::Op::kAnd:
+      return std::all_of(node.operands.begin(), node.operands.end(), holds);
+    case Node::Op::kOr:
+      return std::any_of(node.operands.begin(), node.operands.end(), holds);
   }
   return false;
 }
@@ -77,7 +83,8 @@ void require_static(const Distance& d) {
 
 World turned_world(World world, const RealPoint& about, const Real& degrees, plane::Rounding& rounding) {
   if (!is_grid(about))
-    throw Error(ErrorCode::kUnsupported, "at an angle, the centre of the turn must be a point of the grid, seen from the position");
+    throw Error(ErrorCode::kUnsupported,
+                "at an angle, the centre of the turn must be a point of the grid, seen from the position");
   const plane::GridPoint centre{std::int64_t(*about.x.integer()), std::int64_t(*about.y.integer())};
   for (const std::string& name : world.moving) {
     plane::Region& shape = world.shapes.at(name);
@@ -102,7 +109,9 @@ RealPoint TurnSolver::centre(const Formula& formula) const {
     if (a.distance.mode != Mode::kTurning) continue;
     const RealPoint c = centre_of(a.distance, step);
     if (found && !(*found == c) && pose_.degrees.sign() != 0)
-      refuse(a.distance, "with distances that turn about different points an angle has no meaning; say \"free\": \"angle\" and \"about\"");
+      refuse(a.distance,
+             "with distances that turn about different points an angle has no meaning; say \"free\": \"angle\" and "
+             "\"about\"");
     found = c;
   }
   return found ? *found - in_steps(pose_.at, step) : RealPoint{};
@@ -118,9 +127,7 @@ TurnSolver::Circle TurnSolver::circle(const Distance& d) const {
   const Real& step = solver_.world().step;
   const RealPoint to = centre_of(d, step), at = in_steps(pose_.at, step);
   Circle out;
-  const auto solve = [&](const Turned& t) {
-    out.base = t.pair.sign_map(base_of(t.which, out.farthest), Real());
-  };
+  const auto solve = [&](const Turned& t) { out.base = t.pair.sign_map(base_of(t.which, out.farthest), Real()); };
   if (to == about_ + at) {
     out.at = Angle::of_degrees(pose_.degrees);
     solve(turned(d, about_, to));
@@ -192,7 +199,8 @@ Solver::Check TurnSolver::check(const Formula& formula) const {
     }
     require_static(atom.distance);
     const Circle c = circle(atom.distance);
-    const TurnMap map = c.farthest ? farthest_turning_sign_map(c.base, atom.level) : turning_sign_map(c.base, atom.level);
+    const TurnMap map =
+        c.farthest ? farthest_turning_sign_map(c.base, atom.level) : turning_sign_map(c.base, atom.level);
     const double value = c.farthest ? farthest_turning(c.base, c.at) : turning_distance(c.base, c.at);
     out.atoms.push_back({atom, {text(atom.distance), value, std::nullopt}, holds(atom, mark_at(map, c.at))});
   }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A formula over all angles of the moving shape, and at one pose. The moving shape B is turned about a point of its own, then
-// moved by a position: { at + about + turned(b - about) : b in B }. Plain distances are functions of the angle (turned_pair.h); those
-// with turning=(x, y) count degrees to the next contact (turning.h). All sign maps of a formula are laid over each other on the circle.
-// Guarantee: the exact set of angles, single ones and sliding contacts included. Throws Error(kUnsupported) for distances that are
-// not computed over all angles. Keywords: angular interval, orientation map, rotational configuration space.
+// A formula over all angles of the moving shape, and at one pose. The moving shape B is turned about a point of its
+// own, then moved by a position: { at + about + turned(b - about) : b in B }. Plain distances are functions of the
+// angle (turned_pair.h); those with turning=(x, y) count degrees to the next contact (turning.h). All sign maps of a
+// formula are laid over each other on the circle. Guarantee: the exact set of angles, single ones and sliding contacts
+// included. Throws Error(kUnsupported) for distances that are not computed over all angles. Keywords: angular interval,
+// orientation map, rotational configuration space.
 #pragma once
 
 #include <map>
@@ -31,7 +32,8 @@ class TurnSolver {
 
   /// {angle : the formula holds}; the angle of the pose plays no part.
   plane::TurnMap feasible(const Formula& formula) const;
-  /// Every atom of the formula at the pose. Values of plain distances are those of the turned shape with its vertices on the grid.
+  /// Every atom of the formula at the pose. Values of plain distances are those of the turned shape with its vertices
+  /// on the grid.
   Solver::Check check(const Formula& formula) const;
   /// The point the moving shape turns about, in grid steps of its own coordinates; after check() or feasible().
   const exact::RealPoint& about() const { return about_; }

@@ -3,8 +3,8 @@
 //
 // Phi-functions in closed form: discs and balls, rectangles, a rectangle and a disc. Positions are the vector from the
 // centre of the first body to the centre of the second. Sizes are half sides and radii in any one unit.
-// Guarantee: each value carries the roundings of its few operations; the forms are those of the source with the errata of
-// docs/phi.md. Source: Stoyan et al., section 3; phi.md 7.
+// Guarantee: each value carries the roundings of its few operations; the forms are those of the source with the errata
+// of docs/phi.md. Source: Stoyan et al., section 3; phi.md 7.
 #pragma once
 
 #include <algorithm>
@@ -35,8 +35,8 @@ inline double phi_rectangle_disc(double x, double y, const Rectangle& p, double 
   return s >= 0 && t >= 0 ? std::sqrt(s * s + t * t) - r : std::max(s, t) - r;
 }
 
-/// The same function without cases, min(phi0, phi1 .. phi4): what a solver wants. phi0 is the greatest of four sides and
-/// four diagonals, phi1 .. phi4 the distances to the corners, each less r.
+/// The same function without cases, min(phi0, phi1 .. phi4): what a solver wants. phi0 is the greatest of four sides
+/// and four diagonals, phi1 .. phi4 the distances to the corners, each less r.
 inline double phi_rectangle_disc_case_free(double x, double y, const Rectangle& p, double r) {
   const double sides = std::max(std::fabs(x) - p.a - r, std::fabs(y) - p.b - r);
   const double diagonals = std::fabs(x) + std::fabs(y) - (p.a + p.b + r);

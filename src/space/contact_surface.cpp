@@ -10,7 +10,8 @@
 namespace findspace::space {
 namespace {
 
-/// The cyclic pair of coordinates that drops the longest component of the normal; `flip` keeps the sense when it is < 0.
+/// The cyclic pair of coordinates that drops the longest component of the normal; `flip` keeps the sense when it is <
+/// 0.
 class Projection {
  public:
   explicit Projection(const Wide3& n) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The 0-level surface gamma12 of two convex polytopes: the frontier of A - B = {a - b : a in A, b in B}, that is the set
-// of translations t at which B + t touches A without overlapping it. Each facet knows which features meet there: a facet,
-// edge or vertex of A with a facet, edge or vertex of B.
-// Guarantee: exact for every pair of polytopes on the grid; planes are integers with coprime normals; each vertex is the
-// difference of one vertex of A and one of B; circuits run counter-clockwise seen from outside.
-// Cost: proportional to what is read and written. The two Gauss maps (of A, and of B reflected) are overlaid by walking
-// every arc of the first through the cells of the second: one sign for each facet corner passed, no pair is tried in vain.
-// Source: Stoyan, Terno, Gil, Romanova, Scheithauer, "Construction of a Phi-function for two convex polytopes", with the
-// errata of docs/phi.md; the overlay replaces its three stages, which the tests keep as the oracle.
-// Keywords: Minkowski difference, configuration-space obstacle, C-obstacle, no-fit polyhedron, Gauss map.
+// The 0-level surface gamma12 of two convex polytopes: the frontier of A - B = {a - b : a in A, b in B}, that is the
+// set of translations t at which B + t touches A without overlapping it. Each facet knows which features meet there: a
+// facet, edge or vertex of A with a facet, edge or vertex of B. Guarantee: exact for every pair of polytopes on the
+// grid; planes are integers with coprime normals; each vertex is the difference of one vertex of A and one of B;
+// circuits run counter-clockwise seen from outside. Cost: proportional to what is read and written. The two Gauss maps
+// (of A, and of B reflected) are overlaid by walking every arc of the first through the cells of the second: one sign
+// for each facet corner passed, no pair is tried in vain. Source: Stoyan, Terno, Gil, Romanova, Scheithauer,
+// "Construction of a Phi-function for two convex polytopes", with the errata of docs/phi.md; the overlay replaces its
+// three stages, which the tests keep as the oracle. Keywords: Minkowski difference, configuration-space obstacle,
+// C-obstacle, no-fit polyhedron, Gauss map.
 #pragma once
 
 #include <array>

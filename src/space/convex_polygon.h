@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The planar case: convex polygons on the grid and their Phi-function, by the same construction one dimension lower.
-// The frontier of P - Q = {p - q} is the merge by angle of the edges of P and of the reflected Q; each of its edges comes
-// from an edge of P and a vertex of Q (EV), a vertex and an edge (VE) or two edges (EE). Guarantee: edges, lines (integer,
-// coprime normals) and sign() are exact; values carry the roundings of a few double operations. Cost: O(n + m) to build.
-// Source: phi.md 5 and 7. Keywords: no-fit polygon, Minkowski difference.
+// The frontier of P - Q = {p - q} is the merge by angle of the edges of P and of the reflected Q; each of its edges
+// comes from an edge of P and a vertex of Q (EV), a vertex and an edge (VE) or two edges (EE). Guarantee: edges, lines
+// (integer, coprime normals) and sign() are exact; values carry the roundings of a few double operations. Cost: O(n +
+// m) to build. Source: phi.md 5 and 7. Keywords: no-fit polygon, Minkowski difference.
 #pragma once
 
 #include <compare>

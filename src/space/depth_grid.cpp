@@ -43,7 +43,8 @@ DepthGrid::DepthGrid(const PhiFunction& phi, int levels) : phi_(phi), levels_(le
 
 /// A facet stays if for none of the reference planes (the highest at the centre and at the corners) it is lower in the
 /// whole box. The difference of two planes is linear: its maximum over the box is its value at the centre plus
-/// |difference of normals| . half sides. Boxes are taken a little larger than they are, for the rounding of cell indices.
+/// |difference of normals| . half sides. Boxes are taken a little larger than they are, for the rounding of cell
+/// indices.
 std::vector<int> DepthGrid::candidates(const Box& box, const std::vector<int>& facets) const {
   std::vector<int> references;
   for (int corner = -1; corner < 8; ++corner) {

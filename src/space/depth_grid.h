@@ -3,10 +3,10 @@
 //
 // Many queries against one pair: a grid of boxes over A - B, each with the facets whose planes can be the highest
 // somewhere in the box. A query looks at those only.
-// Guarantee: the same value, bit for bit, as PhiFunction::max_form, and a facet that takes it. A facet is dropped from a
-// box only if another plane is higher in the whole box by more than the error bound of both values.
-// Cost: about 20 ns a query; building takes about a millisecond for each hundred facets; memory some hundred bytes a box.
-// Positions outside the bounding box of A - B are answered from all facets.
+// Guarantee: the same value, bit for bit, as PhiFunction::max_form, and a facet that takes it. A facet is dropped from
+// a box only if another plane is higher in the whole box by more than the error bound of both values. Cost: about 20 ns
+// a query; building takes about a millisecond for each hundred facets; memory some hundred bytes a box. Positions
+// outside the bounding box of A - B are answered from all facets.
 #pragma once
 
 #include <array>

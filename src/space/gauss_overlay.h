@@ -5,14 +5,15 @@
 // there is (face of A highest along n) - (face of B lowest along n), so the map of B is read at -n.
 //
 // 1. Each facet h of A is located in the map of B: the vertices of B lowest along n(h) give FV, FE or FF.
-// 2. The arc of each edge e of A, from n(left) to n(right), is walked through the cells of B's vertices. Where it crosses
+// 2. The arc of each edge e of A, from n(left) to n(right), is walked through the cells of B's vertices. Where it
+// crosses
 //    the arc of an edge f of B there is an EE facet. The walk also locates the facet at its far end.
 // 3. Each facet g of B is located in the map of A by climbing from its neighbour's place: VF or EF (FF is known).
 //
 // Degenerate arcs. On the walk of e a facet normal g of B with e . g = 0 (the arc meets a node of the map) counts as
-// e . g > 0, which moves the arc's plane to e . m = -epsilon as seen from B; the ends of the arc move with it. The moved
-// arc crosses every edge that the true one crosses in the interior of both, and perhaps others; those fail the strict
-// test for EE (both signs at the ends of f, both at the ends of e) and are passed over.
+// e . g > 0, which moves the arc's plane to e . m = -epsilon as seen from B; the ends of the arc move with it. The
+// moved arc crosses every edge that the true one crosses in the interior of both, and perhaps others; those fail the
+// strict test for EE (both signs at the ends of f, both at the ends of e) and are passed over.
 #pragma once
 
 #include <array>

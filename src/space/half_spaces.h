@@ -20,8 +20,8 @@ struct PlaneVertex {
   int128 determinant = 0;
 };
 
-/// May list a vertex more than once. Empty if the intersection is empty. Throws Error(kGeometry) if it is unbounded with
-/// an edge, Error(kBadValue) for a plane without normal. Cost O(n^3).
+/// May list a vertex more than once. Empty if the intersection is empty. Throws Error(kGeometry) if it is unbounded
+/// with an edge, Error(kBadValue) for a plane without normal. Cost O(n^3).
 std::vector<PlaneVertex> half_space_vertices(std::span<const Plane> planes);
 
 }  // namespace findspace::space

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact signs. A point in the plane of a triangle counts as below it,
-// which equals moving every new point inward by infinitely more than all earlier ones: the triangulated hull is that of a
-// nearby set in general position, so the visible part is always a disc. In the end triangles of one plane are merged and
-// vertices with fewer than three facets dropped; what remains is the exact hull of the points as they are.
+// which equals moving every new point inward by infinitely more than all earlier ones: the triangulated hull is that of
+// a nearby set in general position, so the visible part is always a disc. In the end triangles of one plane are merged
+// and vertices with fewer than three facets dropped; what remains is the exact hull of the points as they are.
 #include <findspace/error.h>
 
 #include <algorithm>
@@ -285,7 +285,8 @@ std::vector<int> Hull::groups() const {
 
 std::vector<std::vector<int>> Hull::merged() const {
   const std::vector<int> group = groups();
-  // Border edges of each group, chained: after (t, i) comes the first border edge when turning about its end inside the group.
+  // Border edges of each group, chained: after (t, i) comes the first border edge when turning about its end inside the
+  // group.
   std::vector<std::vector<int>> rings;
   std::vector<int> facets_at(points_.size(), 0);
   for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {

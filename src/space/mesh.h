@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Closed surfaces on the grid. A mesh read from anywhere is cleaned first: equal vertices are joined (welding on the grid),
-// faces without area dropped, edges split where a vertex lies on them (T-junctions), and faces turned so that normals point
-// outward. A surface that is not closed then is refused, and the message lists its open edges.
-// Guarantee: every decision is exact; the enclosed set does not change. Keywords: watertight, manifold, STL repair.
+// Closed surfaces on the grid. A mesh read from anywhere is cleaned first: equal vertices are joined (welding on the
+// grid), faces without area dropped, edges split where a vertex lies on them (T-junctions), and faces turned so that
+// normals point outward. A surface that is not closed then is refused, and the message lists its open edges. Guarantee:
+// every decision is exact; the enclosed set does not change. Keywords: watertight, manifold, STL repair.
 #pragma once
 
 #include <string>

@@ -47,8 +47,8 @@ PhiFunction::PhiFunction(const Polytope& a, const Polytope& b) : surface_(a, b) 
   blocks_ = pack_planes(unit_normals_, offsets_);
 }
 
-/// Unit normals carry four roundings, offsets four, the evaluation three products and three sums: below 11 * 2^-53 of the
-/// sum of the magnitudes, which |u|_1 + reach bounds.
+/// Unit normals carry four roundings, offsets four, the evaluation three products and three sums: below 11 * 2^-53 of
+/// the sum of the magnitudes, which |u|_1 + reach bounds.
 double PhiFunction::error_bound(const Vector& u) const {
   return 0x1p-49 * (std::fabs(u.x) + std::fabs(u.y) + std::fabs(u.z) + reach_);
 }

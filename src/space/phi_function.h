@@ -5,12 +5,12 @@
 //   max form      max_i f_i(u) / |n_i| over the facets f_i = n_i . u + d_i of A - B; piecewise linear and convex;
 //   normalised    the same where it is <= 0, the Euclidean distance of A and B + u where it is > 0.
 // Both are negative where the interiors meet, 0 in contact, positive apart; inside, minus the value is the exact
-// penetration depth (the least translation that ends the overlap). Positions are in grid steps, as finite doubles, which
-// are taken as the exact dyadic numbers they are.
-// Guarantee: sign() and active() are exact. Values carry the roundings of a few double operations: the absolute error of
-// the max form is at most `error_bound(u)`; the normalised form outside is within 2^-40 of the size of the bodies.
-// Cost: one pass over the facets, eight at a time; for many queries against one pair see depth_grid.h.
-// Source: docs/phi.md 2. Keywords: penetration depth, signed distance, GJK, EPA, separating axis.
+// penetration depth (the least translation that ends the overlap). Positions are in grid steps, as finite doubles,
+// which are taken as the exact dyadic numbers they are. Guarantee: sign() and active() are exact. Values carry the
+// roundings of a few double operations: the absolute error of the max form is at most `error_bound(u)`; the normalised
+// form outside is within 2^-40 of the size of the bodies. Cost: one pass over the facets, eight at a time; for many
+// queries against one pair see depth_grid.h. Source: docs/phi.md 2. Keywords: penetration depth, signed distance, GJK,
+// EPA, separating axis.
 #pragma once
 
 #include <span>
@@ -25,8 +25,8 @@ using Vector = Shadow3;
 
 enum class State { kOverlap, kContact, kApart };
 
-/// The planes of a convex body with unit normals, eight to a block, in doubles; the last block is filled up with planes of
-/// value -infinity.
+/// The planes of a convex body with unit normals, eight to a block, in doubles; the last block is filled up with planes
+/// of value -infinity.
 struct PlaneBlock {
   double x[8], y[8], z[8], d[8];
 };
@@ -65,8 +65,8 @@ class PhiFunction {
   Vector gradient(const Vector& u) const;
   Vector normalised_gradient(const Vector& u) const;
 
-  /// How deep B + u lies in A (0 unless they overlap), and the shortest translation that brings them into contact from an
-  /// overlap: the direction is the outward normal of the active facet.
+  /// How deep B + u lies in A (0 unless they overlap), and the shortest translation that brings them into contact from
+  /// an overlap: the direction is the outward normal of the active facet.
   double depth(const Vector& u) const;
   Vector way_out(const Vector& u) const;
 

@@ -4,9 +4,9 @@
 // The Phi-function of two finite unions of convex polytopes, A = union A_i and B = union B_j: the minimum of the pairs'
 // Phi-functions. Its sign is right in all three states, seams included (phi.md 10, theorem); parts may share faces or
 // overlap. Guarantee: exact sign. The normalised form is the exact distance outside. Inside, minus the value is the
-// greatest depth of a pair: zero only in contact, a lower bound of the true depth, and it depends on the cut into parts.
-// Cost: pairs times the cost of a pair; pairs that bounding boxes show to be farther than the best so far are skipped.
-// Keywords: non-convex, phi-function of composed objects.
+// greatest depth of a pair: zero only in contact, a lower bound of the true depth, and it depends on the cut into
+// parts. Cost: pairs times the cost of a pair; pairs that bounding boxes show to be farther than the best so far are
+// skipped. Keywords: non-convex, phi-function of composed objects.
 #pragma once
 
 #include <span>

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The inner loop of Phi values: the highest of many planes at a point, eight planes at a time in vector registers.
-// Guarantee: the same bits on every machine, for products and sums are rounded one by one and a maximum has no rounding.
+// Guarantee: the same bits on every machine, for products and sums are rounded one by one and a maximum has no
+// rounding.
 #pragma once
 
 #include <limits>

@@ -3,8 +3,8 @@
 //
 // A convex polytope with interior whose vertices lie on the grid: the convex hull of finitely many grid points.
 // Every factory ends in an exact hull, so duplicates, points inside, points on facets or edges, triangulated facets and
-// wrong orientation in the input leave no trace; what was repaired is counted. Flat input is refused, and the message says
-// what is flat. Guarantee: exact (phi.md 3, N1 to N6). Cost: O(n log n) expected for n points in general use.
+// wrong orientation in the input leave no trace; what was repaired is counted. Flat input is refused, and the message
+// says what is flat. Guarantee: exact (phi.md 3, N1 to N6). Cost: O(n log n) expected for n points in general use.
 // Keywords: convex hull, quickhull, half-edge, V-representation, H-representation.
 #pragma once
 
@@ -34,8 +34,8 @@ struct Plane {
 };
 
 /// One side of an edge: it runs from `origin` to `target`, with `facet` on its left and `right` on its right seen from
-/// outside. `next` follows on the circuit of the facet; `turn` is the next one about the origin, clockwise from outside.
-/// What could be found over `twin` is kept too: walks on the surface read one record a step.
+/// outside. `next` follows on the circuit of the facet; `turn` is the next one about the origin, clockwise from
+/// outside. What could be found over `twin` is kept too: walks on the surface read one record a step.
 struct HalfEdge {
   int origin = 0, target = 0, twin = 0, next = 0, turn = 0, facet = 0, right = 0;
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Distances over all angles against those of shapes turned by Pythagorean angles, which keep multiples of 65 on the grid: there the
-// Minkowski machinery gives the sign independently. And laws: turning a shape shifts its map, exchanging the shapes mirrors it.
+// Distances over all angles against those of shapes turned by Pythagorean angles, which keep multiples of 65 on the
+// grid: there the Minkowski machinery gives the sign independently. And laws: turning a shape shifts its map,
+// exchanging the shapes mirrors it.
 
 #include <gtest/gtest.h>
 
@@ -56,9 +57,12 @@ class Figures {
   Figure figure() {
     const GridPoint by{number(-3, 3), number(-3, 3)};
     switch (number(0, 4)) {
-      case 0: return at(by, {{0, 0}, {number(1, 6), 0}, {6, number(1, 4)}, {0, number(5, 6)}});
-      case 1: return at(by, {{0, 0}, {number(3, 7), number(-2, 2)}, {number(0, 3), number(3, 7)}});
-      case 2: return at(by, {{0, 0}, {6, 0}, {6, 5}, {4, 4}, {number(2, 3), 2}, {1, 5}, {0, 5}});
+      case 0:
+        return at(by, {{0, 0}, {number(1, 6), 0}, {6, number(1, 4)}, {0, number(5, 6)}});
+      case 1:
+        return at(by, {{0, 0}, {number(3, 7), number(-2, 2)}, {number(0, 3), number(3, 7)}});
+      case 2:
+        return at(by, {{0, 0}, {6, 0}, {6, 5}, {4, 4}, {number(2, 3), 2}, {1, 5}, {0, 5}});
       case 3: {
         Figure f = at(by, {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}});
         f.hole = at(by, {{-3, -3}, {-3, number(-1, 4)}, {number(-1, 4), -3}}).corners;
@@ -93,8 +97,9 @@ std::vector<Pythagorean> angles() {
   return out;
 }
 
-constexpr std::array kAll{Which::kGamma1, Which::kGamma2, Which::kEta1, Which::kDelta1,    Which::kMu,       Which::kMuBack,
-                          Which::kHausdorff, Which::kD1,  Which::kH,    Which::kDstarBack, Which::kDiameter};
+constexpr std::array kAll{Which::kGamma1, Which::kGamma2,    Which::kEta1,      Which::kDelta1,
+                          Which::kMu,     Which::kMuBack,    Which::kHausdorff, Which::kD1,
+                          Which::kH,      Which::kDstarBack, Which::kDiameter};
 
 plane::Mark expected(const Figure& b, const Figure& a, const Pythagorean& p, Which which, const Real& level) {
   const ShapePair pair(b.turned(p.c, p.s, p.n).region(), a.region());
@@ -111,7 +116,8 @@ TEST(TurnedPair, AgreesWithTurnedShapes) {
     const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
     for (const Pythagorean& p : angles()) {
       EXPECT_EQ(mark_at(map, p.angle()), expected(b, a, p, which, level))
-          << "trial " << trial << " which " << int(which) << " level " << level.text() << " angle " << p.c << "," << p.s;
+          << "trial " << trial << " which " << int(which) << " level " << level.text() << " angle " << p.c << ","
+          << p.s;
     }
   }
 }
@@ -129,10 +135,13 @@ TEST(TurnedPair, ATurnedShapeShiftsTheMap) {
   for (int trial = 0; trial < 6; ++trial) {
     const Figure b = figures.figure(), a = figures.figure();
     const Which which = kAll[std::size_t(trial)];
-    const Real level = Real(figures.number(-1, 1) <= 0 ? 0 : kUnit) * Real(which == Which::kEta1 || which == Which::kDelta1 ? -1 : 1);
+    const Real level =
+        Real(figures.number(-1, 1) <= 0 ? 0 : kUnit) * Real(which == Which::kEta1 || which == Which::kDelta1 ? -1 : 1);
     const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
-    expect_same(shifted(map, Real(-90)), TurnedPair(b.turned(0, 1, 1).region(), a.region(), {}, {}).sign_map(which, level));
-    expect_same(shifted(map, Real(90)), TurnedPair(b.region(), a.turned(0, 1, 1).region(), {}, {}).sign_map(which, level));
+    expect_same(shifted(map, Real(-90)),
+                TurnedPair(b.turned(0, 1, 1).region(), a.region(), {}, {}).sign_map(which, level));
+    expect_same(shifted(map, Real(90)),
+                TurnedPair(b.region(), a.turned(0, 1, 1).region(), {}, {}).sign_map(which, level));
   }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Exact fits on real shapes: every part P of the nesting data against its exact negative, a sheet with P cut out. P fits in at the
-// one position where it was cut, and nowhere near; the same turned by 90 degrees, and, with a clearance, against the negative
-// of P grown by it, where arcs arise. No sampling, no tolerance could find these positions.
+// Exact fits on real shapes: every part P of the nesting data against its exact negative, a sheet with P cut out. P
+// fits in at the one position where it was cut, and nowhere near; the same turned by 90 degrees, and, with a clearance,
+// against the negative of P grown by it, where arcs arise. No sampling, no tolerance could find these positions.
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,8 @@ std::vector<std::pair<std::string, Contour>> parts(std::size_t vertices) {
       if (data.size() > vertices) continue;
       Contour ring;
       for (auto& p : data)
-        ring.push_back({.start = {std::llround(p[0].get<double>() * 1000000), std::llround(p[1].get<double>() * 1000000)}});
+        ring.push_back(
+            {.start = {std::llround(p[0].get<double>() * 1000000), std::llround(p[1].get<double>() * 1000000)}});
       if (ring.front().start == ring.back().start) ring.pop_back();
       all.emplace_back(file.stem().string() + " part " + item.at("id").dump(), make_rings({ring}, 1e-6).contours[0]);
     }
@@ -62,8 +63,10 @@ Region sheet_around(const Contour& ring, std::int64_t margin) {
     x0 = std::min(x0, e.start.x), x1 = std::max(x1, e.start.x);
     y0 = std::min(y0, e.start.y), y1 = std::max(y1, e.start.y);
   }
-  Contour box{{.start = {x0 - margin, y0 - margin}}, {.start = {x1 + margin, y0 - margin}},
-              {.start = {x1 + margin, y1 + margin}}, {.start = {x0 - margin, y1 + margin}}};
+  Contour box{{.start = {x0 - margin, y0 - margin}},
+              {.start = {x1 + margin, y0 - margin}},
+              {.start = {x1 + margin, y1 + margin}},
+              {.start = {x0 - margin, y1 + margin}}};
   return region_of_rings(std::array{box});
 }
 

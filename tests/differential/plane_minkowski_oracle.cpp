@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The sign maps of Minkowski operations against their definition: shapes are unions of triangles and unit squares on a small
-// lattice, and at every lattice position of a window "do the interiors meet", "do the closed sets meet", "is B inside" are
-// decided piece by piece in integers. The lattice is fine enough to hit faces, edges, slots and single points.
+// The sign maps of Minkowski operations against their definition: shapes are unions of triangles and unit squares on a
+// small lattice, and at every lattice position of a window "do the interiors meet", "do the closed sets meet", "is B
+// inside" are decided piece by piece in integers. The lattice is fine enough to hit faces, edges, slots and single
+// points.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,9 @@ Region region(const Pieces& pieces) {
   return unite(all);
 }
 
-Convex square(std::int64_t x, std::int64_t y, std::int64_t s) { return {{x, y}, {x + s, y}, {x + s, y + s}, {x, y + s}}; }
+Convex square(std::int64_t x, std::int64_t y, std::int64_t s) {
+  return {{x, y}, {x + s, y}, {x + s, y + s}, {x, y + s}};
+}
 
 Pieces random_squares(std::mt19937& rng, int cells, int count) {
   Pieces out;
@@ -82,7 +85,9 @@ Pieces random_triangles(std::mt19937& rng, int size, int count) {
 
 Mark mark_at(const CellComplex& c, std::int64_t x, std::int64_t y) {
   Cell cell = locate(c, exact::RealPoint{exact::Real(x), exact::Real(y)});
-  return cell.dimension == 0 ? c.vertices[cell.index].mark : cell.dimension == 1 ? c.edges[cell.index].mark : c.faces[cell.index].mark;
+  return cell.dimension == 0   ? c.vertices[cell.index].mark
+         : cell.dimension == 1 ? c.edges[cell.index].mark
+                               : c.faces[cell.index].mark;
 }
 
 /// The pieces of the frame minus A, for containment: unit lattice squares not in A.
@@ -146,7 +151,9 @@ Convex difference(const Convex& a, const Convex& b) {
     for (auto& q : b) all.push_back({p.x - q.x, p.y - q.y});
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  auto turn = [](GridPoint o, GridPoint p, GridPoint q) { return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x); };
+  auto turn = [](GridPoint o, GridPoint p, GridPoint q) {
+    return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+  };
   Convex hull;
   for (int pass = 0; pass < 2; ++pass) {
     std::size_t base = hull.size();
@@ -170,9 +177,12 @@ int sign_of_distance(const Convex& c, GridPoint p, std::int64_t r) {
     std::int64_t cross = dx * py - dy * px, dot = dx * px + dy * py, n = dx * dx + dy * dy;
     inside = inside && cross >= 0;
     std::int64_t left, right;  // squared distance against squared radius, times a common positive factor
-    if (dot <= 0) left = px * px + py * py, right = r * r;
-    else if (dot >= n) left = (p.x - b.x) * (p.x - b.x) + (p.y - b.y) * (p.y - b.y), right = r * r;
-    else left = cross * cross, right = r * r * n;
+    if (dot <= 0)
+      left = px * px + py * py, right = r * r;
+    else if (dot >= n)
+      left = (p.x - b.x) * (p.x - b.x) + (p.y - b.y) * (p.y - b.y), right = r * r;
+    else
+      left = cross * cross, right = r * r * n;
     least = std::min(least, (left > right) - (left < right));
   }
   return inside ? -1 : least;
@@ -197,7 +207,8 @@ TEST(MinkowskiOracle, LevelsOfTriangles) {
   }
 }
 
-/// The same through squares, whose gaps and holes have critical levels: squares of side 4 on a lattice of 4 give gaps of 4.
+/// The same through squares, whose gaps and holes have critical levels: squares of side 4 on a lattice of 4 give gaps
+/// of 4.
 TEST(MinkowskiOracle, LevelsOfSquares) {
   for (unsigned seed = 0; seed < 120; ++seed) {
     std::mt19937 rng(seed);

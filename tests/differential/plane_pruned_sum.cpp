@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The pruned sum against the whole convolution, cell by cell, on shapes full of ties (lattice squares, with holes and slots), on
-// random triangles and on stars whose convolution is really pruned.
+// The pruned sum against the whole convolution, cell by cell, on shapes full of ties (lattice squares, with holes and
+// slots), on random triangles and on stars whose convolution is really pruned.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,8 @@ Region star(std::mt19937& rng, int n) {
 Outline outline(const Part& part) {
   Outline out;
   for (const Path& path : part.paths)
-    for (const Step& s : path.steps) out.push_back({s.from.approx_x(), s.from.approx_y(), s.to.approx_x(), s.to.approx_y()});
+    for (const Step& s : path.steps)
+      out.push_back({s.from.approx_x(), s.from.approx_y(), s.to.approx_x(), s.to.approx_y()});
   return out;
 }
 
@@ -93,7 +94,8 @@ void compare(const Region& a, const Region& b, const std::string& what) {
   Region expected = extract(arranged, m);
   std::array<const CellComplex*, 2> both{&pruned, &expected};
   Region difference = overlay(both, [](std::span<const Mark> marks) { return Mark((marks[0] < 0) != (marks[1] > 0)); });
-  ASSERT_TRUE(difference.faces.size() == 1 && difference.faces[0].mark == 0 && difference.edges.empty() && difference.vertices.empty())
+  ASSERT_TRUE(difference.faces.size() == 1 && difference.faces[0].mark == 0 && difference.edges.empty() &&
+              difference.vertices.empty())
       << what;
 }
 
@@ -101,7 +103,8 @@ TEST(PrunedSum, SquaresWithSlotsAndHoles) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 rng(seed);
     std::int64_t side = seed % 2 ? 4 : 1000;
-    compare(squares(rng, 5, 3 + rng() % 14, side), squares(rng, 3, 1 + rng() % 6, side), "seed " + std::to_string(seed));
+    compare(squares(rng, 5, 3 + rng() % 14, side), squares(rng, 3, 1 + rng() % 6, side),
+            "seed " + std::to_string(seed));
     if (HasFatalFailure()) return;
   }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The stack of maps over angles against the exact set of angles at single positions, which another machinery finds: what `inner` claims
-// holds over the whole sector, what `outer` excludes holds nowhere in it, and the maps agree where turning rounds nothing.
+// The stack of maps over angles against the exact set of angles at single positions, which another machinery finds:
+// what `inner` claims holds over the whole sector, what `outer` excludes holds nowhere in it, and the maps agree where
+// turning rounds nothing.
 
 #include <gtest/gtest.h>
 
@@ -61,7 +62,8 @@ void compare_at_positions(const char* text) {
       const TurnMap set = situation::TurnSolver(solver, {p, Real(), RealPoint{}}).feasible(f);
       for (const PoseSlice& s : stack.slices) {
         if (!(s.degrees / Real(90)).integer()) continue;
-        EXPECT_EQ(testing::sign_at(s.region, p), mark_at(set, Angle::of_degrees(s.degrees))) << text << " at " << x << "," << y;
+        EXPECT_EQ(testing::sign_at(s.region, p), mark_at(set, Angle::of_degrees(s.degrees)))
+            << text << " at " << x << "," << y;
       }
       for (const PoseSector& s : stack.sectors) {
         const int truth = cover(set, s.from, s.to);

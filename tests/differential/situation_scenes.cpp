@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Whole maps against direct tests of single positions: a part, a sheet and 20 obstacles of 100 vertices. Every position is
-// classified by overlap tests of triangles in 128-bit integers, at random lattice places and at the exact rational vertices of the
-// map itself, where everything touches.
+// Whole maps against direct tests of single positions: a part, a sheet and 20 obstacles of 100 vertices. Every position
+// is classified by overlap tests of triangles in 128-bit integers, at random lattice places and at the exact rational
+// vertices of the map itself, where everything touches.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,8 @@ Star random_star(std::mt19937& rng, GridPoint center, int vertices, double size)
   Star s{center, {}};
   for (int k = 0; k < vertices; ++k) {
     double r = size * (0.5 + 0.5 * double(rng() % 1000) / 1000), angle = 6.283185307179586 * k / vertices;
-    s.ring.push_back({center.x + std::int64_t(std::lround(r * std::cos(angle))), center.y + std::int64_t(std::lround(r * std::sin(angle)))});
+    s.ring.push_back({center.x + std::int64_t(std::lround(r * std::cos(angle))),
+                      center.y + std::int64_t(std::lround(r * std::sin(angle)))});
   }
   return s;
 }
@@ -107,8 +108,10 @@ struct Case {
     }
     return true;
   }
-  bool near(const Star& o, const Position& p) const {  // only to save time: both are smaller than 400 about their centres
-    double dx = double(p.x) / double(p.w) + double(part.center.x - o.center.x), dy = double(p.y) / double(p.w) + double(part.center.y - o.center.y);
+  bool near(const Star& o,
+            const Position& p) const {  // only to save time: both are smaller than 400 about their centres
+    double dx = double(p.x) / double(p.w) + double(part.center.x - o.center.x),
+           dy = double(p.y) / double(p.w) + double(part.center.y - o.center.y);
     return std::hypot(dx, dy) < 800;
   }
   bool holds(const Position& p, bool closed) const {
@@ -149,7 +152,8 @@ void check(unsigned seed, bool closed, int& positions) {
   Context context;
   context.shapes = {"A", "B", "R"};
   context.moving = {"B"};
-  plane::Region map = solver.feasible(parse_formula(closed ? "inside(B, R) and clear(B, A)" : "inside(B, R) and disjoint(B, A)", context));
+  plane::Region map = solver.feasible(
+      parse_formula(closed ? "inside(B, R) and clear(B, A)" : "inside(B, R) and disjoint(B, A)", context));
   plane::Locator locator(map);
   std::mt19937 rng(seed + 1000);
   std::vector<Position> at = vertices(map);
@@ -159,7 +163,8 @@ void check(unsigned seed, bool closed, int& positions) {
   for (const Position& p : at) {
     exact::Real w(p.w);
     bool got = locator.mark({exact::Real(p.x) / w, exact::Real(p.y) / w}) > 0;
-    ASSERT_EQ(got, c.holds(p, closed)) << "seed " << seed << " at " << double(p.x) / double(p.w) << ", " << double(p.y) / double(p.w);
+    ASSERT_EQ(got, c.holds(p, closed)) << "seed " << seed << " at " << double(p.x) / double(p.w) << ", "
+                                       << double(p.y) / double(p.w);
     ++positions;
   }
 }

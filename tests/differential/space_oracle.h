@@ -3,8 +3,9 @@
 //
 // Two independent constructions of gamma12, and random pairs full of ties.
 //   hull_of_differences: the hull of all a - b; planes and circuits, no contact types.
-//   three_stages: the paper's construction (phi.md 4): by definition, for every facet of A, every facet of B and every pair
-//   of edges, the vertices of A highest and of B lowest along the normal; the facet is the hull of their differences.
+//   three_stages: the paper's construction (phi.md 4): by definition, for every facet of A, every facet of B and every
+//   pair of edges, the vertices of A highest and of B lowest along the normal; the facet is the hull of their
+//   differences.
 #pragma once
 
 #include <findspace/error.h>

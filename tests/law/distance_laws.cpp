@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The laws of distances.md section 2 on random shapes, each against the program's own results. Shapes: polygons with and
-// without a hole, discs, unions of two boxes, points; small coordinates, so that ties and exact fits are common.
+// The laws of distances.md section 2 on random shapes, each against the program's own results. Shapes: polygons with
+// and without a hole, discs, unions of two boxes, points; small coordinates, so that ties and exact fits are common.
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
-#include "distance_random.h"
 #include "distance/extremum.h"
 #include "distance/shape_pair.h"
+#include "distance_random.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
@@ -33,8 +33,10 @@ double value(const ShapePair& pair, Which which, const RealPoint& p) {
 }
 
 void expect_equal(double a, double b) {
-  if (std::isinf(a) || std::isinf(b)) EXPECT_EQ(a, b);
-  else EXPECT_NEAR(a, b, 1e-12 * (1 + std::abs(a)));
+  if (std::isinf(a) || std::isinf(b))
+    EXPECT_EQ(a, b);
+  else
+    EXPECT_NEAR(a, b, 1e-12 * (1 + std::abs(a)));
 }
 
 TEST(DistanceLaws, OrderOfTheDistances) {
@@ -42,8 +44,10 @@ TEST(DistanceLaws, OrderOfTheDistances) {
   for (int k = 0; k < kTrials; ++k) {
     ShapePair pair(random.shape(), random.shape());
     RealPoint p = random.position();
-    double gamma1 = value(pair, Which::kGamma1, p), gamma2 = value(pair, Which::kGamma2, p), eta1 = value(pair, Which::kEta1, p);
-    double delta1 = value(pair, Which::kDelta1, p), mu = value(pair, Which::kMu, p), back = value(pair, Which::kMuBack, p);
+    double gamma1 = value(pair, Which::kGamma1, p), gamma2 = value(pair, Which::kGamma2, p),
+           eta1 = value(pair, Which::kEta1, p);
+    double delta1 = value(pair, Which::kDelta1, p), mu = value(pair, Which::kMu, p),
+           back = value(pair, Which::kMuBack, p);
     double slack = 1e-12 * gamma2;
     EXPECT_LE(gamma1, mu + slack);
     EXPECT_LE(mu, eta1 + slack);
@@ -63,10 +67,11 @@ TEST(DistanceLaws, OrderOfTheDistances) {
 
 TEST(DistanceLaws, ExchangeOfTheShapes) {
   Shapes random(2);
-  constexpr std::array kPartner{std::pair{Which::kGamma1, Which::kGamma1}, std::pair{Which::kGamma2, Which::kGamma2},
-                                std::pair{Which::kEta1, Which::kDelta1},   std::pair{Which::kEta2, Which::kDelta2},
-                                std::pair{Which::kMu, Which::kMuBack},     std::pair{Which::kHausdorff, Which::kHausdorff},
-                                std::pair{Which::kDstar, Which::kDstarBack}};
+  constexpr std::array kPartner{
+      std::pair{Which::kGamma1, Which::kGamma1},  std::pair{Which::kGamma2, Which::kGamma2},
+      std::pair{Which::kEta1, Which::kDelta1},    std::pair{Which::kEta2, Which::kDelta2},
+      std::pair{Which::kMu, Which::kMuBack},      std::pair{Which::kHausdorff, Which::kHausdorff},
+      std::pair{Which::kDstar, Which::kDstarBack}};
   for (int k = 0; k < kTrials; ++k) {
     Region a = random.shape(), b = random.shape();
     ShapePair forth(b, a), back(a, b);
@@ -134,8 +139,9 @@ TEST(DistanceLaws, SublevelSetsGrow) {
       plane::SignMap at_low = f->sign_map(low), at_high = f->sign_map(high);
       std::array<const plane::CellComplex*, 2> both{&at_low, &at_high};
       // {<= low} lies in {< high}.
-      EXPECT_TRUE(plane::is_empty(plane::overlay(both, [](std::span<const plane::Mark> m) { return plane::Mark(m[0] <= 0 && m[1] >= 0); })))
-          << int(w);
+      EXPECT_TRUE(plane::is_empty(plane::overlay(both, [](std::span<const plane::Mark> m) {
+        return plane::Mark(m[0] <= 0 && m[1] >= 0);
+      }))) << int(w);
     }
   }
 }
@@ -164,8 +170,10 @@ TEST(DistanceLaws, LeastOfMuIsMinusTheInradiusOrPositive) {
     ShapePair pair(random.shape(), random.shape());
     auto eta1 = pair.distance(Which::kEta1);
     Extremum mu = least(*pair.distance(Which::kMu));
-    if (eta1->defined()) EXPECT_NEAR(mu.level.to_double(), least(*eta1).level.to_double(), 1e-12);
-    else EXPECT_GT(mu.level.sign(), 0);
+    if (eta1->defined())
+      EXPECT_NEAR(mu.level.to_double(), least(*eta1).level.to_double(), 1e-12);
+    else
+      EXPECT_GT(mu.level.sign(), 0);
   }
 }
 

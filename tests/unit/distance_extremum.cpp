@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "distance/extremum.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "distance/coordinate.h"
+#include "distance/extremum.h"
 #include "distance/farthest.h"
 #include "distance/shape_pair.h"
 #include "distance_shapes.h"
@@ -87,7 +86,8 @@ TEST(Least, SmallestCircleAroundDiscs) {
 TEST(Constrained, GammaTwoOnAContour) {
   // distances.md F16.
   ShapePair pair(box(-1, -1, 1, 1), box(-4, -3, 4, 3));
-  Region s = plane::remark(pair.distance(Which::kGamma1)->sign_map(1), [](plane::Mark m) { return plane::Mark(m == 0); });
+  Region s =
+      plane::remark(pair.distance(Which::kGamma1)->sign_map(1), [](plane::Mark m) { return plane::Mark(m == 0); });
   Extremum e = extremum(*pair.distance(Which::kGamma2), s, Sense::kMinimum);
   EXPECT_TRUE(e.proven);
   EXPECT_TRUE(e.attained);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "distance/front.h"
-
 #include <gtest/gtest.h>
+
+#include "distance/front.h"
 
 namespace findspace::distance {
 namespace {

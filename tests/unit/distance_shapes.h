@@ -24,7 +24,8 @@ inline plane::Contour ring(std::initializer_list<Corner> corners) {
   return c;
 }
 
-inline plane::Region polygon(std::initializer_list<Corner> outer, std::vector<std::initializer_list<Corner>> holes = {}) {
+inline plane::Region polygon(std::initializer_list<Corner> outer,
+                             std::vector<std::initializer_list<Corner>> holes = {}) {
   std::vector<plane::Contour> rings{ring(outer)};
   for (auto h : holes) rings.push_back(ring(h));
   return plane::region_of_rings(rings);

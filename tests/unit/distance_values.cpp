@@ -61,7 +61,8 @@ TEST(Values, BoxInABox) {
   EXPECT_EQ(value(pair, Which::kDstarBack, p), 0);
   EXPECT_EQ(value(pair, Which::kDstar, p), 0);
   EXPECT_EQ(value(pair, Which::kDstarBack, at(0, 0)), 2);
-  for (Which w : {Which::kGamma1, Which::kGamma2, Which::kEta1, Which::kEta2, Which::kMu, Which::kMuBack, Which::kHausdorff}) {
+  for (Which w :
+       {Which::kGamma1, Which::kGamma2, Which::kEta1, Which::kEta2, Which::kMu, Which::kMuBack, Which::kHausdorff}) {
     expect_signs(pair, w, p);
     expect_signs(pair, w, at(1, 0));
   }

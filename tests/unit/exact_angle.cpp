@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "exact/angle.h"
-
 #include <gtest/gtest.h>
+
+#include "exact/angle.h"
 
 namespace findspace::exact {
 namespace {

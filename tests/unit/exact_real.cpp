@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Real: degenerate values first, then identities that are exactly 0, near misses, geometry, and which stage decided.
-#include "exact/real.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "exact/real.h"
 #include "exact/stages.h"
 #include "findspace/error.h"
 

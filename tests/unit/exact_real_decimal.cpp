@@ -2,10 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Decimals: what is refused, what is exact, and the way onto the grid.
-#include "exact/decimal.h"
-
 #include <gtest/gtest.h>
 
+#include "exact/decimal.h"
 #include "findspace/error.h"
 
 namespace findspace::exact {
@@ -21,8 +20,8 @@ ErrorCode refusal(std::string_view text, int grid_exponent = 0) {
 }
 
 TEST(Decimal, RefusesWhatIsNone) {
-  for (const char* text : {"", "-", "+", ".", "-.", "e5", ".e5", "1e", "1e+", "1e1.5", "1.2.3", " 1", "1 ", "0x10",
-                           "nan", "inf", "-Infinity", "1,5", "--1", "1f", "1e5x"}) {
+  for (const char* text : {"",   "-",  "+",    ".",   "-.",  "e5",        ".e5", "1e",  "1e+", "1e1.5", "1.2.3",
+                           " 1", "1 ", "0x10", "nan", "inf", "-Infinity", "1,5", "--1", "1f",  "1e5x"}) {
     EXPECT_EQ(refusal(text), ErrorCode::kSyntax) << text;
   }
   EXPECT_EQ(refusal(std::string_view("1\0", 2)), ErrorCode::kSyntax);

@@ -90,10 +90,14 @@ class Expressions {
   Twin zero(const Twin& x, const Twin& y) {
     const Twin two = Twin::integer(2);
     switch (pick(5)) {
-      case 0: return (x + y) * (x + y) - x * x - two * x * y - y * y;
-      case 1: return (x + y) * (x - y) - (x * x - y * y);
-      case 2: return root(x * x) - (x.sign() < 0 ? Twin::integer(0) - x : x);
-      case 3: return y.sign() == 0 ? x - x : x / y * y - x;
+      case 0:
+        return (x + y) * (x + y) - x * x - two * x * y - y * y;
+      case 1:
+        return (x + y) * (x - y) - (x * x - y * y);
+      case 2:
+        return root(x * x) - (x.sign() < 0 ? Twin::integer(0) - x : x);
+      case 3:
+        return y.sign() == 0 ? x - x : x / y * y - x;
       default: {
         const Twin p = x * x + two, q = y * y + Twin::integer(1);
         return root(p) + root(q) - root(p + q + two * root(p * q));

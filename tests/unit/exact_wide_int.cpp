@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Fixed-width integers against GMP, on random values of random lengths and on the ends of the range.
-#include "exact/wide_int.h"
-
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 #include <vector>
+
+#include "exact/wide_int.h"
 
 namespace findspace::exact {
 namespace {
