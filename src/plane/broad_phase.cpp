@@ -92,8 +92,8 @@ void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces
 }
 
 void CellGrid::set_resolution(std::size_t pieces) {
-  double w = std::max(box_.x1 - box_.x0, 1e-300),
-         h = std::max(box_.y1 - box_.y0, 1e-300);  // no sign: keeps the scale of a flat box finite
+  constexpr double kFlat = 1e-300;  // no sign: keeps the scale of a flat box finite
+  double w = std::max(box_.x1 - box_.x0, kFlat), h = std::max(box_.y1 - box_.y0, kFlat);
   double cells = std::clamp(double(pieces), 1.0, 4.0e6), aspect = std::sqrt(w / h);
   double side = std::sqrt(cells);
   columns_ = Index(std::clamp(side * aspect, 1.0, cells));
