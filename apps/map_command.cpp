@@ -150,8 +150,12 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
 
 Outcome run_map(const Options& options, Talk& talk) {
   const Session session(options, talk);
-  if (session.scene().free.kind == io::Free::Kind::kPose) return map_of_poses(session);
-  if (session.scene().free.kind == io::Free::Kind::kAngle) return map_of_angles(session);
+  const io::Free::Kind free = session.scene().free.kind;
+  const bool at_place = free == io::Free::Kind::kTime || free == io::Free::Kind::kAngle;
+  if (options.at && !at_place)
+    throw Error(ErrorCode::kUsage, "--at is for a map of time or of angles: a map of positions has all of them");
+  if (free == io::Free::Kind::kPose) return map_of_poses(session);
+  if (free == io::Free::Kind::kAngle) return map_of_angles(session);
   if (session.in_space()) {
     session.require_positions_in_space();
     require_question(session);
@@ -159,13 +163,11 @@ Outcome run_map(const Options& options, Talk& talk) {
   }
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for maps of 3D scenes");
   const io::Scene& scene = session.scene();
-  const bool line = scene.free.kind == io::Free::Kind::kLine, time = scene.free.kind == io::Free::Kind::kTime;
+  const bool line = free == io::Free::Kind::kLine, time = free == io::Free::Kind::kTime;
   check_outputs(options,
                 line || time ? std::vector<std::string>{".json"} : std::vector<std::string>{".svg", ".wkt", ".json"});
   if ((line || time) && !options.apply.empty())
     throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line or of time");
-  if (options.at && !time)
-    throw Error(ErrorCode::kUsage, "--at is for a map of time: a map of positions has all of them");
   session.require_positions(true);
   if ((line || time) && session.goal())
     throw Error(ErrorCode::kUnsupported, "an objective on a line or in time is not computed", scene.file);

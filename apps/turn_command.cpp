@@ -83,12 +83,12 @@ std::vector<Station> stations(const situation::World& world, const exact::RealPo
 }
 
 std::string picture(const Session& session, const situation::World& world, const situation::Formula& formula,
-                    const std::vector<io::DegreeInterval>& angles) {
+                    const exact::RealPoint& at, const std::vector<io::DegreeInterval>& angles) {
   io::Picture p;
   p.title = fmt::format("Angles of {}{}", fmt::join(session.scene().moving, ", "), angles.empty() ? ": none" : "");
   p.subtitle = session.scene().where.text;
   p.of_positions = false;
-  p.position = plane::Place{0, 0};
+  p.position = {plane::Twofold(at.x).value(), plane::Twofold(at.y).value()};
   session.add_scenery(p, world, &formula);
   const auto shown = stations(world, about(session), angles);
   const std::size_t shapes = p.moving.size();
@@ -154,11 +154,12 @@ Outcome map_of_angles(const Session& session) {
   const situation::Formula formula = question_over_angles(session);
   const situation::Solver solver(session.world());
   session.talk().stage("solving");
-  const situation::TurnSolver turned(solver, {{}, {}, about(session)});
+  const exact::RealPoint at = session.position();
+  const situation::TurnSolver turned(solver, {at, {}, about(session)});
   const plane::TurnMap set = turned.feasible(formula);
   const auto json = [&] { return io::turns_json(set); };
   const auto angles = io::degree_intervals(set);
-  const auto svg = [&] { return picture(session, solver.world(), formula, angles); };
+  const auto svg = [&] { return picture(session, solver.world(), formula, at, angles); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   return {session.options().json ? json() : turns_text(session, angles), angles.empty() ? kEmpty : kDone};
 }

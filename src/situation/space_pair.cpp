@@ -80,7 +80,9 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
 
 const BoxPair& SpacePair::boxes() const {
   if (boxes_) return *boxes_;
-  throw Error(ErrorCode::kUnsupported, "an exact map needs shapes whose faces are all parallel to the axes");
+  throw Error(ErrorCode::kUnsupported,
+              "an exact map needs shapes whose faces are all parallel to the axes; --resolution N gives one on N times "
+              "N lines");
 }
 
 const distance::SolidPair& SpacePair::bodies() const {
