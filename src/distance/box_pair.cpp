@@ -204,7 +204,7 @@ std::optional<SolidValue> BoxPair::value(Which which, const RealVector& p) const
 std::optional<BoxPair::Least> BoxPair::least(Which which) const {
   if (which != Which::kGamma1 && which != Which::kEta1 && which != Which::kDelta1) return std::nullopt;
   const Signs& s = signs(which);
-  if (!s.defined) return Least{};
+  if (!s.defined) return Least{Real(), space::BoxComplex()};
   if (!s.has_negative) return Least{Real(), s.map.remarked([](Mark m) { return Mark(m <= 0); })};
   if (!s.negative) return std::nullopt;
   std::optional<Real> half;

@@ -160,7 +160,7 @@ void PlaceSearch::visit_edge(const Site& edge, Index guess) {
   record(last, {0, region.edges[edge.cell.index].v1});
   std::vector<std::pair<Seen, Seen>> parts{{first, last}};
   while (!parts.empty()) {
-    auto [s, t] = parts.back();
+    const Seen s = parts.back().first, t = parts.back().second;
     parts.pop_back();
     double length = std::hypot(t.at.x - s.at.x, t.at.y - s.at.y);
     double bound = std::min({std::max(s.near.distance, to_site(t.at, s.near.site)),

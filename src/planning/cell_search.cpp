@@ -87,8 +87,7 @@ class Shadow {
 
 class Search {
  public:
-  Search(const PairSystem& system, const Limit& limit)
-      : system_(system), limit_(limit), variables_(2 * system.own.size()) {
+  Search(const PairSystem& system, const Limit& limit) : limit_(limit), variables_(2 * system.own.size()) {
     closed_ = std::all_of(system.own.begin(), system.own.end(), plane::is_closed) &&
               std::all_of(system.between.begin(), system.between.end(),
                           [](const auto& b) { return plane::is_closed(b.second); });
@@ -176,7 +175,6 @@ class Search {
     found_[i].clear();
   }
 
-  const PairSystem& system_;
   const Limit& limit_;
   std::size_t variables_;
   bool closed_ = true, stopped_ = false;
