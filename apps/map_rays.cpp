@@ -43,8 +43,8 @@ Outcome map_rays(const Session& session) {
   const situation::Formula formula = session.where();
   session.talk().stage("building the shapes");
   const situation::RayWorld world = ray_world(session);
-  const auto window = situation::window(world, formula);
-  const auto &low = std::get<0>(window), &high = std::get<1>(window);
+  const situation::RayWindow window = situation::window(world, formula);
+  const auto &low = window.low, &high = window.high;
   const bool unbounded = situation::holds_far_away(formula);
   const double step = session.step().to_double();
   const std::string title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
