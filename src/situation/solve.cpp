@@ -115,7 +115,10 @@ TDistancePointer Solver::plain(const Roles& r) const {
 distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
   const Distance& d = r.wanted;
   if (d.mode == Mode::kPlain) return plain(r);
-  if (d.mode == Mode::kTurning) refuse(d, "distances in rotation are not computed by this version");
+  if (d.mode == Mode::kTurning)
+    refuse(d,
+           "distances in rotation have no map of positions; ask at an angle (check --angle) or over all (\"free\": "
+           "\"angle\")");
   auto base = pair(r.names)->pair().distance(signed_base(d.kind));
   const plane::SignMap& map = static_cast<const distance::SignedDistance&>(*base).base();
   if (is_farthest(d.kind)) return std::make_shared<distance::DirectionalFarthest>(map, track(d));
