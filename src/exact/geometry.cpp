@@ -159,6 +159,14 @@ std::uint32_t Geometry::add_line(std::int64_t a, std::int64_t b, int128 c) {
   return std::uint32_t(carriers.size() - 1);
 }
 
+std::uint32_t Geometry::add_parallel(const Carrier& line, std::int64_t x, std::int64_t y) {
+  Carrier& l = carriers.emplace_back();
+  l.a = line.a, l.b = line.b, l.x = line.x, l.y = line.y;
+  l.c = int128(l.a) * x + int128(l.b) * y;
+  l.z = from_int(l.c) / normal_length(l);
+  return std::uint32_t(carriers.size() - 1);
+}
+
 std::uint32_t Geometry::add_grid_point(std::int64_t x, std::int64_t y) {
   Point& p = points.emplace_back();
   p.gx = x, p.gy = y, p.x = double(x), p.y = double(y);

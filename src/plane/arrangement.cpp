@@ -18,17 +18,20 @@ namespace {
 using exact::Geometry;
 
 struct Chains {
-  std::vector<Index> start, point;  // piece -> its points from p0 to p1, ties dropped
+  std::pmr::vector<Index> start, point;  // piece -> its points from p0 to p1, ties dropped
+
+  explicit Chains(Memory memory) : start(memory), point(memory) {}
 };
 
 /// Sorts the split points of every piece along it; equal points are united and kept once.
-Chains sort_along(const Geometry& g, std::span<const Piece> pieces, const PieceMeetings& found, UnionFind& same) {
-  std::vector<Index> start(pieces.size() + 1, 0);
+Chains sort_along(const Geometry& g, std::span<const Piece> pieces, const PieceMeetings& found, UnionFind& same,
+                  Memory memory) {
+  std::pmr::vector<Index> start(pieces.size() + 1, 0, memory);
   for (auto& s : found.splits) ++start[s.piece + 1];
   for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
-  std::vector<Index> sorted(found.splits.size()), at(start.begin(), start.end() - 1);
+  std::pmr::vector<Index> sorted(found.splits.size(), memory), at(start.begin(), start.end() - 1, memory);
   for (auto& s : found.splits) sorted[at[s.piece]++] = s.point;
-  Chains chains;
+  Chains chains(memory);
   chains.start.reserve(pieces.size() + 1);
   chains.point.reserve(found.splits.size() + 2 * pieces.size());
   for (Index i = 0; i < pieces.size(); ++i) {
@@ -58,12 +61,13 @@ void unite_isolated(const Geometry& g, std::span<const Index> isolated, UnionFin
 }
 
 /// Numbers the vertices in order of their leading point; grid points represent their vertex where there is one.
-void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index> isolated, UnionFind& same) {
+void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index> isolated, UnionFind& same,
+                     Memory memory) {
   const auto& points = a.geometry.points;
-  std::vector<char> used(points.size(), 0);
+  std::pmr::vector<char> used(points.size(), 0, memory);
   for (Index p : chains.point) used[same.find(p)] = 1;
   for (Index p : isolated) used[same.find(p)] = 1;
-  std::vector<Index> vertex(points.size(), kNone);
+  std::pmr::vector<Index> vertex(points.size(), kNone, memory);
   a.vertex_point.reserve(points.size());
   for (Index p = 0; p < points.size(); ++p)
     if (used[p]) vertex[p] = Index(a.vertex_point.size()), a.vertex_point.push_back(p);
@@ -78,12 +82,12 @@ void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index
 }
 
 /// Cuts the pieces into edges; edges that are the same curve between the same vertices become one.
-void make_edges(Arrangement& a, const Chains& chains) {
+void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
   struct Part {
     Index v1, piece, slot;
   };
   Index n = a.vertex_count();
-  std::vector<Index> start(n + 1, 0);
+  std::pmr::vector<Index> start(n + 1, 0, memory);
   a.chain_start.reserve(a.pieces.size() + 1);
   a.chain_start.push_back(0);
   a.edges.reserve(chains.point.size() - a.pieces.size());
@@ -92,15 +96,15 @@ void make_edges(Arrangement& a, const Chains& chains) {
     a.chain_start.push_back(a.chain_start.back() + (chains.start[i + 1] - chains.start[i] - 1));
   }
   for (Index v = 0; v < n; ++v) start[v + 1] += start[v];
-  std::vector<Part> parts(start.back());
-  std::vector<Index> at(start.begin(), start.end() - 1);
+  std::pmr::vector<Part> parts(start.back(), memory);
+  std::pmr::vector<Index> at(start.begin(), start.end() - 1, memory);
   for (Index i = 0; i < a.pieces.size(); ++i)
     for (Index k = chains.start[i]; k + 1 < chains.start[i + 1]; ++k) {
       Index v0 = a.point_vertex[chains.point[k]], v1 = a.point_vertex[chains.point[k + 1]];
       parts[at[v0]++] = {v1, i, a.chain_start[i] + (k - chains.start[i])};
     }
   a.chain.resize(a.chain_start.back());
-  std::vector<Index> cover_count;
+  std::pmr::vector<Index> cover_count(memory);
   cover_count.reserve(parts.size());
   for (Index v = 0; v < n; ++v) {
     auto first = parts.begin() + start[v], last = parts.begin() + start[v + 1];
@@ -124,32 +128,34 @@ void make_edges(Arrangement& a, const Chains& chains) {
   a.cover_start.push_back(0);
   for (Index c : cover_count) a.cover_start.push_back(a.cover_start.back() + c);
   a.cover.resize(a.chain.size());
-  std::vector<Index> fill(a.cover_start.begin(), a.cover_start.end() - 1);
+  std::pmr::vector<Index> fill(a.cover_start.begin(), a.cover_start.end() - 1, memory);
   for (Index i = 0; i < a.pieces.size(); ++i)
     for (Index k = a.chain_start[i]; k < a.chain_start[i + 1]; ++k) a.cover[fill[a.chain[k]]++] = i;
 }
 
 }  // namespace
 
-Arrangement arrange(Geometry geometry, std::vector<Piece> pieces, std::span<const Index> isolated) {
-  Arrangement a;
+Arrangement arrange(Geometry geometry, std::vector<Piece> pieces, std::span<const Index> isolated, Memory memory) {
+  Scratch scratch(pieces.size());
+  Memory working = scratch.memory();
+  Arrangement a(memory);
   a.geometry = std::move(geometry);
   a.pieces = std::move(pieces);
-  CellGrid grid(a.geometry, a.pieces, isolated);
-  PieceMeetings found(a.geometry, a.pieces);
+  CellGrid grid(a.geometry, a.pieces, isolated, working);
+  PieceMeetings found(a.geometry, a.pieces, working);
   grid.pairs([&](Index i, Index j) { found.add_pair(i, j); });
   for (Index p : isolated) {
     const exact::Point q = a.geometry.points[p];
     for (Index i : grid.cell(grid.column(q.x), grid.row(q.y))) found.add_point(p, i);
   }
-  UnionFind same(a.geometry.points.size());
+  UnionFind same(a.geometry.points.size(), working);
   for (auto& t : found.ties) same.unite(t.p, t.q);
-  Chains chains = sort_along(a.geometry, a.pieces, found, same);
+  Chains chains = sort_along(a.geometry, a.pieces, found, same, working);
   unite_isolated(a.geometry, isolated, same);
-  number_vertices(a, chains, isolated, same);
-  make_edges(a, chains);
+  number_vertices(a, chains, isolated, same, working);
+  make_edges(a, chains, working);
   sort_around_vertices(a);
-  nest(a, grid);
+  nest(a, grid, working);
   return a;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "plane/cell_complex.h"
+#include "plane/scratch.h"
 
 namespace findspace::plane {
 
@@ -35,17 +36,33 @@ struct Arrangement {
 
   exact::Geometry geometry;
   std::vector<Piece> pieces;
-  std::vector<Index> vertex_point;  // vertex -> point
-  std::vector<Index> point_vertex;  // point -> vertex, kNone if unused
-  std::vector<Edge> edges;
-  std::vector<Index> cover_start, cover;  // edge -> pieces that cover it
-  std::vector<Index> chain_start, chain;  // piece -> its edges from p0 to p1
-  std::vector<Index> out_start, out;      // vertex -> half-edges, counter-clockwise from straight down
-  std::vector<Index> rank;                // half-edge -> its place in its vertex's list
-  std::vector<Index> next;                // half-edge -> next of the face on its left
-  std::vector<Index> face;                // half-edge -> face; 0 is unbounded
-  std::vector<Index> isolated_face;       // vertex without edges -> face; kNone otherwise
+  using Indices = std::pmr::vector<Index>;
+  Indices vertex_point;  // vertex -> point
+  Indices point_vertex;  // point -> vertex, kNone if unused
+  std::pmr::vector<Edge> edges;
+  Indices cover_start, cover;  // edge -> pieces that cover it
+  Indices chain_start, chain;  // piece -> its edges from p0 to p1
+  Indices out_start, out;      // vertex -> half-edges, counter-clockwise from straight down
+  Indices rank;                // half-edge -> its place in its vertex's list
+  Indices next;                // half-edge -> next of the face on its left
+  Indices face;                // half-edge -> face; 0 is unbounded
+  Indices isolated_face;       // vertex without edges -> face; kNone otherwise
   Index face_count = 1;
+
+  explicit Arrangement(Memory memory)
+      : vertex_point(memory),
+        point_vertex(memory),
+        edges(memory),
+        cover_start(memory),
+        cover(memory),
+        chain_start(memory),
+        chain(memory),
+        out_start(memory),
+        out(memory),
+        rank(memory),
+        next(memory),
+        face(memory),
+        isolated_face(memory) {}
 
   Index origin(Index h) const { return h & 1u ? edges[h / 2].v1 : edges[h / 2].v0; }
   Index vertex_count() const { return Index(vertex_point.size()); }
@@ -55,14 +72,24 @@ struct Arrangement {
   Index some_face(Index v) const { return degree(v) ? face[out[out_start[v]]] : isolated_face[v]; }
 };
 
-Arrangement arrange(exact::Geometry geometry, std::vector<Piece> pieces, std::span<const Index> isolated_points = {});
+/// `memory`: where the arrangement is kept; it must outlive it.
+Arrangement arrange(exact::Geometry geometry, std::vector<Piece> pieces, std::span<const Index> isolated_points = {},
+                    Memory memory = std::pmr::new_delete_resource());
 
 /// Marks of all cells of an arrangement, to be turned into a complex.
 struct Marks {
   std::vector<Mark> faces, edges, vertices;
 };
 
+/// The same, kept elsewhere.
+struct MarkViews {
+  std::span<const Mark> faces, edges, vertices;
+  MarkViews(const Marks& m) : faces(m.faces), edges(m.edges), vertices(m.vertices) {}
+  MarkViews(std::span<const Mark> f, std::span<const Mark> e, std::span<const Mark> v)
+      : faces(f), edges(e), vertices(v) {}
+};
+
 /// The complex with these marks, cells that agree merged.
-CellComplex extract(const Arrangement& arrangement, const Marks& marks);
+CellComplex extract(const Arrangement& arrangement, const MarkViews& marks);
 
 }  // namespace findspace::plane

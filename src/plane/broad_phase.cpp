@@ -31,7 +31,8 @@ double y_at(const exact::Geometry& g, const Piece& p, double x) {
 
 }  // namespace
 
-CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
+CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra, Memory memory)
+    : boxes_(memory), first_column_(memory), rows_start_(memory), piece_rows_(memory), start_(memory), items_(memory) {
   set_boxes(g, pieces, extra);
   if (pieces.size() <= kFewPieces) {
     enter_sorted();
@@ -44,13 +45,13 @@ CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std:
 void CellGrid::enter_sorted() {
   column_scale_ = 1 / std::max(box_.x1 - box_.x0, 1e-300);  // no sign: keeps the scale of a flat box finite
   row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);     // no sign: keeps the scale of a flat box finite
-  std::vector<std::pair<double, Index>> order;
+  std::pmr::vector<std::pair<double, Index>> order(boxes_.get_allocator());
   order.reserve(boxes_.size());
   for (Index i = 0; i < boxes_.size(); ++i) order.push_back({boxes_[i].x0, i});
   std::sort(order.begin(), order.end());
   items_.reserve(order.size());
   for (const auto& [x0, i] : order) items_.push_back(i);
-  start_ = {0, Index(items_.size())};
+  start_.assign({0, Index(items_.size())});
 }
 
 void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
@@ -128,7 +129,7 @@ void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
   }
   for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
   items_.resize(start_.back());
-  std::vector<Index> at(start_.begin(), start_.end() - 1);
+  std::pmr::vector<Index> at(start_.begin(), start_.end() - 1, start_.get_allocator());
   for (Index i = 0; i < pieces.size(); ++i)
     for (Index k = rows_start_[i]; k < rows_start_[i + 1]; ++k) {
       std::size_t column_base = std::size_t(first_column_[i] + (k - rows_start_[i])) * rows_;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "plane/arrangement.h"
+#include "plane/scratch.h"
 
 namespace findspace::plane {
 
@@ -24,7 +25,7 @@ struct PieceBox {
 class CellGrid {
  public:
   /// All points that will ever be asked about must be ends of the pieces or `extra`.
-  CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra);
+  CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra, Memory memory);
 
   /// Calls f(i, j), i < j, for every pair of pieces whose boxes meet in a common cell.
   template <class F>
@@ -55,13 +56,13 @@ class CellGrid {
   void enter(const exact::Geometry& g, std::span<const Piece> pieces);
   bool first_common_cell(Index i, Index j, Index column, Index row) const;
 
-  std::vector<PieceBox> boxes_;
+  std::pmr::vector<PieceBox> boxes_;
   PieceBox box_{0, 0, 1, 1};
   double slack_ = 0, column_scale_ = 1, row_scale_ = 1;
   Index columns_ = 1, rows_ = 1;
-  std::vector<Index> first_column_, rows_start_;  // per piece
-  std::vector<Rows> piece_rows_;                  // per piece and column
-  std::vector<Index> start_, items_;              // cell -> pieces
+  std::pmr::vector<Index> first_column_, rows_start_;  // per piece
+  std::pmr::vector<Rows> piece_rows_;                  // per piece and column
+  std::pmr::vector<Index> start_, items_;              // cell -> pieces
 };
 
 template <class F>

@@ -3,74 +3,96 @@
 
 #include "plane/convex_sum.h"
 
-#include "plane/primitives.h"
-
 namespace findspace::plane {
 namespace {
 
-/// The step after which directions leave the lower half: the first with an angle in [0, 180). Nothing if the part is
-/// not a convex polygon: one ring that turns left everywhere and round once.
-std::optional<std::size_t> first_step(const Part& part) {
-  if (part.flat || part.unbounded || part.paths.size() != 1 || part.paths[0].lonely) return std::nullopt;
-  const auto& steps = part.paths[0].steps;
-  std::optional<std::size_t> first;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const Step &s = steps[k], &before = steps[k == 0 ? steps.size() - 1 : k - 1];
-    if (s.arc || !s.from.grid() || !s.start.grid() || !before.start.grid() || cross_sign(before.start, s.start) <= 0)
-      return std::nullopt;
-    if (!is_lower(before.start) || is_lower(s.start)) continue;
-    if (first) return std::nullopt;
-    first = k;
-  }
-  return first;
-}
+bool upper(const GridCorner& c) { return c.dy > 0 || (c.dy == 0 && c.dx > 0); }
 
+/// The corners in order from the first whose edge has an angle in [0, 180).
 class Ring {
  public:
-  Ring(const Part& part, std::size_t first) : steps_(part.paths[0].steps), at_(first) {}
-
-  bool ended() const { return taken_ == steps_.size(); }
-  const Step& step() const { return steps_[at_]; }
-  void advance() {
-    ++taken_;
-    if (++at_ == steps_.size()) at_ = 0;
+  explicit Ring(const ConvexOperand& o) : corners_(o.face.corners), geometry_(o.geometry) {
+    while (upper(corners_[at_]) == upper(corners_[corners_[at_].before]) || !upper(corners_[at_])) ++at_;
   }
-  bool upper() const { return !is_lower(step().start); }
+
+  bool ended() const { return taken_ == corners_.size(); }
+  const GridCorner& corner() const { return corners_[at_]; }
+  const exact::Carrier& carrier() const { return geometry_.carriers[corner().carrier]; }
+  void advance() { ++taken_, at_ = corner().next; }
 
  private:
-  const std::vector<Step>& steps_;
-  std::size_t at_, taken_ = 0;
+  const std::vector<GridCorner>& corners_;
+  const exact::Geometry& geometry_;
+  std::size_t at_ = 0, taken_ = 0;
 };
 
-/// Order of the directions of the next steps, both rings begun at their first.
+/// Order of the directions of the next edges, both rings begun at their first.
 int order(const Ring& p, const Ring& q) {
   if (p.ended() || q.ended()) return p.ended() ? 1 : -1;
-  if (p.upper() != q.upper()) return p.upper() ? -1 : 1;
-  return -cross_sign(p.step().start, q.step().start);
+  const GridCorner &c = p.corner(), &d = q.corner();
+  if (upper(c) != upper(d)) return upper(c) ? -1 : 1;
+  exact::int128 cross = exact::int128(c.dx) * d.dy - exact::int128(c.dy) * d.dx;
+  return (cross < 0) - (cross > 0);
 }
+
+/// A counter-clockwise convex ring as a complex, built edge by edge.
+class RingBuilder {
+ public:
+  explicit RingBuilder(std::size_t edges) {
+    map_.geometry.carriers.reserve(edges);
+    map_.geometry.points.reserve(edges);
+    map_.vertices.reserve(edges);
+    map_.edges.reserve(edges);
+  }
+
+  /// A corner and the edge that leaves it along the ring of `side`.
+  void add(GridPoint at, const Ring& side) {
+    Index k = Index(map_.edges.size());
+    const GridCorner& c = side.corner();
+    bool right = c.dx > 0 || (c.dx == 0 && c.dy > 0);
+    Index carrier = map_.geometry.add_parallel(side.carrier(), at.x, at.y);
+    map_.vertices.push_back({.point = map_.geometry.add_grid_point(at.x, at.y), .mark = 0});
+    map_.edges.push_back({.v0 = right ? k : k + 1, .v1 = right ? k + 1 : k, .carrier = carrier, .half = 0, .mark = 0});
+  }
+
+  SignMap finish() && {
+    Index n = Index(map_.edges.size());
+    Edge& last = map_.edges.back();
+    (last.v0 == n ? last.v0 : last.v1) = 0;
+    auto along = [&](Index k) { return 2 * k + (map_.edges[k].v0 == k ? 0 : 1); };
+    map_.half_edges.resize(2 * n);
+    for (Index k = 0; k < n; ++k) {
+      Index next = k + 1 == n ? 0 : k + 1, h = along(k), g = along(next);
+      map_.half_edges[h] = {.next = g, .face = 1};
+      map_.half_edges[g ^ 1u] = {.next = h ^ 1u, .face = 0};
+      // Counter-clockwise from the edge that leaves a corner to the one that enters it lies the inside; edges to the
+      // right come first.
+      Index back = h ^ 1u;
+      map_.vertices[next].out = (g & 1u) > (back & 1u) ? back : g;
+    }
+    map_.faces = {Face{.mark = 1, .outer = kNone, .inner = {along(0) ^ 1u}, .isolated = {}},
+                  Face{.mark = -1, .outer = along(0), .inner = {}, .isolated = {}}};
+    return std::move(map_);
+  }
+
+ private:
+  SignMap map_;
+};
 
 }  // namespace
 
-std::optional<SignMap> convex_sum(const Part& a, const Part& b) {
-  auto first_a = first_step(a), first_b = first_step(b);
-  if (!first_a || !first_b) return std::nullopt;
-  Ring p(a, *first_a), q(b, *first_b);
-  Contour ring;
-  ring.reserve(a.paths[0].steps.size() + b.paths[0].steps.size());
+SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
+  Ring p(a), q(b);
+  RingBuilder ring(a.face.corners.size() + b.face.corners.size());
   while (!p.ended() || !q.ended()) {
-    // A step of one ring starts at the sum of its start and of the vertex where the other ring stands: the start of its
-    // next step.
-    const Position &u = p.step().from, &v = q.step().from;
-    ring.push_back({.start = {u.x + v.x, u.y + v.y}});
+    // An edge of one ring starts at the sum of its start and of the corner where the other ring stands.
+    GridPoint u = p.corner().at, v = q.corner().at;
     int o = order(p, q);
+    ring.add({u.x + v.x, u.y + v.y}, o <= 0 ? p : q);
     if (o <= 0) p.advance();
     if (o >= 0) q.advance();
   }
-  SignMap map = region_of_rings(std::span(&ring, 1));
-  for (Face& f : map.faces) f.mark = f.mark > 0 ? -1 : 1;
-  for (Edge& e : map.edges) e.mark = 0;
-  for (Vertex& v : map.vertices) v.mark = 0;
-  return map;
+  return std::move(ring).finish();
 }
 
 }  // namespace findspace::plane

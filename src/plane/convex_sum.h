@@ -6,13 +6,16 @@
 // arrangement. Source: de Berg et al., Computational Geometry, section 13.3. Keywords: edge merging.
 #pragma once
 
-#include <optional>
-
-#include "plane/boundary.h"
+#include "plane/grid_faces.h"
 
 namespace findspace::plane {
 
-/// Nothing where one of the two is not a bounded convex polygon with vertices on the grid.
-std::optional<SignMap> convex_sum(const Part& a, const Part& b);
+/// An operand: a convex face (GridFace::is_convex) and the geometry of its carriers.
+struct ConvexOperand {
+  const GridFace& face;
+  const exact::Geometry& geometry;
+};
+
+SignMap convex_sum(ConvexOperand a, ConvexOperand b);
 
 }  // namespace findspace::plane

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "plane/arrangement.h"
-#include "plane/convex_sum.h"
 #include "plane/convolution.h"
+#include "plane/grid_sum.h"
 #include "plane/overlay.h"
-#include "plane/pruned_sum.h"
+#include "plane/point_winding.h"
 
 namespace findspace::plane {
 namespace {
@@ -38,7 +39,10 @@ std::int64_t reach_of(const Part& p) {
 /// given must outlive the sum.
 class SumOfPairs {
  public:
-  explicit SumOfPairs(bool open) : builder_(open) {}
+  /// The curves are added to the given geometry.
+  explicit SumOfPairs(bool open, exact::Geometry geometry = {}) : builder_(open) {
+    builder_.curves.geometry = std::move(geometry);
+  }
 
   void add(const Part& a, const Part& b) {
     const Part* p = &a;
@@ -49,13 +53,11 @@ class SumOfPairs {
     if (!a.flat && can_enclose(b, a)) q = &(b_bridged = bridged(b, reach_of(a)));
     if (p->unbounded) base_ += q->euler;
     builder_.add(*p, *q);
-    if (!a.unbounded && !b.unbounded && !a.flat && !b.flat) bounded_.push_back({&a, &b});
   }
 
   /// Marks 1 where the number is positive. Of the open sum: 0 elsewhere. `closure`: -1 inside, 0 on the boundary, +1
   /// outside.
   CellComplex open_sum() && {
-    if (builder_.points.empty() && pruning_pays(builder_)) return pruned();
     Arrangement a = arranged();
     Windings w = windings(a, strands_, corners_, base_);
     add_circled(a, w);
@@ -75,6 +77,9 @@ class SumOfPairs {
     return extract(a, m);
   }
 
+  /// The numbers at single points, of solid parts bounded by segments.
+  PointWinding numbers() && { return PointWinding(std::move(builder_), base_); }
+
   CellComplex closed_sum() && {
     Arrangement a = arranged();
     Windings w = windings(a, strands_, corners_, base_, VertexScope::kAll);
@@ -88,30 +93,6 @@ class SumOfPairs {
   }
 
  private:
-  struct PartPair {
-    const Part *a, *b;  // as given to add(), alive until the sum is taken
-  };
-
-  static Outline outline(const Part& part) {
-    Outline out;
-    for (const Path& path : part.paths)
-      for (const Step& s : path.steps)
-        out.push_back({s.from.approx_x(), s.from.approx_y(), s.to.approx_x(), s.to.approx_y()});
-    return out;
-  }
-
-  CellComplex pruned() {
-    std::vector<Outline> outlines;
-    outlines.reserve(2 * bounded_.size());
-    std::vector<InnerMask::Pair> pairs;
-    for (const PartPair& p : bounded_) {
-      outlines.push_back(outline(*p.a));
-      outlines.push_back(outline(*p.b));
-      pairs.push_back({&outlines[outlines.size() - 2], &outlines.back()});
-    }
-    return pruned_open_sum(std::move(builder_), base_, pairs);
-  }
-
   Arrangement arranged() {
     strands_ = std::move(builder_.strands);
     corners_ = std::move(builder_.corners);
@@ -131,45 +112,82 @@ class SumOfPairs {
 
   ConvolutionBuilder builder_;
   std::int32_t base_ = 0;
-  std::vector<PartPair> bounded_;
   std::vector<Strand> strands_;
   std::vector<Corner> corners_;
   std::vector<Index> lonely_;
   std::vector<ConvolutionBuilder::Circled> circled_;
 };
 
-struct Parts {
-  std::vector<Part> solid, flat;
-  static Parts of(const Region& r) { return {face_parts(r, in), flat_parts(r, in)}; }
-  Parts mirrored() const {
-    Parts m;
-    for (const Part& p : solid) m.solid.push_back(plane::mirrored(p));
-    for (const Part& p : flat) m.flat.push_back(plane::mirrored(p));
-    return m;
+/// A set whose sums are asked for; which marks belong to it; whether it is to be reflected through the origin.
+struct Operand {
+  const CellComplex& cells;
+  bool (*wanted)(Mark);
+  bool mirrored = false;
+  bool flat = true;  // with its parts that have no interior
+
+  std::vector<Part> solid_parts() const { return turned(face_parts(cells, wanted)); }
+  std::vector<Part> flat_parts() const { return flat ? turned(plane::flat_parts(cells, wanted)) : std::vector<Part>(); }
+  std::optional<std::vector<GridFace>> grid() const { return grid_faces(cells, wanted, mirrored); }
+
+ private:
+  std::vector<Part> turned(std::vector<Part> parts) const {
+    if (mirrored)
+      for (Part& p : parts) p = plane::mirrored(std::move(p));
+    return parts;
   }
 };
 
-/// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.
-SignMap open_sum(const std::vector<Part>& a_solid, const std::vector<Part>& a_flat, const Parts& b) {
-  if (a_solid.size() == 1 && b.solid.size() == 1 && a_flat.empty() && b.flat.empty())
-    if (auto convex = convex_sum(a_solid[0], b.solid[0])) return *std::move(convex);
-  SumOfPairs sum(true);
-  for (const Part& p : a_solid) {
-    for (const Part& q : b.solid) sum.add(p, q);
-    for (const Part& q : b.flat) sum.add(p, q);
+/// Whether a point lies in the sum of the solid parts: built when first asked.
+class SolidSum {
+ public:
+  SolidSum(const Operand& a, const Operand& b) : a_(a), b_(b) {}
+
+  bool holds(exact::Geometry& g, Index point) {
+    if (!numbers_) build(g);
+    return numbers_->at(g, point) > 0;
   }
-  for (const Part& p : a_flat)
-    for (const Part& q : b.solid) sum.add(p, q);
+
+ private:
+  void build(exact::Geometry& g) {
+    SumOfPairs sum(true, std::move(g));
+    std::vector<Part> q = b_.solid_parts();
+    for (const Part& x : a_.solid_parts())
+      for (const Part& y : q) sum.add(x, y);
+    numbers_ = std::move(sum).numbers();
+    g = numbers_->take_geometry();
+  }
+
+  const Operand &a_, &b_;
+  std::optional<PointWinding> numbers_;
+};
+
+/// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.
+SignMap open_sum(const Operand& a, const Operand& b) {
+  if (auto p = a.grid())
+    if (auto q = b.grid()) {
+      SolidSum solid(a, b);
+      return grid_sum({*p, a.cells.geometry}, {*q, b.cells.geometry},
+                      [&](exact::Geometry& g, Index point) { return solid.holds(g, point); });
+    }
+  SumOfPairs sum(true);
+  std::vector<Part> p = a.solid_parts(), q = b.solid_parts(), p_flat = a.flat_parts(), q_flat = b.flat_parts();
+  for (const Part& x : p) {
+    for (const Part& y : q) sum.add(x, y);
+    for (const Part& y : q_flat) sum.add(x, y);
+  }
+  for (const Part& x : p_flat)
+    for (const Part& y : q) sum.add(x, y);
   return std::move(sum).open_sum();
 }
 
 /// {a + b} for a in A, b in B: -1 on the open part U, 0 on the rest of the sum, +1 elsewhere.
-SignMap sum_map(const Parts& a, const Parts& b) {
-  SignMap open = open_sum(a.solid, a.flat, b);
-  if (a.flat.empty() || b.flat.empty()) return open;
+SignMap sum_map(const Operand& a, const Operand& b) {
+  SignMap open = open_sum(a, b);
+  std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
+  if (q.empty()) return open;
   SumOfPairs flat(false);
-  for (const Part& p : a.flat)
-    for (const Part& q : b.flat) flat.add(p, q);
+  for (const Part& x : p)
+    for (const Part& y : q) flat.add(x, y);
   Region closed = std::move(flat).closed_sum();
   std::array<const CellComplex*, 2> both{&open, &closed};
   return overlay(both, [](std::span<const Mark> m) { return Mark(m[0] <= 0 ? m[0] : m[1] > 0 ? 0 : 1); });
@@ -177,16 +195,16 @@ SignMap sum_map(const Parts& a, const Parts& b) {
 
 }  // namespace
 
-SignMap contact_map(const Region& a, const Region& b) { return sum_map(Parts::of(a), Parts::of(b).mirrored()); }
+SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, in}, {b, in, true}); }
 
 SignMap containment_map(const Region& a, const Region& b) {
   // B + p leaves A where it meets the open complement; it leaves int A where it meets the closure of that.
-  SignMap leaves = open_sum(face_parts(a, out), {}, Parts::of(b).mirrored());
+  SignMap leaves = open_sum({a, out, false, false}, {b, in, true});
   return remark(std::move(leaves), [](Mark m) { return Mark(-m); });
 }
 
 Region minkowski_sum(const Region& a, const Region& b) {
-  return remark(sum_map(Parts::of(a), Parts::of(b)), [](Mark m) { return Mark(m <= 0); });
+  return remark(sum_map({a, in}, {b, in}), [](Mark m) { return Mark(m <= 0); });
 }
 
 Region minkowski_difference(const Region& a, const Region& b) {

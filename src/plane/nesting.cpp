@@ -87,8 +87,9 @@ class DownwardRay {
 
 struct Components {
   UnionFind connected;
-  std::vector<Index> first;  // leading vertex -> its lexicographically smallest vertex
-  explicit Components(const Arrangement& a) : connected(a.vertex_count()), first(a.vertex_count(), kNone) {
+  std::pmr::vector<Index> first;  // leading vertex -> its lexicographically smallest vertex
+  Components(const Arrangement& a, Memory memory)
+      : connected(a.vertex_count(), memory), first(a.vertex_count(), kNone, memory) {
     for (const auto& e : a.edges) connected.unite(e.v0, e.v1);
     for (Index v = 0; v < a.vertex_count(); ++v) {
       // A smallest vertex has nothing to its left, so all its half-edges go right.
@@ -101,23 +102,23 @@ struct Components {
 
 }  // namespace
 
-void nest(Arrangement& a, const CellGrid& grid) {
-  std::vector<Index> cycle(a.next.size(), kNone);
+void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
+  std::pmr::vector<Index> cycle(a.next.size(), kNone, memory);
   Index cycles = 0;
   for (Index h = 0; h < a.next.size(); ++h) {
     if (cycle[h] != kNone) continue;
     for (Index k = h; cycle[k] == kNone; k = a.next[k]) cycle[k] = cycles;
     ++cycles;
   }
-  Components parts(a);
-  std::vector<Index> order;
+  Components parts(a, memory);
+  std::pmr::vector<Index> order(memory);
   for (Index v = 0; v < a.vertex_count(); ++v)
     if (parts.first[v] != kNone) order.push_back(parts.first[v]);
   // From left to right, so that the component a ray hits is known before.
   std::sort(order.begin(), order.end(),
             [&](Index v, Index w) { return a.geometry.compare_xy(a.vertex_point[v], a.vertex_point[w]) < 0; });
-  std::vector<Index> face_of(cycles, kNone);
-  std::vector<char> outside(cycles, 0);
+  std::pmr::vector<Index> face_of(cycles, kNone, memory);
+  std::pmr::vector<char> outside(cycles, 0, memory);
   for (Index v : order)
     if (a.degree(v)) outside[cycle[a.out[a.out_start[v + 1] - 1]]] = 1;
   a.face_count = 1;

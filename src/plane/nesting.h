@@ -11,6 +11,6 @@
 namespace findspace::plane {
 
 /// Fills face, face_count and isolated_face.
-void nest(Arrangement& a, const CellGrid& grid);
+void nest(Arrangement& a, const CellGrid& grid, Memory memory);
 
 }  // namespace findspace::plane

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "plane/arrangement.h"
+#include "plane/scratch.h"
 
 namespace findspace::plane {
 
@@ -33,13 +34,14 @@ class PieceMeetings {
     Index p, q;
   };
 
-  PieceMeetings(exact::Geometry& g, std::span<const Piece> pieces) : g_(g), pieces_(pieces) {}
+  PieceMeetings(exact::Geometry& g, std::span<const Piece> pieces, Memory memory)
+      : splits(memory), ties(memory), g_(g), pieces_(pieces) {}
   void add_pair(Index i, Index j);
   /// Records an isolated point if it lies on the piece.
   void add_point(Index point, Index piece);
 
-  std::vector<Split> splits;
-  std::vector<Tie> ties;
+  std::pmr::vector<Split> splits;
+  std::pmr::vector<Tie> ties;
 
  private:
   void lines(Index i, Index j);

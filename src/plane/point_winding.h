@@ -3,8 +3,9 @@
 //
 // The displaced winding number (winding.h) of a convolution of segments at one point, without arranging it: a ray to
 // the right, turned up by an infinitesimal, counts what it crosses; curves and corners through the point itself count
-// by the side they are displaced to. Guarantee: exact for every point. Cost: building O(n log n); a query looks at the
-// curves to the right of the point in its band of y, a comparison of doubles each.
+// by the side they are displaced to. Guarantee: exact for every point. Cost: the first few queries look at every curve,
+// a comparison of doubles each; then the curves are sorted into bands of y, O(n log n), and a query looks at those to
+// the right of the point in its band.
 #pragma once
 
 #include <vector>
@@ -15,36 +16,46 @@ namespace findspace::plane {
 
 class PointWinding {
  public:
-  /// Copies what it needs of the convolution, whose points are grid points. `base`: number of the unbounded face.
-  PointWinding(const ConvolutionBuilder& convolution, std::int32_t base);
+  /// `base`: number of the unbounded face.
+  PointWinding(ConvolutionBuilder convolution, std::int32_t base);
 
-  /// `geometry`: that of the convolution, with more points and carriers.
-  std::int32_t at(const exact::Geometry& geometry, Index point) const;
+  /// The convolution's geometry, to be extended by the points asked about and handed to `at`.
+  exact::Geometry take_geometry() { return std::move(convolution_.curves.geometry); }
+
+  std::int32_t at(const exact::Geometry& geometry, Index point);
 
  private:
   struct Vector {
     std::int64_t x, y;
   };
-  struct Turning {  // a corner: from the back direction of one curve to the direction of the next
-    GridPoint at;
-    Index point;  // the same, in the convolution's geometry
-    Vector from, to;
-    int rotation;  // +1 counter-clockwise
+  struct Place {  // where a corner is
+    double x;
+    Index corner;
   };
   /// +1, -1 or 0: how a path that turns from one direction to another around the point crosses the ray.
   static int crossing(Vector from, Vector to, int rotation);
+  const std::vector<Piece>& pieces() const { return convolution_.curves.pieces; }
+  const Strand& strand(std::size_t piece) const { return convolution_.strands[piece]; }
+  /// Of the way along a curve.
+  Vector ahead(const exact::Geometry& g, Index piece) const;
+  Index end(Index piece) const { return strand(piece).forward ? pieces()[piece].p1 : pieces()[piece].p0; }
   void make_bands();
   Index band_of(double y) const;
-  std::int32_t far_and_through(const exact::Geometry& g, Index point) const;
+  std::int32_t past_curve(const exact::Geometry& g, Index point, std::size_t piece) const;
+  std::int32_t past_curves(const exact::Geometry& g, Index point) const;
+  std::int32_t past_corner(const exact::Geometry& g, Index point, const Corner& corner) const;
+  std::int32_t past_corners(const exact::Geometry& g, Index point) const;
 
+  ConvolutionBuilder convolution_;
   std::int32_t base_;
-  std::vector<Piece> pieces_;
-  std::vector<Strand> strands_;
+  int queries_ = 0;
   std::vector<double> low_, high_, right_;  // y range and greatest x of each piece
+  std::vector<double> corner_x_;
+  double slack_ = 0;  // no point of the convolution is off by more
   // Bands of y: the pieces that reach into each, those that reach furthest to the right first.
   double bottom_ = 0, bands_per_step_ = 0;
   std::vector<Index> band_start_, band_;
-  std::vector<Turning> corners_;  // by place
+  std::vector<Place> places_;  // by x
 };
 
 }  // namespace findspace::plane

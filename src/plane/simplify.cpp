@@ -28,7 +28,7 @@ struct ComplexCells {
 
 struct ArrangedCells {
   const Arrangement& a;
-  const Marks& marks;
+  const MarkViews& marks;
 
   const exact::Geometry& geometry() const { return a.geometry; }
   Index vertex_count() const { return a.vertex_count(); }
@@ -49,7 +49,18 @@ struct ArrangedCells {
 template <class Cells>
 class Merger {
  public:
-  explicit Merger(const Cells& raw) : raw_(raw), geometry_(raw.geometry()), faces_(raw.face_count()) {}
+  Merger(const Cells& raw, Memory memory)
+      : raw_(raw),
+        geometry_(raw.geometry()),
+        memory_(memory),
+        faces_(raw.face_count(), memory),
+        kept_(memory),
+        passes_(memory),
+        first_(memory),
+        starts_(memory),
+        ends_(memory),
+        first_part_(memory),
+        last_part_(memory) {}
 
   CellComplex run() {
     drop_edges();
@@ -144,7 +155,7 @@ class Merger {
   Index new_half_edge(Index h) const { return h & 1u ? 2 * ends_[h / 2] + 1 : 2 * starts_[h / 2]; }
 
   void make_vertices() {
-    std::vector<Index> number(raw_.vertex_count(), kNone);
+    std::pmr::vector<Index> number(raw_.vertex_count(), kNone, memory_);
     out_.vertices.reserve(raw_.vertex_count() - std::size_t(std::count(passes_.begin(), passes_.end(), 1)));
     for (Index v = 0; v < raw_.vertex_count(); ++v) {
       const Vertex& w = raw_.vertex(v);
@@ -179,7 +190,7 @@ class Merger {
   }
 
   void number_faces() {
-    std::vector<Index> number(raw_.face_count(), kNone);
+    std::pmr::vector<Index> number(raw_.face_count(), kNone, memory_);
     auto use = [&](Index& f) {
       if (number[f] == kNone) {
         number[f] = Index(out_.faces.size());
@@ -199,16 +210,16 @@ class Merger {
 
   /// The outer side of each connected component of edges is an inner boundary of the face around it.
   void collect_cycles() {
-    UnionFind parts(out_.vertices.size());
+    UnionFind parts(out_.vertices.size(), memory_);
     for (const Edge& e : out_.edges) parts.unite(e.v0, e.v1);
-    std::vector<Index> smallest(out_.vertices.size(), kNone);
+    std::pmr::vector<Index> smallest(out_.vertices.size(), kNone, memory_);
     for (Index v = 0; v < out_.vertices.size(); ++v) {
       Index h = out_.vertices[v].out;
       if (h == kNone || (out_.clockwise(h) & 1u)) continue;  // has a half-edge to its left
       Index& s = smallest[parts.find(v)];
       if (s == kNone || geometry_.compare_xy(out_.vertices[v].point, out_.vertices[s].point) < 0) s = v;
     }
-    std::vector<char> seen(out_.half_edges.size(), 0);
+    std::pmr::vector<char> seen(out_.half_edges.size(), 0, memory_);
     auto walk = [&](Index h) {
       for (Index k = h; !seen[k]; k = out_.next(k)) seen[k] = 1;
     };
@@ -224,7 +235,7 @@ class Merger {
 
   void compact_geometry() {
     const exact::Geometry& g = geometry_;
-    std::vector<Index> carrier(g.carriers.size(), kNone), point(g.points.size(), kNone);
+    std::pmr::vector<Index> carrier(g.carriers.size(), kNone, memory_), point(g.points.size(), kNone, memory_);
     for (const Edge& e : out_.edges) carrier[e.carrier] = 0;
     for (const Vertex& v : out_.vertices) {
       const exact::Point& p = g.points[v.point];
@@ -251,17 +262,24 @@ class Merger {
   const Cells raw_;
   const exact::Geometry& geometry_;
   CellComplex out_;
+  Memory memory_;
   UnionFind faces_;
-  std::vector<char> kept_, passes_;            // per raw edge, per raw vertex
-  std::vector<Index> first_;                   // raw vertex -> first kept half-edge
-  std::vector<Index> starts_, ends_;           // raw edge -> the new edge it starts / ends
-  std::vector<Index> first_part_, last_part_;  // new edge -> its first / last raw edge
+  std::pmr::vector<char> kept_, passes_;            // per raw edge, per raw vertex
+  std::pmr::vector<Index> first_;                   // raw vertex -> first kept half-edge
+  std::pmr::vector<Index> starts_, ends_;           // raw edge -> the new edge it starts / ends
+  std::pmr::vector<Index> first_part_, last_part_;  // new edge -> its first / last raw edge
 };
 
 }  // namespace
 
-CellComplex simplify(const CellComplex& raw) { return Merger(ComplexCells{raw}).run(); }
+CellComplex simplify(const CellComplex& raw) {
+  Scratch scratch(raw.edges.size());
+  return Merger(ComplexCells{raw}, scratch.memory()).run();
+}
 
-CellComplex extract(const Arrangement& a, const Marks& marks) { return Merger(ArrangedCells{a, marks}).run(); }
+CellComplex extract(const Arrangement& a, const MarkViews& marks) {
+  Scratch scratch(a.edges.size());
+  return Merger(ArrangedCells{a, marks}, scratch.memory()).run();
+}
 
 }  // namespace findspace::plane

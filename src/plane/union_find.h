@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -13,7 +14,10 @@ namespace findspace::plane {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  explicit UnionFind(std::size_t n, std::pmr::memory_resource* memory = std::pmr::new_delete_resource())
+      : parent_(n, memory) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
   std::uint32_t find(std::uint32_t k) {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;
@@ -26,7 +30,7 @@ class UnionFind {
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  std::pmr::vector<std::uint32_t> parent_;
 };
 
 }  // namespace findspace::plane

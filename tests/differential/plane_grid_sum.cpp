@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The pruned sum against the whole convolution, cell by cell, on shapes full of ties (lattice squares, with holes and
-// slots), on random triangles and on stars whose convolution is really pruned.
+// The sum of grid polygons from the curves that can be boundary, against the arrangement of the whole convolution, cell
+// by cell: on shapes full of ties (lattice squares, with holes and slots), on random triangles, on stars whose
+// convolution is pruned, and in sheets, whose outside is unbounded.
 
 #include <gtest/gtest.h>
 
@@ -10,9 +11,11 @@
 #include <cmath>
 #include <random>
 
+#include "plane/convolution.h"
+#include "plane/grid_sum.h"
+#include "plane/minkowski.h"
 #include "plane/overlay.h"
 #include "plane/primitives.h"
-#include "plane/pruned_sum.h"
 
 namespace findspace::plane {
 namespace {
@@ -60,46 +63,44 @@ Region star(std::mt19937& rng, int n) {
   return ring(points);
 }
 
-Outline outline(const Part& part) {
-  Outline out;
-  for (const Path& path : part.paths)
-    for (const Step& s : path.steps)
-      out.push_back({s.from.approx_x(), s.from.approx_y(), s.to.approx_x(), s.to.approx_y()});
-  return out;
-}
+bool in(Mark m) { return m > 0; }
+bool out(Mark m) { return m <= 0; }
 
-/// Both ways from the same convolution; holes bridged. The shapes must be made of grid segments.
-void compare(const Region& a, const Region& b, const std::string& what) {
-  auto in = [](Mark m) { return m > 0; };
+/// The open sum of the faces of A with the given marks and of -B, by arranging the whole convolution; holes bridged.
+Region whole_sum(const Region& a, bool (*wanted)(Mark), const Region& b) {
   ConvolutionBuilder whole(true);
-  std::vector<Outline> outlines;
-  for (const Part& p : face_parts(a, in))
+  std::int32_t base = 0;
+  for (const Part& p : face_parts(a, wanted))
     for (const Part& q : face_parts(b, in)) {
-      Part turned = mirrored(q);
-      whole.add(bridged(p, 0), bridged(turned, 0));
-      outlines.push_back(outline(p));
-      outlines.push_back(outline(turned));
+      whole.add(bridged(p, 1 << 24), bridged(mirrored(q), 0));
+      base += p.unbounded;
     }
-  std::vector<InnerMask::Pair> pairs;
-  for (std::size_t k = 0; k < outlines.size(); k += 2) pairs.push_back({&outlines[k], &outlines[k + 1]});
-  for (const exact::Carrier& k : whole.curves.geometry.carriers)
-    if (k.circle || !k.grid) return;  // a bridge left the grid
-  SignMap pruned = pruned_open_sum(whole, 0, pairs);
   Arrangement arranged = arrange(whole.curves.geometry, whole.curves.pieces);
-  Windings w = windings(arranged, whole.strands, whole.corners, 0);
+  Windings w = windings(arranged, whole.strands, whole.corners, base);
   Marks m;
   for (auto k : w.faces) m.faces.push_back(k > 0);
   for (auto k : w.edges) m.edges.push_back(k > 0);
   for (auto k : w.vertices) m.vertices.push_back(k != kUnwanted && k > 0);
-  Region expected = extract(arranged, m);
-  std::array<const CellComplex*, 2> both{&pruned, &expected};
-  Region difference = overlay(both, [](std::span<const Mark> marks) { return Mark((marks[0] < 0) != (marks[1] > 0)); });
+  return extract(arranged, m);
+}
+
+void expect_same(const SignMap& found, Mark inside, const Region& expected, const std::string& what) {
+  std::array<const CellComplex*, 2> both{&found, &expected};
+  Region difference =
+      overlay(both, [&](std::span<const Mark> marks) { return Mark((marks[0] == inside) != (marks[1] > 0)); });
   ASSERT_TRUE(difference.faces.size() == 1 && difference.faces[0].mark == 0 && difference.edges.empty() &&
               difference.vertices.empty())
       << what;
 }
 
-TEST(PrunedSum, SquaresWithSlotsAndHoles) {
+void compare(const Region& a, const Region& b, const std::string& what) {
+  ASSERT_TRUE(grid_faces(a, in, false) && grid_faces(b, in, true)) << what;
+  expect_same(contact_map(a, b), -1, whole_sum(a, in, b), what);
+  if (!grid_faces(a, out, false)) return;
+  expect_same(containment_map(a, b), 1, whole_sum(a, out, b), what + ", contained");
+}
+
+TEST(GridSum, SquaresWithSlotsAndHoles) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 rng(seed);
     std::int64_t side = seed % 2 ? 4 : 1000;
@@ -109,7 +110,7 @@ TEST(PrunedSum, SquaresWithSlotsAndHoles) {
   }
 }
 
-TEST(PrunedSum, Triangles) {
+TEST(GridSum, Triangles) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 rng(seed);
     std::int64_t size = seed % 2 ? 60 : 1000;
@@ -118,12 +119,24 @@ TEST(PrunedSum, Triangles) {
   }
 }
 
-TEST(PrunedSum, Stars) {
+TEST(GridSum, PartsInSheets) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    std::mt19937 rng(seed);
+    std::int64_t side = seed % 2 ? 4 : 1000;
+    compare(squares(rng, 7, 20 + rng() % 20, side), squares(rng, 2, 1 + rng() % 3, side),
+            "seed " + std::to_string(seed));
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(GridSum, Stars) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     std::mt19937 rng(seed);
     compare(star(rng, 12 + 4 * int(seed)), star(rng, 40 - 2 * int(seed)), "seed " + std::to_string(seed));
     if (HasFatalFailure()) return;
   }
+  std::mt19937 rng(7);
+  compare(star(rng, 60), star(rng, 64), "pruned");
 }
 
 }  // namespace

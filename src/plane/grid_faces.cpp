@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid_faces.h"
+
+namespace findspace::plane {
+namespace {
+
+using exact::int128;
+
+int sign(int128 v) { return (v > 0) - (v < 0); }
+
+bool is_lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
+
+class Walk {
+ public:
+  Walk(const CellComplex& c, bool mirrored) : c_(c), mirrored_(mirrored), seen_(c.half_edges.size(), 0) {}
+
+  /// The ring of a half-edge that has not been walked yet.
+  void ring(Index start, std::vector<GridCorner>& out) {
+    Index first = Index(out.size());
+    for (Index h = start; !seen_[h]; h = c_.next(h)) {
+      seen_[h] = 1;
+      out.push_back(corner(h));
+      out.back().next = Index(out.size());
+      out.back().before = Index(out.size()) - 2;
+    }
+    out.back().next = first;
+    out[first].before = Index(out.size()) - 1;
+    for (Index k = first; k < out.size(); ++k) {
+      const GridCorner& in = out[out[k].before];
+      out[k].turn = std::int8_t(sign(int128(in.dx) * out[k].dy - int128(in.dy) * out[k].dx));
+    }
+  }
+
+  bool seen(Index h) const { return seen_[h] != 0; }
+
+ private:
+  GridCorner corner(Index h) const {
+    const Edge& e = c_.edges[h / 2];
+    const exact::Carrier& k = c_.geometry.carriers[e.carrier];
+    const exact::Point& p = c_.geometry.points[c_.vertices[c_.origin(h)].point];
+    // To the right along a*x + b*y = c: (b, -a) or its opposite.
+    bool flipped = (k.b > 0) == bool(h & 1u);
+    GridCorner g{.at = {p.gx, p.gy}, .dx = k.b, .dy = -k.a, .carrier = e.carrier, .next = 0, .before = 0};
+    if (flipped != mirrored_) g.dx = -g.dx, g.dy = -g.dy;
+    if (mirrored_) g.at = {-g.at.x, -g.at.y};
+    return g;
+  }
+
+  const CellComplex& c_;
+  bool mirrored_;
+  std::vector<char> seen_;
+};
+
+bool on_grid(const CellComplex& c, Index e) {
+  const Edge& d = c.edges[e];
+  return d.half == 0 && c.geometry.carriers[d.carrier].grid && c.point(d.v0).kind == exact::Point::Kind::kGrid &&
+         c.point(d.v1).kind == exact::Point::Kind::kGrid;
+}
+
+}  // namespace
+
+bool GridFace::is_convex() const {
+  if (unbounded) return false;
+  int rounds = 0;
+  for (const GridCorner& k : corners) {
+    if (k.turn <= 0 || (&k != corners.data() && k.before + 1 != Index(&k - corners.data()))) return false;
+    rounds += is_lower(corners[k.before]) && !is_lower(k);
+  }
+  return rounds == 1;
+}
+
+std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
+  auto in = [&](Index face) { return wanted(c.faces[face].mark); };
+  std::vector<char> near(c.vertices.size(), 0);
+  for (Index e = 0; e < c.edges.size(); ++e) {
+    Index left = c.face(2 * e), right = c.face(2 * e + 1);
+    bool beside = in(left) || in(right);
+    if (beside ? left == right || !on_grid(c, e) : wanted(c.edges[e].mark)) return std::nullopt;
+    if (beside) near[c.edges[e].v0] = near[c.edges[e].v1] = 1;
+  }
+  for (Index v = 0; v < c.vertices.size(); ++v)
+    if (!near[v] && wanted(c.vertices[v].mark)) return std::nullopt;
+  std::vector<GridFace> faces;
+  Walk walk(c, mirrored);
+  for (Index f = 0; f < c.faces.size(); ++f) {
+    if (!in(f)) continue;
+    for (Index v : c.faces[f].isolated)
+      if (!wanted(c.vertices[v].mark)) return std::nullopt;
+    GridFace& face = faces.emplace_back();
+    face.unbounded = f == 0;
+    if (c.faces[f].outer != kNone) walk.ring(c.faces[f].outer, face.corners);
+    for (Index h : c.faces[f].inner) walk.ring(h, face.corners);
+  }
+  return faces;
+}
+
+}  // namespace findspace::plane

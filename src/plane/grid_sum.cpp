@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid_sum.h"
+
+#include <algorithm>
+
+#include "plane/convex_sum.h"
+#include "plane/prune_inside.h"
+
+namespace findspace::plane {
+namespace {
+
+bool is_unbounded(const GridOperand& o) {
+  return std::any_of(o.faces.begin(), o.faces.end(), [](const GridFace& f) { return f.unbounded; });
+}
+
+}  // namespace
+
+SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& inside) {
+  if (a.faces.empty() || b.faces.empty()) return CellComplex::uniform(1);
+  if (a.faces.size() == 1 && b.faces.size() == 1 && a.faces[0].is_convex() && b.faces[0].is_convex())
+    return convex_sum({a.faces[0], a.geometry}, {b.faces[0], b.geometry});
+  ReducedConvolution curves = reduced_convolution(a, b);
+  if (pruning_pays(curves)) curves = prune_inside(std::move(curves), a, b);
+  Scratch scratch(curves.pieces.size());
+  Arrangement arrangement = arrange(std::move(curves.geometry), std::move(curves.pieces), {}, scratch.memory());
+  return labelled_sum(std::move(arrangement), curves.sides, is_unbounded(a) || is_unbounded(b), inside);
+}
+
+}  // namespace findspace::plane
