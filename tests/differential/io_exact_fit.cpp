@@ -98,7 +98,7 @@ TEST(ExactFit, EveryPartInItsNegative) {
 }
 
 TEST(ExactFit, EveryPartInTheNegativeOfItsOffset) {
-  auto all = parts(30);
+  auto all = parts(500);
   for (auto& [name, ring] : all) {
     Region part = region_of_rings(std::array{ring});
     Region grown = remark(distance_map(part, Real(2500000)), [](Mark m) { return Mark(m <= 0); });
