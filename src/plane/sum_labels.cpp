@@ -135,22 +135,7 @@ class Labels {
 
   bool edge_inside(Index e) {
     const Arrangement::Edge& d = a_.edges[e];
-    return inside_(a_.geometry, point_between(d.carrier, a_.vertex_point[d.v0], a_.vertex_point[d.v1]));
-  }
-
-  /// A point of the carrier strictly between two of its points.
-  Index point_between(Index carrier, Index p, Index q) {
-    Geometry& g = a_.geometry;
-    const exact::Point s = g.points[p], t = g.points[q];
-    for (bool steep : {false, true}) {
-      double u = steep ? s.y : s.x, w = steep ? t.y : t.x, low = std::min(u, w) + std::max(s.error, t.error) + 1,
-             high = std::max(u, w) - std::max(s.error, t.error) - 1, middle = std::floor((low + high) / 2);
-      if (!(low < middle && middle < high)) continue;
-      Index line = g.add(Carrier::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(middle)));
-      return g.add_crossing(carrier, line, 0);
-    }
-    exact::RealPoint a = g.exact(p), b = g.exact(q);
-    return g.add_real_point((a.x + b.x) / exact::Real(2), (a.y + b.y) / exact::Real(2));
+    return inside_(a_.geometry, point_between(a_.geometry, d.carrier, a_.vertex_point[d.v0], a_.vertex_point[d.v1]));
   }
 
   Arrangement a_;
@@ -164,6 +149,19 @@ class Labels {
 };
 
 }  // namespace
+
+Index point_between(Geometry& g, Index carrier, Index p, Index q) {
+  const exact::Point s = g.points[p], t = g.points[q];
+  for (bool steep : {false, true}) {
+    double u = steep ? s.y : s.x, w = steep ? t.y : t.x, low = std::min(u, w) + std::max(s.error, t.error) + 1,
+           high = std::max(u, w) - std::max(s.error, t.error) - 1, middle = std::floor((low + high) / 2);
+    if (!(low < middle && middle < high)) continue;
+    Index line = g.add(Carrier::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(middle)));
+    return g.add_crossing(carrier, line, 0);
+  }
+  exact::RealPoint a = g.exact(p), b = g.exact(q);
+  return g.add_real_point((a.x + b.x) / exact::Real(2), (a.y + b.y) / exact::Real(2));
+}
 
 SignMap labelled_sum(Arrangement a, const std::vector<InnerSide>& sides, bool unbounded_inside,
                      const InsideTest& inside) {
