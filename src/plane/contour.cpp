@@ -39,6 +39,8 @@ std::string show(double x, double y, double step) { return fmt::format("({:.10g}
 Ring clean(const Contour& input, std::string label, std::int64_t& repeated, double step) {
   Ring ring;
   ring.label = std::move(label);
+  ring.edges.reserve(input.size());
+  ring.source.reserve(input.size());
   std::size_t arcs = 0;
   for (std::size_t i = 0; i < input.size(); ++i) {
     if (input[i].start == input[i + 1 == input.size() ? 0 : i + 1].start) {
@@ -56,15 +58,15 @@ Ring clean(const Contour& input, std::string label, std::int64_t& repeated, doub
   return ring;
 }
 
-bool straight(const Ring& ring) {
-  return std::none_of(ring.edges.begin(), ring.edges.end(), [](const ContourEdge& e) { return e.arc; });
+bool straight(const Contour& ring) {
+  return std::none_of(ring.begin(), ring.end(), [](const ContourEdge& e) { return e.arc; });
 }
 
 /// A ring of segments that all lie on one line: told apart from self-intersection for the sake of the message.
 bool flat(const Ring& ring) {
   GridPoint o = ring.edges[0].start, a = ring.end(0);
-  return straight(ring) && std::all_of(ring.edges.begin(), ring.edges.end(),
-                                       [&](const ContourEdge& e) { return cross(o, a, e.start) == 0; });
+  return straight(ring.edges) && std::all_of(ring.edges.begin(), ring.edges.end(),
+                                             [&](const ContourEdge& e) { return cross(o, a, e.start) == 0; });
 }
 
 std::string edge_label(const Ring& ring, std::size_t i, double step) {
@@ -114,6 +116,7 @@ Box box_of(const Span& s) {
 void check_edges(const std::vector<Ring>& rings, double step) {
   std::vector<EdgeId> ids;
   std::vector<Box> boxes;
+  if (rings.size() == 1) ids.reserve(rings[0].edges.size()), boxes.reserve(rings[0].edges.size());
   for (std::uint32_t r = 0; r < rings.size(); ++r) {
     for (std::uint32_t e = 0; e < rings[r].edges.size(); ++e) {
       ids.push_back({r, e});
@@ -214,12 +217,12 @@ Contour reversed(const Contour& ring) {
 }
 
 int orientation(const Contour& ring) {
-  Ring r{ring, {}, {}};
-  if (straight(r)) {
+  if (straight(ring)) {
     int128 area = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += cross(ring[0].start, ring[i].start, ring[i + 1].start);
     return area > 0 ? 1 : -1;
   }
+  Ring r{ring, {}, {}};
   std::size_t low = 0;
   for (std::size_t i = 1; i < ring.size(); ++i) {
     if (ring[i].start < ring[low].start) low = i;

@@ -113,7 +113,11 @@ class BoxTree {
 
 template <class Visit>
 void for_meeting_boxes(const std::vector<Box>& boxes, Visit visit) {
-  BoxTree(boxes).meeting_pairs(visit);
+  constexpr std::size_t kFew = 24;  // up to here the tree costs more than it saves
+  if (boxes.size() > kFew) return BoxTree(boxes).meeting_pairs(visit);
+  for (std::size_t j = 1; j < boxes.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (boxes[i].meets(boxes[j])) visit(i, j);
 }
 
 }  // namespace findspace::plane

@@ -3,6 +3,8 @@
 
 #include "plane/primitives.h"
 
+#include <algorithm>
+
 #include "plane/around_vertex.h"
 #include "plane/piece_builder.h"
 #include "plane/simplify.h"
@@ -31,6 +33,7 @@ class RingBuilder {
 
  private:
   void faces(Index count) {
+    region_.faces.reserve(count);
     for (Index f = 0; f < count; ++f)
       region_.faces.push_back(Face{.mark = Mark(f == 1), .outer = kNone, .inner = {}, .isolated = {}});
   }
@@ -38,7 +41,9 @@ class RingBuilder {
   /// One ring with face 1 on its left and `outside` on its right.
   void add(const Contour& ring, Index outside) {
     Index first = Index(builder_.pieces.size()), n = Index(ring.size());
+    make_room(n);
     std::vector<Index> corner;
+    corner.reserve(n);
     for (const ContourEdge& e : ring) corner.push_back(builder_.geometry.add_grid_point(e.start.x, e.start.y));
     for (Index k = 0; k < n; ++k) {
       Index next = k + 1 == n ? 0 : k + 1;
@@ -66,6 +71,14 @@ class RingBuilder {
       region_.half_edges[along(i)] = {along(after), 1};
       region_.half_edges[along(i) ^ 1u] = {along(before) ^ 1u, outside};
     }
+  }
+
+  /// For the edges of one more ring, arcs aside.
+  void make_room(std::size_t edges) {
+    auto grow = [edges](auto& v) { v.reserve(std::max(v.size() + edges, 2 * v.size())); };
+    grow(builder_.geometry.carriers), grow(builder_.geometry.points), grow(builder_.pieces), grow(builder_.forward);
+    grow(region_.vertices), grow(region_.edges);
+    region_.half_edges.reserve(std::max(region_.half_edges.size() + 2 * edges, 2 * region_.half_edges.size()));
   }
 
   /// Parallel lines or halves of the same kind: only such neighbours can be one edge.

@@ -4,6 +4,7 @@
 #include "plane/transversal_sum.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "plane/broad_phase.h"
 #include "plane/piece_meet.h"
@@ -11,8 +12,6 @@
 
 namespace findspace::plane {
 namespace {
-
-constexpr std::size_t kMostCurves = 160;
 
 /// Where another curve crosses a curve.
 struct Stop {
@@ -37,9 +36,14 @@ class Curves {
     }
     ends_at_.assign(g_.points.size(), kNone);
     for (Index i = 0; i < size(); ++i) ends_at_[end(i)] = i;
-    for (Index i = 0; i < size(); ++i)
-      for (Index j = i + 1; j < size(); ++j)
-        if (boxes[i].meets(boxes[j]) && !cross(i, j)) return false;
+    std::pmr::vector<Index> order(size(), memory_);
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](Index i, Index j) { return boxes[i].x0 < boxes[j].x0; });
+    for (Index s = 0; s < size(); ++s) {
+      const PieceBox& box = boxes[order[s]];
+      for (Index t = s + 1; t < size() && boxes[order[t]].x0 <= box.x1; ++t)
+        if (box.meets(boxes[order[t]]) && !cross(order[s], order[t])) return false;
+    }
     return sort_stops();
   }
 
@@ -258,8 +262,8 @@ class TransversalSum {
 }  // namespace
 
 std::optional<SignMap> transversal_sum(ReducedConvolution& convolution, const InsideTest& inside) {
-  if (convolution.pieces.empty() || convolution.pieces.size() > kMostCurves) return std::nullopt;
-  Scratch scratch(0);
+  if (convolution.pieces.empty()) return std::nullopt;
+  Scratch scratch(convolution.pieces.size());
   return TransversalSum(convolution, inside, scratch.memory()).run();
 }
 

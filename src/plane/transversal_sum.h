@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The open sum of two grid polygons of a few corners whose reduced convolution is in general position: its curves meet
-// at common ends or cross, two at a point. Its boundary is then made of the closed walks along the outer sides of the
+// The open sum of two grid polygons whose reduced convolution is in general position: its curves meet at common ends or
+// cross, two at a point. Its boundary is then made of the closed walks along the outer sides of the
 // curves that turn at every crossing and never pass an inner side; no arrangement is needed. Guarantee: the same cells
-// and marks as by arranging. Cost: O(k^2) comparisons of boxes for k curves. Source: Behar & Lien 2011.
+// and marks as by arranging. Cost: O(k log k + pairs whose ranges of x meet) for k curves. Source: Behar & Lien 2011.
 // Keywords: reduced convolution, outer loops.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace findspace::plane {
 
-/// Nothing where the curves are too many or not in general position; the convolution then is as before. It must be that
+/// Nothing where the curves are not in general position; the convolution then is as before. It must be that
 /// of two bounded faces.
 std::optional<SignMap> transversal_sum(ReducedConvolution& convolution, const InsideTest& inside);
 
