@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The open sum of two grid polygons whose reduced convolution is in general position: its curves meet at common ends or
-// cross, two at a point. Its boundary is then made of the closed walks along the outer sides of the
-// curves that turn at every crossing and never pass an inner side; no arrangement is needed. Guarantee: the same cells
-// and marks as by arranging. Cost: O(k log k + pairs whose ranges of x meet) for k curves. Source: Behar & Lien 2011.
-// Keywords: reduced convolution, outer loops.
+// The open sum of two grid polygons whose reduced convolution is in general position: its curves meet at common ends,
+// touch each other with their ends, or cross, two at a point. Its boundary is then made of the closed walks along the
+// outer sides of the curves that turn at every crossing and never pass an inner side; no arrangement is needed.
+// Guarantee: the same cells and marks as by arranging. Cost: O(k log k + pairs whose ranges of x meet) for k curves.
+// Source: Behar & Lien 2011. Keywords: reduced convolution, outer loops.
 #pragma once
 
 #include <optional>

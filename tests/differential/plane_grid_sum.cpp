@@ -9,8 +9,11 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 
+#include "findspace/error.h"
+#include "plane/contour.h"
 #include "plane/convolution.h"
 #include "plane/grid_sum.h"
 #include "plane/minkowski.h"
@@ -125,6 +128,43 @@ TEST(GridSum, PartsInSheets) {
     std::int64_t side = seed % 2 ? 4 : 1000;
     compare(squares(rng, 7, 20 + rng() % 20, side), squares(rng, 2, 1 + rng() % 3, side),
             "seed " + std::to_string(seed));
+    if (HasFatalFailure()) return;
+  }
+}
+
+/// Star-shaped polygons with corners on a coarse lattice: parallel edges, ends that touch, curves that run along each
+/// other.
+std::optional<Region> lattice_star(std::mt19937& rng) {
+  int n = 4 + int(rng() % 9);
+  std::vector<Contour> rings(1);
+  for (int k = 0; k < n; ++k) {
+    double r = double(2 + rng() % 5), angle = 6.283185307179586 * k / n;
+    rings[0].push_back({.start = {4 * std::llround(r * std::cos(angle)), 4 * std::llround(r * std::sin(angle))}});
+  }
+  try {
+    return region_of_rings(make_rings(rings, 1).contours);
+  } catch (const Error&) {
+    return std::nullopt;  // it touches itself
+  }
+}
+
+TEST(GridSum, LatticeStars) {
+  int compared = 0;
+  for (unsigned seed = 0; seed < 1500; ++seed) {
+    std::mt19937 rng(seed);
+    auto a = lattice_star(rng), b = lattice_star(rng);
+    if (!a || !b) continue;
+    ++compared;
+    compare(*a, *b, "seed " + std::to_string(seed));
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(compared, 300);
+}
+
+TEST(GridSum, SmallStars) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937 rng(seed);
+    compare(star(rng, 4 + 2 * int(rng() % 8)), star(rng, 4 + 2 * int(rng() % 8)), "seed " + std::to_string(seed));
     if (HasFatalFailure()) return;
   }
 }
