@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// `map --resolution N` of a 3D scene: the region on N x N lines along z, for solids of any shape.
+// Maps of 3D scenes on N x N lines along z, for solids of any shape: with --resolution N, or where no exact map is to
+// be had.
 #include <fmt/format.h>
 
 #include "io/write_json_rays.h"
@@ -15,7 +16,7 @@ namespace {
 
 situation::RayWorld ray_world(const Session& session) {
   situation::RayWorld world;
-  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, space::ray_solids(*shape));
+  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, situation::RayShape(*shape));
   world.moving = session.scene().moving;
   world.step = session.step();
   return world;
@@ -33,7 +34,7 @@ std::string summary_text(const std::string& title, const space::RaySummary& summ
 
 }  // namespace
 
-Outcome map_rays(const Session& session) {
+Outcome map_rays(const Session& session, int resolution) {
   const Options& options = session.options();
   constexpr const char* kSurfaces[] = {".obj", ".off", ".stl"};
   check_outputs(options, {".json", ".obj", ".off", ".stl"});
@@ -45,11 +46,11 @@ Outcome map_rays(const Session& session) {
   const situation::RayWorld world = ray_world(session);
   const situation::RayWindow window = situation::window(world, formula);
   const auto &low = window.low, &high = window.high;
-  const bool unbounded = situation::holds_far_away(formula);
+  const bool unbounded = situation::holds_far_away(world, formula);
   const double step = session.step().to_double();
   const std::string title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
   session.talk().stage("casting rays");
-  const space::RayGrid grid = space::ray_grid(low, high, 2, options.resolution);
+  const space::RayGrid grid = space::ray_grid(low, high, 2, resolution);
   const auto rays = situation::ray_region(world, formula, grid);
   space::RaySummarizer summarizer(grid);
   io::RayLines lines(grid, step);
@@ -60,7 +61,7 @@ Outcome map_rays(const Session& session) {
   const space::RaySummary summary = summarizer.finish();
   const auto json = [&] { return io::rays_json(summary, grid, unbounded, step, session.unit(), lines.text()); };
   const auto surface = [&] {
-    const space::RayLattice lattice = space::ray_lattice(low, high, options.resolution);
+    const space::RayLattice lattice = space::ray_lattice(low, high, resolution);
     return io::ray_surface_mesh(
         space::ray_surface(
             lattice, [&](int axis) { return situation::ray_region(world, formula, lattice.grid(axis)); },

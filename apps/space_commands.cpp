@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "io/draw_space.h"
 #include "io/write_json_space.h"
@@ -17,6 +18,7 @@ namespace {
 
 using exact::Real;
 
+constexpr int kLinesUnasked = 128;
 constexpr const char* kSurfaces[] = {".obj", ".off", ".stl", ".svg"};
 
 std::vector<std::string> formats() {
@@ -100,6 +102,53 @@ Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, co
           summary.empty ? kEmpty : kDone};
 }
 
+/// The region as boxes; nothing where it has other faces and lines can answer instead.
+std::optional<space::BoxComplex> box_region(const Session& session, const situation::SpaceSolver& solver,
+                                            const situation::Formula& formula) {
+  const bool others_may = !session.goal() && session.options().apply.empty();
+  if (others_may && !solver.axis_parallel()) {
+    // Only the least gamma2 has an answer of this kind.
+    const bool least = std::any_of(formula.sign_maps().begin(), formula.sign_maps().end(),
+                                   [](const situation::SignMap& m) { return m.minimum; });
+    if (!least) return std::nullopt;
+  }
+  try {
+    return solver.feasible(formula);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported || !others_may) throw;
+    return std::nullopt;
+  }
+}
+
+Outcome on_lines(const Session& session) {
+  session.talk().note(
+      fmt::format("the map is taken on {0} x {0} lines, exact on each (--resolution N for others)", kLinesUnasked));
+  return map_rays(session, kLinesUnasked);
+}
+
+/// One convex set, or else the map on lines.
+Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& solver,
+                          const situation::Formula& formula) {
+  const auto convex = solver.feasible_convex(formula);
+  const auto& outputs = session.options().outputs;
+  const bool surface = std::any_of(outputs.begin(), outputs.end(),
+                                   [](const std::filesystem::path& name) { return name.extension() != ".json"; });
+  // The facets of a grown polytope are no surface.
+  if (convex && !(surface && convex->set.radius.sign() > 0))
+    return polytope_outcome(session, convex->set, convex->step, title_of(session));
+  return on_lines(session);
+}
+
+/// Nothing where a shape has no convex parts and lines can answer instead.
+std::unique_ptr<situation::SpaceSolver> solver_of(const Session& session) {
+  try {
+    return std::make_unique<situation::SpaceSolver>(world_of(session));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported || session.goal() || !session.options().apply.empty()) throw;
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 Outcome map_space(const Session& session) {
@@ -107,14 +156,13 @@ Outcome map_space(const Session& session) {
   check_outputs(options, formats());
   const situation::Formula formula = session.where();
   const auto goal = session.goal();
-  const situation::SpaceSolver solver(world_of(session));
+  const auto made = solver_of(session);
+  if (!made) return on_lines(session);
+  const situation::SpaceSolver& solver = *made;
   session.talk().stage("solving");
-  if (!goal && options.apply.empty() && !solver.axis_parallel()) {
-    if (const auto convex = solver.feasible_convex(formula)) {
-      return polytope_outcome(session, convex->set, convex->step, title_of(session));
-    }
-  }
-  space::BoxComplex region = solver.feasible(formula);
+  std::optional<space::BoxComplex> boxes = box_region(session, solver, formula);
+  if (!boxes) return map_without_boxes(session, solver, formula);
+  space::BoxComplex region = std::move(*boxes);
   std::optional<io::ExtremeValue> extreme;
   if (goal) {
     const bool greatest = goal->sense == distance::Sense::kMaximum;

@@ -210,7 +210,8 @@ std::optional<SpaceSolver::ConvexMap> SpaceSolver::feasible_convex(const Formula
   auto found = n.pair->sublevel(n.which, map.level / world_.step);
   if (!found) return std::nullopt;
   const auto holds_at = [&](std::int8_t sign) { return evaluate(formula, std::array<std::int8_t, 1>{sign}); };
-  return ConvexMap{{std::move(found->region), holds_at(-1), holds_at(0), holds_at(1)}, world_.step / found->scale};
+  return ConvexMap{{std::move(found->region), holds_at(-1), holds_at(0), holds_at(1), found->radius},
+                   world_.step / found->scale};
 }
 
 std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) const {

@@ -118,35 +118,58 @@ std::vector<space::HalfSpace> fitting_planes(const Body& b, const space::BodyPar
   return planes;
 }
 
-std::vector<space::HalfSpace> overlap_planes(const space::BodyPart& b, const space::BodyPart& a, const Real& level) {
-  std::vector<space::HalfSpace> planes;
-  for (const space::HalfSpace& h : space::difference_planes(a, b)) {
-    planes.emplace_back(h.normal,
-                        level.sign() == 0 ? h.offset : h.offset - level * sqrt(space::dot(h.normal, h.normal)));
-  }
-  return planes;
-}
-
 }  // namespace
 
+/// The empty set.
+SpacePair::Sublevel SpacePair::none() const {
+  Sublevel out{space::ConvexRegion({}, {}), Real(), Real(scale_)};
+  RealVector up;
+  up[2] = Real(1);
+  out.region.cut(space::HalfSpace(up, Real(1)));
+  return out;
+}
+
 std::optional<SpacePair::Sublevel> SpacePair::sublevel(Which which, const Real& level) const {
-  if (!bodies_ || a_->outside || level.sign() > 0) return std::nullopt;
+  if (!bodies_ || a_->outside) return std::nullopt;
   const Real scale(scale_), at = level * scale;
-  const bool eta = which == Which::kEta1 || which == Which::kMu,
-             delta = which == Which::kDelta1 || which == Which::kMuBack;
+  const bool eta = which == Which::kEta1 || (which == Which::kMu && level.sign() <= 0),
+             delta = which == Which::kDelta1 || (which == Which::kMuBack && level.sign() <= 0);
+  const bool one_pair = a_->convex() && b_->convex();
+  const bool balls = one_pair && !a_->parts[0].core && !b_->parts[0].core;
   const auto plain = [](const Body& body) { return body.convex() && body.parts[0].core && !body.round(); };
   std::vector<space::HalfSpace> planes;
-  if (eta && plain(*a_))
-    planes = fitting_planes(*b_, a_->parts[0], at, false);
-  else if (delta && plain(*b_))
-    planes = fitting_planes(*a_, b_->parts[0], at, true);
-  else if (which == Which::kGamma1 && plain(*a_) && plain(*b_))
-    planes = overlap_planes(b_->parts[0], a_->parts[0], at);
-  else
+  Real radius;
+  if (balls) {
+    const Real &ra = a_->parts[0].radius, &rb = b_->parts[0].radius;
+    if ((eta && ra < rb) || (delta && rb < ra)) return none();
+    const bool near = which == Which::kGamma1 || which == Which::kGamma2 || eta || delta;
+    if (!near) return std::nullopt;
+    radius = at + (which == Which::kGamma1 ? ra + rb : which == Which::kGamma2 ? -(ra + rb) : eta ? ra - rb : rb - ra);
+  } else if (eta && plain(*a_)) {
+    planes = fitting_planes(*b_, a_->parts[0], std::min(at, Real()), false);
+    radius = std::max(at, Real());
+  } else if (delta && plain(*b_)) {
+    planes = fitting_planes(*a_, b_->parts[0], std::min(at, Real()), true);
+    radius = std::max(at, Real());
+  } else if (which == Which::kGamma1 && one_pair) {
+    const Real grown = at + a_->parts[0].radius + b_->parts[0].radius;
+    planes = space::difference_planes(a_->parts[0], b_->parts[0]);
+    radius = std::max(grown, Real());
+    if (grown.sign() < 0) {
+      for (space::HalfSpace& h : planes)
+        h = space::HalfSpace(h.normal, h.offset - grown * sqrt(space::dot(h.normal, h.normal)));
+    }
+  } else {
     return std::nullopt;
+  }
+  if (radius.sign() < 0) return none();
+  if (balls) {
+    const RealVector center = real(a_->parts[0].center - b_->parts[0].center);
+    return Sublevel{space::ConvexRegion(center, center), radius, scale};
+  }
   // All positions at which the boxes around the shapes meet.
   const space::Bounds3 a = bounds(*a_), b = bounds(*b_);
-  Sublevel out{space::ConvexRegion(space::minus(a.low, b.high), space::minus(a.high, b.low)), scale};
+  Sublevel out{space::ConvexRegion(space::minus(a.low, b.high), space::minus(a.high, b.low)), radius, scale};
   for (const space::HalfSpace& h : planes) out.region.cut(h);
   return out;
 }
