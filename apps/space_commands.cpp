@@ -11,6 +11,8 @@
 #include "io/draw_space.h"
 #include "io/write_json_space.h"
 #include "plane/parallel.h"
+#include "ray_outcome.h"
+#include "space/shape_rays.h"
 #include "space_report.h"
 
 namespace findspace::app {
@@ -81,13 +83,15 @@ std::string title_of(const Session& session) {
   return fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
 }
 
-/// The polytope as a closed set.
-space::ConvexSet whole(const space::Polytope& p) {
-  space::Body body;
-  body.parts.push_back({p, {}, Real()});
-  const space::Bounds3 box = space::bounds(body);
-  space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, true, false};
-  for (const space::Plane& plane : p.planes()) set.region.cut(space::HalfSpace(plane));
+/// A convex body as a closed set.
+space::ConvexSet whole(const space::Body& body) {
+  const space::BodyPart& part = body.parts[0];
+  space::Body core = body;
+  core.parts[0].radius = Real();
+  const space::Bounds3 box = space::bounds(core);
+  space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, true, false, part.radius};
+  if (!part.core) return set;
+  for (const space::Plane& plane : part.core->planes()) set.region.cut(space::HalfSpace(plane));
   return set;
 }
 
@@ -120,9 +124,20 @@ std::optional<space::BoxComplex> box_region(const Session& session, const situat
   }
 }
 
+/// What the facets of a grown polytope do not give.
+bool wants_surface(const Session& session) {
+  const auto& outputs = session.options().outputs;
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [](const std::filesystem::path& name) { return name.extension() != ".json"; });
+}
+
+void note_lines(const Session& session, const char* what) {
+  session.talk().note(fmt::format("the {0} is taken on {1} x {1} lines, exact on each{2}", what, kLinesUnasked,
+                                  what == std::string_view("map") ? " (--resolution N for others)" : ""));
+}
+
 Outcome on_lines(const Session& session) {
-  session.talk().note(
-      fmt::format("the map is taken on {0} x {0} lines, exact on each (--resolution N for others)", kLinesUnasked));
+  note_lines(session, "map");
   return map_rays(session, kLinesUnasked);
 }
 
@@ -130,11 +145,7 @@ Outcome on_lines(const Session& session) {
 Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& solver,
                           const situation::Formula& formula) {
   const auto convex = solver.feasible_convex(formula);
-  const auto& outputs = session.options().outputs;
-  const bool surface = std::any_of(outputs.begin(), outputs.end(),
-                                   [](const std::filesystem::path& name) { return name.extension() != ".json"; });
-  // The facets of a grown polytope are no surface.
-  if (convex && !(surface && convex->set.radius.sign() > 0))
+  if (convex && !(convex->set.radius.sign() > 0 && wants_surface(session)))
     return polytope_outcome(session, convex->set, convex->step, title_of(session));
   return on_lines(session);
 }
@@ -226,21 +237,44 @@ Outcome measure_space(const Session& session) {
   return {options.json ? json() : space_measure_text(distances, where_text(at), session.unit()), kDone};
 }
 
+namespace {
+
+/// The shape, if it is made of boxes or one convex set.
+std::optional<situation::SpaceShape> exact_shape(const Session& session, const std::string& name) {
+  try {
+    situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
+    note_rounding(session, name, shape);
+    if (shape.boxes || (shape.body->convex() && (!shape.body->round() || !wants_surface(session)))) return shape;
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+  }
+  return std::nullopt;
+}
+
+Outcome describe_rays(const Session& session, const std::string& name) {
+  const plane::Shape& shape = *session.scene().shape(name);
+  const space::ShapeBox box = space::shape_box(shape);
+  note_lines(session, "shape");
+  RaySet set;
+  set.title = name;
+  set.resolution = kLinesUnasked;
+  set.low = box.low, set.high = box.high;
+  set.unbounded = box.unbounded;
+  set.source = [&](const space::RayGrid& grid) { return space::shape_rays(shape, grid); };
+  return rays_outcome(session, set);
+}
+
+}  // namespace
+
 Outcome describe_space(const Session& session, const std::string& name) {
   const Options& options = session.options();
   check_outputs(options, formats());
   session.talk().stage(fmt::format("shape {}", name));
-  const situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
-  note_rounding(session, name, shape);
-  if (!shape.boxes && shape.body->convex() && shape.body->parts[0].core && !shape.body->round()) {
-    return polytope_outcome(session, whole(shape.body->parts[0].core.value()), session.step() / Real(shape.body->scale),
-                            name);
-  }
-  if (!shape.boxes) {
-    throw Error(ErrorCode::kUnsupported,
-                "in 3D convex polytopes and shapes whose faces are all parallel to the axes are described",
-                session.scene().shape(name)->place);
-  }
+  const auto made = exact_shape(session, name);
+  if (!made) return describe_rays(session, name);
+  const situation::SpaceShape& shape = *made;
+  if (!shape.boxes)
+    return polytope_outcome(session, whole(*shape.body), session.step() / Real(shape.body->scale), name);
   const space::SpaceSummary summary = space::summarize(*shape.boxes, session.step());
   const auto json = [&] { return io::space_json(*shape.boxes, summary, session.step(), session.unit()); };
   write_outputs(options, writers(

@@ -88,6 +88,18 @@ RayRow combined(std::span<const RayRow> rows, const std::function<std::int8_t(st
   return result;
 }
 
+std::int8_t sign_at(const RayRow& row, int i, const exact::Real& z) {
+  const auto line = static_cast<std::size_t>(i);
+  std::int8_t sign = row.before[line];
+  for (int e = row.first[line]; e < row.first[line + 1]; ++e) {
+    const RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    const int order = exact::compare(event.at.to_real(), z);
+    if (order >= 0) return order == 0 ? event.here : sign;
+    sign = event.after;
+  }
+  return sign;
+}
+
 void each_row(const RaySource& source, const std::function<void(int, RayRow&&)>& take) {
   const int rows = source.grid().nv;
   for (int begin = 0; begin < rows; begin += kRowsAtOnce) {
