@@ -5,6 +5,7 @@
 // be had.
 #include <fmt/format.h>
 
+#include "io/draw_slices.h"
 #include "io/write_json_rays.h"
 #include "io/write_mesh.h"
 #include "plane/parallel.h"
@@ -14,6 +15,9 @@
 
 namespace findspace::app {
 namespace {
+
+/// Of the picture in slices.
+constexpr int kLayers = 16;
 
 situation::RayWorld ray_world(const Session& session) {
   situation::RayWorld world;
@@ -37,8 +41,9 @@ std::string summary_text(const std::string& title, const space::RaySummary& summ
 
 Outcome rays_outcome(const Session& session, const RaySet& set) {
   const Options& options = session.options();
-  constexpr const char* kSurfaces[] = {".obj", ".off", ".stl"};
-  check_outputs(options, {".json", ".obj", ".off", ".stl"});
+  std::vector<std::string> formats{".json"};
+  formats.insert(formats.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+  check_outputs(options, formats);
   if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply needs an exact map, not one on rays");
   const double step = session.step().to_double();
   session.talk().stage("casting rays");
@@ -61,8 +66,13 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   };
   session.talk().stage("writing");
   Writers writers{{".json", json}};
-  for (const char* ending : kSurfaces)
-    writers.emplace(ending, [=] { return io::surface_text(surface(), set.title, ending); });
+  for (const char* ending : io::kSurfaceEndings)
+    writers.emplace(ending, [=] { return io::surface_text(surface(), set.title, ending, session.unit()); });
+  writers[".svg"] = [&] {
+    const space::RayGrid slices = io::slice_grid(set.low, set.high, kLayers, set.resolution);
+    return io::slices_svg(space::all_rows(*set.source(slices)), slices, set.low, set.high, step, set.title,
+                          session.unit());
+  };
   write_outputs(options, writers);
   return {options.json ? json() : summary_text(set.title, summary, set.unbounded, step, std::string(session.unit())),
           kDone};

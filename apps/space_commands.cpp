@@ -21,18 +21,19 @@ namespace {
 using exact::Real;
 
 constexpr int kLinesUnasked = 128;
-constexpr const char* kSurfaces[] = {".obj", ".off", ".stl", ".svg"};
 
 std::vector<std::string> formats() {
   std::vector<std::string> out{".json"};
-  out.insert(out.end(), std::begin(kSurfaces), std::end(kSurfaces));
+  out.insert(out.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   return out;
 }
 
 /// JSON, and the surface in every format.
-Writers writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title) {
+Writers writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title,
+                const std::string& unit) {
   Writers out{{".json", std::move(json)}};
-  for (const char* ending : kSurfaces) out.emplace(ending, [=] { return io::surface_text(surface(), title, ending); });
+  for (const char* ending : io::kSurfaceEndings)
+    out.emplace(ending, [=] { return io::surface_text(surface(), title, ending, unit); });
   return out;
 }
 
@@ -101,7 +102,7 @@ Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, co
   const space::SpaceSummary summary = space::summarize(set, step);
   const auto json = [&] { return io::space_json(set, summary, step, session.unit()); };
   const auto surface = [&] { return io::convex_surface(set, step); };
-  write_outputs(options, writers(json, surface, title));
+  write_outputs(options, writers(json, surface, title, session.unit()));
   return {options.json ? json() : space_summary_text(title, summary, session.unit(), nullptr),
           summary.empty ? kEmpty : kDone};
 }
@@ -201,7 +202,7 @@ Outcome map_space(const Session& session) {
   const auto json = [&] { return io::space_json(region, summary, session.step(), session.unit(), shown); };
   session.talk().stage("writing");
   Writers all = writers(
-      json, [&] { return io::box_surface(region, session.step()); }, title);
+      json, [&] { return io::box_surface(region, session.step()); }, title, session.unit());
   all[".svg"] = [&] { return picture(session, solver.world(), region, summary, title); };
   write_outputs(options, all);
   return {options.json ? json() : space_summary_text(title, summary, session.unit(), shown),
@@ -277,8 +278,9 @@ Outcome describe_space(const Session& session, const std::string& name) {
     return polytope_outcome(session, whole(*shape.body), session.step() / Real(shape.body->scale), name);
   const space::SpaceSummary summary = space::summarize(*shape.boxes, session.step());
   const auto json = [&] { return io::space_json(*shape.boxes, summary, session.step(), session.unit()); };
-  write_outputs(options, writers(
-                             json, [&] { return io::box_surface(*shape.boxes, session.step()); }, name));
+  write_outputs(options,
+                writers(
+                    json, [&] { return io::box_surface(*shape.boxes, session.step()); }, name, session.unit()));
   return {options.json ? json() : space_summary_text(name, summary, session.unit(), nullptr),
           summary.empty ? kEmpty : kDone};
 }

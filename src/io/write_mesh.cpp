@@ -10,6 +10,9 @@
 #include <iterator>
 #include <map>
 
+#include "io/mesh_3mf.h"
+#include "io/write_mesh_binary.h"
+
 namespace findspace::io {
 namespace {
 
@@ -161,13 +164,17 @@ std::string svg_text(const Surface& s, std::string_view title) {
   return fmt::to_string(out);
 }
 
-std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending) {
+std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending,
+                         std::string_view unit) {
   if (ending == ".obj") return obj_text(surface, title);
   if (ending == ".off") return off_text(surface);
   if (ending == ".stl") return stl_text(surface, title);
+  if (ending == ".ply") return ply_text(surface, title);
+  if (ending == ".glb") return glb_text(surface, title, unit);
+  if (ending == ".3mf") return text_3mf(surface, title, unit);
   if (ending == ".svg") return svg_text(surface, title);
   throw Error(ErrorCode::kUnsupported,
-              fmt::format("a surface is written as .obj, .off, .stl or .svg, not '{}'", ending));
+              fmt::format("a surface is written as {}, not '{}'", fmt::join(kSurfaceEndings, " "), ending));
 }
 
 }  // namespace findspace::io
