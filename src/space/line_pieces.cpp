@@ -30,10 +30,21 @@ void box_of(std::span<const RealVector> points, LinePiece& piece) {
   widen(piece.low, piece.high, piece.radius.to_double());
 }
 
+/// The same direction with coprime whole components, if its own are whole: short numbers are quick.
+RealVector shortened(const RealVector& v) {
+  exact::int128 common = 0;
+  for (const Real& c : v) {
+    const auto whole = c.integer();
+    if (!whole) return v;
+    common = exact::gcd(common, *whole);
+  }
+  return common > 1 ? scaled(Real::ratio(1, common), v) : v;
+}
+
 LinePiece cylinder_piece(const RealVector& p, const RealVector& q, const Real& radius) {
   LinePiece piece;
   piece.round = true;
-  piece.base = p, piece.direction = minus(q, p), piece.radius = radius;
+  piece.base = p, piece.tip = q, piece.direction = shortened(minus(q, p)), piece.radius = radius;
   piece.planes.emplace_back(negated(piece.direction), dot(piece.direction, p));
   piece.planes.emplace_back(piece.direction, -dot(piece.direction, q));
   const RealVector ends[2] = {p, q};
@@ -41,14 +52,15 @@ LinePiece cylinder_piece(const RealVector& p, const RealVector& q, const Real& r
   return piece;
 }
 
-LinePiece slab_piece(std::span<const RealVector> ring, const RealVector& normal, const Real& radius) {
+LinePiece slab_piece(std::span<const RealVector> ring, const RealVector& long_normal, const Real& radius) {
   LinePiece piece;
+  const RealVector normal = shortened(long_normal);
   piece.radius = radius;
   const Real reach = radius * sqrt(dot(normal, normal)), level = dot(normal, ring[0]);
   piece.planes.emplace_back(normal, -(level + reach));
   piece.planes.emplace_back(negated(normal), level - reach);
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const RealVector out = cross(minus(ring[(k + 1) % ring.size()], ring[k]), normal);
+    const RealVector out = shortened(cross(minus(ring[(k + 1) % ring.size()], ring[k]), normal));
     if (!is_zero(out)) piece.planes.emplace_back(out, -dot(out, ring[k]));
   }
   box_of(ring, piece);
@@ -68,7 +80,7 @@ LinePiece polytope_piece(std::vector<HalfSpace> planes, const Vector& low, const
 LinePiece ball_piece(const RealVector& center, const Real& radius) {
   LinePiece piece;
   piece.round = true;
-  piece.base = center, piece.radius = radius;
+  piece.base = piece.tip = center, piece.radius = radius;
   box_of(std::span(&center, 1), piece);
   return piece;
 }
@@ -93,14 +105,14 @@ void drop_repeated(std::vector<LinePiece>& pieces) {
   std::vector<LinePiece> kept;
   for (LinePiece& piece : pieces) {
     if (piece.round) {
-      RealVector p = piece.base, q = plus(piece.base, piece.direction);
+      RealVector p = piece.base, q = piece.tip;
       const auto key = [](const Vector& a, const Vector& b) { return std::array{a.x, a.y, a.z, b.x, b.y, b.z}; };
       if (key(space::rounded(q), {}) < key(space::rounded(p), {})) std::swap(p, q);
       auto& alike = seen[key(space::rounded(p), space::rounded(q))];
       const bool known = std::any_of(alike.begin(), alike.end(), [&](std::size_t k) {
         const LinePiece& other = kept[k];
-        const RealVector end = plus(other.base, other.direction);
-        return other.radius == piece.radius && ((other.base == p && end == q) || (other.base == q && end == p));
+        return other.radius == piece.radius &&
+               ((other.base == p && other.tip == q) || (other.base == q && other.tip == p));
       });
       if (known) continue;
       alike.push_back(kept.size());

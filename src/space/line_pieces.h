@@ -17,7 +17,7 @@ namespace findspace::space {
 struct LinePiece {
   std::vector<HalfSpace> planes;
   bool round = false;
-  RealVector base{}, direction{};
+  RealVector base{}, direction{}, tip{};  // tip: where the axis ends; of a ball its centre
   exact::Real radius{};
   Vector low, high;  // a box that holds it; may be infinite
 };
