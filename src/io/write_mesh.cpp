@@ -10,6 +10,7 @@
 #include <iterator>
 #include <map>
 
+#include "io/draw_view.h"
 #include "io/mesh_3mf.h"
 #include "io/write_mesh_binary.h"
 
@@ -37,11 +38,6 @@ Vec face_normal(const Surface& s, const std::vector<int>& face) {
   }
   return sum;
 }
-
-/// The view: x to the lower left, y to the right, z up, as in a text book.
-constexpr Vec kRight{-0.5, 0.8660254037844386, 0};
-constexpr Vec kUp{-0.3535533905932738, -0.2041241452319315, 0.9128709291752769};
-constexpr Vec kTowards{0.7905694150420949, 0.4564354645876384, 0.408248290463863};
 
 constexpr double kSize = 640, kMargin = 24;  // the longer side
 
