@@ -159,7 +159,7 @@ Outcome run_map(const Options& options, Talk& talk) {
   if (session.in_space()) {
     session.require_positions_in_space();
     require_question(session);
-    return options.resolution > 0 ? map_rays(session) : map_space(session);
+    return options.resolution > 0 ? map_rays(session, options.resolution) : map_space(session);
   }
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for maps of 3D scenes");
   const io::Scene& scene = session.scene();

@@ -79,7 +79,7 @@ void write_outputs(const PhiRequest& request, const io::PhiReport& report) {
     const std::string ending = path.extension().string();
     const std::string text = ending == ".json"  ? io::phi_json(report)
                              : ending == ".txt" ? io::phi_table(report)
-                                                : io::surface_text(io::phi_surface(report), title, ending);
+                                                : io::surface_text(io::phi_surface(report), title, ending, "");
     std::ofstream file(path, std::ios::binary);
     file << text;
     file.close();

@@ -6,10 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "io/draw_bodies.h"
 #include "io/draw_space.h"
 #include "io/write_json_space.h"
 #include "plane/parallel.h"
+#include "ray_outcome.h"
+#include "space/shape_rays.h"
 #include "space_report.h"
 
 namespace findspace::app {
@@ -17,18 +21,20 @@ namespace {
 
 using exact::Real;
 
-constexpr const char* kSurfaces[] = {".obj", ".off", ".stl", ".svg"};
+constexpr int kLinesUnasked = 128;
 
 std::vector<std::string> formats() {
   std::vector<std::string> out{".json"};
-  out.insert(out.end(), std::begin(kSurfaces), std::end(kSurfaces));
+  out.insert(out.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   return out;
 }
 
 /// JSON, and the surface in every format.
-Writers writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title) {
+Writers writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title,
+                const std::string& unit) {
   Writers out{{".json", std::move(json)}};
-  for (const char* ending : kSurfaces) out.emplace(ending, [=] { return io::surface_text(surface(), title, ending); });
+  for (const char* ending : io::kSurfaceEndings)
+    out.emplace(ending, [=] { return io::surface_text(surface(), title, ending, unit); });
   return out;
 }
 
@@ -79,13 +85,15 @@ std::string title_of(const Session& session) {
   return fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
 }
 
-/// The polytope as a closed set.
-space::ConvexSet whole(const space::Polytope& p) {
-  space::Body body;
-  body.parts.push_back({p, {}, Real()});
-  const space::Bounds3 box = space::bounds(body);
-  space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, true, false};
-  for (const space::Plane& plane : p.planes()) set.region.cut(space::HalfSpace(plane));
+/// A convex body as a closed set.
+space::ConvexSet whole(const space::Body& body) {
+  const space::BodyPart& part = body.parts[0];
+  space::Body core = body;
+  core.parts[0].radius = Real();
+  const space::Bounds3 box = space::bounds(core);
+  space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, true, false, part.radius};
+  if (!part.core) return set;
+  for (const space::Plane& plane : part.core->planes()) set.region.cut(space::HalfSpace(plane));
   return set;
 }
 
@@ -95,9 +103,63 @@ Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, co
   const space::SpaceSummary summary = space::summarize(set, step);
   const auto json = [&] { return io::space_json(set, summary, step, session.unit()); };
   const auto surface = [&] { return io::convex_surface(set, step); };
-  write_outputs(options, writers(json, surface, title));
+  write_outputs(options, writers(json, surface, title, session.unit()));
   return {options.json ? json() : space_summary_text(title, summary, session.unit(), nullptr),
           summary.empty ? kEmpty : kDone};
+}
+
+/// The region as boxes; nothing where it has other faces and lines can answer instead.
+std::optional<space::BoxComplex> box_region(const Session& session, const situation::SpaceSolver& solver,
+                                            const situation::Formula& formula) {
+  const bool others_may = !session.goal() && session.options().apply.empty();
+  if (others_may && !solver.axis_parallel()) {
+    // Only the least gamma2 has an answer of this kind.
+    const bool least = std::any_of(formula.sign_maps().begin(), formula.sign_maps().end(),
+                                   [](const situation::SignMap& m) { return m.minimum; });
+    if (!least) return std::nullopt;
+  }
+  try {
+    return solver.feasible(formula);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported || !others_may) throw;
+    return std::nullopt;
+  }
+}
+
+/// What the facets of a grown polytope do not give.
+bool wants_surface(const Session& session) {
+  const auto& outputs = session.options().outputs;
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [](const std::filesystem::path& name) { return name.extension() != ".json"; });
+}
+
+void note_lines(const Session& session, const char* what) {
+  session.talk().note(fmt::format("the {0} is taken on {1} x {1} lines, exact on each{2}", what, kLinesUnasked,
+                                  what == std::string_view("map") ? " (--resolution N for others)" : ""));
+}
+
+Outcome on_lines(const Session& session) {
+  note_lines(session, "map");
+  return map_rays(session, kLinesUnasked);
+}
+
+/// One convex set, or else the map on lines.
+Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& solver,
+                          const situation::Formula& formula) {
+  const auto convex = solver.feasible_convex(formula);
+  if (convex && !(convex->set.radius.sign() > 0 && wants_surface(session)))
+    return polytope_outcome(session, convex->set, convex->step, title_of(session));
+  return on_lines(session);
+}
+
+/// Nothing where a shape has no convex parts and lines can answer instead.
+std::unique_ptr<situation::SpaceSolver> solver_of(const Session& session) {
+  try {
+    return std::make_unique<situation::SpaceSolver>(world_of(session));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported || session.goal() || !session.options().apply.empty()) throw;
+    return nullptr;
+  }
 }
 
 }  // namespace
@@ -107,14 +169,13 @@ Outcome map_space(const Session& session) {
   check_outputs(options, formats());
   const situation::Formula formula = session.where();
   const auto goal = session.goal();
-  const situation::SpaceSolver solver(world_of(session));
+  const auto made = solver_of(session);
+  if (!made) return on_lines(session);
+  const situation::SpaceSolver& solver = *made;
   session.talk().stage("solving");
-  if (!goal && options.apply.empty() && !solver.axis_parallel()) {
-    if (const auto convex = solver.feasible_convex(formula)) {
-      return polytope_outcome(session, convex->set, convex->step, title_of(session));
-    }
-  }
-  space::BoxComplex region = solver.feasible(formula);
+  std::optional<space::BoxComplex> boxes = box_region(session, solver, formula);
+  if (!boxes) return map_without_boxes(session, solver, formula);
+  space::BoxComplex region = std::move(*boxes);
   std::optional<io::ExtremeValue> extreme;
   if (goal) {
     const bool greatest = goal->sense == distance::Sense::kMaximum;
@@ -142,30 +203,67 @@ Outcome map_space(const Session& session) {
   const auto json = [&] { return io::space_json(region, summary, session.step(), session.unit(), shown); };
   session.talk().stage("writing");
   Writers all = writers(
-      json, [&] { return io::box_surface(region, session.step()); }, title);
+      json, [&] { return io::box_surface(region, session.step()); }, title, session.unit());
   all[".svg"] = [&] { return picture(session, solver.world(), region, summary, title); };
   write_outputs(options, all);
   return {options.json ? json() : space_summary_text(title, summary, session.unit(), shown),
           summary.empty ? kEmpty : kDone};
 }
 
+namespace {
+
+/// The bodies with the moving ones at `at`, and pairs of points that take a distance.
+std::string picture_at(const Session& session, const situation::SpaceSolver& solver, const space::RealVector& at,
+                       std::string title, std::vector<std::string> lines,
+                       const std::vector<situation::SpaceDistanceAt>& distances) {
+  const situation::SpaceWorld& world = solver.world();
+  io::BodiesPicture picture{std::move(title), session.unit(), std::move(lines), {}, {}, world.step.to_double()};
+  for (const bool moving : {false, true}) {
+    for (const auto& [name, shape] : world.shapes) {
+      const bool moves = std::find(world.moving.begin(), world.moving.end(), name) != world.moving.end();
+      if (moves != moving || !shape.body) continue;
+      picture.bodies.push_back({shape.body.get(), {}, moving});
+      if (moving) picture.bodies.back().by = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
+    }
+  }
+  for (const auto& d : distances) {
+    if (d.points) picture.pairs.push_back(*d.points);
+    if (d.nearest) picture.pairs.push_back({{{at[0].to_double(), at[1].to_double(), at[2].to_double()}, *d.nearest}});
+  }
+  return io::bodies_svg(picture);
+}
+
+}  // namespace
+
 Outcome check_space(const Session& session) {
   const Options& options = session.options();
-  check_outputs(options, {".json"});
+  check_outputs(options, {".json", ".svg"});
   const space::RealVector at = session.position_in_space();
   const situation::Formula formula = session.where();
   const situation::SpaceSolver solver(world_of(session));
   session.talk().stage("checking");
   const situation::SpaceSolver::Check check = solver.check(formula, at);
   const auto json = [&] { return io::space_check_json(check, at, session.unit()); };
-  write_outputs(options, {{".json", json}});
+  const auto svg = [&] {
+    std::vector<std::string> lines;
+    std::vector<situation::SpaceDistanceAt> distances;
+    for (const situation::SpaceAtomAt& a : check.atoms) {
+      lines.push_back(fmt::format("{}: {}", a.atom.text, a.holds ? "true" : "false"));
+      distances.push_back(a.distance);
+    }
+    return picture_at(session, solver, at,
+                      fmt::format("{} at {}: {}", fmt::join(session.scene().moving, ", "), where_text(at),
+                                  check.holds ? "feasible" : "not feasible"),
+                      std::move(lines), distances);
+  };
+  write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json ? json() : space_check_text(check, where_text(at), session.unit()),
           check.holds ? kDone : kEmpty};
 }
 
 Outcome measure_space(const Session& session) {
   const Options& options = session.options();
-  check_outputs(options, {".json"});
+  check_outputs(options, {".json", ".svg"});
   const space::RealVector at = session.position_in_space();
   const situation::SpaceSolver solver(world_of(session));
   session.talk().stage("measuring");
@@ -174,29 +272,57 @@ Outcome measure_space(const Session& session) {
     if (!d.refused.empty()) session.talk().note(d.text + ": " + d.refused);
   }
   const auto json = [&] { return io::space_measure_json(distances, at, session.unit()); };
-  write_outputs(options, {{".json", json}});
+  const auto svg = [&] {
+    return picture_at(session, solver, at,
+                      fmt::format("{} at {}", fmt::join(session.scene().moving, ", "), where_text(at)), {}, {});
+  };
+  write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json ? json() : space_measure_text(distances, where_text(at), session.unit()), kDone};
 }
+
+namespace {
+
+/// The shape, if it is made of boxes or one convex set.
+std::optional<situation::SpaceShape> exact_shape(const Session& session, const std::string& name) {
+  try {
+    situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
+    note_rounding(session, name, shape);
+    if (shape.boxes || (shape.body->convex() && (!shape.body->round() || !wants_surface(session)))) return shape;
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+  }
+  return std::nullopt;
+}
+
+Outcome describe_rays(const Session& session, const std::string& name) {
+  const plane::Shape& shape = *session.scene().shape(name);
+  const space::ShapeBox box = space::shape_box(shape);
+  note_lines(session, "shape");
+  RaySet set;
+  set.title = name;
+  set.resolution = kLinesUnasked;
+  set.low = box.low, set.high = box.high;
+  set.unbounded = box.unbounded;
+  set.source = [&](const space::RayGrid& grid) { return space::shape_rays(shape, grid); };
+  return rays_outcome(session, set);
+}
+
+}  // namespace
 
 Outcome describe_space(const Session& session, const std::string& name) {
   const Options& options = session.options();
   check_outputs(options, formats());
   session.talk().stage(fmt::format("shape {}", name));
-  const situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
-  note_rounding(session, name, shape);
-  if (!shape.boxes && shape.body->convex() && shape.body->parts[0].core && !shape.body->round()) {
-    return polytope_outcome(session, whole(shape.body->parts[0].core.value()), session.step() / Real(shape.body->scale),
-                            name);
-  }
-  if (!shape.boxes) {
-    throw Error(ErrorCode::kUnsupported,
-                "in 3D convex polytopes and shapes whose faces are all parallel to the axes are described",
-                session.scene().shape(name)->place);
-  }
+  const auto made = exact_shape(session, name);
+  if (!made) return describe_rays(session, name);
+  const situation::SpaceShape& shape = *made;
+  if (!shape.boxes)
+    return polytope_outcome(session, whole(*shape.body), session.step() / Real(shape.body->scale), name);
   const space::SpaceSummary summary = space::summarize(*shape.boxes, session.step());
   const auto json = [&] { return io::space_json(*shape.boxes, summary, session.step(), session.unit()); };
-  write_outputs(options, writers(
-                             json, [&] { return io::box_surface(*shape.boxes, session.step()); }, name));
+  write_outputs(options,
+                writers(
+                    json, [&] { return io::box_surface(*shape.boxes, session.step()); }, name, session.unit()));
   return {options.json ? json() : space_summary_text(name, summary, session.unit(), nullptr),
           summary.empty ? kEmpty : kDone};
 }

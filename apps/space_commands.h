@@ -10,8 +10,8 @@
 namespace findspace::app {
 
 Outcome map_space(const Session& session);
-/// With --resolution.
-Outcome map_rays(const Session& session);
+/// On `resolution` x `resolution` lines.
+Outcome map_rays(const Session& session, int resolution);
 Outcome check_space(const Session& session);
 Outcome measure_space(const Session& session);
 Outcome describe_space(const Session& session, const std::string& shape);

@@ -172,7 +172,8 @@ std::vector<std::pair<std::string, Polytope>> read_polytopes(const std::vector<s
     findspace::io::ReadContext context;
     std::ifstream in(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    const auto mesh = findspace::io::parse_mesh(bytes, file.substr(file.find_last_of('.')), context);
+    const auto mesh = findspace::io::parse_mesh(bytes, file.substr(file.find_last_of('.')), context,
+                                                [](const auto&) { return findspace::exact::Real(1); });
     polytopes.emplace_back(file.substr(file.find_last_of('/') + 1), Polytope::hull(mesh.vertices));
   }
   return polytopes;

@@ -54,6 +54,12 @@ std::optional<BoxComplex> shrunk(const IntervalBox& box, const Real& t, bool ope
   return BoxComplex::of_boxes(std::array<IntervalBox, 1>{out});
 }
 
+bool is_open(const IntervalBox& box) {
+  return std::all_of(box.begin(), box.end(), [](const Interval& i) {
+    return !i.from_in && !i.to_in && !(i.from && i.to && !(*i.from < *i.to));
+  });
+}
+
 std::size_t slot(Which base) { return base == Which::kGamma1 ? 0 : base == Which::kEta1 ? 1 : 2; }
 
 /// max(floor, f) or max(floor, -f) at a level: the map of f at that level (or its negative), marks turned.
@@ -104,7 +110,8 @@ BoxPair::Signs BoxPair::made(Which base) const {
   s.defined = !s.closed.empty();
   const std::vector<IntervalBox> negative = s.map.remarked([](Mark m) { return Mark(m < 0); }).simplified().boxes();
   s.has_negative = !negative.empty();
-  if (negative.size() == 1) s.negative = negative[0];
+  // Of a set that is no such union some of the boxes would be flat.
+  if (std::all_of(negative.begin(), negative.end(), is_open)) s.negative = negative;
   return s;
 }
 
@@ -115,11 +122,18 @@ BoxComplex BoxPair::base_map(Which base, const Real& level) const {
   if (level.sign() > 0)
     fail("at a level above 0 the positions have round edges, which the exact map of boxes does not hold");
   if (!s.has_negative) return BoxComplex({}, 1);
-  if (!s.negative)
+  if (s.negative.empty())
     fail("at a level below 0 the positions have round edges, which the exact map of boxes does not hold");
-  const auto open = shrunk(*s.negative, -level, true), closed = shrunk(*s.negative, -level, false);
-  if (!closed) return BoxComplex({}, 1);
-  return sign_map_of(open ? *open : BoxComplex(), *closed);
+  std::optional<BoxComplex> map;
+  for (const IntervalBox& box : s.negative) {
+    const auto open = shrunk(box, -level, true), closed = shrunk(box, -level, false);
+    if (!closed) continue;
+    BoxComplex one = sign_map_of(open ? *open : BoxComplex(), *closed);
+    map = map ? overlay(std::array<const BoxComplex*, 2>{&*map, &one},
+                        [](std::span<const Mark> m) { return std::min(m[0], m[1]); })
+              : std::move(one);
+  }
+  return map ? *map : BoxComplex({}, 1);
 }
 
 BoxComplex BoxPair::sign_map(Which which, const Real& level) const {
@@ -206,15 +220,23 @@ std::optional<BoxPair::Least> BoxPair::least(Which which) const {
   const Signs& s = signs(which);
   if (!s.defined) return Least{Real(), space::BoxComplex()};
   if (!s.has_negative) return Least{Real(), s.map.remarked([](Mark m) { return Mark(m <= 0); })};
-  if (!s.negative) return std::nullopt;
-  std::optional<Real> half;
-  for (const Interval& i : *s.negative) {
-    if (!i.from || !i.to) continue;
-    const Real h = (*i.to - *i.from) / Real(2);
-    if (!half || h < *half) half = h;
+  if (s.negative.empty()) return std::nullopt;
+  std::optional<Real> deepest;
+  for (const IntervalBox& box : s.negative) {
+    std::optional<Real> half;
+    for (const Interval& i : box) {
+      if (!i.from || !i.to) continue;
+      const Real h = (*i.to - *i.from) / Real(2);
+      if (!half || h < *half) half = h;
+    }
+    if (!half) return std::nullopt;
+    if (!deepest || *deepest < *half) deepest = half;
   }
-  if (!half) return std::nullopt;
-  return Least{-*half, *shrunk(*s.negative, *half, false)};
+  BoxComplex at;
+  for (const IntervalBox& box : s.negative) {
+    if (const auto middle = shrunk(box, *deepest, false)) at = either(at, *middle);
+  }
+  return Least{-*deepest, std::move(at)};
 }
 
 }  // namespace findspace::distance

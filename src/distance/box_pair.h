@@ -7,8 +7,8 @@
 //   D, int D: the same with the roles exchanged, reflected.
 // With them the sign map at level 0 of every distance, and the values of gamma1, eta1, delta1, eta2, delta2 at a
 // position: the shapes may have sheets, lines and points, and may be unbounded. Guarantee: exact. Other levels have
-// round fronts; where the '-' set is one box, levels below 0 have not and are exact too. Cost: pairs of boxes, painted
-// on one grid. Keywords: configuration space, slots, exact fit.
+// round fronts; where the '-' set is made of separate boxes, levels below 0 have not and are exact too. Cost: pairs of
+// boxes, painted on one grid. Keywords: configuration space, slots, exact fit.
 #pragma once
 
 #include <memory>
@@ -31,7 +31,8 @@ class BoxPair {
   static bool has_value(Which which);
   std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
 
-  /// The least value of gamma1, eta1 or delta1 and where it is taken, if the '-' set is one box or empty.
+  /// The least value of gamma1, eta1 or delta1 and where it is taken, if the '-' set is made of separate boxes or
+  /// empty.
   struct Least {
     exact::Real value;
     space::BoxComplex at;  // empty if the distance is undefined
@@ -42,7 +43,7 @@ class BoxPair {
   struct Signs {  // of gamma1, eta1 or delta1 at level 0
     space::BoxComplex map;
     std::vector<space::IntervalBox> closed, rest;  // where it is <= 0, and where it is >= 0
-    std::optional<space::IntervalBox> negative;    // the '-' set, if it is one open box
+    std::vector<space::IntervalBox> negative;      // the '-' set, if it is made of separate open boxes
     bool defined = true, has_negative = false;
   };
   const Signs& signs(Which base) const;

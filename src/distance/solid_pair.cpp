@@ -80,11 +80,18 @@ const SolidPair::Fit& SolidPair::fit(const Side& side) const {
       made->balls.emplace(std::move(balls));
     } else if (a.round()) {
       fail("containment in a union of balls, or in an offset shape, is not computed");
-    } else if (b.round() && !a.convex()) {
-      fail("containment of a round shape in a shape that is not convex is not computed");
     } else {
+      made->core = b;
+      if (!a.convex()) {
+        made->radius = b.parts[0].radius;
+        for (BodyPart& part : made->core.parts) {
+          if (part.radius != made->radius)
+            fail("containment of a union with several radii in a shape that is not convex is not computed");
+          part.radius = Real();
+        }
+      }
       made->cells = space::outside_cells(a);
-      made->cover = space::outside_cover(b, made->cells);
+      made->cover = space::outside_cover(made->core, made->cells);
     }
     side.fit = std::move(made);
   });
@@ -104,15 +111,24 @@ std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVecto
     if (*q != p) return signed_value(p, *q, 1);
     return sticking_out(side, p);  // inside E both distances agree
   }
-  if (f.cover.covers(p)) {
+  const bool round = f.radius.sign() > 0;
+  if (!f.cover.covers(p)) {
+    SolidValue v = signed_value(p, *f.cover.nearest_touching(p), -1);
+    if (!round) return v;
+    // The ball fits where it is no deeper than that; so much less is the way to where it does not.
+    v.value += f.radius;
+    v.nearest.reset();
+    if (v.value.sign() <= 0) return v;
+  } else if (!round) {
     const auto q = f.cover.nearest_uncovered(p);
     return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
   }
-  return signed_value(p, *f.cover.nearest_touching(p), -1);
+  fail("how far a round shape is from fitting into a shape that is not convex is not computed");
 }
 
 std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
   const Fit& f = fit(side);
+  if (f.radius.sign() > 0) fail("the farthest fit of a round shape in a shape that is not convex is not computed");
   std::optional<RealVector> q;
   if (f.balls) {
     q = f.balls->farthest(p);
@@ -199,10 +215,11 @@ SolidValue SolidPair::reach(const RealVector& p) const {
 
 SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p) const {
   if (side.fixed->convex()) return stick_out_of_convex(*side.moving, side.fixed->parts[0], p);
-  if (side.fixed->round() || side.moving->round())
+  if (side.fixed->round())
     fail("the directed Hausdorff distance to a shape that is not convex is not computed for round shapes");
   const auto inside = contained(side, p);
   if (inside && inside->value.sign() <= 0) return *inside;
+  if (side.moving->round()) fail("how far a round shape sticks out of a shape that is not convex is not computed");
   return stick_out_of_union(*side.moving, *side.fixed, p);
 }
 

@@ -48,6 +48,8 @@ class SolidPair {
  private:
   /// "moving in fixed": E of a body in another, made when first needed.
   struct Fit {
+    space::Body core;  // what moves, without its radius where that is taken apart from the cover
+    exact::Real radius;
     std::vector<space::OutsideCell> cells;
     space::OpenCover cover;
     std::optional<space::BallMeet> balls;

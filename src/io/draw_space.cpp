@@ -10,6 +10,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "io/draw_view.h"
+
 namespace findspace::io {
 namespace {
 
@@ -17,9 +19,6 @@ using space::BoxComplex;
 using space::Place3;
 using CellIndex = std::array<int, 3>;
 
-constexpr Place3 kRight{-0.5, 0.8660254037844386, 0};
-constexpr Place3 kUp{-0.3535533905932738, -0.2041241452319315, 0.9128709291752769};
-constexpr Place3 kTowards{0.7905694150420949, 0.4564354645876384, 0.408248290463863};
 constexpr double kSize = 720, kMargin = 36, kHeader = 58;
 
 double dot(const Place3& a, const Place3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

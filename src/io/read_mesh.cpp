@@ -15,6 +15,7 @@
 #include <iterator>
 #include <optional>
 
+#include "io/mesh_3mf.h"
 #include "io/read_mesh_ply.h"
 #include "space/mesh.h"
 
@@ -144,16 +145,16 @@ void MeshBuilder::vertex(const TextLines& lines, std::string_view x, std::string
       lines.fail(fmt::format("'{}' is not a number", words[k]));
     }
   }
-  put(p);
+  vertex(p);
 }
 
 void MeshBuilder::vertex(double x, double y, double z) {
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
     throw Error(ErrorCode::kBadValue, "a coordinate is not finite");
-  put({exact::Real::from_double(x), exact::Real::from_double(y), exact::Real::from_double(z)});
+  vertex({exact::Real::from_double(x), exact::Real::from_double(y), exact::Real::from_double(z)});
 }
 
-void MeshBuilder::put(const std::array<exact::Real, 3>& p) {
+void MeshBuilder::vertex(const std::array<exact::Real, 3>& p) {
   double moved[3];
   const auto at = [&](int k) { return context_.grid.nearest(p[k] * scale_, moved[k]); };
   const std::int64_t x = at(0), y = at(1), z = at(2);
@@ -167,8 +168,14 @@ int MeshBuilder::index(const TextLines& lines, long index) const {
 }
 
 space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, ReadContext& context,
-                       const exact::Real& scale) {
-  MeshBuilder builder(context, scale);
+                       const MeshScale& scale) {
+  if (ending == ".3mf") {
+    const Model3mf model = open_3mf(bytes);
+    MeshBuilder builder(context, scale(model.millimetres));
+    read_3mf(model, builder);
+    return std::move(builder.mesh());
+  }
+  MeshBuilder builder(context, scale(std::nullopt));
   if (ending == ".obj")
     read_obj(bytes, builder);
   else if (ending == ".off")
@@ -178,11 +185,11 @@ space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, Read
   else if (ending == ".ply")
     read_ply(bytes, builder);
   else
-    throw Error(ErrorCode::kFile, fmt::format("a mesh is read from .stl, .obj, .off or .ply, not '{}'", ending));
+    throw Error(ErrorCode::kFile, fmt::format("a mesh is read from .stl, .obj, .off, .ply or .3mf, not '{}'", ending));
   return std::move(builder.mesh());
 }
 
-space::Mesh read_mesh(const std::filesystem::path& path, ReadContext& context, const exact::Real& scale) {
+space::Mesh read_mesh(const std::filesystem::path& path, ReadContext& context, const MeshScale& scale) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file.is_open() || file.bad()) throw Error(ErrorCode::kFile, "cannot read the file", path.string());

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Meshes from files: STL (ASCII and binary), OBJ, OFF, PLY (ASCII, and binary of either byte order), by the ending.
-// Vertices are put on the grid (decimals exactly, binary floats as the exact values they are), equal ones joined, and
-// the surface cleaned (space/mesh.h): it must be closed. What was changed is told in the context's notes. Errors:
-// Error(kFile) missing or truncated, kSyntax with the line, kGeometry not closed (with its open edges).
+// Meshes from files: STL (ASCII and binary), OBJ, OFF, PLY (ASCII, and binary of either byte order), 3MF, by the
+// ending. Vertices are put on the grid (decimals exactly, binary floats as the exact values they are), equal ones
+// joined, and the surface cleaned (space/mesh.h): it must be closed. What was changed is told in the context's notes.
+// Errors: Error(kFile) missing or truncated, kSyntax with the line, kGeometry not closed (with its open edges).
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "io/read_context.h"
@@ -15,11 +17,14 @@
 
 namespace findspace::io {
 
-/// Throws Error, placed at the file. `scale`: how many of the scene's unit make one of the file's numbers.
-space::Mesh read_mesh(const std::filesystem::path& path, ReadContext& context, const exact::Real& scale = 1);
+/// How many of the scene's unit make one of the file's numbers, given its millimetres where the file states a unit.
+using MeshScale = std::function<exact::Real(const std::optional<exact::Real>& millimetres)>;
 
-/// The mesh in `bytes`, read as a file with that ending (".stl", ".obj", ".off", ".ply"), not yet cleaned.
+/// Throws Error, placed at the file.
+space::Mesh read_mesh(const std::filesystem::path& path, ReadContext& context, const MeshScale& scale);
+
+/// The mesh in `bytes`, read as a file with that ending (".stl", ".obj", ".off", ".ply", ".3mf"), not yet cleaned.
 space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, ReadContext& context,
-                       const exact::Real& scale = 1);
+                       const MeshScale& scale);
 
 }  // namespace findspace::io

@@ -44,6 +44,7 @@ class MeshBuilder {
   MeshBuilder(ReadContext& context, const exact::Real& scale) : context_(context), scale_(scale) {}
   void vertex(const TextLines& lines, std::string_view x, std::string_view y, std::string_view z);
   void vertex(double x, double y, double z);
+  void vertex(const std::array<exact::Real, 3>& p);
   void face(std::vector<int> circuit) { mesh_.faces.push_back(std::move(circuit)); }
   /// The index, if there is such a vertex.
   int index(const TextLines& lines, long index) const;
@@ -51,7 +52,6 @@ class MeshBuilder {
   space::Mesh& mesh() { return mesh_; }
 
  private:
-  void put(const std::array<exact::Real, 3>& p);
   ReadContext& context_;
   exact::Real scale_;
   space::Mesh mesh_;

@@ -166,7 +166,8 @@ plane::ShapePtr build_space_file(ShapeReader& reader, const std::filesystem::pat
     refuse_choice(choice.id.has_value(), "id", "a mesh", name);
     refuse_choice(choice.layer.has_value(), "layer", "a mesh", name);
     refuse_choice(choice.index.has_value(), "index", "a mesh", name);
-    return read_mesh(path, context, file_scale(std::nullopt, name, choice, context));
+    return read_mesh(path, context,
+                     [&](const auto& millimetres) { return file_scale(millimetres, name, choice, context); });
   });
   return share_solid(reader, std::move(solid), label, at);
 }

@@ -112,6 +112,7 @@ std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s
   const auto corners = [](const std::vector<int>& face) { return fmt::format("[{}]", fmt::join(face, ", ")); };
   put(out, "  \"polytope\": {{\"inside\": {}, \"frontier\": {}, \"outside\": {},\n    \"vertices\": {},\n",
       truth(set.inside), truth(set.frontier), truth(set.outside), list(surface.vertices, triple, true));
+  if (set.radius.sign() > 0) put(out, "    \"radius\": {},\n", number((set.radius * step).to_double()));
   put(out, "    \"facets\": {}}}\n", list(surface.faces, corners));
   return out + "}\n";
 }

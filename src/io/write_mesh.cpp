@@ -10,6 +10,10 @@
 #include <iterator>
 #include <map>
 
+#include "io/draw_view.h"
+#include "io/mesh_3mf.h"
+#include "io/write_mesh_binary.h"
+
 namespace findspace::io {
 namespace {
 
@@ -34,11 +38,6 @@ Vec face_normal(const Surface& s, const std::vector<int>& face) {
   }
   return sum;
 }
-
-/// The view: x to the lower left, y to the right, z up, as in a text book.
-constexpr Vec kRight{-0.5, 0.8660254037844386, 0};
-constexpr Vec kUp{-0.3535533905932738, -0.2041241452319315, 0.9128709291752769};
-constexpr Vec kTowards{0.7905694150420949, 0.4564354645876384, 0.408248290463863};
 
 constexpr double kSize = 640, kMargin = 24;  // the longer side
 
@@ -161,13 +160,17 @@ std::string svg_text(const Surface& s, std::string_view title) {
   return fmt::to_string(out);
 }
 
-std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending) {
+std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending,
+                         std::string_view unit) {
   if (ending == ".obj") return obj_text(surface, title);
   if (ending == ".off") return off_text(surface);
   if (ending == ".stl") return stl_text(surface, title);
+  if (ending == ".ply") return ply_text(surface, title);
+  if (ending == ".glb") return glb_text(surface, title, unit);
+  if (ending == ".3mf") return text_3mf(surface, title, unit);
   if (ending == ".svg") return svg_text(surface, title);
   throw Error(ErrorCode::kUnsupported,
-              fmt::format("a surface is written as .obj, .off, .stl or .svg, not '{}'", ending));
+              fmt::format("a surface is written as {}, not '{}'", fmt::join(kSurfaceEndings, " "), ending));
 }
 
 }  // namespace findspace::io

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Surfaces out: OBJ, OFF and ASCII STL, and a wireframe picture in SVG with hidden lines dashed.
-// Guarantee: OBJ and OFF keep polygons and the shortest decimals that read back the same; STL triangulates faces about
-// their first corner (faces are convex). The picture is an orthogonal view; an edge is hidden if both its faces look
-// away.
+// Surfaces out: OBJ, OFF and ASCII STL, and a wireframe picture in SVG with hidden lines dashed; PLY, GLB and 3MF by
+// write_mesh_binary.h and mesh_3mf.h. Guarantee: OBJ, OFF and PLY keep polygons and every bit of the vertices; STL, GLB
+// and 3MF triangulate faces about their first corner (faces are convex). The picture is an orthogonal view; an edge is
+// hidden if both its faces look away.
 #pragma once
 
 #include <array>
@@ -26,7 +26,12 @@ std::string off_text(const Surface& surface);
 std::string stl_text(const Surface& surface, std::string_view title);
 std::string svg_text(const Surface& surface, std::string_view title);
 
-/// By the ending .obj .off .stl .svg; throws Error(kUnsupported) for another.
-std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending);
+/// The endings that surface_text() knows.
+inline constexpr std::array<const char*, 7> kSurfaceEndings{".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".svg"};
+
+/// By the ending; throws Error(kUnsupported) for another. `unit`: the scene's, for formats that state one; may be
+/// empty.
+std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending,
+                         std::string_view unit);
 
 }  // namespace findspace::io

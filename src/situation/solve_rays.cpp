@@ -5,9 +5,13 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <numeric>
 
+#include "distance/ray_signs.h"
 #include "situation/evaluate.h"
+#include "situation/solve_space.h"
 #include "situation/text.h"
+#include "situation/which.h"
 #include "space/ray_ball.h"
 #include "space/ray_pair.h"
 
@@ -26,40 +30,49 @@ using space::RaySource;
   throw Error(ErrorCode::kUnsupported, text(map.distance) + " has no ray map here: " + why);
 }
 
-std::vector<RaySolid> solids(const RayWorld& world, const std::vector<std::string>& names) {
+bool second_moves(const Distance& d, const std::vector<std::string>& moving) {
+  return std::find(moving.begin(), moving.end(), d.first.at(0)) == moving.end();
+}
+
+/// All solids of the names; nothing where one of them is no union of solids.
+std::optional<std::vector<RaySolid>> solids(const RayWorld& world, const std::vector<std::string>& names) {
   std::vector<RaySolid> all;
   for (const std::string& name : names) {
-    const auto& more = world.shapes.at(name);
-    all.insert(all.end(), more.begin(), more.end());
+    const auto* more = world.shapes.at(name).solids();
+    if (!more) return std::nullopt;
+    all.insert(all.end(), more->begin(), more->end());
   }
   return all;
 }
 
-/// The sign of gamma1(b + p, a) - level.
-std::unique_ptr<RaySource> gap(const SignMap& map, const RaySolid& b, const RaySolid& a, const Real& level,
-                               const RayGrid& grid) {
-  if (b.ball() && a.ball()) refuse(map, "both shapes are balls");
-  if (!b.ball() && !a.ball()) {
-    if (level.sign() != 0) refuse(map, "levels other than 0 need a ball");
-    return std::make_unique<PairRays>(a.surface, b.surface, grid);
-  }
+space::Body body(const RayWorld& world, const std::vector<std::string>& names) {
+  std::vector<const space::Body*> bodies;
+  for (const std::string& name : names) bodies.push_back(&world.shapes.at(name).body());
+  return united(bodies);
+}
+
+/// The sign of gamma1(b + p, a) - level, where surfaces answer it.
+std::unique_ptr<RaySource> gap(const RaySolid& b, const RaySolid& a, const Real& level, const RayGrid& grid) {
+  if (b.ball() && a.ball()) return nullptr;
+  if (!b.ball() && !a.ball())
+    return level.sign() == 0 ? std::make_unique<PairRays>(a.surface, b.surface, grid) : nullptr;
   const Real radius = (b.ball() ? b.radius : a.radius) + level;
-  if (radius.sign() <= 0) refuse(map, "the level takes away the ball");
+  // Deeper than the surface the positions are no body grown by a ball.
+  if (level.sign() < 0 || radius.sign() <= 0) return nullptr;
   // |c + p - x| for x in a, or |c - p - x| for x in b: the distance of p to a - c, or to c - b.
   return std::make_unique<BallRays>(
       b.ball() ? space::moved(a.surface, -b.center) : space::moved(space::scaled(b.surface, -1), a.center), radius,
       grid);
 }
 
-/// The sign of eta1(b + p, a) - level.
-std::unique_ptr<RaySource> containment(const SignMap& map, const RaySolid& b, const RaySolid& a, const Real& level,
-                                       const RayGrid& grid) {
-  if (a.ball()) refuse(map, "the container is a ball");
+/// The sign of eta1(b + p, a) - level, where surfaces answer it.
+std::unique_ptr<RaySource> containment(const RaySolid& b, const RaySolid& a, const Real& level, const RayGrid& grid) {
+  if (a.ball()) return nullptr;
   if (!b.ball()) {
-    if (level.sign() != 0) refuse(map, "levels other than 0 need a ball");
+    if (level.sign() != 0) return nullptr;
     return std::make_unique<PairRays>(a.surface, b.surface, grid, PairRays::Side::kComplement);
   }
-  if (level.sign() > 0) refuse(map, "levels above 0 are not computed");
+  if (level.sign() > 0 || (b.radius - level).sign() <= 0) return nullptr;
   return std::make_unique<BallRays>(space::moved(a.surface, -b.center), b.radius - level, grid,
                                     BallRays::Side::kComplement);
 }
@@ -85,33 +98,55 @@ struct Parts {
   }
 };
 
+/// By surfaces; no sources where these do not answer.
+Parts surface_parts(const RayWorld& world, const Distance& d, const Real& level, const RayGrid& grid) {
+  Parts result;
+  const auto b = solids(world, d.first), a = solids(world, d.second);
+  if (!b || !a) return result;
+  const auto add = [&](std::unique_ptr<RaySource> source) {
+    if (source) result.sources.push_back(std::move(source));
+  };
+  std::size_t wanted = 0;
+  if (d.kind == Kind::kGamma1) {
+    for (const RaySolid& s : *b) {
+      for (const RaySolid& t : *a) add(gap(s, t, level, grid));
+    }
+    wanted = b->size() * a->size();
+  } else {
+    const bool cover = d.kind == Kind::kDelta1;
+    const std::vector<RaySolid>&inner = cover ? *a : *b, &outer = cover ? *b : *a;
+    if (outer.size() != 1 || level.sign() > 0) return result;
+    result.least = false;
+    for (const RaySolid& s : inner) {
+      add(cover ? containment(mirrored(s), mirrored(outer[0]), level, grid) : containment(s, outer[0], level, grid));
+    }
+    wanted = inner.size();
+  }
+  if (result.sources.size() != wanted) result.sources.clear();
+  return result;
+}
+
 Parts parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
-  const Distance d = moving_first(map.distance, world.moving);
+  Distance d = moving_first(map.distance, world.moving);
   if (map.minimum) refuse(map, "-> min is not computed");
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) refuse(map, "only translations in all directions are");
-  for (const std::string& name : d.first) {
-    if (std::find(world.moving.begin(), world.moving.end(), name) == world.moving.end())
-      refuse(map, "the first shape stands still");
-  }
-  const std::vector<RaySolid> b = solids(world, d.first), a = solids(world, d.second);
+  const bool second = second_moves(d, world.moving);
   const Real level = map.level / world.step;
+  const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 || d.kind == Kind::kMu;
   Parts result;
-  if (d.kind == Kind::kGamma1) {
-    for (const RaySolid& s : b) {
-      for (const RaySolid& t : a) result.sources.push_back(gap(map, s, t, level, grid));
-    }
-    if (level.sign() < 0 && result.sources.size() > 1) refuse(map, "levels below 0 need a single solid");
-    return result;
-  }
-  const bool cover = d.kind == Kind::kDelta1;
-  if (!cover && d.kind != Kind::kEta1 && d.kind != Kind::kMu)
-    refuse(map, "only gamma1, eta1, delta1 and mu are computed on rays");
-  const std::vector<RaySolid>&inner = cover ? a : b, &outer = cover ? b : a;
-  if (outer.size() != 1) refuse(map, "the container has to be a single solid");
-  result.least = false;
-  for (const RaySolid& s : inner) {
-    result.sources.push_back(cover ? containment(map, mirrored(s), mirrored(outer[0]), level, grid)
-                                   : containment(map, s, outer[0], level, grid));
+  if (known && !second) result = surface_parts(world, d, level, grid);
+  if (!result.sources.empty()) return result;
+  if (second) std::swap(d.first, d.second);
+  try {
+    space::Body b = body(world, d.first), a = body(world, d.second);
+    const std::int64_t scale = std::lcm(b.scale, a.scale);
+    if (b.outside) refuse(map, "a moving shape has to be bounded");
+    b = space::at_scale(b, scale);
+    a = space::at_scale(a, scale);
+    result.sources.push_back(distance::ray_sign_map(which(d.kind, second), level * Real(scale), b, a, grid));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    throw e.within(text(map.distance));
   }
   return result;
 }
@@ -139,15 +174,49 @@ class RegionRays : public RaySource {
 
 }  // namespace
 
+const std::vector<RaySolid>* RayShape::solids() const {
+  std::call_once(made_->solids_once, [&] {
+    try {
+      made_->solids = space::ray_solids(*shape_);
+    } catch (const Error& e) {
+      if (e.code() != ErrorCode::kUnsupported) throw;
+    }
+  });
+  return made_->solids ? &*made_->solids : nullptr;
+}
+
+const space::Body& RayShape::body() const {
+  std::call_once(made_->body_once, [&] {
+    const SpaceShape made = space_shape(*shape_);
+    if (!made.body) throw Error(ErrorCode::kUnsupported, made.refused, shape_->place);
+    made_->body = made.body;
+  });
+  return *made_->body;
+}
+
+void RayShape::extend_box(space::Point& low, space::Point& high, bool& any) const {
+  if (const auto* surfaces = solids()) return space::extend_box(*surfaces, low, high, any);
+  const space::Bounds3 box = bounds(body());
+  const Real scale(body().scale);
+  const auto corner = [&](const space::RealVector& p, const Real& round_up) {
+    std::array<std::int64_t, 3> c{};
+    for (std::size_t k = 0; k < 3; ++k) c[k] = static_cast<std::int64_t>(exact::floor(p[k] / scale + round_up));
+    return space::Point{c[0], c[1], c[2]};
+  };
+  space::extend_box(corner(box.low, Real()), low, high, any);
+  space::extend_box(corner(box.high, Real(1)), low, high, any);
+}
+
 RayWindow window(const RayWorld& world, const Formula& formula) {
   RayWindow result;
   bool first = true;
   for (const SignMap& map : formula.sign_maps()) {
-    const Distance d = moving_first(map.distance, world.moving);
+    Distance d = moving_first(map.distance, world.moving);
+    if (second_moves(d, world.moving)) std::swap(d.first, d.second);
     space::Point b_low, b_high, a_low, a_high;
     bool any_b = false, any_a = false;
-    space::extend_box(solids(world, d.first), b_low, b_high, any_b);
-    space::extend_box(solids(world, d.second), a_low, a_high, any_a);
+    for (const std::string& name : d.first) world.shapes.at(name).extend_box(b_low, b_high, any_b);
+    for (const std::string& name : d.second) world.shapes.at(name).extend_box(a_low, a_high, any_a);
     const auto r = static_cast<std::int64_t>(exact::floor(abs(map.level / world.step))) + 1;
     const space::Point low = a_low - b_high - space::Point{r, r, r}, high = a_high - b_low + space::Point{r, r, r};
     if (first) result = {low, high};
@@ -162,8 +231,39 @@ std::unique_ptr<RaySource> ray_region(const RayWorld& world, const Formula& form
   return std::make_unique<RegionRays>(world, formula, grid);
 }
 
-bool holds_far_away(const Formula& formula) {
-  return evaluate(formula, std::vector<std::int8_t>(formula.sign_maps().size(), 1));
+bool holds_far_away(const RayWorld& world, const Formula& formula) {
+  std::vector<std::int8_t> signs;
+  for (const SignMap& map : formula.sign_maps()) {
+    Distance d = moving_first(map.distance, world.moving);
+    const bool second = second_moves(d, world.moving);
+    if (second) std::swap(d.first, d.second);
+    const bool outside = std::any_of(d.second.begin(), d.second.end(), [&](const std::string& name) {
+      const RayShape& shape = world.shapes.at(name);
+      return !shape.solids() && shape.body().outside;
+    });
+    const int level = map.level.sign();
+    switch (which(d.kind, second)) {
+      case distance::Which::kGamma1:  // in a complement far away all fits
+      case distance::Which::kEta1:
+      case distance::Which::kMu:
+        signs.push_back(outside ? -1 : 1);
+        break;
+      case distance::Which::kD1:
+      case distance::Which::kH:
+        signs.push_back(static_cast<std::int8_t>(outside ? -level : 1));
+        break;
+      case distance::Which::kPenetration:
+      case distance::Which::kDstarBack:
+        signs.push_back(static_cast<std::int8_t>(outside ? 1 : -level));
+        break;
+      case distance::Which::kDstar:
+        signs.push_back(static_cast<std::int8_t>(-level));
+        break;
+      default:
+        signs.push_back(1);
+    }
+  }
+  return evaluate(formula, signs);
 }
 
 }  // namespace findspace::situation

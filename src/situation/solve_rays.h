@@ -1,27 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A formula over solids of any shape, on the lines of a grid: each sign map of the formula on rays (space/ray_pair.h,
-// space/ray_ball.h), laid over each other line by line, and the formula read off their signs in one pass.
-// Known: gamma1 of solids at level 0 and of a ball at any level; eta1 and mu of solids in one solid at level 0 and of a
-// ball at levels up to 0; delta1 of one solid at level 0. Others are refused with Error(kUnsupported) and the
-// distance's name. Guarantee: exact on every line. Cost: one convolution a pair of solids and axis. Keywords: feasible
-// region, configuration space.
+// A formula over solids of any shape, on the lines of a grid: each sign map of the formula on rays, laid over each
+// other line by line, and the formula read off their signs in one pass. Surfaces are taken as they are
+// (space/ray_pair.h, space/ray_ball.h) for gamma1 at level 0 and of a ball at levels from 0, eta1, mu and delta1 in a
+// single solid at level 0 and of a ball up to 0; everything else goes by the convex parts of the shapes
+// (distance/ray_signs.h, which says what is refused). Guarantee: exact on every line. Cost: one convolution a pair of
+// solids and axis, or the pieces of the sets of positions. Keywords: feasible region, configuration space.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "situation/formula.h"
+#include "space/body.h"
 #include "space/ray_map.h"
 #include "space/ray_solids.h"
 
 namespace findspace::situation {
 
+/// A shape as closed surfaces, or as convex parts, each made when first asked for.
+class RayShape {
+ public:
+  /// Keeps a reference.
+  explicit RayShape(const plane::Shape& shape) : shape_(&shape) {}
+  /// Null where the shape is no union of solids.
+  const std::vector<space::RaySolid>* solids() const;
+  /// Throws Error(kUnsupported) for shapes that have none.
+  const space::Body& body() const;
+  /// The box around it, or around what it is the complement of.
+  void extend_box(space::Point& low, space::Point& high, bool& any) const;
+
+ private:
+  struct Made {
+    std::once_flag solids_once, body_once;
+    std::optional<std::vector<space::RaySolid>> solids;
+    std::shared_ptr<const space::Body> body;
+  };
+  const plane::Shape* shape_;
+  std::shared_ptr<Made> made_ = std::make_shared<Made>();
+};
+
 struct RayWorld {
-  std::map<std::string, std::vector<space::RaySolid>> shapes;
+  std::map<std::string, RayShape> shapes;
   std::vector<std::string> moving;
   exact::Real step;  // one grid step in the scene's unit
 };
@@ -36,6 +61,6 @@ RayWindow window(const RayWorld& world, const Formula& formula);
 std::unique_ptr<space::RaySource> ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
 
 /// Whether the formula holds far away.
-bool holds_far_away(const Formula& formula);
+bool holds_far_away(const RayWorld& world, const Formula& formula);
 
 }  // namespace findspace::situation

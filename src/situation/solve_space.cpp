@@ -127,21 +127,36 @@ int SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v)
   return compare(v->value, level);
 }
 
+/// Where the value is not computed, its sign may be.
+SpaceSolver::SignedValue SpaceSolver::signed_value(const SignMap& map, const RealVector& p) const {
+  if (map.minimum) return {shown(map.distance, value(map.distance, p)), least(map.distance).at.mark(p) == 0 ? 1 : 0};
+  try {
+    const auto v = value(map.distance, p);
+    return {shown(map.distance, v), sign(map, v)};
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    const Named n = named(map.distance);
+    const auto sign = n.pair->sign(n.which, map.level / world_.step, p);
+    if (!sign) throw;
+    SpaceDistanceAt at{text(map.distance), {}, {}, {}, e.message()};
+    return {std::move(at), *sign};
+  }
+}
+
 SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& position) const {
   const RealVector p = space::scaled(Real(1) / world_.step, position);
   std::vector<std::int8_t> signs;
-  std::vector<std::optional<SolidValue>> values;
+  std::vector<SpaceDistanceAt> values;
   for (const SignMap& m : formula.sign_maps()) {
-    values.push_back(value(m.distance, p));
-    const int s = m.minimum ? least(m.distance).at.mark(p) == 0 : sign(m, values.back());
-    signs.push_back(static_cast<std::int8_t>(s));
+    const SignedValue found = signed_value(m, p);
+    values.push_back(found.shown);
+    signs.push_back(static_cast<std::int8_t>(found.sign));
   }
   Check out;
   out.holds = evaluate(formula, signs);
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
-    out.atoms.push_back(
-        {atom, shown(atom.distance, values[formula.sign_map_of(k)]), holds(atom, signs[formula.sign_map_of(k)])});
+    out.atoms.push_back({atom, values[formula.sign_map_of(k)], holds(atom, signs[formula.sign_map_of(k)])});
   }
   return out;
 }
@@ -210,7 +225,8 @@ std::optional<SpaceSolver::ConvexMap> SpaceSolver::feasible_convex(const Formula
   auto found = n.pair->sublevel(n.which, map.level / world_.step);
   if (!found) return std::nullopt;
   const auto holds_at = [&](std::int8_t sign) { return evaluate(formula, std::array<std::int8_t, 1>{sign}); };
-  return ConvexMap{{std::move(found->region), holds_at(-1), holds_at(0), holds_at(1)}, world_.step / found->scale};
+  return ConvexMap{{std::move(found->region), holds_at(-1), holds_at(0), holds_at(1), found->radius},
+                   world_.step / found->scale};
 }
 
 std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) const {

@@ -46,7 +46,7 @@ struct SpaceDistanceAt {
   std::optional<double> value;  // nothing: undefined, +infinity, or refused
   std::optional<SpacePlace> nearest;
   std::optional<std::array<SpacePlace, 2>> points;  // of the moving shape and of the fixed one
-  std::string refused;                              // why it is not computed; only of measure()
+  std::string refused;                              // why it is not computed
 };
 
 struct SpaceAtomAt {
@@ -100,7 +100,13 @@ class SpaceSolver {
     distance::Which which;
   };
 
+  struct SignedValue {
+    SpaceDistanceAt shown;
+    int sign = 0;
+  };
+
   Named named(const Distance& distance) const;
+  SignedValue signed_value(const SignMap& map, const space::RealVector& p) const;
   std::optional<distance::SolidValue> value(const Distance& distance, const space::RealVector& p) const;
   SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
   /// The sign of a distance minus its level, given its value.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "distance/ray_signs.h"
 #include "findspace/error.h"
 #include "situation/solve_space.h"
 #include "space/min_ball.h"
@@ -23,6 +24,9 @@ using space::real;
 using space::RealVector;
 
 namespace {
+
+/// Denominators of positions that are tried.
+constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 3, 8, 64, 1024};
 
 /// The union of the shapes as closed boxes.
 std::optional<BoxComplex> united_boxes(const std::vector<const SpaceShape*>& shapes) {
@@ -105,6 +109,25 @@ std::optional<SolidValue> SpacePair::value(Which which, const RealVector& p) con
   return v;
 }
 
+std::optional<int> SpacePair::sign(Which which, const Real& level, const RealVector& p) const {
+  bodies();
+  const auto whole_in = [&](std::int64_t parts) {
+    return (p[0] * Real(parts)).integer() && (p[1] * Real(parts)).integer();
+  };
+  const auto* fits = std::find_if(kParts.begin(), kParts.end(), whole_in);
+  if (fits == kParts.end()) return std::nullopt;
+  const std::int64_t parts = *fits;
+  std::array<std::int64_t, 2> at{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto whole = (p[k] * Real(parts)).integer();
+    if (*whole > exact::kRayLimit || *whole < -exact::kRayLimit) return std::nullopt;
+    at[k] = static_cast<std::int64_t>(*whole);
+  }
+  const space::RayGrid grid{2, parts, at[0], at[1], 1, 1, 1, 1};
+  const auto rays = distance::ray_sign_map(which, level * Real(scale_), *b_, *a_, grid);
+  return space::sign_at(rays->row(0), 0, p[2] * Real(parts));
+}
+
 namespace {
 
 /// The half spaces {p : B + p does not leave this facet of A by more than the level}; `turned` for p -> -p.
@@ -118,35 +141,58 @@ std::vector<space::HalfSpace> fitting_planes(const Body& b, const space::BodyPar
   return planes;
 }
 
-std::vector<space::HalfSpace> overlap_planes(const space::BodyPart& b, const space::BodyPart& a, const Real& level) {
-  std::vector<space::HalfSpace> planes;
-  for (const space::HalfSpace& h : space::difference_planes(a, b)) {
-    planes.emplace_back(h.normal,
-                        level.sign() == 0 ? h.offset : h.offset - level * sqrt(space::dot(h.normal, h.normal)));
-  }
-  return planes;
-}
-
 }  // namespace
 
+/// The empty set.
+SpacePair::Sublevel SpacePair::none() const {
+  Sublevel out{space::ConvexRegion({}, {}), Real(), Real(scale_)};
+  RealVector up;
+  up[2] = Real(1);
+  out.region.cut(space::HalfSpace(up, Real(1)));
+  return out;
+}
+
 std::optional<SpacePair::Sublevel> SpacePair::sublevel(Which which, const Real& level) const {
-  if (!bodies_ || a_->outside || level.sign() > 0) return std::nullopt;
+  if (!bodies_ || a_->outside) return std::nullopt;
   const Real scale(scale_), at = level * scale;
-  const bool eta = which == Which::kEta1 || which == Which::kMu,
-             delta = which == Which::kDelta1 || which == Which::kMuBack;
+  const bool eta = which == Which::kEta1 || (which == Which::kMu && level.sign() <= 0),
+             delta = which == Which::kDelta1 || (which == Which::kMuBack && level.sign() <= 0);
+  const bool one_pair = a_->convex() && b_->convex();
+  const bool balls = one_pair && !a_->parts[0].core && !b_->parts[0].core;
   const auto plain = [](const Body& body) { return body.convex() && body.parts[0].core && !body.round(); };
   std::vector<space::HalfSpace> planes;
-  if (eta && plain(*a_))
-    planes = fitting_planes(*b_, a_->parts[0], at, false);
-  else if (delta && plain(*b_))
-    planes = fitting_planes(*a_, b_->parts[0], at, true);
-  else if (which == Which::kGamma1 && plain(*a_) && plain(*b_))
-    planes = overlap_planes(b_->parts[0], a_->parts[0], at);
-  else
+  Real radius;
+  if (balls) {
+    const Real &ra = a_->parts[0].radius, &rb = b_->parts[0].radius;
+    if ((eta && ra < rb) || (delta && rb < ra)) return none();
+    const bool near = which == Which::kGamma1 || which == Which::kGamma2 || eta || delta;
+    if (!near) return std::nullopt;
+    radius = at + (which == Which::kGamma1 ? ra + rb : which == Which::kGamma2 ? -(ra + rb) : eta ? ra - rb : rb - ra);
+  } else if (eta && plain(*a_)) {
+    planes = fitting_planes(*b_, a_->parts[0], std::min(at, Real()), false);
+    radius = std::max(at, Real());
+  } else if (delta && plain(*b_)) {
+    planes = fitting_planes(*a_, b_->parts[0], std::min(at, Real()), true);
+    radius = std::max(at, Real());
+  } else if (which == Which::kGamma1 && one_pair) {
+    const Real grown = at + a_->parts[0].radius + b_->parts[0].radius;
+    planes = space::difference_planes(a_->parts[0], b_->parts[0]);
+    radius = std::max(grown, Real());
+    if (grown.sign() < 0) {
+      for (space::HalfSpace& h : planes)
+        h = space::HalfSpace(h.normal, h.offset - grown * sqrt(space::dot(h.normal, h.normal)));
+    }
+  } else {
     return std::nullopt;
+  }
+  if (radius.sign() < 0) return none();
+  if (balls) {
+    const RealVector center = real(a_->parts[0].center - b_->parts[0].center);
+    return Sublevel{space::ConvexRegion(center, center), radius, scale};
+  }
   // All positions at which the boxes around the shapes meet.
   const space::Bounds3 a = bounds(*a_), b = bounds(*b_);
-  Sublevel out{space::ConvexRegion(space::minus(a.low, b.high), space::minus(a.high, b.low)), scale};
+  Sublevel out{space::ConvexRegion(space::minus(a.low, b.high), space::minus(a.high, b.low)), radius, scale};
   for (const space::HalfSpace& h : planes) out.region.cut(h);
   return out;
 }

@@ -23,12 +23,17 @@ class SpacePair {
   SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed);
 
   std::optional<distance::SolidValue> value(distance::Which which, const space::RealVector& p) const;
+  /// The sign of distance - level at p, from the line through it; nothing where the coordinates of p are no fractions
+  /// of small denominators. For distances whose value is not computed.
+  std::optional<int> sign(distance::Which which, const exact::Real& level, const space::RealVector& p) const;
   /// The least value and its positions; nothing where this is not computed.
   std::optional<distance::BoxPair::Least> least(distance::Which which) const;
-  /// {distance <= level}, if it is a convex polytope: gamma1 of convex shapes, eta1 (mu) in a convex one, delta1 of
-  /// one, at levels not above 0. Its coordinates are in grid steps times `scale`.
+  /// {distance <= level}, if it is a convex polytope, or one grown by a ball: gamma1 of convex shapes, eta1 in a convex
+  /// polytope or of a ball in a ball, delta1 of such, mu to these at levels up to 0, gamma2 of balls. Its coordinates
+  /// and radius are in grid steps times `scale`.
   struct Sublevel {
     space::ConvexRegion region;
+    exact::Real radius;
     exact::Real scale;
   };
   std::optional<Sublevel> sublevel(distance::Which which, const exact::Real& level) const;
@@ -37,6 +42,7 @@ class SpacePair {
 
  private:
   const distance::SolidPair& bodies() const;
+  Sublevel none() const;
 
   std::unique_ptr<distance::BoxPair> boxes_;
   std::unique_ptr<distance::SolidPair> bodies_;

@@ -53,14 +53,6 @@ Body moved_by(Body body, const Point& t) {
   return body;
 }
 
-Body mirrored(Body body) {
-  for (BodyPart& part : body.parts) {
-    part.center = -part.center;
-    if (part.core) part.core = part.core->mirrored();
-  }
-  return body;
-}
-
 /// The hull of bodies that are all of one radius.
 Body grown(Body body, const Real& by) {
   if (by.sign() < 0) refuse("an offset by a negative amount is computed for shapes with axis-parallel faces only");
@@ -156,6 +148,14 @@ Body united(const std::vector<const Body*>& bodies) {
     append(sum, *bodies[i]);
   }
   return sum;
+}
+
+Body mirrored(Body body) {
+  for (BodyPart& part : body.parts) {
+    part.center = -part.center;
+    if (part.core) part.core = part.core->mirrored();
+  }
+  return body;
 }
 
 Real support(const BodyPart& part, const RealVector& n) {

@@ -45,6 +45,9 @@ Body at_scale(const Body& body, std::int64_t scale);
 /// The union; all of the same scale and none `outside`.
 Body united(const std::vector<const Body*>& bodies);
 
+/// The reflection through the origin.
+Body mirrored(Body body);
+
 /// The smallest box with the parts.
 struct Bounds3 {
   RealVector low, high;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 namespace findspace::space {
 
@@ -19,6 +20,30 @@ std::vector<int> common(const std::vector<int>& a, const std::vector<int>& b) {
 
 bool holds_all(const std::vector<int>& a, const std::vector<int>& part) {
   return std::includes(a.begin(), a.end(), part.begin(), part.end());
+}
+
+/// The point where three of the planes meet, if three do in one point.
+std::optional<RealVector> meeting(const std::vector<HalfSpace>& planes, const std::vector<int>& tight) {
+  for (std::size_t i = 0; i + 2 < tight.size(); ++i) {
+    for (std::size_t j = i + 1; j + 1 < tight.size(); ++j) {
+      const HalfSpace &f = planes[std::size_t(tight[i])], &g = planes[std::size_t(tight[j])];
+      const RealVector fg = cross(f.normal, g.normal);
+      if (is_zero(fg)) continue;
+      for (std::size_t k = j + 1; k < tight.size(); ++k) {
+        const HalfSpace& h = planes[std::size_t(tight[k])];
+        const Real determinant = dot(fg, h.normal);
+        if (determinant.sign() == 0) continue;
+        const RealVector gh = cross(g.normal, h.normal), hf = cross(h.normal, f.normal);
+        const RealVector sum = plus(plus(scaled(f.offset, gh), scaled(g.offset, hf)), scaled(h.offset, fg));
+        return scaled(Real(-1) / determinant, sum);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+bool all_rational(const RealVector& p) {
+  return std::all_of(p.begin(), p.end(), [](const Real& c) { return c.is_rational(); });
 }
 
 }  // namespace
@@ -69,6 +94,7 @@ bool ConvexRegion::cut(const HalfSpace& plane) {
   // A half space that holds the whole set says nothing new; so no plane is listed twice.
   if (std::count(sign.begin(), sign.end(), 1) == 0) return false;
   const int id = static_cast<int>(planes_.size());
+  planes_.push_back(plane);
   std::vector<Vertex> kept;
   const int n = static_cast<int>(vertices_.size());
   for (int v = 0; v < n; ++v) {
@@ -79,13 +105,16 @@ bool ConvexRegion::cut(const HalfSpace& plane) {
       const Real t = f / (f - g);
       Vertex fresh;
       fresh.at = along(vertices_[v].at, t, minus(vertices_[w].at, vertices_[v].at));
-      fresh.near = space::rounded(fresh.at);
       fresh.tight = common(vertices_[v].tight, vertices_[w].tight);
       fresh.tight.push_back(id);
+      // Roots of several numbers: an expression of three planes is short, one of the vertices before it is not.
+      if (!all_rational(fresh.at)) {
+        if (auto at = meeting(planes_, fresh.tight)) fresh.at = std::move(*at);
+      }
+      fresh.near = space::rounded(fresh.at);
       kept.push_back(std::move(fresh));
     }
   }
-  planes_.push_back(plane);
   for (int v = 0; v < n; ++v) {
     if (sign[v] > 0) continue;
     if (sign[v] == 0) vertices_[v].tight.push_back(id);

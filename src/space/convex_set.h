@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What one convex polytope R (of any dimension) cuts out of space: its inside, its frontier, or what is outside, any of
-// the three. Such is every set {distance REL level} whose sublevel set is convex and polyhedral. Where R has no
-// interior all of R is frontier. Guarantee: exact truth values; sizes are the exact ones rounded, areas carry a few
-// roundings. Keywords: half-space intersection.
+// What one convex set R cuts out of space: its inside, its frontier, or what is outside, any of the three. R is a
+// convex polytope of any dimension, or one grown by a ball. Such is every set {distance REL level} whose sublevel set
+// is convex and polyhedral or the parallel body of a polytope. Where R has no interior all of R is frontier. Guarantee:
+// exact truth values; sizes are the exact ones rounded, areas carry a few roundings, and so do sizes of grown sets
+// (Steiner's formula). Keywords: half-space intersection, parallel body, Steiner formula.
 #pragma once
 
 #include "space/box_summary.h"
@@ -15,6 +16,7 @@ namespace findspace::space {
 struct ConvexSet {
   ConvexRegion region;
   bool inside = false, frontier = false, outside = false;
+  exact::Real radius{};  // of the ball by which the region is grown
 };
 
 SpaceSummary summarize(const ConvexSet& set, const exact::Real& step);

@@ -58,6 +58,13 @@ bool selects_edge(const Vector& n, std::span<const Vector> points) {
                        [&](const Vector& v) { return dot(n, v) >= top - 0x1p-36 * size; }) > 1;
 }
 
+/// {p : p + c in the cell}.
+std::vector<HalfSpace> moved_planes(const OutsideCell& cell, const Point& c) {
+  std::vector<HalfSpace> planes;
+  for (const HalfSpace& h : cell.planes) planes.emplace_back(h.normal, h.offset + dot(h.normal, real(c)));
+  return planes;
+}
+
 }  // namespace
 
 Extent difference_extent(const BodyPart& a, const BodyPart& b) { return difference(extent_of(a), extent_of(b)); }
@@ -127,7 +134,8 @@ OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
     }
     const Extent extent = extent_of(cell);
     for (const BodyPart& s : b.parts) {
-      cover.add(difference(extent, extent_of(s)), [&cell, &s] { return difference_planes(cell, *s.core); });
+      cover.add(difference(extent, extent_of(s)),
+                [&cell, &s] { return s.core ? difference_planes(cell, *s.core) : moved_planes(cell, s.center); });
     }
   }
   return cover;

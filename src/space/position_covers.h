@@ -23,7 +23,8 @@ Extent difference_extent(const BodyPart& a, const BodyPart& b);
 
 /// Neither body has a radius (nor is one `outside`). The bodies have to outlive the cover.
 OpenCover overlap_cover(const Body& b, const Body& a);
-/// A has no radius; B may, if A is convex. Cells and B have to outlive the cover.
+/// A has no radius; B may, if A is convex (else only its points without a radius count). Cells and B have to outlive
+/// the cover.
 OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a);
 
 }  // namespace findspace::space

@@ -5,6 +5,7 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "plane/parallel.h"
 
@@ -50,33 +51,68 @@ int compare_positions(const RayPosition& p, const RayPosition& q) {
   return exact::compare(p.to_real(), q.to_real());
 }
 
+namespace {
+
+/// The next event of a source; its exact place is found once at most.
+class Head {
+ public:
+  explicit Head(const RayEvent& event) : event_(&event) {}
+  const RayEvent& event() const { return *event_; }
+
+  static int compare(Head& a, Head& b) {
+    const RayPosition &p = a.event_->at, &q = b.event_->at;
+    if (!p.roots && !q.roots) return compare_positions(p, q);
+    const double gap = p.value - q.value, blur = (p.radius + q.radius) * 2;
+    if (gap > blur) return 1;
+    if (gap < -blur) return -1;
+    return exact::compare(a.exactly(), b.exactly());
+  }
+
+ private:
+  const exact::Real& exactly() {
+    if (!exact_) exact_ = event_->at.to_real();
+    return *exact_;
+  }
+  const RayEvent* event_;
+  std::optional<exact::Real> exact_;
+};
+
+}  // namespace
+
 RayRow combined(std::span<const RayRow> rows, const std::function<std::int8_t(std::span<const std::int8_t>)>& combine) {
   RayRow result;
   const std::size_t count = rows.size(), lines = rows[0].before.size();
   std::vector<std::int8_t> here(count), after(count);
   std::vector<int> next(count);
+  std::vector<std::optional<Head>> heads(count);
+  std::vector<std::size_t> at_once;
   for (std::size_t i = 0; i < lines; ++i) {
+    const auto advance = [&](std::size_t k) {
+      heads[k].reset();
+      if (next[k] < rows[k].first[i + 1]) heads[k].emplace(rows[k].events[static_cast<std::size_t>(next[k]++)]);
+    };
     for (std::size_t k = 0; k < count; ++k) {
       after[k] = rows[k].before[i];
       next[k] = rows[k].first[i];
+      advance(k);
     }
     std::int8_t last = combine(after);
     result.before.push_back(last);
     while (true) {
-      const RayEvent* first = nullptr;
+      at_once.clear();
       for (std::size_t k = 0; k < count; ++k) {
-        if (next[k] == rows[k].first[i + 1]) continue;
-        const RayEvent& event = rows[k].events[next[k]];
-        if (first == nullptr || compare_positions(event.at, first->at) < 0) first = &event;
+        if (!heads[k]) continue;
+        const int order = at_once.empty() ? -1 : Head::compare(*heads[k], *heads[at_once[0]]);
+        if (order < 0) at_once.clear();
+        if (order <= 0) at_once.push_back(k);
       }
-      if (first == nullptr) break;
-      const RayPosition at = first->at;
+      if (at_once.empty()) break;
+      const RayPosition at = heads[at_once[0]]->event().at;
       here = after;
-      for (std::size_t k = 0; k < count; ++k) {
-        if (next[k] == rows[k].first[i + 1] || compare_positions(rows[k].events[next[k]].at, at) != 0) continue;
-        here[k] = rows[k].events[next[k]].here;
-        after[k] = rows[k].events[next[k]].after;
-        ++next[k];
+      for (const std::size_t k : at_once) {
+        here[k] = heads[k]->event().here;
+        after[k] = heads[k]->event().after;
+        advance(k);
       }
       const std::int8_t now = combine(here), then = combine(after);
       if (now == last && then == last) continue;
@@ -86,6 +122,18 @@ RayRow combined(std::span<const RayRow> rows, const std::function<std::int8_t(st
     result.first.push_back(static_cast<int>(result.events.size()));
   }
   return result;
+}
+
+std::int8_t sign_at(const RayRow& row, int i, const exact::Real& z) {
+  const auto line = static_cast<std::size_t>(i);
+  std::int8_t sign = row.before[line];
+  for (int e = row.first[line]; e < row.first[line + 1]; ++e) {
+    const RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    const int order = exact::compare(event.at.to_real(), z);
+    if (order >= 0) return order == 0 ? event.here : sign;
+    sign = event.after;
+  }
+  return sign;
 }
 
 void each_row(const RaySource& source, const std::function<void(int, RayRow&&)>& take) {

@@ -81,6 +81,9 @@ class RaySource {
 /// there. Events at which nothing changes are left out.
 RayRow combined(std::span<const RayRow> rows, const std::function<std::int8_t(std::span<const std::int8_t>)>& combine);
 
+/// The sign at height z (in parts of a step) of line i of a row.
+std::int8_t sign_at(const RayRow& row, int i, const exact::Real& z);
+
 /// All rows of a source, made in parallel; take(j, row) is called for j = 0, 1, 2 ... in order, from one thread at a
 /// time.
 void each_row(const RaySource& source, const std::function<void(int, RayRow&&)>& take);

@@ -94,19 +94,20 @@ std::vector<RaySolid> ray_solids(const plane::Shape& shape) {
               shape.place);
 }
 
+void extend_box(const Point& p, Point& low, Point& high, bool& any) {
+  if (!any) low = high = p;
+  any = true;
+  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+}
+
 void extend_box(const std::vector<RaySolid>& solids, Point& low, Point& high, bool& any) {
-  const auto add = [&](const Point& p) {
-    if (!any) low = high = p;
-    any = true;
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  };
   for (const RaySolid& s : solids) {
-    for (const Point& p : s.surface.points) add(p);
+    for (const Point& p : s.surface.points) extend_box(p, low, high, any);
     if (!s.ball()) continue;
     const auto r = static_cast<std::int64_t>(exact::floor(s.radius)) + 1;
-    add(s.center - Point{r, r, r});
-    add(s.center + Point{r, r, r});
+    extend_box(s.center - Point{r, r, r}, low, high, any);
+    extend_box(s.center + Point{r, r, r}, low, high, any);
   }
 }
 

@@ -23,7 +23,8 @@ struct RaySolid {
 /// Throws Error(kUnsupported) for other nodes.
 std::vector<RaySolid> ray_solids(const plane::Shape& shape);
 
-/// The smallest box on the grid that holds them.
+/// The smallest box on the grid that holds them too.
+void extend_box(const Point& point, Point& low, Point& high, bool& any);
 void extend_box(const std::vector<RaySolid>& solids, Point& low, Point& high, bool& any);
 
 }  // namespace findspace::space

@@ -38,7 +38,9 @@ std::vector<Polytope> read_all() {
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
     io::ReadContext context;
     // The hull is the shape meant (polytope7 has a vertex that no face uses).
-    polytopes.push_back(Polytope::hull(io::parse_mesh(bytes, file.extension().string(), context).vertices));
+    polytopes.push_back(Polytope::hull(io::parse_mesh(bytes, file.extension().string(), context, [](const auto&) {
+                                         return exact::Real(1);
+                                       }).vertices));
   }
   return polytopes;
 }

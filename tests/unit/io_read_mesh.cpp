@@ -18,9 +18,11 @@ const char* kObj =
     "# cube\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\nvn 0 0 1\n"
     "f 1/1/1 3//1 4 2\nf 5 6 8 7\nf 1 2 6 5\nf -6 -2 -1 -5\nf 1 5 7 3\nf 2 4 8 6\n";
 
+exact::Real plain(const std::optional<exact::Real>&) { return 1; }
+
 space::Mesh cube() {
   ReadContext context;
-  space::Mesh mesh = parse_mesh(kObj, ".obj", context);
+  space::Mesh mesh = parse_mesh(kObj, ".obj", context, plain);
   space::clean(mesh, 1e-6);
   return mesh;
 }
@@ -34,7 +36,7 @@ Surface surface(const space::Mesh& mesh) {
 
 void expect_unit_cube(const std::string& bytes, const std::string& ending) {
   ReadContext context;
-  space::Mesh mesh = parse_mesh(bytes, ending, context);
+  space::Mesh mesh = parse_mesh(bytes, ending, context, plain);
   space::clean(mesh, 1e-6);
   EXPECT_TRUE(space::is_convex(mesh)) << ending;
   EXPECT_EQ(space::six_volumes(mesh).to_double(), 6e18) << ending;
@@ -109,7 +111,7 @@ TEST(ReadMesh, EveryFormatGivesTheSameCube) {
 ErrorCode refusal(const std::string& bytes, const std::string& ending) {
   ReadContext context;
   try {
-    space::Mesh mesh = parse_mesh(bytes, ending, context);
+    space::Mesh mesh = parse_mesh(bytes, ending, context, plain);
     space::clean(mesh, 1e-6);
   } catch (const Error& e) {
     EXPECT_FALSE(e.message().empty());
@@ -133,7 +135,7 @@ TEST(ReadMesh, BrokenFilesAreRefused) {
   EXPECT_EQ(refusal(ply(mesh, "binary_little_endian").substr(0, 260), ".ply"), ErrorCode::kFile);
   EXPECT_EQ(refusal("whatever", ".xyz"), ErrorCode::kFile);
   ReadContext context;
-  EXPECT_THROW(read_mesh("/nowhere/at/all.obj", context), Error);
+  EXPECT_THROW(read_mesh("/nowhere/at/all.obj", context, plain), Error);
 }
 
 TEST(WriteMesh, PictureDashesHiddenLines) {
@@ -146,7 +148,7 @@ TEST(WriteMesh, PictureDashesHiddenLines) {
   };
   EXPECT_EQ(lines(dashed, plain), 3);
   EXPECT_EQ(lines(plain, svg.size()), 9);
-  EXPECT_THROW(surface_text({}, "", ".dwg"), Error);
+  EXPECT_THROW(surface_text({}, "", ".dwg", ""), Error);
 }
 
 }  // namespace

@@ -97,6 +97,27 @@ TEST(ConvexSet, SummaryOfATetrahedron) {
   EXPECT_TRUE(free.closed && free.regular && !free.bounded);
 }
 
+/// Grown sets against Pappus and other formulas of their own.
+TEST(ConvexSet, SummaryOfGrownSets) {
+  const auto grown = [](const RealVector& high, std::int64_t r) {
+    return summarize(ConvexSet{ConvexRegion(place(0, 0, 0), high), true, true, false, Real(r)}, Real(1));
+  };
+  const double pi = 3.14159265358979324;
+  const SpaceSummary ball = grown(place(0, 0, 0), 2), capsule = grown(place(0, 0, 5), 2),
+                     lozenge = grown(place(3, 0, 5), 2), box = grown(place(3, 4, 5), 2);
+  EXPECT_NEAR(*ball.volume, 32 * pi / 3, 1e-9);                             // no sign: test
+  EXPECT_NEAR(*capsule.volume, 32 * pi / 3 + 20 * pi, 1e-9);                // no sign: test
+  EXPECT_NEAR(*lozenge.volume, 32 * pi / 3 + 2 * pi * 16 + 60, 1e-9);       // no sign: test
+  EXPECT_NEAR(*box.volume, 60 + 2 * 94 + pi * 4 * 12 + 32 * pi / 3, 1e-9);  // no sign: test
+  EXPECT_TRUE(ball.closed && ball.regular && ball.isolated.empty());
+  EXPECT_EQ(box.bbox->low[0], -2);
+  EXPECT_EQ(box.bbox->high[2], 7);
+  const SpaceSummary shell =
+      summarize(ConvexSet{ConvexRegion(place(0, 0, 0), place(3, 4, 5)), false, true, false, Real(2)}, Real(1));
+  EXPECT_NEAR(shell.dangling_area, 94 + 2 * pi * 2 * 12 + 16 * pi, 1e-9);  // no sign: test
+  EXPECT_EQ(shell.components.at(0).dimension, 2);
+}
+
 TEST(OpenCover, SlitsAndEmptyComplements) {
   const auto slab = [](std::int64_t from, std::int64_t to) {  // from < x < to
     return OpenCover::Planes{HalfSpace(place(-1, 0, 0), Real(from)), HalfSpace(place(1, 0, 0), Real(-to))};

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A set on the lines of a grid as the answer of a verb: numbers, lines and surface.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "session.h"
+#include "space/ray_map.h"
+
+namespace findspace::app {
+
+struct RaySet {
+  std::string title;
+  int resolution = 0;                                                              // lines each way
+  space::Point low, high;                                                          // a box that holds the frontier
+  bool unbounded = false;                                                          // the set goes on beyond it
+  std::function<std::unique_ptr<space::RaySource>(const space::RayGrid&)> source;  // at most 0 in the set
+};
+
+Outcome rays_outcome(const Session& session, const RaySet& set);
+
+}  // namespace findspace::app

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/draw_slices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "io/draw_layout.h"
+
+namespace findspace::io {
+namespace {
+
+constexpr double kWidth = 900, kGap = 18, kLine = 16;
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+/// One layer: from the window's coordinates to those of its panel.
+struct Panel {
+  double left, top, scale, x0, y1, strip;
+  double x(double v) const { return left + (v - x0) * scale; }
+  double y(double v) const { return top + (y1 - v) * scale; }
+};
+
+void put_strip(std::string& strips, std::string& dots, const Panel& p, double from, double to, double y, bool point) {
+  if (point)
+    fmt::format_to(std::back_inserter(dots), "M{:.2f} {:.2f}h0", p.x(from), p.y(y));
+  else
+    fmt::format_to(std::back_inserter(strips), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.x(from), p.y(y + p.strip / 2),
+                   (to - from) * p.scale, p.strip * p.scale, (from - to) * p.scale);
+}
+
+/// The intervals of line i, cut at the window.
+void put_line(std::string& strips, std::string& dots, const Panel& panel, const space::RayRow& row, int i, double y,
+              double scale, double low, double high) {
+  bool in = row.before[static_cast<std::size_t>(i)] <= 0;
+  double from = low;
+  for (int e = row.first[static_cast<std::size_t>(i)]; e < row.first[static_cast<std::size_t>(i) + 1]; ++e) {
+    const space::RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    const double at = std::clamp(event.at.value * scale, low, high);
+    const bool after = event.after <= 0;
+    if (in && !after) put_strip(strips, dots, panel, from, at, y, false);
+    if (!in && after) from = at;
+    if (!in && !after && event.here <= 0) put_strip(strips, dots, panel, at, at, y, true);
+    in = after;
+  }
+  if (in) put_strip(strips, dots, panel, from, high, y, false);
+}
+
+}  // namespace
+
+space::RayGrid slice_grid(const space::Point& low, const space::Point& high, int layers, int n) {
+  space::RayGrid grid = space::ray_grid(low, high, 0, n);
+  const std::int64_t height = (high.z - low.z) * grid.parts;
+  grid.nv = layers;
+  grid.dv = std::max<std::int64_t>(1, height / layers);
+  grid.v = low.z * grid.parts + grid.dv / 2;
+  return grid;
+}
+
+std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayGrid& grid, const space::Point& low,
+                       const space::Point& high, double step, std::string_view title, std::string_view unit) {
+  const double part = step / static_cast<double>(grid.parts);
+  const double x0 = static_cast<double>(low.x) * step, x1 = static_cast<double>(high.x) * step,
+               y0 = static_cast<double>(low.y) * step, y1 = static_cast<double>(high.y) * step;
+  const int across = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(rows.size())))));
+  const int down = (static_cast<int>(rows.size()) + across - 1) / across;
+  const double scale = (kWidth - kGap) / across - kGap;
+  const double per_unit = scale / std::max(x1 - x0, y1 - y0);
+  const double panel_width = (x1 - x0) * per_unit, panel_height = (y1 - y0) * per_unit;
+  const double height = kLine * 2 + down * (panel_height + kLine + kGap), width = kGap + across * (panel_width + kGap);
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
+      "font-size=\"12\" fill=\"#234\">\n<title>{}</title>\n<text x=\"{}\" y=\"{}\">{}</text>\n",
+      width, height, escaped(title), kGap, kLine, escaped(title));
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    const int k = static_cast<int>(j);
+    const Panel panel{kGap + (k % across) * (panel_width + kGap),
+                      kLine * 3 + (k / across) * (panel_height + kLine + kGap),
+                      per_unit,
+                      x0,
+                      y1,
+                      static_cast<double>(grid.du) * part};
+    std::string strips, dots;
+    for (int i = 0; i < grid.nu; ++i)
+      put_line(strips, dots, panel, rows[j], i, static_cast<double>(grid.u_at(i)) * part, part, x0, x1);
+    fmt::format_to(std::back_inserter(out),
+                   "<g class=\"layer\">\n<text x=\"{:.2f}\" y=\"{:.2f}\">z = {}{}{}</text>\n"
+                   "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" "
+                   "stroke=\"#89a\"/>\n",
+                   panel.left, panel.top - 4, shown(static_cast<double>(grid.v_at(k)) * part), unit.empty() ? "" : " ",
+                   unit, panel.left, panel.top, panel_width, panel_height);
+    if (!strips.empty()) fmt::format_to(std::back_inserter(out), "<path fill=\"#8c8\" d=\"{}\"/>\n", strips);
+    if (!dots.empty())
+      fmt::format_to(std::back_inserter(out),
+                     "<path stroke=\"#c33\" stroke-width=\"3\" stroke-linecap=\"round\" d=\"{}\"/>\n", dots);
+    out += "</g>\n";
+  }
+  return out + "</svg>\n";
+}
+
+}  // namespace findspace::io

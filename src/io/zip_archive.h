@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// ZIP archives in memory, by libzip. Written archives carry no time, so the same content gives the same bytes. A build
+// without libzip says so with Error(kUnsupported). Errors: Error(kFile) for what is no whole archive, for members that
+// are missing, encrypted, damaged or larger than kMostMember. Keywords: container, deflate, OPC package.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace findspace::io {
+
+inline constexpr std::uint64_t kMostMember = std::uint64_t{1} << 30;
+
+/// Members by name and content, in order.
+std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& members);
+
+class ZipArchive {
+ public:
+  /// Keeps a view of the bytes.
+  explicit ZipArchive(std::string_view bytes);
+  ~ZipArchive();
+  ZipArchive(const ZipArchive&) = delete;
+  ZipArchive& operator=(const ZipArchive&) = delete;
+
+  /// The content of a member; nothing if there is none of that name.
+  std::optional<std::string> member(const std::string& name) const;
+
+ private:
+  void* archive_ = nullptr;
+};
+
+}  // namespace findspace::io

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The ray map of a union of simple convex pieces (line_pieces.h): - in the interior of a piece, 0 on the rest of the
+// closed pieces, + elsewhere; or of their intersection: - in all interiors, 0 on the rest of it. So levels of distances
+// to polyhedra keep their true round surface. Guarantee: exact, ties included: doubles with running bounds first, real
+// numbers where these cannot tell. Cost: some tens of nanoseconds a piece and line in its box; a tie costs
+// microseconds. Keywords: ray casting, dexel.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "exact/approx.h"
+#include "space/line_pieces.h"
+#include "space/ray_map.h"
+
+namespace findspace::space {
+
+class PieceRays : public RaySource, private RayRoots {
+ public:
+  enum class Of { kUnion, kIntersection };
+
+  /// Coordinates of the pieces in 1/scale grid steps. An intersection of no pieces is everything.
+  PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, const RayGrid& grid, Of of = Of::kUnion);
+
+  const RayGrid& grid() const override { return grid_; }
+  RayRow row(int j) const override;
+
+ private:
+  /// A piece for numbers of type T, turned so that the lines run along z, in parts of a grid step.
+  template <class T>
+  struct Turned {
+    std::vector<std::array<T, 4>> planes;
+    std::array<T, 3> base{}, direction{};
+    T length{}, square{};
+  };
+  struct Piece {
+    Turned<exact::Real> exact;
+    Turned<exact::Approx> near;
+    std::vector<std::int8_t> rise;  // the sign of each plane's z
+    bool round = false, cylinder = false, upright = false;
+    int first_column = 0, last_column = -1, first_row = 0, last_row = -1;
+  };
+  /// What a line meets of a piece. kTouch: no inner point.
+  enum class Meets : std::int8_t { kNothing, kTouch, kInside, kUnsure };
+  template <class T>
+  struct Span {
+    Meets meets = Meets::kNothing;
+    bool bounded_low = false, bounded_high = false;
+    T low{}, high{};
+  };
+  /// An end of what a line meets.
+  struct End {
+    double value = 0, error = 0;  // infinite where there is none
+    int piece = -1;
+    std::int8_t which = 0;
+  };
+  struct Stretch {
+    End low, high;
+    bool inside = false;
+  };
+
+  template <class T>
+  static Span<T> meet(const Piece& piece, const Turned<T>& data, const T& x, const T& y);
+  template <class T>
+  static void meet_round(const Piece& piece, const Turned<T>& data, const T& x, const T& y, Span<T>& span);
+  Span<exact::Real> meet_exactly(int piece, int i, int j) const;
+  bool stretch(int piece, int i, int j, Stretch& out) const;
+  int compare_ends(const End& a, const End& b, int i, int j) const;
+  exact::Real root(int patch, int which, int i, int j) const override;
+  RayPosition position(const End& e, int i, int j) const;
+  std::vector<Stretch> united(std::vector<Stretch> all, bool open, int i, int j) const;
+  std::vector<Stretch> common(const std::vector<Stretch>& all, bool open, int i, int j) const;
+  void put(const std::vector<Stretch>& stretches, bool open, int i, int j, RayRow& row) const;
+
+  Piece turned(const LinePiece& piece, std::int64_t scale) const;
+
+  RayGrid grid_;
+  Of of_;
+  std::vector<Piece> pieces_;
+  std::vector<std::size_t> first_;
+  std::vector<int> of_row_;
+};
+
+}  // namespace findspace::space

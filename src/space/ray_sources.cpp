@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/ray_sources.h"
+
+#include <algorithm>
+
+namespace findspace::space {
+namespace {
+
+using Signs = std::span<const std::int8_t>;
+
+class Constant : public RaySource {
+ public:
+  Constant(const RayGrid& grid, int sign) : grid_(grid), sign_(static_cast<std::int8_t>(sign)) {}
+  const RayGrid& grid() const override { return grid_; }
+  RayRow row(int) const override {
+    const auto lines = static_cast<std::size_t>(grid_.nu);
+    return {std::vector<std::int8_t>(lines, sign_), std::vector<int>(lines + 1, 0), {}};
+  }
+
+ private:
+  RayGrid grid_;
+  std::int8_t sign_;
+};
+
+class Combined : public RaySource {
+ public:
+  Combined(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine)
+      : sources_(std::move(sources)), combine_(std::move(combine)) {}
+  const RayGrid& grid() const override { return sources_[0]->grid(); }
+  RayRow row(int j) const override {
+    std::vector<RayRow> rows;
+    for (const RaySourcePointer& s : sources_) rows.push_back(s->row(j));
+    return combined(rows, combine_);
+  }
+
+ private:
+  std::vector<RaySourcePointer> sources_;
+  std::function<std::int8_t(Signs)> combine_;
+};
+
+}  // namespace
+
+RaySourcePointer constant_rays(const RayGrid& grid, int sign) { return std::make_unique<Constant>(grid, sign); }
+
+RaySourcePointer combined_rays(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine) {
+  return std::make_unique<Combined>(std::move(sources), std::move(combine));
+}
+
+RaySourcePointer mapped_rays(RaySourcePointer source, std::function<int(int)> to) {
+  std::vector<RaySourcePointer> one;
+  one.push_back(std::move(source));
+  return combined_rays(std::move(one), [to = std::move(to)](Signs s) { return static_cast<std::int8_t>(to(s[0])); });
+}
+
+RaySourcePointer negated_rays(RaySourcePointer source) {
+  return mapped_rays(std::move(source), [](int s) { return -s; });
+}
+
+RaySourcePointer greatest_rays(std::vector<RaySourcePointer> sources) {
+  if (sources.size() == 1) return std::move(sources[0]);
+  return combined_rays(std::move(sources), [](Signs s) { return *std::max_element(s.begin(), s.end()); });
+}
+
+}  // namespace findspace::space
