@@ -154,13 +154,18 @@ double RoughSet::reach() const {
   return most;
 }
 
-bool surely_meets(const RoughSet& b, const RoughSet& o, RoughPoint by, bool either_way, double room) {
+bool well_inside(const RoughSet& b, const RoughSet& o, RoughPoint by, double room) {
   for (const RoughPoint& p : b.points()) {
     if (o.contains(p + by, room)) return true;
   }
   for (const RoughPoint& p : o.points()) {
     if (b.contains(p - by, room)) return true;
   }
+  return false;
+}
+
+bool surely_meets(const RoughSet& b, const RoughSet& o, RoughPoint by, bool either_way, double room) {
+  if (well_inside(b, o, by, room)) return true;
   for (const Line& e : b.lines()) {
     const Line here = moved(e, by);
     for (const Line& f : o.lines()) {

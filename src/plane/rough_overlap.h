@@ -46,4 +46,7 @@ class RoughSet {
 /// the inside of B without O beside it.
 bool surely_meets(const RoughSet& b, const RoughSet& o, RoughPoint by, bool either_way, double room);
 
+/// A point of B, moved, lies in O, or one of O's boundary in B, farther than `room` from the other's edges.
+bool well_inside(const RoughSet& b, const RoughSet& o, RoughPoint by, double room);
+
 }  // namespace findspace::plane

@@ -203,10 +203,36 @@ class TurnedFree::Look {
   std::vector<Candidate> candidates_;
 };
 
+/// Without the roots that the filter cannot tell from a neighbour: a double root is found to half the digits only, and
+/// all that is between it and where it was found looks the same.
+std::vector<FreeEvent> TurnedFree::distinct(const std::vector<FreeEvent>& events, Look& look) {
+  constexpr double kNeighbours = 0.01;  // no sign: degrees, beyond that nothing is compared
+  const auto same = [&](const FreeEvent& p, const FreeEvent& q) {
+    const double gap = std::abs(std::remainder(q.degrees - p.degrees, 360));
+    if ((p.exact && q.exact) || gap > kNeighbours) return false;
+    const Mark middle = look.sign(between(p.turn, q.turn), false);
+    return look.sign(p.turn, false) == middle && look.sign(q.turn, false) == middle;
+  };
+  std::vector<FreeEvent> out;
+  for (const FreeEvent& e : events) {
+    if (out.empty() || !same(out.back(), e))
+      out.push_back(e);
+    else if (e.exact)
+      out.back() = e;
+  }
+  while (out.size() > 1 && same(out.back(), out.front())) {
+    if (out.back().exact) out.front() = out.back();
+    out.pop_back();
+  }
+  std::sort(out.begin(), out.end(), [](const auto& p, const auto& q) { return p.degrees < q.degrees; });
+  return out;
+}
+
 TurnMap TurnedFree::turn_map(const Real& level, bool far) const {
   const FreeQuestion question{curves_, turning_, open_, keep_ == Keep::kApart, level, far, room_};
-  const std::vector<FreeEvent> events = free_events(question);
-  if (events.empty()) return TurnMap::uniform(Look(*this, level, far).sign(Turn{}, true));
+  Look first(*this, level, far);
+  const std::vector<FreeEvent> events = distinct(free_events(question), first);
+  if (events.empty()) return TurnMap::uniform(first.sign(Turn{}, true));
   const std::size_t n = events.size();
   TurnMap map;
   map.here.resize(n), map.after.resize(n);

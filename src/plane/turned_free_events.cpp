@@ -24,7 +24,6 @@ constexpr std::size_t kFew = 14, kSectors = 16;
 constexpr double kNarrow = 0.01;  // no sign: radians, sectors are not halved below
 
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
 /// a cos + b sin = c; `back`: of minus the angle.
 struct Equation {
@@ -56,12 +55,17 @@ class Sector {
     if (pairs.size() > kFew && half_ > kNarrow) return halve(pairs);
     pairs_ = std::move(pairs);
     for (const ContactPair& k : pairs_) forms_.push_back(q_.curves.sector(k, middle_));
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    find_corners();
+    const std::size_t n = pairs_.size();
+    for (std::size_t i = 0; i < n; ++i) {
       single(i);
-      for (std::size_t k = i + 1; k < pairs_.size(); ++k) {
+      for (std::size_t k = i + 1; k < n; ++k) {
         touching(i, k);
+        if (corners_[i * n + k] == 0) continue;
         corner(i, k);
-        for (std::size_t m = k + 1; m < pairs_.size(); ++m) meeting(i, k, m);
+        for (std::size_t m = k + 1; m < n; ++m) {
+          if (corners_[i * n + m] != 0 && corners_[k * n + m] != 0) meeting(i, k, m);
+        }
       }
     }
   }
@@ -75,6 +79,35 @@ class Sector {
       half.run(q_.curves.pairs(pairs, half.middle_, half.half_));
       std::move(half.found.begin(), half.found.end(), std::back_inserter(found));
     }
+  }
+
+  /// Which two curves may meet in a point of F. Two lines do not where their meeting point in the middle of the
+  /// sector is farther from F, or from where the level matters, than it and B's points can travel until the sector's
+  /// ends.
+  void find_corners() {
+    const std::size_t n = pairs_.size();
+    corners_.assign(n * n, 1);
+    std::vector<RoughCurve> curves;
+    for (const ContactPair& k : pairs_) curves.push_back(q_.curves.rough(k, middle_));
+    const RoughSet there = q_.turning.turned(std::polar(1.0, middle_));
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = i + 1; k < n; ++k) {
+        if (curves[i].line && curves[k].line) corners_[i * n + k] = Mark(may_meet(curves[i], curves[k], there));
+      }
+    }
+  }
+
+  bool may_meet(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const {
+    // On both segments, s is at most B's reach from where each is hinged, so each passes it at that speed.
+    const double sine = std::abs((std::conj(c.normal) * d.normal).imag());
+    if (sine < 4 * half_) return true;
+    const RoughPoint s = rough_meetings(c, d).at(0);
+    const double reach = q_.turning.reach(), travel = 2 * half_ * reach / (sine - 2 * half_) * 1.5;
+    const double room = travel + half_ * reach + q_.room;
+    if (!c.holds(s, 2 * room) || !d.holds(s, 2 * room)) return false;
+    if (!q_.far && std::abs(s) > level_ + room) return false;
+    if (q_.far && std::abs(s) < level_ - room) return false;
+    return !well_inside(there, q_.open, s, room);
   }
 
   /// Whether F can have a part at s, at that angle.
@@ -233,7 +266,9 @@ class Sector {
       const RoughCurve c = q_.curves.rough(pairs_[i], angle), d = q_.curves.rough(pairs_[k], angle);
       for (const RoughPoint& s : rough_meetings(c, d)) {
         if (std::abs(std::abs(s) - level_) > 10 * q_.room || !c.holds(s, q_.room) || !d.holds(s, q_.room)) continue;
-        if (possible(angle, s)) return add_root(angle);
+        if (!possible(angle, s)) continue;
+        add_root(angle);
+        break;
       }
     }
   }
@@ -245,7 +280,7 @@ class Sector {
       const double angle = middle_ + 2 * std::atan(u);
       const std::array<RoughCurve, 3> c{q_.curves.rough(pairs_[i], angle), q_.curves.rough(pairs_[k], angle),
                                         q_.curves.rough(pairs_[m], angle)};
-      if (const auto s = rough_meeting(c, 100 * q_.room); s && possible(angle, *s)) return add_root(angle);
+      if (const auto s = rough_meeting(c, 100 * q_.room); s && possible(angle, *s)) add_root(angle);
     }
   }
 
@@ -253,6 +288,7 @@ class Sector {
   double middle_, half_, level_;
   std::vector<ContactPair> pairs_;
   std::vector<SectorCurve> forms_;
+  std::vector<Mark> corners_;  // by pairs of curves: they may meet in F
 };
 
 /// Each once; a root that is also found exactly is given up for that.

@@ -3,7 +3,8 @@
 //
 // The angles at which the least or greatest distance of a free position can cross a level (turned_free.h). Guarantee:
 // all of them, some too many; ascending, no two within 1e-9 degrees unless both are exact and different. Cost: the
-// circle is cut into sectors until few curves are left in each; there pairs and triples. Keywords: critical orientation.
+// circle is cut into sectors until few curves are left in each; there pairs and triples. Keywords: critical
+// orientation.
 #pragma once
 
 #include "plane/contact_curves.h"
