@@ -106,13 +106,12 @@ class Sector {
     const double room = travel + half_ * reach + q_.room;
     if (!c.holds(s, 2 * room) || !d.holds(s, 2 * room)) return false;
     if (!q_.far && std::abs(s) > level_ + room) return false;
-    if (q_.far && std::abs(s) < level_ - room) return false;
     return !well_inside(there, q_.open, s, room);
   }
 
   /// Whether F can have a part at s, at that angle.
   bool possible(double angle, RoughPoint s) const {
-    if (q_.far ? std::abs(s) < level_ - q_.room : std::abs(s) > level_ + q_.room) return false;
+    if (!q_.far && std::abs(s) > level_ + q_.room) return false;  // far: F may come into being anywhere
     return !surely_meets(q_.turning.turned(std::polar(1.0, angle)), q_.open, s, q_.either_way, q_.room);
   }
 
