@@ -21,7 +21,8 @@ using Kind = ContactPair::Kind;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRoom = 1e-9;  // no sign: of the sizes; what is nearer is decided exactly
+constexpr double kRoom = 1e-9;     // no sign: of the sizes; what is nearer is decided exactly
+constexpr double kNormals = 1e-7;  // no sign: of directions; candidates too many do no harm
 
 bool is_in(Mark m) { return m > 0; }
 bool is_out(Mark m) { return m <= 0; }
@@ -107,7 +108,7 @@ class TurnedFree::Look {
       for (const Cone& k : {c.normals, c.opposed})
         for (double part : {0.0, 0.5, 1.0}) {
           const RoughPoint u = std::polar(1.0, k.from + part * k.width);
-          if (c.allows(u, 1e-7)) add(c.center + c.radius * u, i, i);
+          if (c.allows(u, kNormals)) add(c.center + c.radius * u, i, i);
         }
       return;
     }

@@ -21,7 +21,8 @@ using Kind = ContactPair::Kind;
 constexpr double kPi = std::numbers::pi;
 constexpr double kSame = 1e-9;  // no sign: degrees, between a root and what was found of it otherwise
 constexpr std::size_t kFew = 14, kSectors = 16;
-constexpr double kNarrow = 0.01;  // no sign: radians, sectors are not halved below
+constexpr double kSlack = 1e-9, kNormals = 1e-6;  // no sign: of sectors and of normals; angles too many do no harm
+constexpr double kNarrow = 0.01;                  // no sign: radians, sectors are not halved below
 
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
 
@@ -115,13 +116,13 @@ class Sector {
     return !surely_meets(q_.turning.turned(std::polar(1.0, angle)), q_.open, s, q_.either_way, q_.room);
   }
 
-  bool in_sector(double angle) const { return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + 1e-9; }
+  bool in_sector(double angle) const { return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + kSlack; }
 
   /// The turns of the equation in the sector that `witness(angle)` admits.
   template <class Witness>
   void solve(const Equation& e, Witness witness) {
     const double a = rough(e.a), b = rough(e.b), c = rough(e.c), norm = std::hypot(a, b);
-    if (norm == 0 || std::abs(c) > norm * (1 + 1e-9)) return;
+    if (norm == 0 || std::abs(c) > norm * (1 + kSlack)) return;
     const double spread = std::acos(std::clamp(c / norm, -1.0, 1.0)), to = std::atan2(b, a);
     bool wanted = false;
     for (double angle : {to - spread, to + spread}) {
@@ -189,10 +190,10 @@ class Sector {
       if (!d.line) {
         if (std::abs(u) <= q_.room) return true;  // two circles in one
         u /= std::abs(u);
-        if (!c.allows(u, 1e-6) && c.allows(-u, 1e-6)) u = -u;
+        if (!c.allows(u, kNormals) && c.allows(-u, kNormals)) u = -u;
       }
       const RoughPoint s = c.center + c.radius * u;
-      return c.allows(u, 1e-6) && (d.line ? d.holds(s, q_.room) : d.allows(-u, 1e-6)) && possible(angle, s);
+      return c.allows(u, kNormals) && (d.line ? d.holds(s, q_.room) : d.allows(-u, kNormals)) && possible(angle, s);
     };
     if (lines) return parallel_lines(*k, *m, witness);
     const RoundFeature &a = q_.curves.fixed().rounds[k->fixed], &b = q_.curves.turning().rounds[k->turning];
@@ -217,7 +218,7 @@ class Sector {
 
   /// Segments of one line, with opposite normals, of which some part may lie in F.
   bool opposite(const RoughCurve& c, const RoughCurve& d) const {
-    if (dot(c.normal, d.normal) > -1 + 1e-6 || std::abs(c.offset() + d.offset()) > q_.room * 10) return false;
+    if (dot(c.normal, d.normal) > -1 + kNormals || std::abs(c.offset() + d.offset()) > q_.room * 10) return false;
     if (!q_.far && std::max(c.least(), d.least()) > level_ + q_.room) return false;
     const RoughPoint way = (c.q - c.p) / std::abs(c.q - c.p);
     const double from = dot(way, d.p - c.p), to = dot(way, d.q - c.p), length = std::abs(c.q - c.p);
@@ -230,7 +231,7 @@ class Sector {
     const bool back = k.kind == Kind::kTurningEdge;
     const auto& edges = back ? q_.curves.turning().edges : q_.curves.fixed().edges;
     const EdgeFeature &e = edges[back ? k.turning : k.fixed], &f = edges[back ? m.turning : m.fixed];
-    if (e.nx * f.nx + e.ny * f.ny > -1 + 1e-6) return;
+    if (e.nx * f.nx + e.ny * f.ny > -1 + kNormals) return;
     const RealVector n = exact_normal(e), o = exact_normal(f);
     if (plane::cross(n, o).sign() != 0) return;
     const auto& rounds = back ? q_.curves.fixed().rounds : q_.curves.turning().rounds;
@@ -259,7 +260,7 @@ class Sector {
 
   /// Two curves that meet exactly the level away.
   void corner(std::size_t i, std::size_t k) {
-    const double span = std::tan(half_ / 2) * (1 + 1e-9);
+    const double span = std::tan(half_ / 2) * (1 + kSlack);
     for (double u : corner_roots(forms_[i], forms_[k], level_, span)) {
       const double angle = middle_ + 2 * std::atan(u);
       const RoughCurve c = q_.curves.rough(pairs_[i], angle), d = q_.curves.rough(pairs_[k], angle);
@@ -274,7 +275,7 @@ class Sector {
 
   /// Three curves that meet in one point, B being held there.
   void meeting(std::size_t i, std::size_t k, std::size_t m) {
-    const double span = std::tan(half_ / 2) * (1 + 1e-9);
+    const double span = std::tan(half_ / 2) * (1 + kSlack);
     for (double u : meeting_roots(forms_[i], forms_[k], forms_[m], span)) {
       const double angle = middle_ + 2 * std::atan(u);
       const std::array<RoughCurve, 3> c{q_.curves.rough(pairs_[i], angle), q_.curves.rough(pairs_[k], angle),
