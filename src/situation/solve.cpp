@@ -13,6 +13,7 @@
 #include "distance/directional_least.h"
 #include "distance/extremum.h"
 #include "distance/over_time.h"
+#include "distance/turning_positions.h"
 #include "findspace/error.h"
 #include "plane/nearest.h"
 #include "plane/overlay.h"
@@ -115,10 +116,7 @@ TDistancePointer Solver::plain(const Roles& r) const {
 distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
   const Distance& d = r.wanted;
   if (d.mode == Mode::kPlain) return plain(r);
-  if (d.mode == Mode::kTurning)
-    refuse(d,
-           "distances in rotation have no map of positions; ask at an angle (check --angle) or over all (\"free\": "
-           "\"angle\")");
+  if (d.mode == Mode::kTurning) refuse(d, "distances in rotation are not computed over a motion, nor as objectives");
   auto base = pair(r.names)->pair().distance(signed_base(d.kind));
   const plane::SignMap& map = static_cast<const distance::SignedDistance&>(*base).base();
   if (is_farthest(d.kind)) return std::make_shared<distance::DirectionalFarthest>(map, track(d));
@@ -146,7 +144,21 @@ TDistancePointer Solver::distance(const Distance& wanted) const {
   return plain(roles(wanted));
 }
 
+namespace {
+
+/// A rotational distance is on the same side of 0 as the plain one (and of the second kind nothing is known so simply).
+bool is_plain_level(const SignMap& wanted) {
+  return wanted.distance.mode == Mode::kTurning && wanted.level.sign() == 0 && !is_farthest(wanted.distance.kind);
+}
+
+}  // namespace
+
 plane::SignMap Solver::sign_map(const SignMap& wanted) const {
+  if (is_plain_level(wanted) && !wanted.minimum) {
+    SignMap plain = wanted;
+    plain.distance.mode = Mode::kPlain, plain.distance.vector.clear();
+    return sign_map(plain);
+  }
   if (!wanted.minimum) return function(wanted.distance)->sign_map(wanted.level / world_.step);
   distance::Extremum e = least(wanted.distance);
   if (!e.exists) return CellComplex::uniform(1);
@@ -246,16 +258,22 @@ std::vector<distance::TurningPose> Solver::turning_poses(const Roles& r, bool in
 
 bool Solver::turns_in(const Formula& formula) const {
   const auto& maps = formula.sign_maps();
-  return !world_.instant &&
-         std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) { return roles(m.distance).turning; });
+  return !world_.instant && std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) {
+    return roles(m.distance).turning || (m.distance.mode == Mode::kTurning && !is_plain_level(m));
+  });
 }
 
 distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
   const Roles r = roles(wanted.distance);
-  if (!r.turning) {
+  const bool in_rotation = r.wanted.mode == Mode::kTurning && !is_plain_level(wanted);
+  if (!r.turning && !in_rotation) {
     plane::SignMap exact = sign_map(wanted);
     return {exact, exact};
   }
+  if (in_rotation && !world_.motion.given() && !wanted.minimum)
+    return distance::turning_position_maps(shape(r.names.first), shape(r.names.second),
+                                           situation::which(r.wanted.kind, r.second_moves),
+                                           steps({r.wanted.vector.at(0), r.wanted.vector.at(1)}), wanted.level);
   if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
   if (r.wanted.mode != Mode::kPlain)
     refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
