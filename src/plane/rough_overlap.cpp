@@ -43,10 +43,12 @@ bool crosses_upwards(const Line& e, RoughPoint at) {
 }
 
 /// The same for an arc: its chord, and the piece of disc between, whose boundary a ray meets an odd number of times
-/// from inside.
+/// from inside. A point on the chord counts as above it, on a vertical one as to the right, as for the chord itself.
 bool crosses_upwards_arc(const Line& e, RoughPoint at) {
-  const bool in_piece = std::abs(at - e.center) < e.radius && cross(e.q - e.p, at - e.p) < 0;
-  return crosses_upwards(e, at) != in_piece;
+  const RoughPoint d = e.q - e.p;
+  const double side = cross(d, at - e.p), tie = d.real() != 0 ? d.real() : -d.imag();
+  const bool beyond_chord = side < 0 || (side == 0 && tie < 0);
+  return crosses_upwards(e, at) != (beyond_chord && std::abs(at - e.center) < e.radius);
 }
 
 /// Well inside the edge, for a point of its line or circle.
