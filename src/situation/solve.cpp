@@ -407,6 +407,51 @@ std::vector<Distance> Solver::all_distances() const {
   return out;
 }
 
+namespace {
+
+/// max(0, +-f) of another distance f, over the same time; nothing for the others.
+struct Derived {
+  Distance of;
+  bool negated = false, cut = true;
+};
+
+std::optional<Derived> derived(const Distance& d) {
+  Derived out{d};
+  switch (d.kind) {
+    case Kind::kD1:
+      out.of.kind = Kind::kGamma1;
+      return out;
+    case Kind::kD2:
+      out.of.kind = Kind::kGamma2, out.cut = false;
+      return out;
+    case Kind::kH:
+      out.of.kind = Kind::kMu;
+      return out;
+    case Kind::kPenetration:
+      out.of.kind = Kind::kGamma1, out.negated = true;
+      break;
+    case Kind::kDstar:
+      out.of.kind = Kind::kEta1, out.negated = true;
+      std::swap(out.of.first, out.of.second);
+      break;
+    default:
+      return std::nullopt;
+  }
+  out.of.prefix = d.prefix == Extremum::kInf ? Extremum::kSup : Extremum::kInf;
+  return out;
+}
+
+DistanceAt derived_value(const Distance& wanted, const Derived& from, const DistanceAt& base) {
+  DistanceAt out;
+  out.text = text(wanted);
+  if (!base.value && !from.negated) return out;
+  const double f = base.value ? *base.value : std::numeric_limits<double>::infinity();
+  out.value = from.cut ? std::max(0.0, from.negated ? -f : f) : f;
+  return out;
+}
+
+}  // namespace
+
 std::vector<DistanceAt> Solver::measure(const RealPoint& position, const Formula& formula) const {
   const RealPoint p = steps(position);
   std::vector<Distance> wanted = all_distances();
@@ -414,7 +459,22 @@ std::vector<DistanceAt> Solver::measure(const RealPoint& position, const Formula
     if (std::find(wanted.begin(), wanted.end(), m.distance) == wanted.end()) wanted.push_back(m.distance);
   }
   std::vector<DistanceAt> out(wanted.size());
-  plane::parallel_for(out.size(), [&](std::size_t k) { out[k] = value(wanted[k], p); });
+  // Over time a value is a search: it is made once for those that follow from each other.
+  std::vector<std::size_t> source(wanted.size());
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    source[k] = k;
+    const bool searched = world_.motion.given() && !world_.instant && !roles(wanted[k]).turning;
+    const auto d = searched ? derived(wanted[k]) : std::nullopt;
+    if (!d) continue;
+    const auto found = std::find(wanted.begin(), wanted.end(), moving_first(d->of, world_.moving));
+    if (found != wanted.end()) source[k] = std::size_t(found - wanted.begin());
+  }
+  plane::parallel_for(out.size(), [&](std::size_t k) {
+    if (source[k] == k) out[k] = value(wanted[k], p);
+  });
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    if (source[k] != k) out[k] = derived_value(wanted[k], *derived(wanted[k]), out[source[k]]);
+  }
   return out;
 }
 
