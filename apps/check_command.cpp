@@ -77,6 +77,7 @@ Outcome run_measure(const Options& options, Talk& talk) {
     return measure_space(session);
   }
   check_outputs(options, {".svg", ".json"});
+  if (asks_for_angle(session)) return measure_at_angle(session);
   session.require_positions(true);
   const exact::RealPoint at = session.position();
   const situation::Formula formula = session.where();

@@ -73,7 +73,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
     command.add_option("--at", o.at, "the position, decimals taken exactly")
         ->type_name(is(verb, "phi") ? "X,Y,Z" : "X,Y[,Z]");
   }
-  if (is(verb, "check")) {
+  if (is(verb, "check") || is(verb, "measure")) {
     command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")
         ->type_name("DEG");
   }

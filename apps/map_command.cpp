@@ -53,13 +53,13 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
   talk.stage("solving");
   if (solver.turns_in(formula)) {
     if (goal)
-      throw Error(ErrorCode::kUnsupported, "objectives are not computed of shapes that turn in time",
+      throw Error(ErrorCode::kUnsupported, "objectives are not computed of shapes that turn",
                   session.scene().file);
     if (!session.options().apply.empty())
-      throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn in time only bounds of the region are known",
+      throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn only bounds of the region are known",
                   session.scene().file);
     situation::Solver::Bounds bounds = solver.feasible_bounds(formula);
-    talk.note("shapes turn in time: certainly feasible positions, and in \"outer\" the possible ones");
+    talk.note("shapes turn: certainly feasible positions, and in \"outer\" the possible ones");
     return {std::move(bounds.inner), std::nullopt, std::nullopt, std::move(bounds.outer)};
   }
   const bool still = !session.scene().motion.given();

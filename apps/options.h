@@ -16,9 +16,9 @@ struct Options {
   std::vector<std::string> shapes;             // of describe, convert, phi
   std::vector<std::filesystem::path> outputs;  // format by ending
   std::optional<std::string> at;               // "x,y": decimals, taken exactly
-  std::optional<std::string> angle;            // of check: degrees the moving shape is turned by, taken exactly
-  std::optional<std::string> time;             // an instant of the motion, a decimal
-  std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
+  std::optional<std::string> angle;  // of check and measure: degrees the moving shape is turned by, taken exactly
+  std::optional<std::string> time;   // an instant of the motion, a decimal
+  std::string apply;                 // of map: interior closure boundary regularize complement, or nothing
   std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
   std::optional<unsigned> index;
   bool json = false, quiet = false;

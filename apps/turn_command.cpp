@@ -101,6 +101,24 @@ std::string picture(const Session& session, const situation::World& world, const
   return io::turns_svg(io::picture_svg(p), angles);
 }
 
+situation::Pose pose_of(const Session& session) {
+  situation::Pose pose{session.position(), session.angle(), std::nullopt};
+  if (turns(session.scene().free)) pose.about = about(session);
+  return pose;
+}
+
+std::string picture_at(const Session& session, const situation::Solver& solver, const situation::TurnSolver& turned,
+                       const situation::Pose& pose, const situation::Formula* formula, std::string title) {
+  plane::Rounding drawn;
+  const situation::World shapes = situation::turned_world(solver.world(), turned.about(), pose.degrees, drawn);
+  io::Picture p;
+  p.title = std::move(title);
+  if (formula != nullptr) p.subtitle = session.scene().where.text;
+  p.position = {plane::Twofold(pose.at.x).value(), plane::Twofold(pose.at.y).value()};
+  session.add_scenery(p, shapes, formula);
+  return io::picture_svg(p);
+}
+
 }  // namespace
 
 bool asks_for_angle(const Session& session) {
@@ -110,10 +128,24 @@ bool asks_for_angle(const Session& session) {
                      [](const situation::Atom& a) { return a.distance.mode == situation::Mode::kTurning; });
 }
 
+Outcome measure_at_angle(const Session& session) {
+  require_plane(session);
+  const situation::Pose pose = pose_of(session);
+  const situation::Solver solver(session.world());
+  session.talk().stage("measuring");
+  const situation::TurnSolver turned(solver, pose);
+  const std::vector<situation::DistanceAt> distances = turned.measure(session.where());
+  say_rounding(session, turned.rounding());
+  const double degrees = pose.degrees.to_double();
+  const auto json = [&] { return io::measure_json(distances, pose.at, session.step(), session.unit(), degrees); };
+  const auto svg = [&] { return picture_at(session, solver, turned, pose, nullptr, "Measured here"); };
+  write_outputs(session.options(), {{".json", json}, {".svg", svg}});
+  return {session.options().json ? json() : measure_text(distances, pose.at, session.step(), session.unit()), kDone};
+}
+
 Outcome check_at_angle(const Session& session) {
   require_plane(session);
-  situation::Pose pose{session.position(), session.angle(), std::nullopt};
-  if (turns(session.scene().free)) pose.about = about(session);
+  const situation::Pose pose = pose_of(session);
   const situation::Formula formula = session.where();
   const situation::Solver solver(session.world());
   session.talk().stage("checking");
@@ -124,14 +156,7 @@ Outcome check_at_angle(const Session& session) {
     return io::check_json(check, pose.at, session.step(), session.unit(), pose.degrees.to_double());
   };
   const auto svg = [&] {
-    plane::Rounding drawn;
-    const situation::World turned_shapes = situation::turned_world(solver.world(), turned.about(), pose.degrees, drawn);
-    io::Picture p;
-    p.title = check.holds ? "Feasible" : "Not feasible";
-    p.subtitle = session.scene().where.text;
-    p.position = {plane::Twofold(pose.at.x).value(), plane::Twofold(pose.at.y).value()};
-    session.add_scenery(p, turned_shapes, &formula);
-    return io::picture_svg(p);
+    return picture_at(session, solver, turned, pose, &formula, check.holds ? "Feasible" : "Not feasible");
   };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   return {session.options().json ? json() : check_text(check, pose.at, session.step(), session.unit(), nullptr),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verbs `map` and `check` where the moving shape turns: "free": "angle" or "pose", --angle, distances with
+// The verbs `map`, `check` and `measure` where the moving shape turns: "free": "angle" or "pose", --angle, distances with
 // turning=.
 #pragma once
 
@@ -10,9 +10,10 @@
 
 namespace findspace::app {
 
-/// Whether `check` looks at a pose: --angle is given, or the scene or its formula turns the moving shape.
+/// Whether `check` or `measure` looks at a pose: --angle is given, or the scene or its formula turns the moving shape.
 bool asks_for_angle(const Session& session);
 Outcome check_at_angle(const Session& session);
+Outcome measure_at_angle(const Session& session);
 Outcome map_of_angles(const Session& session);
 Outcome map_of_poses(const Session& session);
 /// The formula of a map over angles; throws where the scene asks for what is not computed over them.

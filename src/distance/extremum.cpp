@@ -49,7 +49,7 @@ class Search {
         whole_(plane::is_whole(s)),
         turn_(sense == Sense::kMinimum ? 1 : -1) {}
 
-  Extremum run();
+  Extremum run(const std::optional<Bracket>& known);
 
  private:
   CellComplex probe(const Real& level, const Region& over) const;
@@ -59,7 +59,9 @@ class Search {
   double number(const Real& level) const { return turn_ * near_value(level); }
   bool reaches(const Real& level);
   bool accept(const Real& level);
+  double extent() const;
   void bracket();
+  bool take(const Bracket& known);
   bool try_candidates();
   Extremum finished(const Real& level, bool proven) const;
 
@@ -108,17 +110,31 @@ bool Search::accept(const Real& level) {
   return true;
 }
 
+double Search::extent() const {
+  double most = 1;
+  for (const auto& v : closure_.vertices) {
+    const auto& p = closure_.geometry.points[v.point];
+    most = std::max({most, std::abs(p.x), std::abs(p.y)});
+  }
+  return most;
+}
+
 void Search::bracket() {
   auto value = f_.value(start());
   good_ = turn_ * value->value.to_double();
-  scale_ = std::max(1.0, std::abs(good_));
-  for (const auto& v : closure_.vertices) {
-    const auto& p = closure_.geometry.points[v.point];
-    scale_ = std::max({scale_, std::abs(p.x), std::abs(p.y)});
-  }
+  scale_ = std::max(scale_, std::abs(good_));
   good_ += scale_ * 0x1p-30;
   double step = std::max(1.0, scale_ / 8);
   for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) bad_ = good_ - step;
+}
+
+/// Begins with what is known, if the level that is said to be reached is.
+bool Search::take(const Bracket& known) {
+  const double room = scale_ * 0x1p-40;  // of the numbers
+  const double good = turn_ * known.reached + room;
+  if (!reaches(Real::from_double(turn_ * good))) return false;
+  bad_ = std::min(turn_ * known.bound - room, good - 2 * room);
+  return true;
 }
 
 bool Search::try_candidates() {
@@ -154,7 +170,7 @@ Extremum Search::finished(const Real& level, bool proven) const {
   return e;
 }
 
-Extremum Search::run() {
+Extremum Search::run(const std::optional<Bracket>& known) {
   if (plane::is_empty(s_) || !f_.defined()) return {};
   if (turn_ < 0 && s_.faces[0].mark > 0) {
     Extremum e;
@@ -163,7 +179,8 @@ Extremum Search::run() {
   }
   for (const Real& l : f_.special_levels())
     if (accept(l)) return finished(level_, true);
-  bracket();
+  scale_ = extent();
+  if (!known || !take(*known)) bracket();
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;
     if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return finished(level_, true);
@@ -177,7 +194,9 @@ Extremum Search::run() {
 
 }  // namespace
 
-Extremum extremum(const TDistance& f, const Region& s, Sense sense) { return Search(f, s, sense).run(); }
+Extremum extremum(const TDistance& f, const Region& s, Sense sense, const std::optional<Bracket>& known) {
+  return Search(f, s, sense).run(known);
+}
 
 Extremum least(const TDistance& f) { return extremum(f, CellComplex::uniform(1), Sense::kMinimum); }
 

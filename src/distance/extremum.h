@@ -8,8 +8,8 @@
 // accepted only with the proof that no position of S lies beyond it and some position on it, by one more exact sign
 // map. Guarantee: `proven` values and sets are exact. A value that square roots cannot express is given from the side
 // of S, right to 1e-13 of the value or of the extent, and one position for each component (proven = false). Cost: 20 to
-// 50 sign maps. Keywords: argmin, constrained minimum, largest inscribed circle, smallest enclosing circle, minimal
-// Hausdorff distance.
+// 50 sign maps, a handful where a bracket is known. Keywords: argmin, constrained minimum, largest inscribed circle,
+// smallest enclosing circle, minimal Hausdorff distance.
 #pragma once
 
 #include "distance/t_distance.h"
@@ -27,7 +27,14 @@ struct Extremum {
   plane::Region at;  // the positions
 };
 
-Extremum extremum(const TDistance& f, const plane::Region& s, Sense sense);
+/// Numbers that the extremum is known to lie between: `reached` is taken (to rounding), none is better than `bound`.
+struct Bracket {
+  double reached, bound;
+};
+
+/// A bracket that is known saves most of the search.
+Extremum extremum(const TDistance& f, const plane::Region& s, Sense sense,
+                  const std::optional<Bracket>& known = std::nullopt);
 /// Over all positions.
 Extremum least(const TDistance& f);
 

@@ -4,7 +4,10 @@
 #include "distance/over_time.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "distance/sites.h"
 #include "plane/moved.h"
 #include "plane/overlay.h"
 #include "plane/path_region.h"
@@ -26,6 +29,72 @@ SignMap negated(SignMap m) {
   return remark(std::move(m), [](Mark k) { return Mark(-k); });
 }
 
+/// f at some points of a path, as numbers, brackets its extremum: it changes by at most the way (Piyavskii 1972).
+class PathSearch {
+ public:
+  PathSearch(const TDistance& f, const RelativePath& path, Sense sense)
+      : f_(f), path_(path), sign_(sense == Sense::kMinimum ? 1 : -1) {}
+
+  std::optional<Bracket> run() {
+    constexpr int kFirst = 4, kMost = 200;
+    constexpr double kEnough = 0x1p-24;
+    best_ = look(0, 0);
+    double length = 0;
+    for (std::size_t leg = 0; leg + 1 < path_.size(); ++leg) {
+      double f = look(leg, 0);
+      for (int k = 1; k <= kFirst; ++k) {
+        const double to = double(k) / kFirst, g = look(leg, to);
+        push({leg, to - 1.0 / kFirst, to, f, g, 0});
+        f = g;
+      }
+      length += way(leg);
+    }
+    for (int k = 0; k < kMost && !gaps_.empty(); ++k) {
+      const Gap gap = gaps_.front();
+      if (best_ - gap.low <= length * kEnough) break;
+      std::pop_heap(gaps_.begin(), gaps_.end());
+      gaps_.pop_back();
+      const double middle = gap.from + (gap.to - gap.from) / 2, f = look(gap.leg, middle);
+      push({gap.leg, gap.from, middle, gap.f, f, 0});
+      push({gap.leg, middle, gap.to, f, gap.g, 0});
+    }
+    return Bracket{sign_ * best_, sign_ * (gaps_.empty() ? best_ : std::min(best_, gaps_.front().low))};
+  }
+
+ private:
+  struct Gap {
+    std::size_t leg;
+    double from, to, f, g, low;
+    bool operator<(const Gap& other) const { return low > other.low; }
+  };
+
+  double way(std::size_t leg) const {
+    const RealPoint d = path_[leg + 1] - path_[leg];
+    return std::hypot(near_value(d.x), near_value(d.y)) * (1 + 0x1p-40);
+  }
+
+  double look(std::size_t leg, double part) {
+    const RealPoint& from = path_[leg];
+    const RealPoint& to = path_[std::min(leg + 1, path_.size() - 1)];
+    const Real s = Real::from_double(part);
+    const RealPoint d = to - from;
+    const double v = sign_ * f_.value({from.x + s * d.x, from.y + s * d.y})->value.to_double();
+    best_ = std::min(best_, v);
+    return v;
+  }
+
+  void push(Gap gap) {
+    gap.low = (gap.f + gap.g - way(gap.leg) * (gap.to - gap.from)) / 2;
+    gaps_.push_back(gap);
+    std::push_heap(gaps_.begin(), gaps_.end());
+  }
+
+  const TDistance& f_;
+  const RelativePath& path_;
+  double sign_, best_ = std::numeric_limits<double>::infinity();
+  std::vector<Gap> gaps_;
+};
+
 class OverTime : public PositionFunction {
  public:
   OverTime(TDistancePointer f, RelativePath path, Sense sense)
@@ -43,12 +112,14 @@ class OverTime : public PositionFunction {
     if (!defined()) return std::nullopt;
     RelativePath moved = path_;
     for (RealPoint& w : moved) w = w + p;
-    const Extremum e = extremum(*f_, plane::region_of_path(moved), sense_);
+    const Extremum e = extremum(*f_, plane::region_of_path(moved), sense_, bracket(moved));
     if (!e.exists) return std::nullopt;
     return Value{e.level, std::nullopt};
   }
 
  private:
+  std::optional<Bracket> bracket(const RelativePath& path) const { return PathSearch(*f_, path, sense_).run(); }
+
   TDistancePointer f_;
   RelativePath path_;
   Sense sense_;

@@ -7,9 +7,9 @@
 #include <array>
 
 #include "distance/site_pairs.h"
-#include "findspace/error.h"
 #include "plane/primitives.h"
 #include "plane/topology.h"
+#include "plane/turned_free.h"
 
 namespace findspace::distance {
 
@@ -35,10 +35,6 @@ SignMap of_point(const Region& shape, Which which, const Real& level) {
 TurnMap combined(const TurnMap& f, const TurnMap& g, const Mark& (*choose)(const Mark&, const Mark&)) {
   const std::array<const TurnMap*, 2> both{&f, &g};
   return plane::overlay(both, [choose](std::span<const Mark> m) { return choose(m[0], m[1]); });
-}
-
-[[noreturn]] void refuse(const char* what) {
-  throw Error(ErrorCode::kUnsupported, std::string(what) + " is not computed over all angles");
 }
 
 }  // namespace
@@ -82,15 +78,15 @@ TurnMap TurnedPair::sign_map(Which which, const Real& level) const {
     case Which::kPenetration:
       return cut_off(Which::kGamma1, level, true);
     case Which::kEta2:
-      refuse("eta2");
+      return free(level, true, false, true);
     case Which::kDelta2:
-      refuse("delta2");
+      return free(level, true, true, true);
   }
   return {};
 }
 
 TurnMap TurnedPair::least(const Real& level) const {
-  if (level.sign() < 0) refuse("gamma1 at a level below 0 (a depth)");
+  if (level.sign() < 0) return plane::remark(free(-level, false, false, false), [](Mark k) { return Mark(-k); });
   const SignMap around_a = of_point(a_, Which::kGamma1, level);
   TurnMap map = TurnedContact::turn_map(turned(around_a, false), least_of, plane::kNegative);
   if (level.sign() > 0 || plane::is_regular(a_)) return map;
@@ -107,8 +103,20 @@ TurnMap TurnedPair::greatest(Which which, const Real& level, bool back) const {
 }
 
 TurnMap TurnedPair::contained(const Real& level, bool back) const {
-  if (level.sign() > 0) refuse(back ? "delta1 at a level above 0" : "eta1 at a level above 0");
+  if (level.sign() > 0) return free(level, true, back, false);
   return greatest(Which::kGamma1, level, back);
+}
+
+/// The signs of the distance of the free positions (turned_free.h) minus a level.
+TurnMap TurnedPair::free(const Real& level, bool inside, bool back, bool farthest) const {
+  if (level.sign() < 0) return TurnMap::uniform(1);
+  const SignMap around_a = of_point(a_, Which::kGamma1, Real()), around_b = of_point(b_, Which::kGamma1, Real());
+  using plane::TurnedFree;
+  const TurnedFree::Pair pair = back ? TurnedFree::Pair{a_, b_, to_, about_, around_b, around_a}
+                                     : TurnedFree::Pair{b_, a_, about_, to_, around_a, around_b};
+  const TurnedFree free(pair, inside ? TurnedFree::Keep::kInside : TurnedFree::Keep::kApart);
+  TurnMap map = farthest ? free.farthest(level) : free.nearest(level);
+  return back ? plane::mirrored(map) : map;
 }
 
 /// max(0, f), or max(0, -f).

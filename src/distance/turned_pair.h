@@ -8,9 +8,10 @@
 //   gamma2, mu, h, eta1 <= 0:  the greatest one;
 //   delta1 <= 0, mu and h of A to B, d*: the same with A turned back over B.
 // gamma1 below 0 (depth), eta1 and delta1 above 0, eta2 and delta2 depend on all of B at once, through corners of sums
-// that move: their angles are roots of higher degree, and are refused: Error(kUnsupported). Guarantee: exact, contacts
-// at single angles and sliding ones included. Cost: one level map of A, then as turned_contact.h. Units: grid steps.
-// Keywords: rotational sweep, orientation, configuration space of a rotation.
+// that move: turned_free.h, eta1 being the depth in the complement of A, delta1 and delta2 what eta1 and eta2 are of A
+// turned back in B. Guarantee: exact, contacts at single angles and sliding ones included; where those corners decide,
+// as turned_free.h. Cost: one level map of A, then as turned_contact.h. Units: grid steps. Keywords: rotational sweep,
+// orientation, configuration space of a rotation.
 #pragma once
 
 #include "distance/shape_pair.h"
@@ -30,6 +31,7 @@ class TurnedPair {
   plane::TurnedContact::Pair turned(const plane::SignMap& fixed, bool back) const;
   plane::TurnMap greatest(Which which, const exact::Real& level, bool back) const;
   plane::TurnMap contained(const exact::Real& level, bool back) const;
+  plane::TurnMap free(const exact::Real& level, bool inside, bool back, bool farthest) const;
   plane::TurnMap cut_off(Which which, const exact::Real& level, bool negated) const;
   plane::TurnMap diameter(const exact::Real& level) const;
 

@@ -202,9 +202,11 @@ std::string check_json(const situation::Solver::Check& check, const exact::RealP
 }
 
 std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
-                         const exact::Real& step, std::string_view unit) {
+                         const exact::Real& step, std::string_view unit, std::optional<double> angle) {
   const Twofold factor(step);
-  std::string out = fmt::format("{{{}\"at\": {},\n  \"distances\": {{", unit_key(unit), pair(place(at))), witnesses;
+  std::string out = fmt::format("{{{}\"at\": {},{}\n  \"distances\": {{", unit_key(unit), pair(place(at)),
+                                angle ? fmt::format(" \"angle\": {},", json_number(*angle)) : ""),
+              witnesses;
   const char* separator = "\n    ";
   const char* between = "\n    ";
   for (const auto& d : distances) {

@@ -40,6 +40,6 @@ std::string check_json(const situation::Solver::Check& check, const exact::RealP
                        std::string_view unit, std::optional<double> angle = std::nullopt,
                        const situation::NearestFeasible* nearest = nullptr);
 std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
-                         const exact::Real& step, std::string_view unit);
+                         const exact::Real& step, std::string_view unit, std::optional<double> angle = std::nullopt);
 
 }  // namespace findspace::io

@@ -48,9 +48,10 @@ void TurnedContact::add_samples() {
 
 std::vector<Turn> TurnedContact::events() const { return contact_turns(net_, fixed_net_); }
 
-MarkSet TurnedContact::marks_met(const Turn& angle, MarkSet enough) {
+MarkSet TurnedContact::marks_met(const Turn& angle, MarkSet enough, const RealVector& shift) {
   MarkSet met = unbounded_ ? bit(fixed_.faces[0].mark) : 0;
-  const TurnedNet now = net_.turned(angle);
+  TurnedNet now = net_.turned(angle);
+  if (!(shift == RealVector{})) now.move(shift);
   in_face_.assign(now.vertices.size(), 0);
   for (Index v = 0; v < now.vertices.size() && (met & enough) == 0; ++v) {
     if (turning_.vertices[v].mark == 0) continue;
@@ -63,7 +64,7 @@ MarkSet TurnedContact::marks_met(const Turn& angle, MarkSet enough) {
     meet_edge(e, met, enough);
   }
   if ((met & enough) != 0) return met;
-  return met | marks_inside(angle, met);
+  return met | marks_inside(angle, met, shift);
 }
 
 void TurnedContact::meet_edge(const TurnedEdge& e, MarkSet& met, MarkSet enough) {
@@ -96,11 +97,11 @@ void TurnedContact::meet_edge(const TurnedEdge& e, MarkSet& met, MarkSet enough)
   }
 }
 
-MarkSet TurnedContact::marks_inside(const Turn& angle, MarkSet met) {
+MarkSet TurnedContact::marks_inside(const Turn& angle, MarkSet met, const RealVector& shift) {
   MarkSet inside = 0;
   for (const Sample& s : samples_) {
     if (((met | inside) & bit(s.mark)) != 0) continue;
-    if (locate_turning_.mark((-angle)(s.at) + about_) != 0) inside |= bit(s.mark);
+    if (locate_turning_.mark((-angle)(s.at - shift) + about_) != 0) inside |= bit(s.mark);
   }
   return inside;
 }

@@ -40,8 +40,9 @@ class TurnedContact {
 
   /// The angles at which the marks met can change, ascending, each once; more than those, but finitely many.
   std::vector<exact::Turn> events() const;
-  /// The marks met at an angle; the search ends as soon as one of `enough` is found. One thread at a time.
-  MarkSet marks_met(const exact::Turn& angle, MarkSet enough = 0);
+  /// The marks met at an angle by T moved by `shift`; the search ends as soon as one of `enough` is found. One thread at
+  /// a time.
+  MarkSet marks_met(const exact::Turn& angle, MarkSet enough = 0, const exact::RealPoint& shift = {});
   /// rule(marks met) at all angles; `enough` as above. Threads: uses several.
   static TurnMap turn_map(const Pair& pair, Mark (*rule)(MarkSet), MarkSet enough);
 
@@ -52,7 +53,7 @@ class TurnedContact {
   };
   void add_samples();
   void meet_edge(const TurnedEdge& e, MarkSet& met, MarkSet enough);
-  MarkSet marks_inside(const exact::Turn& angle, MarkSet met);
+  MarkSet marks_inside(const exact::Turn& angle, MarkSet met, const exact::RealPoint& shift);
 
   const Region& turning_;
   const SignMap& fixed_;

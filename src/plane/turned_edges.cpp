@@ -53,6 +53,14 @@ TurnedNet TurnedNet::turned(const Turn& by) const {
   return net;
 }
 
+void TurnedNet::move(const RealVector& by) {
+  for (RealVector& v : vertices) v = v + by;
+  for (TurnedEdge& e : edges) {
+    e.p = vertices[e.v0], e.q = vertices[e.v1];
+    if (e.arc) e.center = e.center + by;
+  }
+}
+
 RoughBox box_of(const TurnedEdge& e) {
   const auto px = e.p.x.interval(), py = e.p.y.interval(), qx = e.q.x.interval(), qy = e.q.y.interval();
   RoughBox b{std::min(px.lo, qx.lo), std::min(py.lo, qy.lo), std::max(px.hi, qx.hi), std::max(py.hi, qy.hi)};

@@ -13,6 +13,7 @@
 #include "distance/directional_least.h"
 #include "distance/extremum.h"
 #include "distance/over_time.h"
+#include "distance/turning_positions.h"
 #include "findspace/error.h"
 #include "plane/nearest.h"
 #include "plane/overlay.h"
@@ -115,10 +116,7 @@ TDistancePointer Solver::plain(const Roles& r) const {
 distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
   const Distance& d = r.wanted;
   if (d.mode == Mode::kPlain) return plain(r);
-  if (d.mode == Mode::kTurning)
-    refuse(d,
-           "distances in rotation have no map of positions; ask at an angle (check --angle) or over all (\"free\": "
-           "\"angle\")");
+  if (d.mode == Mode::kTurning) refuse(d, "distances in rotation are not computed over a motion, nor as objectives");
   auto base = pair(r.names)->pair().distance(signed_base(d.kind));
   const plane::SignMap& map = static_cast<const distance::SignedDistance&>(*base).base();
   if (is_farthest(d.kind)) return std::make_shared<distance::DirectionalFarthest>(map, track(d));
@@ -146,7 +144,21 @@ TDistancePointer Solver::distance(const Distance& wanted) const {
   return plain(roles(wanted));
 }
 
+namespace {
+
+/// A rotational distance is on the same side of 0 as the plain one (and of the second kind nothing is known so simply).
+bool is_plain_level(const SignMap& wanted) {
+  return wanted.distance.mode == Mode::kTurning && wanted.level.sign() == 0 && !is_farthest(wanted.distance.kind);
+}
+
+}  // namespace
+
 plane::SignMap Solver::sign_map(const SignMap& wanted) const {
+  if (is_plain_level(wanted) && !wanted.minimum) {
+    SignMap plain = wanted;
+    plain.distance.mode = Mode::kPlain, plain.distance.vector.clear();
+    return sign_map(plain);
+  }
   if (!wanted.minimum) return function(wanted.distance)->sign_map(wanted.level / world_.step);
   distance::Extremum e = least(wanted.distance);
   if (!e.exists) return CellComplex::uniform(1);
@@ -246,16 +258,22 @@ std::vector<distance::TurningPose> Solver::turning_poses(const Roles& r, bool in
 
 bool Solver::turns_in(const Formula& formula) const {
   const auto& maps = formula.sign_maps();
-  return !world_.instant &&
-         std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) { return roles(m.distance).turning; });
+  return !world_.instant && std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) {
+    return roles(m.distance).turning || (m.distance.mode == Mode::kTurning && !is_plain_level(m));
+  });
 }
 
 distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
   const Roles r = roles(wanted.distance);
-  if (!r.turning) {
+  const bool in_rotation = r.wanted.mode == Mode::kTurning && !is_plain_level(wanted);
+  if (!r.turning && !in_rotation) {
     plane::SignMap exact = sign_map(wanted);
     return {exact, exact};
   }
+  if (in_rotation && !world_.motion.given() && !wanted.minimum)
+    return distance::turning_position_maps(shape(r.names.first), shape(r.names.second),
+                                           situation::which(r.wanted.kind, r.second_moves),
+                                           steps({r.wanted.vector.at(0), r.wanted.vector.at(1)}), wanted.level);
   if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
   if (r.wanted.mode != Mode::kPlain)
     refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
@@ -389,6 +407,51 @@ std::vector<Distance> Solver::all_distances() const {
   return out;
 }
 
+namespace {
+
+/// max(0, +-f) of another distance f, over the same time; nothing for the others.
+struct Derived {
+  Distance of;
+  bool negated = false, cut = true;
+};
+
+std::optional<Derived> derived(const Distance& d) {
+  Derived out{d};
+  switch (d.kind) {
+    case Kind::kD1:
+      out.of.kind = Kind::kGamma1;
+      return out;
+    case Kind::kD2:
+      out.of.kind = Kind::kGamma2, out.cut = false;
+      return out;
+    case Kind::kH:
+      out.of.kind = Kind::kMu;
+      return out;
+    case Kind::kPenetration:
+      out.of.kind = Kind::kGamma1, out.negated = true;
+      break;
+    case Kind::kDstar:
+      out.of.kind = Kind::kEta1, out.negated = true;
+      std::swap(out.of.first, out.of.second);
+      break;
+    default:
+      return std::nullopt;
+  }
+  out.of.prefix = d.prefix == Extremum::kInf ? Extremum::kSup : Extremum::kInf;
+  return out;
+}
+
+DistanceAt derived_value(const Distance& wanted, const Derived& from, const DistanceAt& base) {
+  DistanceAt out;
+  out.text = text(wanted);
+  if (!base.value && !from.negated) return out;
+  const double f = base.value ? *base.value : std::numeric_limits<double>::infinity();
+  out.value = from.cut ? std::max(0.0, from.negated ? -f : f) : f;
+  return out;
+}
+
+}  // namespace
+
 std::vector<DistanceAt> Solver::measure(const RealPoint& position, const Formula& formula) const {
   const RealPoint p = steps(position);
   std::vector<Distance> wanted = all_distances();
@@ -396,7 +459,22 @@ std::vector<DistanceAt> Solver::measure(const RealPoint& position, const Formula
     if (std::find(wanted.begin(), wanted.end(), m.distance) == wanted.end()) wanted.push_back(m.distance);
   }
   std::vector<DistanceAt> out(wanted.size());
-  plane::parallel_for(out.size(), [&](std::size_t k) { out[k] = value(wanted[k], p); });
+  // Over time a value is a search: it is made once for those that follow from each other.
+  std::vector<std::size_t> source(wanted.size());
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    source[k] = k;
+    const bool searched = world_.motion.given() && !world_.instant && !roles(wanted[k]).turning;
+    const auto d = searched ? derived(wanted[k]) : std::nullopt;
+    if (!d) continue;
+    const auto found = std::find(wanted.begin(), wanted.end(), moving_first(d->of, world_.moving));
+    if (found != wanted.end()) source[k] = std::size_t(found - wanted.begin());
+  }
+  plane::parallel_for(out.size(), [&](std::size_t k) {
+    if (source[k] == k) out[k] = value(wanted[k], p);
+  });
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    if (source[k] != k) out[k] = derived_value(wanted[k], *derived(wanted[k]), out[source[k]]);
+  }
   return out;
 }
 

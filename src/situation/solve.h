@@ -67,13 +67,13 @@ class Solver {
   /// {p : the formula holds at p}. Throws Error(kUnsupported) for distances this version does not compute.
   plane::Region feasible(const Formula& formula) const;
 
-  /// For shapes that turn in time: positions that certainly and that possibly belong to feasible(formula).
+  /// For shapes that turn in time and distances in rotation: positions that certainly and that possibly belong to feasible(formula).
   struct Bounds {
     plane::Region inner, outer;
   };
   Bounds feasible_bounds(const Formula& formula) const;
-  /// Some shape of the formula turns in time, and no instant is asked for: feasible() is refused, feasible_bounds() is
-  /// not.
+  /// Some shape of the formula turns in time, and no instant is asked for, or some distance is one in rotation with a
+  /// level other than 0: feasible() is refused, feasible_bounds() is not.
   bool turns_in(const Formula& formula) const;
 
   /// Every atom of the formula at position p (in the scene's unit), and whether the formula holds there.

@@ -188,6 +188,28 @@ AtomAt TurnSolver::check_plain(const Formula& whole, std::size_t index) const {
   return out;
 }
 
+TurnSolver::Met TurnSolver::turning_at(const Distance& d, const Real& level) const {
+  const Circle c = circle(d);
+  const TurnMap map = c.farthest ? farthest_turning_sign_map(c.base, level) : turning_sign_map(c.base, level);
+  Met out{{}, mark_at(map, c.at)};
+  out.distance.text = text(d);
+  out.distance.value = c.farthest ? farthest_turning(c.base, c.at) : turning_distance(c.base, c.at);
+  return out;
+}
+
+std::vector<DistanceAt> TurnSolver::measure(const Formula& formula) const {
+  about_ = centre(formula);
+  std::vector<DistanceAt> out = turned_solver().measure(pose_.at);
+  for (const Atom& a : formula.atoms()) {
+    const std::string name = text(a.distance);
+    if (std::any_of(out.begin(), out.end(), [&](const DistanceAt& d) { return d.text == name; })) continue;
+    const bool turning = a.distance.mode == Mode::kTurning;
+    out.push_back(turning ? turning_at(a.distance, Real()).distance
+                          : turned_solver().distance_at(a.distance, pose_.at));
+  }
+  return out;
+}
+
 Solver::Check TurnSolver::check(const Formula& formula) const {
   about_ = centre(formula);
   Solver::Check out;
@@ -198,11 +220,8 @@ Solver::Check TurnSolver::check(const Formula& formula) const {
       continue;
     }
     require_static(atom.distance);
-    const Circle c = circle(atom.distance);
-    const TurnMap map =
-        c.farthest ? farthest_turning_sign_map(c.base, atom.level) : turning_sign_map(c.base, atom.level);
-    const double value = c.farthest ? farthest_turning(c.base, c.at) : turning_distance(c.base, c.at);
-    out.atoms.push_back({atom, {text(atom.distance), value, std::nullopt}, holds(atom, mark_at(map, c.at))});
+    Met met = turning_at(atom.distance, atom.level);
+    out.atoms.push_back({atom, std::move(met.distance), holds(atom, met.sign), std::nullopt});
   }
   out.holds = truth(formula.root(), out.atoms);
   return out;

@@ -35,7 +35,10 @@ class TurnSolver {
   /// Every atom of the formula at the pose. Values of plain distances are those of the turned shape with its vertices
   /// on the grid.
   Solver::Check check(const Formula& formula) const;
-  /// The point the moving shape turns about, in grid steps of its own coordinates; after check() or feasible().
+  /// All distances of the turned shape to every other, as Solver::measure(), and those that the formula names besides.
+  std::vector<DistanceAt> measure(const Formula& formula) const;
+  /// The point the moving shape turns about, in grid steps of its own coordinates; after check(), measure() or
+  /// feasible().
   const exact::RealPoint& about() const { return about_; }
   /// What was rounded by the last check.
   const plane::Rounding& rounding() const { return rounding_; }
@@ -56,6 +59,11 @@ class TurnSolver {
   Turned turned(const Distance& distance, const exact::RealPoint& about, const exact::RealPoint& to) const;
   exact::RealPoint centre(const Formula& formula) const;
   const Solver& turned_solver() const;
+  struct Met {
+    DistanceAt distance;
+    plane::Mark sign;  // of the distance minus the level
+  };
+  Met turning_at(const Distance& turning, const exact::Real& level) const;
   AtomAt check_plain(const Formula& whole, std::size_t atom) const;
 
   const Solver& solver_;

@@ -12,7 +12,6 @@
 
 #include "../unit/distance_shapes.h"
 #include "distance/turned_pair.h"
-#include "findspace/error.h"
 #include "plane/transform.h"
 
 namespace findspace::distance {
@@ -155,11 +154,27 @@ TEST(TurnedPair, ExchangeMirrors) {
   }
 }
 
-TEST(TurnedPair, RefusesWhatNeedsHigherRoots) {
-  const TurnedPair pair(testing::box(0, 0, 1, 1), testing::box(-1, -1, 3, 3), {}, {});
-  EXPECT_THROW(pair.sign_map(Which::kGamma1, -1), Error);
-  EXPECT_THROW(pair.sign_map(Which::kEta1, 1), Error);
-  EXPECT_THROW(pair.sign_map(Which::kEta2, 1), Error);
+/// Depths, containment above 0, inner touchings: also where turned Pythagorean shapes fit exactly.
+TEST(TurnedPair, FreePositionsAgreeWithTurnedShapes) {
+  Figures figures(17);
+  constexpr std::array kinds{Which::kGamma1, Which::kEta1,   Which::kDelta1,
+                             Which::kEta2,   Which::kDelta2, Which::kPenetration};
+  std::array<int, 3> seen{};
+  for (int trial = 0; trial < 36; ++trial) {
+    const Figure b = figures.figure(), a = figures.figure();
+    const Which which = kinds[std::size_t(trial) % kinds.size()];
+    const std::int64_t tall = which == Which::kEta2 || which == Which::kDelta2 ? 6 : 3;
+    const Real level = Real(figures.number(1, int(tall)) * kUnit) * Real(which == Which::kGamma1 ? -1 : 1);
+    const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
+    for (const Pythagorean& p : angles()) {
+      const plane::Mark sign = expected(b, a, p, which, level);
+      ++seen[std::size_t(sign + 1)];
+      EXPECT_EQ(mark_at(map, p.angle()), sign) << "trial " << trial << " which " << int(which) << " level "
+                                               << level.text() << " angle " << p.c << "," << p.s;
+    }
+  }
+  EXPECT_GT(seen[0], 20);
+  EXPECT_GT(seen[1], 4);
 }
 
 }  // namespace

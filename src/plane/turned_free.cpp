@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/turned_free.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "plane/curve_meetings.h"
+#include "plane/parallel.h"
+
+namespace findspace::plane {
+
+using exact::Real;
+using exact::Turn;
+using Kind = ContactPair::Kind;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRoom = 1e-9;     // no sign: of the sizes; what is nearer is decided exactly
+constexpr double kNormals = 1e-7;  // no sign: of directions; candidates too many do no harm
+
+bool is_in(Mark m) { return m > 0; }
+bool is_out(Mark m) { return m <= 0; }
+
+RoughPoint unit(const Turn& t) { return {t.cos.to_double(), t.sin.to_double()}; }
+
+}  // namespace
+
+TurnedFree::TurnedFree(const Pair& pair, Keep keep)
+    : pair_(pair),
+      keep_(keep),
+      curves_(contact_features(pair.turning, pair.about, is_in),
+              contact_features(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out)),
+      turning_(pair.turning, pair.about, is_in),
+      open_(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out),
+      room_(kRoom * std::max({1.0, turning_.reach(), open_.reach()})) {}
+
+/// The signs at single angles. One thread at a time.
+class TurnedFree::Look {
+ public:
+  Look(const TurnedFree& free, const Real& level, bool far)
+      : f_(free), level_(level), rough_level_(level.to_double()), far_(far), contact_(contact_pair(free.pair_)) {
+    if (f_.keep_ == Keep::kApart) {
+      const Pair& p = f_.pair_;
+      back_ = std::make_unique<TurnedContact>(TurnedContact::Pair{p.fixed, p.around_turning, p.to, p.about});
+    }
+  }
+
+  /// `exact`: of the turn; else what is within the filter's room of being free is free, and of the level on it.
+  Mark sign(const Turn& turn, bool exact) {
+    prepare(turn, exact);
+    if (far_) return farthest();
+    return nearest();
+  }
+
+ private:
+  struct Candidate {
+    RoughPoint at;
+    double distance;
+    std::size_t first, second;  // of curves_; equal for a foot, kNone for the origin
+  };
+
+  static TurnedContact::Pair contact_pair(const Pair& p) { return {p.turning, p.around_fixed, p.about, p.to}; }
+
+  void prepare(const Turn& turn, bool exact) {
+    turn_ = turn, exact_ = exact;
+    const double angle = turn.degrees() * kPi / 180;
+    here_.emplace(f_.turning_.turned(unit(turn)));
+    pairs_ = f_.curves_.pairs(angle, 0);
+    rough_.clear();
+    for (const ContactPair& k : pairs_) rough_.push_back(f_.curves_.rough(k, angle));
+    candidates_.clear();
+    add(RoughPoint(), kNone, kNone);
+    for (std::size_t i = 0; i < rough_.size(); ++i) {
+      if (!far_ && rough_[i].least() > rough_level_ + f_.room_) continue;
+      add_feet(i);
+      for (std::size_t k = i + 1; k < rough_.size(); ++k) {
+        if (!far_ && rough_[k].least() > rough_level_ + f_.room_) continue;
+        for (const RoughPoint& s : rough_meetings(rough_[i], rough_[k])) {
+          if (rough_[i].holds(s, f_.room_) && rough_[k].holds(s, f_.room_)) add(s, i, k);
+        }
+      }
+    }
+    std::sort(candidates_.begin(), candidates_.end(),
+              [](const Candidate& p, const Candidate& q) { return p.distance < q.distance; });
+  }
+
+  void add(RoughPoint at, std::size_t first, std::size_t second) {
+    const double d = std::abs(at);
+    if (!far_ && d > rough_level_ + f_.room_) return;
+    candidates_.push_back({at, d, first, second});
+  }
+
+  void add_feet(std::size_t i) {
+    const RoughCurve& c = rough_[i];
+    if (c.line) {
+      const RoughPoint foot = c.offset() * c.normal;
+      if (c.holds(foot, f_.room_)) add(foot, i, i);
+      return;
+    }
+    if (std::abs(c.radius) <= f_.room_) return add(c.center, i, i);
+    if (std::abs(c.center) <= f_.room_) {  // all its points are as far: one of each of its ends
+      for (const Cone& k : {c.normals, c.opposed})
+        for (double part : {0.0, 0.5, 1.0}) {
+          const RoughPoint u = std::polar(1.0, k.from + part * k.width);
+          if (c.allows(u, kNormals)) add(c.center + c.radius * u, i, i);
+        }
+      return;
+    }
+    for (double side : {-1.0, 1.0}) {
+      const RoughPoint s = c.center + side * std::abs(c.radius) * c.center / std::abs(c.center);
+      if (c.holds(s, f_.room_)) add(s, i, i);
+    }
+  }
+
+  bool surely_not_free(const Candidate& c) const {
+    return surely_meets(*here_, f_.open_, c.at, f_.keep_ == Keep::kApart, f_.room_);
+  }
+
+  bool is_free(const RealVector& s) {
+    if (f_.keep_ == Keep::kInside) return (contact_.marks_met(turn_, kPositive, s) & kPositive) == 0;
+    if ((contact_.marks_met(turn_, kNegative, s) & kNegative) != 0) return false;
+    return (back_->marks_met(-turn_, kNegative, -((-turn_)(s))) & kNegative) == 0;
+  }
+
+  RealVector foot(const Candidate& c) const {
+    const ExactCurve e = f_.curves_.exact(pairs_[c.first], turn_);
+    if (e.line) return e.offset / plane::dot(e.normal, e.normal) * e.normal;
+    const Real square = plane::dot(e.center, e.center);
+    if (e.radius.sign() == 0) return e.center;
+    const RoughPoint way = c.at - rough_[c.first].center;
+    if (square.sign() == 0) {
+      const RealVector u = Turn::near(std::arg(way) * 180 / kPi, 30)({1, 0});
+      return abs(e.radius) * u;
+    }
+    const bool outwards = way.real() * rough_[c.first].center.real() + way.imag() * rough_[c.first].center.imag() > 0;
+    const Real part = abs(e.radius) / sqrt(square);
+    return (Real(1) + (outwards ? part : -part)) * e.center;
+  }
+
+  /// The exact point; nothing where the curves do not meet after all.
+  std::optional<RealVector> exact_point(const Candidate& c) const {
+    if (c.first == kNone) return RealVector{};
+    if (c.first == c.second) return foot(c);
+    std::optional<RealVector> best;
+    double least = 0;
+    for (RealVector& s :
+         exact_meetings(f_.curves_.exact(pairs_[c.first], turn_), f_.curves_.exact(pairs_[c.second], turn_))) {
+      const double off = std::abs(RoughPoint(rough(s.x), rough(s.y)) - c.at);
+      if (!best || off < least) best = std::move(s), least = off;
+    }
+    return best;
+  }
+
+  /// The sign of a candidate's distance minus the level, if it is free.
+  std::optional<Mark> of_free(const Candidate& c) {
+    if (surely_not_free(c)) return std::nullopt;
+    const double over = c.distance - rough_level_;
+    if (!exact_) return Mark(over > f_.room_ * 10 ? 1 : over < -f_.room_ * 10 ? -1 : 0);
+    const std::optional<RealVector> s = exact_point(c);
+    if (!s || !is_free(*s)) return std::nullopt;
+    if (std::abs(over) > f_.room_ * 10) return Mark(over > 0 ? 1 : -1);
+    return Mark(compare(plane::dot(*s, *s), level_ * level_));
+  }
+
+  Mark nearest() {
+    Mark least = 1;
+    for (const Candidate& c : candidates_) {
+      if (least == 0 && c.distance > rough_level_ + f_.room_) break;
+      const std::optional<Mark> m = of_free(c);
+      if (m && *m < 0) return -1;
+      if (m) least = std::min(least, *m);
+    }
+    return least;
+  }
+
+  Mark farthest() {
+    std::optional<Mark> most;
+    for (auto c = candidates_.rbegin(); c != candidates_.rend(); ++c) {
+      if (most && c->distance < rough_level_ - f_.room_) break;
+      const std::optional<Mark> m = of_free(*c);
+      if (m && *m > 0) return 1;
+      if (m && (!most || *m > *most)) most = m;
+    }
+    return most ? *most : Mark(1);
+  }
+
+  const TurnedFree& f_;
+  const Real& level_;
+  double rough_level_;
+  bool far_;
+  TurnedContact contact_;
+  std::unique_ptr<TurnedContact> back_;
+  Turn turn_;
+  bool exact_ = true;
+  std::optional<RoughSet> here_;
+  std::vector<ContactPair> pairs_;
+  std::vector<RoughCurve> rough_;
+  std::vector<Candidate> candidates_;
+};
+
+/// Without the roots that the filter cannot tell from a neighbour: a double root is found to half the digits only, and
+/// all that is between it and where it was found looks the same.
+std::vector<FreeEvent> TurnedFree::distinct(const std::vector<FreeEvent>& events, Look& look) {
+  constexpr double kNeighbours = 0.01;  // no sign: degrees, beyond that nothing is compared
+  const auto same = [&](const FreeEvent& p, const FreeEvent& q) {
+    const double gap = std::abs(std::remainder(q.degrees - p.degrees, 360));
+    if ((p.exact && q.exact) || gap > kNeighbours) return false;
+    const Mark middle = look.sign(between(p.turn, q.turn), false);
+    return look.sign(p.turn, false) == middle && look.sign(q.turn, false) == middle;
+  };
+  std::vector<FreeEvent> out;
+  for (const FreeEvent& e : events) {
+    if (out.empty() || !same(out.back(), e))
+      out.push_back(e);
+    else if (e.exact)
+      out.back() = e;
+  }
+  while (out.size() > 1 && same(out.back(), out.front())) {
+    if (out.back().exact) out.front() = out.back();
+    out.pop_back();
+  }
+  std::sort(out.begin(), out.end(), [](const auto& p, const auto& q) { return p.degrees < q.degrees; });
+  return out;
+}
+
+TurnMap TurnedFree::turn_map(const Real& level, bool far) const {
+  const FreeQuestion question{curves_, turning_, open_, keep_ == Keep::kApart, level, far, room_};
+  Look first(*this, level, far);
+  const std::vector<FreeEvent> events = distinct(free_events(question), first);
+  if (events.empty()) return TurnMap::uniform(first.sign(Turn{}, true));
+  const std::size_t n = events.size();
+  TurnMap map;
+  map.here.resize(n), map.after.resize(n);
+  constexpr std::size_t kBlock = 16;
+  parallel_for((n + kBlock - 1) / kBlock, [&](std::size_t block) {
+    Look look(*this, level, far);
+    for (std::size_t k = block * kBlock; k < std::min(n, (block + 1) * kBlock); ++k) {
+      map.here[k] = look.sign(events[k].turn, events[k].exact);
+      map.after[k] = look.sign(between(events[k].turn, events[(k + 1) % n].turn), true);
+    }
+  });
+  for (const FreeEvent& e : events) map.at.push_back({e.turn, Real(0)});
+  map.everywhere = map.after.back();
+  return merged(std::move(map));
+}
+
+}  // namespace findspace::plane
