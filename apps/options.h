@@ -18,6 +18,7 @@ struct Options {
   std::optional<std::string> at;               // "x,y": decimals, taken exactly
   std::optional<std::string> angle;            // of check: degrees the moving shape is turned by, taken exactly
   std::optional<std::string> time;             // an instant of the motion, a decimal
+  std::optional<std::string> min_distance, max_distance;  // of phi: allowed distances, decimals
   std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
   std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
   std::optional<unsigned> index;

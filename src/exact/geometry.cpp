@@ -166,8 +166,10 @@ std::uint32_t Geometry::add_grid_point(std::int64_t x, std::int64_t y) {
 }
 
 std::uint32_t Geometry::add_real_point(const Real& x, const Real& y) {
+  constexpr int128 kMost = int128(1) << 62;
+  const auto fits = [](const std::optional<int128>& c) { return c && *c <= kMost && *c >= -kMost; };
   auto ix = x.integer(), iy = y.integer();
-  if (ix && iy) return add_grid_point(std::int64_t(*ix), std::int64_t(*iy));
+  if (fits(ix) && fits(iy)) return add_grid_point(std::int64_t(*ix), std::int64_t(*iy));
   Point p;
   p.kind = Point::Kind::kReal;
   p.i = std::uint32_t(reals.size());
