@@ -110,7 +110,7 @@ class Bodies {
       case 6:
         return node(Kind::kMinkowskiSum, {box(), convex()});
       default:
-        return node(Kind::kHull, {box(), box()});
+        return node(Kind::kHull, {node(Kind::kUnion, {box(), box()})});
     }
   }
 
