@@ -91,7 +91,10 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
         ->type_name("N")
         ->check(CLI::Range(1, 16384));
   }
+  if (is(verb, "map") || is(verb, "describe"))
+    command.add_flag("--exact", o.exact, "2D: JSON has the exact cells too, which read back as the same set");
   if (is(verb, "convert")) {
+    command.add_flag("--constructive", o.constructive, "JSON is a scene that makes the shape of simple ones");
     command.add_option("--unit", o.unit, "of a drawing that states none")->type_name("um|mm|cm|m|in|mil");
     command.add_option("--id", o.id, "the element of a drawing (SVG)");
     command.add_option("--layer", o.layer, "the layer of a drawing (DXF)");

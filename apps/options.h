@@ -22,6 +22,8 @@ struct Options {
   std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
   std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
   std::optional<unsigned> index;
+  bool exact = false;         // of map, describe: the exact cells in the JSON
+  bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
   bool json = false, quiet = false;
   int resolution = 0;     // of map in 3D: lines each way of a ray map; 0: an exact map
   unsigned threads = 0;   // 0: one for each core
