@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "io/write_constructive.h"
 #include "io/write_json.h"
 #include "io/write_wkt.h"
 #include "report.h"
@@ -39,7 +40,9 @@ Outcome run_describe(const Options& options, Talk& talk) {
   check_outputs(options, {".svg", ".wkt", ".json"});
   const plane::Region region = session.region(name);
   const plane::Summary summary = plane::summarize(region, session.step());
-  const auto json = [&] { return io::region_json(region, summary, session.step(), session.unit()); };
+  const auto json = [&] {
+    return io::region_json(region, summary, session.step(), session.unit(), nullptr, options.exact);
+  };
   const auto svg = [&] {
     io::Picture picture;
     picture.title = name;
@@ -61,7 +64,9 @@ Outcome run_convert(const Options& options, Talk& talk) {
   const std::string name = chosen_shape(session);
   const plane::Region region = session.region(name);
   const auto json = [&] {
-    return io::region_json(region, plane::summarize(region, session.step()), session.step(), session.unit());
+    if (options.constructive) return io::constructive_scene(region, name, session.scene());
+    const plane::Summary summary = plane::summarize(region, session.step());
+    return io::region_json(region, summary, session.step(), session.unit(), nullptr, true);
   };
   const auto svg = [&] {
     io::DrawingText text = io::shape_svg(region, session.step(), name, session.scene().unit);

@@ -52,7 +52,7 @@ constexpr VerbEntry kVerbs[] = {
     {"describe", "a shape of the scene as a point set", run_describe},
     {"convert", "a shape or a drawing in another format", run_convert},
     {"place", "positions for several shapes, one after another or all at once", run_place},
-    {"phi", "the Phi-function of two polytopes", run_phi_verb},
+    {"phi", "the Phi-function of two bodies, in the plane or in space", run_phi_verb},
 };
 
 bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
@@ -70,8 +70,13 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->allow_extra_args(false);
   command.add_flag("--json", o.json, "the result as JSON on standard output");
   if (is(verb, "check") || is(verb, "measure") || is(verb, "map") || is(verb, "phi")) {
-    command.add_option("--at", o.at, "the position, decimals taken exactly")
-        ->type_name(is(verb, "phi") ? "X,Y,Z" : "X,Y[,Z]");
+    command.add_option("--at", o.at, "the position, decimals taken exactly")->type_name("X,Y[,Z]");
+  }
+  if (is(verb, "phi")) {
+    command.add_option("--min-distance", o.min_distance, "a least allowed distance, adjusted for at --at")
+        ->type_name("D");
+    command.add_option("--max-distance", o.max_distance, "a greatest allowed distance, adjusted for at --at")
+        ->type_name("D");
   }
   if (is(verb, "check") || is(verb, "measure")) {
     command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")
@@ -86,7 +91,10 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
         ->type_name("N")
         ->check(CLI::Range(1, 16384));
   }
+  if (is(verb, "map") || is(verb, "describe"))
+    command.add_flag("--exact", o.exact, "2D: JSON has the exact cells too, which read back as the same set");
   if (is(verb, "convert")) {
+    command.add_flag("--constructive", o.constructive, "JSON is a scene that makes the shape of simple ones");
     command.add_option("--unit", o.unit, "of a drawing that states none")->type_name("um|mm|cm|m|in|mil");
     command.add_option("--id", o.id, "the element of a drawing (SVG)");
     command.add_option("--layer", o.layer, "the layer of a drawing (DXF)");

@@ -118,7 +118,8 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
   const plane::Summary summary = plane::summarize(map.region, session.step());
   const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
   const auto json = [&] {
-    std::string text = io::region_json(map.region, summary, session.step(), session.unit(), extreme);
+    std::string text =
+        io::region_json(map.region, summary, session.step(), session.unit(), extreme, session.options().exact);
     if (!map.outer) return text;
     const plane::Summary outer = plane::summarize(*map.outer, session.step());
     return bounded_json(std::move(text), io::region_json(*map.outer, outer, session.step(), session.unit()));

@@ -18,9 +18,12 @@ struct Options {
   std::optional<std::string> at;               // "x,y": decimals, taken exactly
   std::optional<std::string> angle;  // of check and measure: degrees the moving shape is turned by, taken exactly
   std::optional<std::string> time;   // an instant of the motion, a decimal
-  std::string apply;                 // of map: interior closure boundary regularize complement, or nothing
+  std::optional<std::string> min_distance, max_distance;  // of phi: allowed distances, decimals
+  std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
   std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
   std::optional<unsigned> index;
+  bool exact = false;         // of map, describe: the exact cells in the JSON
+  bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
   bool json = false, quiet = false;
   int resolution = 0;     // of map in 3D: lines each way of a ray map; 0: an exact map
   unsigned threads = 0;   // 0: one for each core

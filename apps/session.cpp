@@ -207,17 +207,27 @@ std::optional<Real> Session::instant() const {
 }
 
 exact::RealPoint Session::position() const {
-  const std::vector<Real> p = coordinates(2, "two decimal numbers x,y");
+  const std::vector<Real> p = coordinates(2);
   return {p[0], p[1]};
 }
 
 std::array<Real, 3> Session::position_in_space() const {
-  const std::vector<Real> p = coordinates(3, "three decimal numbers x,y,z");
+  const std::vector<Real> p = coordinates(3);
   return {p[0], p[1], p[2]};
 }
 
-/// The numbers of --at, `count` of them; zeros without it.
-std::vector<Real> Session::coordinates(std::size_t count, const char* wanted) const {
+/// The same within the grid's range.
+std::vector<Real> Session::coordinates(std::size_t count) const {
+  std::vector<Real> out = position_anywhere(count);
+  try {
+    for (const Real& c : out) scene_.grid.steps(c);
+  } catch (const Error& e) {
+    throw Error(ErrorCode::kUsage, fmt::format("--at {}: {}", *options_.at, e.message()));
+  }
+  return out;
+}
+
+std::vector<Real> Session::position_anywhere(std::size_t count) const {
   std::vector<Real> out;
   if (!options_.at) return std::vector<Real>(count);
   const std::string& text = *options_.at;
@@ -225,7 +235,6 @@ std::vector<Real> Session::coordinates(std::size_t count, const char* wanted) co
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find(',', begin), text.size());
       out.push_back(Real::parse_decimal(text.substr(begin, end - begin)));
-      scene_.grid.steps(out.back());  // throws where it is too far out
       begin = end + 1;
     }
     if (out.size() != count) throw Error(ErrorCode::kSyntax, "too few or too many numbers");
@@ -233,7 +242,9 @@ std::vector<Real> Session::coordinates(std::size_t count, const char* wanted) co
   } catch (const Error& e) {
     if (e.code() == ErrorCode::kOutOfRange)
       throw Error(ErrorCode::kUsage, fmt::format("--at {}: {}", text, e.message()));
-    throw Error(ErrorCode::kUsage, fmt::format("--at wants {}, not '{}'", wanted, text));
+    throw Error(ErrorCode::kUsage,
+                fmt::format("--at wants {}, not '{}'",
+                            count == 2 ? "two decimal numbers x,y" : "three decimal numbers x,y,z", text));
   }
 }
 

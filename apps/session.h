@@ -65,6 +65,8 @@ class Session {
   /// --time, an instant of the scene's motion; nothing without it.
   std::optional<exact::Real> instant() const;
   std::array<exact::Real, 3> position_in_space() const;
+  /// `count` numbers of --at, zeros without it; not held to the grid's range.
+  std::vector<exact::Real> position_anywhere(std::size_t count) const;
 
   /// The moving shapes of a picture, and the fixed ones of which the formula speaks (all without one). The regions are
   /// those of `world`.
@@ -72,7 +74,7 @@ class Session {
 
  private:
   situation::Motion motion() const;
-  std::vector<exact::Real> coordinates(std::size_t count, const char* wanted) const;
+  std::vector<exact::Real> coordinates(std::size_t count) const;
 
   const Options& options_;
   Talk& talk_;

@@ -28,6 +28,12 @@ Approx from_int(int128 k) {
 
 Approx from_double(double v, double error) { return {v, error}; }
 
+/// Whether a coordinate may be held as a grid coordinate.
+bool fits(const std::optional<int128>& c) {
+  constexpr int128 kMost = int128(1) << 62;
+  return c && *c <= kMost && *c >= -kMost;
+}
+
 int sign_of(int128 k) { return (k > 0) - (k < 0); }
 
 int128 cross(const Carrier& p, const Carrier& q) { return int128(p.a) * q.b - int128(p.b) * q.a; }
@@ -127,7 +133,7 @@ Carrier Carrier::circle_at(std::int64_t cx, std::int64_t cy, const Real& r) {
 
 Carrier Carrier::circle_at(const Real& cx, const Real& cy, const Real& r) {
   auto ix = cx.integer(), iy = cy.integer();
-  if (ix && iy) return circle_at(std::int64_t(*ix), std::int64_t(*iy), r);
+  if (fits(ix) && fits(iy)) return circle_at(std::int64_t(*ix), std::int64_t(*iy), r);
   Carrier k;
   k.circle = true;
   k.grid = false;
@@ -175,7 +181,7 @@ std::uint32_t Geometry::add_grid_point(std::int64_t x, std::int64_t y) {
 
 std::uint32_t Geometry::add_real_point(const Real& x, const Real& y) {
   auto ix = x.integer(), iy = y.integer();
-  if (ix && iy) return add_grid_point(std::int64_t(*ix), std::int64_t(*iy));
+  if (fits(ix) && fits(iy)) return add_grid_point(std::int64_t(*ix), std::int64_t(*iy));
   Point p;
   p.kind = Point::Kind::kReal;
   p.i = std::uint32_t(reals.size());

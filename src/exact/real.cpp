@@ -263,6 +263,14 @@ double Real::to_double() const {
   return evaluate(*this, kRelativeBits, false).value;
 }
 
+std::optional<std::array<int128, 2>> Real::fraction() const {
+  if (!node_) return std::array<int128, 2>{numerator_, denominator_};
+  if (node_->kind != NodeKind::kRational) return std::nullopt;
+  const Closed& value = closed(*node_);
+  if (!fits_int128(value.p) || !fits_int128(value.q)) return std::nullopt;
+  return std::array<int128, 2>{to_int128(value.p), to_int128(value.q)};
+}
+
 std::string Real::text() const {
   if (node_ || denominator_ != 1) {
     std::array<char, 64> buffer;

@@ -20,6 +20,7 @@
 // Keywords: exact geometric computation, algebraic number, lazy number, separation bound, leda_real, CORE.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <concepts>
 #include <cstdint>
@@ -109,6 +110,8 @@ class Real {
   std::optional<int128> integer() const {
     return node_ || denominator_ != 1 ? std::nullopt : std::optional<int128>(numerator_);
   }
+  /// Numerator and positive denominator in lowest terms, when held as a rational whose parts fit.
+  std::optional<std::array<int128, 2>> fraction() const;
   /// Integers in full, otherwise the shortest decimal that reads back as to_double(); for messages.
   std::string text() const;
 

@@ -8,11 +8,27 @@
 #include <array>
 
 #include "findspace/error.h"
+#include "io/read_cells.h"
 #include "io/read_outline.h"
 #include "io/read_text.h"
 
 namespace findspace::io {
 namespace {
+
+/// A result with its exact cells, or GeoJSON.
+plane::ShapePtr read_json(std::string_view text, const std::string& name, const FileChoice& choice,
+                          ReadContext& context) {
+  const JsonValue root = parse_json(text, name);
+  const JsonValue* exact = root.is(JsonValue::Kind::kObject) ? root.find("exact") : nullptr;
+  if (exact == nullptr) return read_geojson(text, name, choice, context);
+  refuse_choice(choice.id.has_value(), "id", "exact cells", name);
+  refuse_choice(choice.layer.has_value(), "layer", "exact cells", name);
+  refuse_choice(choice.index.has_value(), "index", "exact cells", name);
+  const bool stated = exact->find("unit") != nullptr;
+  if (stated) refuse_choice(choice.unit.has_value(), "unit", "exact cells, which state theirs", name);
+  const exact::Real scale = stated ? exact::Real(1) : file_scale(std::nullopt, name, choice, context);
+  return read_cells(SceneReader(name, context), *exact, {}, scale);
+}
 
 using Reader = plane::ShapePtr (*)(std::string_view, const std::string&, const FileChoice&, ReadContext&);
 struct Format {
@@ -20,7 +36,7 @@ struct Format {
   Reader read;
 };
 constexpr std::array<Format, 5> kFormats{
-    {{".svg", read_svg}, {".dxf", read_dxf}, {".wkt", read_wkt}, {".geojson", read_geojson}, {".json", read_geojson}}};
+    {{".svg", read_svg}, {".dxf", read_dxf}, {".wkt", read_wkt}, {".geojson", read_geojson}, {".json", read_json}}};
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -38,7 +54,8 @@ plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileCho
     if (format.ending == ending) return format.read(read_text(path), name, choice, context);
   }
   throw Error(ErrorCode::kFile,
-              fmt::format("a file of unknown kind '{}'; 2D shapes come from .svg .dxf .wkt .geojson", ending), name);
+              fmt::format("a file of unknown kind '{}'; 2D shapes come from .svg .dxf .wkt .geojson .json", ending),
+              name);
 }
 
 exact::Real file_scale(const std::optional<exact::Real>& millimetres, const std::string& name, const FileChoice& choice,

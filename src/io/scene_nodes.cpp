@@ -7,6 +7,7 @@
 #include <array>
 
 #include "io/scene_shapes.h"
+#include "space/rotated_shape.h"
 
 namespace findspace::io {
 namespace {
@@ -52,11 +53,42 @@ ShapePtr build_translate(ShapeReader& reader, const JsonValue& object, const Jso
   return share(std::move(shape));
 }
 
+/// In 3D the turned tree itself: about an axis through a point.
+ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape& child, const exact::Real& degrees,
+                       const Label& label) {
+  const SceneReader& json = reader.json();
+  int axis = 2;
+  if (const JsonValue* given = object.find("axis")) {
+    const std::string_view known = "xyz";
+    const std::string& name = json.text(*given, "\"axis\"", label);
+    if (name.size() != 1 || known.find(name) == std::string_view::npos)
+      json.fail(ErrorCode::kBadValue, "\"axis\" is \"x\", \"y\" or \"z\"", label, *given);
+    axis = static_cast<int>(known.find(name));
+  }
+  const JsonValue* about = object.find("about");
+  const GridPosition center = about ? json.position(*about, 3, label.part("about")) : GridPosition{};
+  return json.placed(label, object, [&] {
+    plane::Rounding rounding;
+    const auto rotation = space::Rotation::about_axis(axis, degrees, {center[0], center[1], center[2]});
+    Shape turned = *space::rotated(child, rotation, rounding);
+    turned.name.clear();
+    turned.place = json.place(label, object);
+    if (rounding.points > 0) {
+      reader.context().notes.push_back(
+          fmt::format("{}: {} rotated points were put on the grid, moved by at most {:.2g}", label.text(),
+                      rounding.points, rounding.largest * reader.context().grid.step_size()));
+    }
+    return share(std::move(turned));
+  });
+}
+
 ShapePtr build_rotate(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
   Shape shape = reader.node(Shape::Kind::kRotate, label, object);
   shape.children = {operand(reader, object, label)};
-  if (reader.dimension() == 3) reader.json().fail(ErrorCode::kUnsupported, "3D shapes are not rotated", label, object);
   shape.degrees = reader.json().number(value, label.part("rotate"));
+  if (reader.dimension() == 3) return rotated_solid(reader, object, *shape.children[0], shape.degrees, label);
+  if (const JsonValue* axis = object.find("axis"))
+    reader.json().fail(ErrorCode::kBadValue, "\"axis\" is for 3D shapes", label, *axis);
   const JsonValue* about = object.find("about");
   shape.points = {about ? reader.json().point(*about, label.part("about")) : plane::GridPoint{}};
   return share(std::move(shape));
@@ -83,7 +115,7 @@ std::span<const ShapeKind> node_kinds() {
        {"boundary", {}, build_one<Kind::kBoundary>},
        {"regularize", {}, build_one<Kind::kRegularize>},
        {"translate", {"of"}, build_translate},
-       {"rotate", {"about", "of"}, build_rotate},
+       {"rotate", {"about", "axis", "of"}, build_rotate},
        {"mirror", {}, build_one<Kind::kMirror>},
        {"minkowski_sum", {}, build_several<Kind::kMinkowskiSum, 2, 2>},
        {"minkowski_difference", {}, build_several<Kind::kMinkowskiDifference, 2, 2>},

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "io/read_cells.h"
 #include "io/read_file.h"
 #include "io/read_outline.h"
 #include "io/scene_shapes.h"
@@ -178,15 +179,21 @@ ShapePtr build_file(ShapeReader& reader, const JsonValue& object, const JsonValu
   return json.placed(label, value, [&] { return read_shape_file(path, choice, json.context()); });
 }
 
+ShapePtr build_cells(ShapeReader& reader, const JsonValue&, const JsonValue& value, const Label& label) {
+  reader.use_dimension(2, label, value);
+  return read_cells(reader.json(), value, label);
+}
+
 }  // namespace
 
 std::span<const ShapeKind> primitive_kinds() {
-  static const std::array<ShapeKind, 7> kinds{{{"polygon", {"holes"}, build_polygon},
+  static const std::array<ShapeKind, 8> kinds{{{"polygon", {"holes"}, build_polygon},
                                                {"disc", {}, build_disc},
                                                {"box", {}, build_box},
                                                {"points", {}, build_points},
                                                {"polyline", {}, build_polyline},
                                                {"path", {}, build_path},
+                                               {"cells", {}, build_cells},
                                                {"file", {"id", "layer", "index", "unit"}, build_file}}};
   return kinds;
 }

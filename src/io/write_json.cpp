@@ -9,6 +9,7 @@
 #include <iterator>
 #include <map>
 
+#include "io/write_cells.h"
 #include "io/write_witness.h"
 
 namespace findspace::io {
@@ -104,7 +105,7 @@ void put_cells(std::string& out, const CurveNet& net) {
   out += ",\n    \"faces\": ";
   out += list(
       c.faces, [&](const plane::Face& f) { return face_text(net, f); }, true);
-  out += "\n  }\n";
+  out += "\n  }";
 }
 
 /// The key "unit" with a comma, or nothing.
@@ -133,12 +134,13 @@ std::string json_string(std::string_view text) {
 }
 
 std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
-                        std::string_view unit, const ExtremeValue* extreme) {
+                        std::string_view unit, const ExtremeValue* extreme, bool exact) {
   std::string out = "{\n";
   put_summary(out, summary, unit);
   if (extreme != nullptr) put_extreme(out, *extreme);
   put_cells(out, CurveNet(region, step));
-  return out + "}\n";
+  if (exact) out += ",\n  \"exact\": " + cells_json(region, step, unit);
+  return out + "\n}\n";
 }
 
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,

@@ -28,9 +28,10 @@ struct ExtremeValue {
   bool unbounded = false, attained = false, proven = true;
 };
 
-/// The result of `map` and `describe`. `unit` may be empty, `extreme` null.
+/// The result of `map` and `describe`. `unit` may be empty, `extreme` null; with `exact` the exact cells too
+/// (write_cells.h).
 std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
-                        std::string_view unit, const ExtremeValue* extreme = nullptr);
+                        std::string_view unit, const ExtremeValue* extreme = nullptr, bool exact = false);
 /// The result of `map` along a line: lengths from the point the line goes through.
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
                            std::string_view unit);

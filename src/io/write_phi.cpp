@@ -16,6 +16,7 @@ using exact::int128;
 using exact::Real;
 using space::ContactSurface;
 using space::Point;
+using space::RoundedPair;
 
 using Buffer = fmt::memory_buffer;
 
@@ -26,16 +27,7 @@ void put(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
 
 /// step = numerator / denominator in lowest terms.
 std::array<int128, 2> fraction(const Real& step) {
-  int128 denominator = 1;
-  for (int i = 0; i < 36; ++i) {
-    if (const auto numerator = (step * Real(denominator)).integer()) {
-      const int128 g = exact::gcd(*numerator, denominator);
-      return {*numerator / g, denominator / g};
-    }
-    // Steps are decimals over the scale of convex parts; both come off in turn.
-    if (const auto inverse = (Real(1) / step).integer()) return {1, *inverse};
-    denominator *= 10;
-  }
+  if (const auto parts = step.fraction()) return *parts;
   throw Error(ErrorCode::kUnsupported, "the grid is too fine for planes in integers");
 }
 
@@ -43,10 +35,6 @@ std::string coordinate(std::int64_t steps, const Real& step) { return (Real(step
 
 std::string point_text(const Point& p, const Real& step) {
   return fmt::format("[{},{},{}]", coordinate(p.x, step), coordinate(p.y, step), coordinate(p.z, step));
-}
-
-const char* state_name(space::State state) {
-  return state == space::State::kOverlap ? "overlap" : state == space::State::kContact ? "contact" : "apart";
 }
 
 /// The vertices of the features that meet in a facet, as indices into `pairs`: which vertices of A and of B.
@@ -78,33 +66,48 @@ void put_surface(Buffer& out, const ContactSurface& s, const Real& step) {
   put(out, "]");
 }
 
+const char* form_name(const RoundedPair& pair) {
+  return !pair.phi ? "balls" : pair.radius.sign() > 0 ? "rounded" : "polytopes";
+}
+
+void put_pair(Buffer& out, const RoundedPair& pair, const Real& step) {
+  put(out, "\"form\":\"{}\",", form_name(pair));
+  if (pair.radius.sign() > 0) put(out, "\"radius\":{},", (pair.radius * step).text());
+  if (pair.phi)
+    put_surface(out, pair.phi->surface(), step);
+  else
+    put(out, "\"center\":{},\"vertices\":[],\"facets\":[]", point_text(pair.apex, step));
+}
+
+/// Of two balls: |u|^2 - R^2.
+Real square_form(const PhiReport& r) {
+  const RoundedPair& pair = r.phi->pair(0);
+  const Point& apex = pair.apex;
+  const Real x = *r.at[0] - Real(apex.x) * r.step, y = *r.at[1] - Real(apex.y) * r.step,
+             z = *r.at[2] - Real(apex.z) * r.step, radius = pair.radius * r.step;
+  return x * x + y * y + z * z - radius * radius;
+}
+
 void put_value(Buffer& out, const PhiReport& r) {
   const double step = r.step.to_double();
-  const space::PhiAt& at = r.value->at;
+  const space::RoundedAt& at = r.value->at;
   put(out, "\"at\":{{\"position\":[{},{},{}],\"phi\":{},\"normalised\":{},\"distance\":{},\"state\":\"{}\",",
-      r.at[0]->text(), r.at[1]->text(), r.at[2]->text(), at.max_form * step,
-      (at.state == space::State::kApart ? at.distance : at.max_form) * step, at.distance * step, state_name(at.state));
-  put(out, "\"gradient\":[{},{},{}],\"active\":[{}],\"pair\":[{},{}]}}", at.gradient.x, at.gradient.y, at.gradient.z,
+      r.at[0]->text(), r.at[1]->text(), r.at[2]->text(), at.phi * step, at.normalised * step, at.distance * step,
+      state_name(at.state));
+  put(out, "\"gradient\":[{},{},{}],\"active\":[{}],\"pair\":[{},{}]", at.gradient.x, at.gradient.y, at.gradient.z,
       fmt::join(at.active, ","), r.value->pair / r.parts_second, r.value->pair % r.parts_second);
+  if (r.phi->pair_count() == 1 && !r.phi->pair(0).phi) put(out, ",\"square\":{}", square_form(r).text());
+  put(out, "{}}}", limits_json(r.limits));
 }
 
-/// "6y - 5z + 29 <= 0"
-std::string plane_text(const std::vector<std::string>& numbers) {
-  constexpr std::string_view kNames[] = {"x", "y", "z", ""};
-  std::string text;
-  for (std::size_t k = 0; k < 4; ++k) {
-    std::string n = numbers[k];
-    if (n == "0") continue;
-    const bool negative = n[0] == '-';
-    if (negative) n.erase(0, 1);
-    if (n == "1" && k < 3) n.clear();
-    text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
-    text += n + std::string(kNames[k]);
+void put_table(Buffer& out, const RoundedPair& pair, const Real& step) {
+  const std::string radius = (pair.radius * step).text();
+  if (!pair.phi) {
+    put(out, "two balls: the sphere about {} with radius {}\n", point_text(pair.apex, step), radius);
+    return;
   }
-  return text + " <= 0";
-}
-
-void put_table(Buffer& out, const ContactSurface& s, const Real& step) {
+  if (pair.radius.sign() > 0) put(out, "the surface at distance {} around:\n", radius);
+  const ContactSurface& s = pair.phi->surface();
   put(out, "{} vertices, {} edges, {} facets\n\n  vertex  position                 first - second\n", s.vertex_count(),
       s.edge_count(), s.facet_count());
   for (int v = 0; v < s.vertex_count(); ++v) {
@@ -118,11 +121,50 @@ void put_table(Buffer& out, const ContactSurface& s, const Real& step) {
     std::vector<int> ring(s.circuit(f).begin(), s.circuit(f).end());
     for (int& v : ring) ++v;
     put(out, "  {:>6}  {:<7}  {:<30} {}\n", f + 1, space::contact_name(s.contact(f)),
-        plane_text(plane_numbers(s.plane(f), step)), fmt::join(ring, " "));
+        half_space_text(plane_numbers(s.plane(f), step)), fmt::join(ring, " "));
   }
 }
 
 }  // namespace
+
+std::string half_space_text(const std::vector<std::string>& numbers) {
+  constexpr std::string_view kNames = "xyz";
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const bool constant = k + 1 == numbers.size();
+    std::string n = numbers[k];
+    if (n == "0") continue;
+    const bool negative = n[0] == '-';
+    if (negative) n.erase(0, 1);
+    if (n == "1" && !constant) n.clear();
+    text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
+    text += n;
+    if (!constant) text += kNames[k];
+  }
+  return text + " <= 0";
+}
+
+const char* state_name(space::State state) {
+  return state == space::State::kOverlap ? "overlap" : state == space::State::kContact ? "contact" : "apart";
+}
+
+std::string limits_json(const std::vector<PhiLimit>& limits) {
+  std::string out;
+  for (const PhiLimit& limit : limits) {
+    out += fmt::format("{}{{\"limit\":\"{}\",\"distance\":{},\"value\":{},\"sign\":{}}}", out.empty() ? "" : ",",
+                       limit.minimum ? "minimum" : "maximum", limit.distance.text(), limit.value, limit.sign);
+  }
+  return out.empty() ? out : ",\"adjusted\":[" + out + "]";
+}
+
+std::string limits_table(const std::vector<PhiLimit>& limits) {
+  std::string out;
+  for (const PhiLimit& limit : limits) {
+    out += fmt::format("at {} {} apart: {}, adjusted Phi = {}\n", limit.minimum ? "least" : "most",
+                       limit.distance.text(), limit.sign >= 0 ? "yes" : "no", limit.value);
+  }
+  return out;
+}
 
 std::vector<std::string> plane_numbers(const space::Plane& plane, const Real& step) {
   // In steps: n . X + D <= 0 with X = x q / p for the step p / q, so (q n) . x + p D <= 0; n is coprime, so is (p, q).
@@ -139,12 +181,12 @@ std::string phi_json(const PhiReport& r) {
   Buffer out;
   put(out, "{{");
   if (r.phi->pair_count() == 1) {
-    put_surface(out, r.phi->pair(0).surface(), r.step);
+    put_pair(out, r.phi->pair(0), r.step);
   } else {
     put(out, "\"parts\":[");
     for (int k = 0; k < r.phi->pair_count(); ++k) {
       put(out, "{}\n{{\"first\":{},\"second\":{},", k == 0 ? "" : ",", k / r.parts_second, k % r.parts_second);
-      put_surface(out, r.phi->pair(k).surface(), r.step);
+      put_pair(out, r.phi->pair(k), r.step);
       put(out, "}}");
     }
     put(out, "]");
@@ -163,15 +205,15 @@ std::string phi_table(const PhiReport& r) {
   for (int k = 0; k < r.phi->pair_count(); ++k) {
     if (r.phi->pair_count() > 1)
       put(out, "\npart {} of {}, part {} of {}\n", k / r.parts_second + 1, r.first, k % r.parts_second + 1, r.second);
-    put_table(out, r.phi->pair(k).surface(), r.step);
+    put_table(out, r.phi->pair(k), r.step);
   }
   if (r.value) {
     const double step = r.step.to_double();
-    const space::PhiAt& at = r.value->at;
+    const space::RoundedAt& at = r.value->at;
     put(out, "\nat ({}, {}, {}): {}, Phi = {}", r.at[0]->text(), r.at[1]->text(), r.at[2]->text(), state_name(at.state),
-        at.max_form * step);
+        at.phi * step);
     if (at.state == space::State::kApart) put(out, ", distance {}", at.distance * step);
-    put(out, "\n");
+    put(out, "\n{}", limits_table(r.limits));
   }
   return fmt::to_string(out);
 }
@@ -180,7 +222,12 @@ Surface phi_surface(const PhiReport& r) {
   Surface surface;
   const double step = r.step.to_double();
   for (int k = 0; k < r.phi->pair_count(); ++k) {
-    const ContactSurface& s = r.phi->pair(k).surface();
+    const RoundedPair& pair = r.phi->pair(k);
+    if (pair.radius.sign() > 0) {
+      throw Error(ErrorCode::kUnsupported,
+                  "the contact surface of a round body is no polyhedron, and mesh formats have nothing else");
+    }
+    const ContactSurface& s = pair.phi->surface();
     const int base = static_cast<int>(surface.vertices.size());
     for (const Point& p : s.vertices()) {
       surface.vertices.push_back(

@@ -153,6 +153,8 @@ class Builder {
         return region_of_points(s.points);
       case Kind::kPolyline:
         return region_of_chain(s.contours[0]);
+      case Kind::kCells:
+        return *s.cells;
       case Kind::kInterior:
         return interior(*child(s, 0));
       case Kind::kClosure:

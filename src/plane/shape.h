@@ -34,6 +34,7 @@ struct ContourEdge {
 /// A closed ring (or, as a polyline, an open chain whose last edge is only its end point).
 using Contour = std::vector<ContourEdge>;
 
+struct CellComplex;
 struct Shape;
 using ShapePtr = std::shared_ptr<const Shape>;
 
@@ -44,6 +45,7 @@ struct Shape {
     kDisc,      // closed disc about points[0] with radius `amount`
     kPoints,    // isolated points
     kPolyline,  // open chain contours[0], a set without interior
+    kCells,     // the set `cells`
     kUnion,
     kIntersection,
     kDifference,
@@ -69,6 +71,7 @@ struct Shape {
   exact::Real amount{};  // radius or offset, in grid steps
   exact::Real degrees{};
   std::int64_t lift = 0;              // of kTranslate in 3D
+  std::shared_ptr<const CellComplex> cells;  // of kCells: a Region
   bool collection = false;            // a kUnion written as a list: its parts keep their names for reports
   std::shared_ptr<const void> solid;  // a 3D primitive: a space::Solid, opaque to this layer; null in 2D
 };

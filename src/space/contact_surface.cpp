@@ -67,6 +67,39 @@ std::string_view contact_name(Contact contact) {
 
 ContactSurface::ContactSurface(const Polytope& a, const Polytope& b) { GaussOverlay(a, b, *this).run(); }
 
+ContactSurface::ContactSurface(const Polytope& a, const Point& b) : first_{0} {
+  for (int v = 0; v < a.vertex_count(); ++v) {
+    vertices_.push_back(a.vertices()[v] - b);
+    pairs_.push_back({v, 0});
+  }
+  for (int f = 0; f < a.facet_count(); ++f) {
+    const Plane& plane = a.planes()[f];
+    add_facet(a.circuit(f), {plane.normal, plane.offset + exact::dot(plane.normal, b)}, Contact::kFV, {f, 0});
+  }
+}
+
+ContactSurface::ContactSurface(const Point& a, const Polytope& b) : first_{0} {
+  for (int v = 0; v < b.vertex_count(); ++v) {
+    vertices_.push_back(a - b.vertices()[v]);
+    pairs_.push_back({0, v});
+  }
+  for (int g = 0; g < b.facet_count(); ++g) {
+    const Plane& plane = b.planes()[g];
+    std::vector<int> circuit = b.circuit(g);
+    std::reverse(circuit.begin(), circuit.end());  // the reflection turns it about
+    add_facet(std::move(circuit), {-plane.normal, plane.offset + exact::dot(plane.normal, a)}, Contact::kVF, {0, g});
+  }
+}
+
+void ContactSurface::add_facet(std::vector<int> circuit, const Plane& plane, Contact contact,
+                               std::array<int, 2> features) {
+  corners_.insert(corners_.end(), circuit.begin(), circuit.end());
+  first_.push_back(static_cast<int>(corners_.size()));
+  planes_.push_back(plane);
+  contacts_.push_back(contact);
+  features_.push_back(features);
+}
+
 Plane ContactSurface::plane(int f) const {
   const Plane& raw = planes_[f];
   if (contacts_[f] != Contact::kEE) return raw;

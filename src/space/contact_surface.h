@@ -32,6 +32,9 @@ class ContactSurface {
  public:
   /// gamma12 of A and B.
   ContactSurface(const Polytope& a, const Polytope& b);
+  /// The same where one of the two is a point, the core of a ball: FV or VF facets only.
+  ContactSurface(const Polytope& a, const Point& b);
+  ContactSurface(const Point& a, const Polytope& b);
 
   int vertex_count() const { return static_cast<int>(vertices_.size()); }
   int facet_count() const { return static_cast<int>(contacts_.size()); }
@@ -58,6 +61,8 @@ class ContactSurface {
 
  private:
   friend class GaussOverlay;
+  void add_facet(std::vector<int> circuit, const Plane& plane, Contact contact, std::array<int, 2> features);
+
   std::vector<Point> vertices_;
   std::vector<std::array<int, 2>> pairs_;
   std::vector<int> first_;

@@ -3,9 +3,10 @@
 //
 // The planar case: convex polygons on the grid and their Phi-function, by the same construction one dimension lower.
 // The frontier of P - Q = {p - q} is the merge by angle of the edges of P and of the reflected Q; each of its edges
-// comes from an edge of P and a vertex of Q (EV), a vertex and an edge (VE) or two edges (EE). Guarantee: edges, lines
-// (integer, coprime normals) and sign() are exact; values carry the roundings of a few double operations. Cost: O(n +
-// m) to build. Source: phi.md 5 and 7. Keywords: no-fit polygon, Minkowski difference.
+// comes from an edge of P and a vertex of Q (EV), a vertex and an edge (VE) or two edges (EE). One of the two may be a
+// point, the core of a disc. Guarantee: edges, lines (integer, coprime normals) and sign() are exact; values carry the
+// roundings of a few double operations. Cost: O(n + m) to build. Source: phi.md 5 and 7. Keywords: no-fit polygon,
+// Minkowski difference.
 #pragma once
 
 #include <compare>
@@ -28,12 +29,14 @@ struct Vector2 {
   double x = 0, y = 0;
 };
 
-/// Counter-clockwise, strictly convex, with interior.
+/// Counter-clockwise, strictly convex, with interior, from the lexicographically least vertex on; or one point.
 class ConvexPolygon {
  public:
   /// The hull of the points. Throws Error(kGeometry) when they lie on one line, Error(kOutOfRange) beyond the grid.
   static ConvexPolygon hull(std::span<const Point2> points);
+  static ConvexPolygon point(const Point2& at);
   std::span<const Point2> vertices() const { return vertices_; }
+  bool is_point() const { return vertices_.size() == 1; }
 
  private:
   std::vector<Point2> vertices_;
@@ -53,6 +56,7 @@ struct PlanarEdge {
 
 class PlanarPhi {
  public:
+  /// Not of two points.
   PlanarPhi(const ConvexPolygon& p, const ConvexPolygon& q);
   std::span<const PlanarEdge> edges() const { return edges_; }  // counter-clockwise
 
@@ -61,10 +65,14 @@ class PlanarPhi {
   int sign(const Vector2& u) const;  // exact
   Vector2 gradient(const Vector2& u) const;
 
+  /// Of one edge: the signed distance to its line, and its outward normal of length 1.
+  double value(int e, const Vector2& u) const;
+  const Vector2& unit_normal(int e) const { return unit_normals_[e]; }
+  /// Of a value, with room for a position that was itself rounded.
+  double error_bound(const Vector2& u) const;
+
  private:
   int highest(const Vector2& u, double& value) const;
-  double value(int e, const Vector2& u) const;
-  double error_bound(const Vector2& u) const;
 
   std::vector<PlanarEdge> edges_;
   std::vector<Vector2> unit_normals_;

@@ -67,20 +67,6 @@ void drop_empty_faces(Mesh& mesh, std::vector<std::string>& notes) {
   mesh.faces = std::move(kept);
 }
 
-/// The face seen along the longest component of its area vector, counter-clockwise.
-std::vector<Point2> projected(const Mesh& mesh, const std::vector<int>& face, const Wide3& n) {
-  const auto size = [](int128 v) { return v < 0 ? -v : v; };
-  const int axis = size(n.x) >= size(n.y) && size(n.x) >= size(n.z) ? 0 : size(n.y) >= size(n.z) ? 1 : 2;
-  const bool flip = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0;
-  std::vector<Point2> ring;
-  for (const int v : face) {
-    const Point& p = mesh.vertices[v];
-    const std::int64_t x = axis == 0 ? p.y : axis == 1 ? p.z : p.x, y = axis == 0 ? p.z : axis == 1 ? p.x : p.y;
-    ring.push_back({x, flip ? -y : y});
-  }
-  return ring;
-}
-
 /// Faces that are not flat are cut into triangles.
 void flatten(Mesh& mesh, std::vector<std::string>& notes) {
   std::vector<std::vector<int>> flat;
@@ -230,6 +216,19 @@ Wide3 area_vector(const Mesh& mesh, const std::vector<int>& face) {
     sum = {sum.x + n.x, sum.y + n.y, sum.z + n.z};
   }
   return sum;
+}
+
+std::vector<Point2> projected(const Mesh& mesh, const std::vector<int>& face, const Wide3& n) {
+  const auto size = [](int128 v) { return v < 0 ? -v : v; };
+  const int axis = size(n.x) >= size(n.y) && size(n.x) >= size(n.z) ? 0 : size(n.y) >= size(n.z) ? 1 : 2;
+  const bool flip = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0;
+  std::vector<Point2> ring;
+  for (const int v : face) {
+    const Point& p = mesh.vertices[v];
+    const std::int64_t x = axis == 0 ? p.y : axis == 1 ? p.z : p.x, y = axis == 0 ? p.z : axis == 1 ? p.x : p.y;
+    ring.push_back({x, flip ? -y : y});
+  }
+  return ring;
 }
 
 exact::Real six_volumes(const Mesh& mesh) {

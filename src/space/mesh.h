@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "space/convex_polygon.h"
 #include "space/solid.h"
 
 namespace findspace::space {
@@ -25,5 +26,8 @@ exact::Real six_volumes(const Mesh& mesh);
 
 /// The sum of the cross products about the face: its outward normal times twice its area. Zero for a face without area.
 Wide3 area_vector(const Mesh& mesh, const std::vector<int>& face);
+
+/// The face seen along the longest component of its area vector n, counter-clockwise.
+std::vector<Point2> projected(const Mesh& mesh, const std::vector<int>& face, const Wide3& n);
 
 }  // namespace findspace::space

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "space/plane_scan.h"
 
@@ -34,7 +35,9 @@ Highest highest_plane(std::span<const PlaneBlock> blocks, const Vector& u) {
   return scan_planes(blocks.data(), blocks.size(), u);
 }
 
-PhiFunction::PhiFunction(const Polytope& a, const Polytope& b) : surface_(a, b) {
+PhiFunction::PhiFunction(const Polytope& a, const Polytope& b) : PhiFunction(ContactSurface(a, b)) {}
+
+PhiFunction::PhiFunction(ContactSurface surface) : surface_(std::move(surface)) {
   const int n = surface_.facet_count();
   for (const Point& v : surface_.vertices()) vertices_.push_back(exact::shadow(v));
   for (int f = 0; f < n; ++f) {

@@ -41,6 +41,8 @@ Highest highest_plane(std::span<const PlaneBlock> blocks, const Vector& u);
 class PhiFunction {
  public:
   PhiFunction(const Polytope& a, const Polytope& b);
+  /// Of a surface made before.
+  explicit PhiFunction(ContactSurface surface);
 
   const ContactSurface& surface() const { return surface_; }
   const Vector& unit_normal(int f) const { return unit_normals_[f]; }

@@ -15,20 +15,6 @@ namespace {
 
 using Face = std::array<int, 3>;
 
-/// The face seen along the longest component of its normal, counter-clockwise.
-std::vector<Point2> projected(const Mesh& mesh, const std::vector<int>& face, const Wide3& n) {
-  const auto size = [](int128 v) { return v < 0 ? -v : v; };
-  const int axis = size(n.x) >= size(n.y) && size(n.x) >= size(n.z) ? 0 : size(n.y) >= size(n.z) ? 1 : 2;
-  const bool flip = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0;
-  std::vector<Point2> ring;
-  for (const int v : face) {
-    const Point& p = mesh.vertices[v];
-    const std::int64_t x = axis == 0 ? p.y : axis == 1 ? p.z : p.x, y = axis == 0 ? p.z : axis == 1 ? p.x : p.y;
-    ring.push_back({x, flip ? -y : y});
-  }
-  return ring;
-}
-
 bool flat(const std::vector<Point>& points, const Face& f) {
   return exact::is_zero(exact::cross(points[f[1]] - points[f[0]], points[f[2]] - points[f[0]]));
 }
