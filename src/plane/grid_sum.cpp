@@ -24,9 +24,8 @@ SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& i
     return convex_sum({a.faces[0], a.geometry}, {b.faces[0], b.geometry});
   ReducedConvolution curves = reduced_convolution(a, b);
   bool unbounded = is_unbounded(a) || is_unbounded(b);
-  if (pruning_pays(curves))
-    curves = prune_inside(std::move(curves), a, b);
-  else if (a.faces.size() == 1 && b.faces.size() == 1 && !unbounded)
+  if (pruning_pays(curves)) curves = prune_inside(std::move(curves), a, b);
+  if (a.faces.size() == 1 && b.faces.size() == 1 && !unbounded)
     if (auto sum = transversal_sum(curves, inside)) return *std::move(sum);
   Scratch scratch(curves.pieces.size());
   Arrangement arrangement = arrange(std::move(curves.geometry), std::move(curves.pieces), {}, scratch.memory());

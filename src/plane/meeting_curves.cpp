@@ -8,6 +8,7 @@
 
 #include "plane/broad_phase.h"
 #include "plane/piece_meet.h"
+#include "plane/small_sort.h"
 
 namespace findspace::plane {
 
@@ -15,7 +16,7 @@ bool MeetingCurves::cross_all() {
   ends_at_.assign(g_.points.size(), kNone);
   starts_at_.assign(g_.points.size(), kNone);
   for (Index i = 0; i < size(); ++i) ends_at_[end(i)] = starts_at_[start(i)] = i;
-  if (!sweep() || !sort_stops()) return false;
+  if (!meet_all() || !sort_stops()) return false;
   tie_knots();
   return true;
 }
@@ -29,22 +30,11 @@ const Arm& MeetingCurves::clockwise(Index knot, Index i, Index slot) const {
   return *best;
 }
 
-bool MeetingCurves::sweep() {
-  std::pmr::vector<PieceBox> boxes(memory_);
-  boxes.reserve(size());
-  for (const Piece& p : c_.pieces) {
-    const exact::Point &a = g_.points[p.p0], &b = g_.points[p.p1];
-    boxes.push_back({a.x, std::min(a.y, b.y), b.x, std::max(a.y, b.y)});
-  }
-  std::pmr::vector<Index> order(size(), memory_);
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return boxes[i].x0 < boxes[j].x0; });
-  for (Index s = 0; s < size(); ++s) {
-    const PieceBox& box = boxes[order[s]];
-    for (Index t = s + 1; t < size() && boxes[order[t]].x0 <= box.x1; ++t)
-      if (box.meets(boxes[order[t]]) && !cross(order[s], order[t])) return false;
-  }
-  return true;
+bool MeetingCurves::meet_all() {
+  CellGrid grid(g_, c_.pieces, {}, memory_);
+  bool good = true;
+  grid.pairs([&](Index i, Index j) { good = good && cross(i, j); });
+  return good;
 }
 
 bool MeetingCurves::cross(Index i, Index j) {
@@ -118,7 +108,6 @@ bool MeetingCurves::join(Index p, Index q) {
 bool MeetingCurves::sort_stops() {
   for (Stop& s : stops_)
     if (s.other == kNone) s.twin = knot_of_[s.point];
-  drop_repeated();
   first_stop_.assign(size() + 1, 0);
   for (const Stop& s : stops_) ++first_stop_[s.piece + 1];
   for (Index i = 0; i < size(); ++i) first_stop_[i + 1] += first_stop_[i];
@@ -126,39 +115,36 @@ bool MeetingCurves::sort_stops() {
   std::pmr::vector<Index> at(first_stop_.begin(), first_stop_.end() - 1, memory_);
   for (const Stop& s : stops_) sorted[at[s.piece]++] = s;
   stops_.swap(sorted);
-  for (Index i = 0; i < size(); ++i)
-    if (!sort_stops_of(i)) return false;
+  // Pairs may come twice, and several ends of a knot may touch one curve: each is one stop.
+  Index kept = 0;
+  for (Index i = 0; i < size(); ++i) {
+    Index first = first_stop_[i], last = first_stop_[i + 1];
+    first_stop_[i] = kept;
+    sort_stops_of(i, first, last);
+    for (Index k = first; k < last; ++k) {
+      const Stop s = stops_[k];
+      bool fresh = kept == first_stop_[i] || compare_along(g_, c_.pieces[i], s.point, stops_[kept - 1].point) != 0;
+      if (!fresh && !same_place(s, stops_[kept - 1])) return false;
+      if (fresh) stops_[kept++] = s;
+    }
+  }
+  first_stop_[size()] = kept;
+  stops_.resize(kept);
   find_twins();
   return true;
 }
 
-void MeetingCurves::drop_repeated() {
-  if (knots_ == 0) return;
-  std::size_t kept = 0;
-  for (std::size_t s = 0; s < stops_.size(); ++s) {
-    bool known = stops_[s].other == kNone &&
-                 std::any_of(stops_.begin(), stops_.begin() + std::ptrdiff_t(kept), [&](const Stop& t) {
-                   return t.other == kNone && t.piece == stops_[s].piece && t.twin == stops_[s].twin;
-                 });
-    if (!known) stops_[kept++] = stops_[s];
-  }
-  stops_.resize(kept);
+void MeetingCurves::sort_stops_of(Index i, Index first, Index last) {
+  auto at = [&](Index k) { return stops_.begin() + std::ptrdiff_t(k); };
+  small_sort(at(first), at(last), [&](const Stop& s, const Stop& t) {
+    int order = s.point == t.point ? 0 : compare_along(g_, c_.pieces[i], s.point, t.point);
+    if (order == 0) return s.point < t.point;
+    return right(i) ? order < 0 : order > 0;
+  });
 }
 
-bool MeetingCurves::sort_stops_of(Index i) {
-  bool tie = false;
-  for (Index k = first_stop_[i] + 1; k < first_stop_[i + 1]; ++k) {
-    Stop item = stops_[k];
-    Index at = k;
-    for (; at > first_stop_[i]; --at) {
-      int order = compare_along(g_, c_.pieces[i], item.point, stops_[at - 1].point);
-      tie |= order == 0;
-      if ((right(i) ? order : -order) >= 0) break;
-      stops_[at] = stops_[at - 1];
-    }
-    stops_[at] = item;
-  }
-  return !tie;
+bool MeetingCurves::same_place(const Stop& s, const Stop& t) {
+  return s.other == t.other && (s.other != kNone || s.twin == t.twin);
 }
 
 void MeetingCurves::find_twins() {

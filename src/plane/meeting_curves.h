@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The curves of a reduced convolution with the places where they meet: crossings of two, and knots, where ends touch
-// other curves or each other. Guarantee: exact. Cost: O(k log k + pairs whose ranges of x meet) for k curves, found by
-// a sweep. Used by transversal_sum.cpp only. Keywords: sweep and prune.
+// other curves or each other. Guarantee: exact. Cost: that of the pairs in a grid of cells
+// (broad_phase.h). Used by transversal_sum.cpp only.
 #pragma once
 
 #include <array>
@@ -73,7 +73,7 @@ class MeetingCurves {
   const Arm& clockwise(Index knot, Index i, Index slot) const;
 
  private:
-  bool sweep();
+  bool meet_all();
 
   /// Notes where two curves meet; false if they overlap.
   bool cross(Index i, Index j);
@@ -92,9 +92,9 @@ class MeetingCurves {
   /// Along every curve; false if three curves meet at a point that is no knot.
   bool sort_stops();
 
-  /// A knot of several ends that touch one curve is one stop of it.
-  void drop_repeated();
-  bool sort_stops_of(Index i);
+  void sort_stops_of(Index i, Index first, Index last);
+  /// One crossing, or one knot.
+  static bool same_place(const Stop& s, const Stop& t);
 
   /// The two stops of a crossing find each other.
   void find_twins();

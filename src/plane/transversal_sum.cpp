@@ -93,7 +93,9 @@ class TransversalSum {
  private:
   bool find_rings() {
     OuterWalks walks(curves_, memory_);
-    auto outer = walks.walk({leftmost(), 0});
+    Index first = leftmost();
+    if (first == kNone) return false;
+    auto outer = walks.walk({first, 0});
     if (outer.empty() || !add_ring(outer)) return false;
     for (Index i = 0; i < curves_.size(); ++i)
       for (Index k = 0; k <= curves_.stop_count(i); ++k) {
@@ -106,16 +108,18 @@ class TransversalSum {
     return true;
   }
 
-  /// The curve that starts at the leftmost point: it is part of the outer ring.
+  /// The curve that starts at the leftmost corner of the sum: it is part of the outer ring. Ends made by pruning lie
+  /// inside.
   Index leftmost() const {
     const auto& points = c_.geometry.points;
-    auto less = [&](Index i, Index j) {
-      const exact::Point &p = points[curves_.start(i)], &q = points[curves_.start(j)];
-      return p.gx != q.gx ? p.gx < q.gx : p.gy < q.gy;
-    };
-    Index best = 0;
-    for (Index i = 1; i < curves_.size(); ++i)
-      if (less(i, best)) best = i;
+    Index best = kNone;
+    for (Index i = 0; i < curves_.size(); ++i) {
+      const exact::Point& p = points[curves_.start(i)];
+      if (p.kind != exact::Point::Kind::kGrid) continue;
+      if (best == kNone) best = i;
+      const exact::Point& q = points[curves_.start(best)];
+      if (p.gx < q.gx || (p.gx == q.gx && p.gy < q.gy)) best = i;
+    }
     return best;
   }
 
