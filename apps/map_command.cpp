@@ -53,8 +53,7 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
   talk.stage("solving");
   if (solver.turns_in(formula)) {
     if (goal)
-      throw Error(ErrorCode::kUnsupported, "objectives are not computed of shapes that turn",
-                  session.scene().file);
+      throw Error(ErrorCode::kUnsupported, "objectives are not computed of shapes that turn", session.scene().file);
     if (!session.options().apply.empty())
       throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn only bounds of the region are known",
                   session.scene().file);

@@ -19,7 +19,8 @@ void read_as(const std::string& bytes, const char* ending) {
   context.files = false;
   context.unit = io::Unit::kMillimetre;
   try {
-    space::Mesh mesh = io::parse_mesh(bytes, ending, context);
+    space::Mesh mesh =
+        io::parse_mesh(bytes, ending, context, [](const auto& stated) { return stated.value_or(exact::Real(1)); });
     space::clean(mesh, context.grid.step_size());
     const exact::Real once = space::six_volumes(mesh);
     space::clean(mesh, context.grid.step_size());
@@ -33,6 +34,6 @@ void read_as(const std::string& bytes, const char* ending) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  for (const char* ending : {".stl", ".obj", ".off", ".ply"}) read_as(bytes, ending);
+  for (const char* ending : {".stl", ".obj", ".off", ".ply", ".3mf"}) read_as(bytes, ending);
   return 0;
 }
