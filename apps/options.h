@@ -22,6 +22,7 @@ struct Options {
   std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
   std::optional<unsigned> index;
   bool json = false, quiet = false;
+  bool axes = false;      // of map in 3D: lines along all three axes
   int resolution = 0;     // of map in 3D: lines each way of a ray map; 0: an exact map
   unsigned threads = 0;   // 0: one for each core
   double time_limit = 0;  // seconds; 0: none
