@@ -159,9 +159,10 @@ Outcome run_map(const Options& options, Talk& talk) {
   if (session.in_space()) {
     session.require_positions_in_space();
     require_question(session);
-    return options.resolution > 0 ? map_rays(session, options.resolution) : map_space(session);
+    return options.resolution > 0 ? map_rays(session, options.resolution, options.axes) : map_space(session);
   }
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for maps of 3D scenes");
+  if (options.axes) throw Error(ErrorCode::kUsage, "--axes is for maps of 3D scenes");
   const io::Scene& scene = session.scene();
   const bool line = free == io::Free::Kind::kLine, time = free == io::Free::Kind::kTime;
   check_outputs(options,

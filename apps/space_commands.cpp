@@ -49,7 +49,14 @@ situation::SpaceWorld world_of(const Session& session) {
   session.talk().stage("building the shapes");
   const io::Scene& scene = session.scene();
   std::vector<situation::SpaceShape> built(scene.shapes.size());
-  plane::parallel_for(built.size(), [&](std::size_t k) { built[k] = situation::space_shape(*scene.shapes[k]); });
+  plane::parallel_for(built.size(), [&](std::size_t k) {
+    try {
+      built[k] = situation::space_shape(*scene.shapes[k]);
+    } catch (const Error& e) {
+      if (e.code() != ErrorCode::kUnsupported) throw;
+      built[k].refused = e.what();  // its surface may do
+    }
+  });
   situation::SpaceWorld world;
   for (std::size_t k = 0; k < built.size(); ++k) {
     note_rounding(session, scene.shapes[k]->name, built[k]);
@@ -57,6 +64,7 @@ situation::SpaceWorld world_of(const Session& session) {
   }
   world.moving = scene.moving;
   world.step = session.step();
+  world.rays = std::make_shared<const situation::RayWorld>(ray_world(session));
   return world;
 }
 
@@ -134,13 +142,14 @@ bool wants_surface(const Session& session) {
 }
 
 void note_lines(const Session& session, const char* what) {
-  session.talk().note(fmt::format("the {0} is taken on {1} x {1} lines, exact on each{2}", what, kLinesUnasked,
+  session.talk().note(fmt::format("the {0} is taken on {1} x {1} lines of each axis, exact on each{2}", what,
+                                  kLinesUnasked,
                                   what == std::string_view("map") ? " (--resolution N for others)" : ""));
 }
 
 Outcome on_lines(const Session& session) {
   note_lines(session, "map");
-  return map_rays(session, kLinesUnasked);
+  return map_rays(session, kLinesUnasked, true);
 }
 
 /// One convex set, or else the map on lines.
@@ -152,16 +161,6 @@ Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& 
   return on_lines(session);
 }
 
-/// Nothing where a shape has no convex parts and lines can answer instead.
-std::unique_ptr<situation::SpaceSolver> solver_of(const Session& session) {
-  try {
-    return std::make_unique<situation::SpaceSolver>(world_of(session));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported || session.goal() || !session.options().apply.empty()) throw;
-    return nullptr;
-  }
-}
-
 }  // namespace
 
 Outcome map_space(const Session& session) {
@@ -169,9 +168,7 @@ Outcome map_space(const Session& session) {
   check_outputs(options, formats());
   const situation::Formula formula = session.where();
   const auto goal = session.goal();
-  const auto made = solver_of(session);
-  if (!made) return on_lines(session);
-  const situation::SpaceSolver& solver = *made;
+  const situation::SpaceSolver solver(world_of(session));
   session.talk().stage("solving");
   std::optional<space::BoxComplex> boxes = box_region(session, solver, formula);
   if (!boxes) return map_without_boxes(session, solver, formula);
@@ -301,6 +298,7 @@ Outcome describe_rays(const Session& session, const std::string& name) {
   RaySet set;
   set.title = name;
   set.resolution = kLinesUnasked;
+  set.axes = true;
   set.low = box.low, set.high = box.high;
   set.unbounded = box.unbounded;
   set.source = [&](const space::RayGrid& grid) { return space::shape_rays(shape, grid); };

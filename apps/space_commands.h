@@ -10,8 +10,8 @@
 namespace findspace::app {
 
 Outcome map_space(const Session& session);
-/// On `resolution` x `resolution` lines.
-Outcome map_rays(const Session& session, int resolution);
+/// On `resolution` x `resolution` lines, of one axis or of all three.
+Outcome map_rays(const Session& session, int resolution, bool axes);
 Outcome check_space(const Session& session);
 Outcome measure_space(const Session& session);
 Outcome describe_space(const Session& session, const std::string& shape);

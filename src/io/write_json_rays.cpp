@@ -45,7 +45,7 @@ void RayLines::add(int j, const space::RayRow& row) {
 }
 
 std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, bool unbounded, double step,
-                      std::string_view unit, std::string_view lines) {
+                      std::string_view unit, std::string_view lines, bool axes) {
   const double cube = step * step * step, part = step / static_cast<double>(grid.parts);
   constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
   std::string out = "{\n  \"dimension\": 3,\n";
@@ -58,16 +58,19 @@ std::string rays_json(const space::RaySummary& summary, const space::RayGrid& gr
   out += "  \"components\": [";
   for (std::size_t k = 0; k < summary.components.size(); ++k) {
     const space::RayComponent& c = summary.components[k];
-    out += fmt::format("{}\n    {{\"volume\": {}, \"sample\": {}, \"bbox\": [{}, {}]}}", k == 0 ? "" : ",",
-                       c.volume * cube, place(c.sample, step), place(c.low, step), place(c.high, step));
+    out += fmt::format("{}\n    {{\"volume\": {}, \"sample\": {}, \"bbox\": [{}, {}]{}}}", k == 0 ? "" : ",",
+                       c.volume * cube, place(c.sample, step), place(c.low, step), place(c.high, step),
+                       axes ? fmt::format(", \"certified\": {}", c.certified) : "");
   }
   out += summary.components.empty() ? "],\n" : "\n  ],\n";
   out += fmt::format(
       "  \"rays\": {{\"axis\": \"{}\", \"counts\": [{}, {}], \"spacing\": [{}, {}], \"precision\": {}, \"intervals\": "
       "{}, "
-      "\"points\": {},\n    \"connectivity\": \"overlapping intervals of neighbouring lines\"",
+      "\"points\": {},\n    \"axes\": {}, \"connectivity\": \"{}\"",
       kAxes[grid.axis], grid.nu, grid.nv, static_cast<double>(grid.du) * part, static_cast<double>(grid.dv) * part,
-      summary.precision * step, summary.intervals, summary.points);
+      summary.precision * step, summary.intervals, summary.points, axes ? 3 : 1,
+      axes ? "crossing lines of three axes where certified, else overlapping intervals of neighbouring lines"
+           : "overlapping intervals of neighbouring lines");
   if (!lines.empty()) out += fmt::format(",\n    \"lines\": [\n    {}]", lines);
   return out + "}\n}\n";
 }

@@ -28,9 +28,10 @@ class RayLines {
   std::string text_;
 };
 
-/// `lines` may be empty: then only the summary is written. `unbounded`: the region goes on beyond the window.
+/// `axes`: of lines along all three axes (space/ray_axes.h). `lines` may be empty: then only the summary is written.
+/// `unbounded`: the region goes on beyond the window.
 std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, bool unbounded, double step,
-                      std::string_view unit, std::string_view lines);
+                      std::string_view unit, std::string_view lines, bool axes);
 
 /// In the scene's unit.
 Surface ray_surface_mesh(const space::RaySurface& surface, double step);

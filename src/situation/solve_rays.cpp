@@ -26,6 +26,9 @@ using space::RayRow;
 using space::RaySolid;
 using space::RaySource;
 
+/// Denominators of positions that are tried.
+constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 3, 8, 64, 1024};
+
 [[noreturn]] void refuse(const SignMap& map, const std::string& why) {
   throw Error(ErrorCode::kUnsupported, text(map.distance) + " has no ray map here: " + why);
 }
@@ -229,6 +232,21 @@ RayWindow window(const RayWorld& world, const Formula& formula) {
 
 std::unique_ptr<RaySource> ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
   return std::make_unique<RegionRays>(world, formula, grid);
+}
+
+std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
+  const auto* fits = std::find_if(kParts.begin(), kParts.end(), [&](std::int64_t parts) {
+    return (p[0] * Real(parts)).integer() && (p[1] * Real(parts)).integer();
+  });
+  if (fits == kParts.end()) return std::nullopt;
+  std::array<std::int64_t, 2> at{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto whole = *(p[k] * Real(*fits)).integer();
+    if (whole > exact::kRayLimit || whole < -exact::kRayLimit) return std::nullopt;
+    at[k] = static_cast<std::int64_t>(whole);
+  }
+  const RayGrid grid{2, *fits, at[0], at[1], 1, 1, 1, 1};
+  return space::sign_at(parts(world, map, grid).row(0), 0, p[2] * Real(*fits));
 }
 
 bool holds_far_away(const RayWorld& world, const Formula& formula) {

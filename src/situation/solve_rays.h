@@ -60,6 +60,10 @@ RayWindow window(const RayWorld& world, const Formula& formula);
 /// -1 where the formula holds, +1 elsewhere. Keeps a reference to the formula.
 std::unique_ptr<space::RaySource> ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
 
+/// The sign of one sign map at p (grid steps), from the line along z through it; nothing where x and y are no fractions
+/// of small denominators.
+std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p);
+
 /// Whether the formula holds far away.
 bool holds_far_away(const RayWorld& world, const Formula& formula);
 

@@ -9,6 +9,7 @@
 #include "findspace/error.h"
 #include "plane/parallel.h"
 #include "situation/evaluate.h"
+#include "situation/solve_rays.h"
 #include "situation/space_pair.h"
 #include "situation/text.h"
 #include "situation/which.h"
@@ -135,8 +136,7 @@ SpaceSolver::SignedValue SpaceSolver::signed_value(const SignMap& map, const Rea
     return {shown(map.distance, v), sign(map, v)};
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
-    const Named n = named(map.distance);
-    const auto sign = n.pair->sign(n.which, map.level / world_.step, p);
+    const auto sign = world_.rays ? sign_at_position(*world_.rays, map, p) : std::nullopt;
     if (!sign) throw;
     SpaceDistanceAt at{text(map.distance), {}, {}, {}, e.message()};
     return {std::move(at), *sign};

@@ -23,6 +23,8 @@
 
 namespace findspace::situation {
 
+struct RayWorld;
+
 /// A shape of the scene in grid steps, in the forms that it has.
 struct SpaceShape {
   std::optional<space::BoxComplex> boxes;   // all faces axis-parallel: the exact set
@@ -35,7 +37,8 @@ SpaceShape space_shape(const plane::Shape& shape);
 struct SpaceWorld {
   std::map<std::string, SpaceShape> shapes;
   std::vector<std::string> moving;
-  exact::Real step;  // one grid step in the scene's unit
+  exact::Real step;                      // one grid step in the scene's unit
+  std::shared_ptr<const RayWorld> rays;  // for signs where values are not computed; may be null
 };
 
 using SpacePlace = std::array<double, 3>;

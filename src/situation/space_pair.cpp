@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "distance/ray_signs.h"
 #include "findspace/error.h"
 #include "situation/solve_space.h"
 #include "space/min_ball.h"
@@ -24,9 +23,6 @@ using space::real;
 using space::RealVector;
 
 namespace {
-
-/// Denominators of positions that are tried.
-constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 3, 8, 64, 1024};
 
 /// The union of the shapes as closed boxes.
 std::optional<BoxComplex> united_boxes(const std::vector<const SpaceShape*>& shapes) {
@@ -107,25 +103,6 @@ std::optional<SolidValue> SpacePair::value(Which which, const RealVector& p) con
   auto v = bodies().value(which, space::scaled(scale, p));
   if (v && scale_ != 1) scale_down(*v, scale);
   return v;
-}
-
-std::optional<int> SpacePair::sign(Which which, const Real& level, const RealVector& p) const {
-  bodies();
-  const auto whole_in = [&](std::int64_t parts) {
-    return (p[0] * Real(parts)).integer() && (p[1] * Real(parts)).integer();
-  };
-  const auto* fits = std::find_if(kParts.begin(), kParts.end(), whole_in);
-  if (fits == kParts.end()) return std::nullopt;
-  const std::int64_t parts = *fits;
-  std::array<std::int64_t, 2> at{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto whole = (p[k] * Real(parts)).integer();
-    if (*whole > exact::kRayLimit || *whole < -exact::kRayLimit) return std::nullopt;
-    at[k] = static_cast<std::int64_t>(*whole);
-  }
-  const space::RayGrid grid{2, parts, at[0], at[1], 1, 1, 1, 1};
-  const auto rays = distance::ray_sign_map(which, level * Real(scale_), *b_, *a_, grid);
-  return space::sign_at(rays->row(0), 0, p[2] * Real(parts));
 }
 
 namespace {

@@ -23,9 +23,6 @@ class SpacePair {
   SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed);
 
   std::optional<distance::SolidValue> value(distance::Which which, const space::RealVector& p) const;
-  /// The sign of distance - level at p, from the line through it; nothing where the coordinates of p are no fractions
-  /// of small denominators. For distances whose value is not computed.
-  std::optional<int> sign(distance::Which which, const exact::Real& level, const space::RealVector& p) const;
   /// The least value and its positions; nothing where this is not computed.
   std::optional<distance::BoxPair::Least> least(distance::Which which) const;
   /// {distance <= level}, if it is a convex polytope, or one grown by a ball: gamma1 of convex shapes, eta1 in a convex

@@ -8,6 +8,7 @@
 
 #include "space/convex_polygon.h"
 #include "space/mesh.h"
+#include "space/mesh_crossing.h"
 #include "space/triangulate.h"
 
 namespace findspace::space {
@@ -47,12 +48,31 @@ Triangles prism(const Solid& solid) {
   return triangles(mesh);
 }
 
+/// The surface, if it does not cross itself.
+Triangles simple(Triangles surface) {
+  const RayBody body(surface);
+  const auto crossing = crossing_faces(body);
+  if (!crossing) return surface;
+  const auto text = [&](int f) {
+    std::string out;
+    for (int k = 0; k < 3; ++k) {
+      const Point& p = body.corner(f, k);
+      out += (k > 0 ? " " : "") + ("(" + std::to_string(p.x)) + ", " + std::to_string(p.y) + ", " +
+             std::to_string(p.z) + ")";
+    }
+    return out;
+  };
+  throw Error(ErrorCode::kGeometry, "the mesh crosses itself, so what lies inside is not clear: triangle " +
+                                        text((*crossing)[0]) + " and triangle " + text((*crossing)[1]) +
+                                        ", in grid steps");
+}
+
 RaySolid primitive(const Solid& solid) {
   switch (solid.form) {
     case Solid::Form::kPolytope:
       return {triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
     case Solid::Form::kMesh:
-      return {triangles(solid.mesh), {}, {}};
+      return {simple(triangles(solid.mesh)), {}, {}};
     case Solid::Form::kPrism:
       return {prism(solid), {}, {}};
     case Solid::Form::kBall:
@@ -64,7 +84,13 @@ RaySolid primitive(const Solid& solid) {
 }  // namespace
 
 std::vector<RaySolid> ray_solids(const plane::Shape& shape) {
-  if (const Solid* solid = solid_of(shape)) return {primitive(*solid)};
+  if (const Solid* solid = solid_of(shape)) {
+    try {
+      return {primitive(*solid)};
+    } catch (const Error& e) {
+      throw e.place().empty() && !shape.place.empty() ? e.within(shape.place) : e;
+    }
+  }
   std::vector<RaySolid> all;
   for (const plane::ShapePtr& child : shape.children) {
     for (RaySolid& s : ray_solids(*child)) all.push_back(std::move(s));

@@ -19,6 +19,7 @@ struct RayComponent {
   double volume = 0;                              // in cubic grid steps
   std::array<double, 3> low{}, high{}, sample{};  // the sample: the middle of the longest interval
   double longest = -1;
+  bool certified = false;  // its lines cross in it: certainly connected (ray_axes.h)
 };
 
 struct RaySummary {

@@ -25,10 +25,12 @@ class Marching {
     inside_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2], false);
   }
 
-  void scan(const RaySource& rays, int axis, const std::function<bool(std::int8_t)>& inside) {
+  void scan(const RaySource& rays, int axis, const std::function<bool(std::int8_t)>& inside,
+            const std::function<void(const RayGrid&, const RayRow&)>& watch) {
     const RayGrid& grid = rays.grid();
     each_row(rays, [&](int j, RayRow&& row) {
       for (int i = 0; i < grid.nu; ++i) scan_line(row, i, j, axis, inside);
+      if (watch) watch(grid, row);
     });
   }
 
@@ -80,20 +82,23 @@ class Marching {
       }
       c[axis] = k + 1;
       if (axis == 2) inside_[number(c)] = here;
-      if (here != before) add_vertex(c, axis, change);
+      if (here != before) add_vertex(c, axis, change, here);
       before = here;
     }
     c[axis] = lattice_.count[axis] + 1;
-    if (before) add_vertex(c, axis, corner(lattice_.count[axis] - 1) + half);
+    if (before) add_vertex(c, axis, corner(lattice_.count[axis] - 1) + half, false);
   }
 
   /// The vertex on the lattice edge that ends in corner c, along `axis`.
-  void add_vertex(const Index& c, int axis, double at) {
+  void add_vertex(const Index& c, int axis, double at, bool enters) {
     std::array<double, 3> p{};
     const auto parts = static_cast<double>(lattice_.parts);
     for (int k = 0; k < 3; ++k) p[k] = (k == axis ? at : static_cast<double>(lattice_.at(k, c[k] - 1))) / parts;
     vertex_[number(c) * 3 + axis] = static_cast<int>(surface_.vertices.size());
     surface_.vertices.push_back(p);
+    Index inside{c[0] - 1, c[1] - 1, c[2] - 1};
+    if (!enters) --inside[axis];
+    surface_.inside.push_back(inside);
   }
 
   /// The vertex between two corners of the cube at `low`.
@@ -165,9 +170,10 @@ RayLattice ray_lattice(const Point& low, const Point& high, int n) {
 }
 
 RaySurface ray_surface(const RayLattice& lattice, const std::function<std::unique_ptr<RaySource>(int axis)>& source,
-                       const std::function<bool(std::int8_t)>& inside) {
+                       const std::function<bool(std::int8_t)>& inside,
+                       const std::function<void(const RayGrid&, const RayRow&)>& watch) {
   Marching marching(lattice);
-  for (int axis = 0; axis < 3; ++axis) marching.scan(*source(axis), axis, inside);
+  for (int axis = 0; axis < 3; ++axis) marching.scan(*source(axis), axis, inside, watch);
   return marching.run();
 }
 

@@ -36,10 +36,13 @@ RayLattice ray_lattice(const Point& low, const Point& high, int n);
 struct RaySurface {
   std::vector<std::array<double, 3>> vertices;  // in grid steps
   std::vector<std::array<int, 3>> faces;
+  std::vector<std::array<int, 3>> inside;  // of each vertex: the lattice point beside it that is in the region
 };
 
-/// `source(axis)` gives the ray map on lattice.grid(axis); `inside(sign)` says which signs belong to the region.
+/// `source(axis)` gives the ray map on lattice.grid(axis); `inside(sign)` says which signs belong to the region. Where
+/// given, `watch` sees every row, those of an axis in order.
 RaySurface ray_surface(const RayLattice& lattice, const std::function<std::unique_ptr<RaySource>(int axis)>& source,
-                       const std::function<bool(std::int8_t)>& inside);
+                       const std::function<bool(std::int8_t)>& inside,
+                       const std::function<void(const RayGrid&, const RayRow&)>& watch = {});
 
 }  // namespace findspace::space

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Regions on the lines of three axes: which components are certified, and volumes of walls of any thickness.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "space/piece_rays.h"
+#include "space/ray_axes.h"
+#include "unit/space_bodies.h"
+
+namespace findspace::space {
+namespace {
+
+using exact::Real;
+
+/// Boxes with corners in 1/10 steps.
+RayAxes boxes(const std::vector<Corners>& all, const Point& low, const Point& high, int n) {
+  std::vector<LinePiece> pieces;
+  for (const Corners& c : all) {
+    std::vector<HalfSpace> planes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      RealVector normal;
+      normal[k] = Real(1);
+      planes.emplace_back(normal, Real(-c[1][k]));
+      planes.emplace_back(negated(normal), Real(c[0][k]));
+    }
+    const auto corner = [&](std::size_t k) {
+      return Vector{static_cast<double>(c[k][0]), static_cast<double>(c[k][1]), static_cast<double>(c[k][2])};
+    };
+    pieces.push_back(polytope_piece(std::move(planes), corner(0), corner(1)));
+  }
+  const RayLattice lattice = ray_lattice(low, high, n);
+  return ray_axes(
+      lattice, [&](int axis) { return std::make_unique<PieceRays>(pieces, 10, lattice.grid(axis)); },
+      [](std::int8_t sign) { return sign <= 0; });
+}
+
+TEST(RayAxes, VolumeOfWallsParallelToTheLines) {
+  // 7.3 x 5.1 x 3.7: lines of one axis alone are wrong by up to a step for every wall along them.
+  const RayAxes r = boxes({{{{3, 4, 5}, {76, 55, 42}}}}, {0, 0, 0}, {10, 10, 10}, 50);
+  EXPECT_NEAR(r.summary.volume, 7.3 * 5.1 * 3.7, 0.4);  // edges cut off: 64.4 of them by at most half a step squared
+  ASSERT_EQ(r.summary.components.size(), 1U);
+  EXPECT_TRUE(r.summary.components[0].certified);
+  EXPECT_DOUBLE_EQ(r.summary.low[0], 0.3);
+  EXPECT_DOUBLE_EQ(r.summary.high[2], 4.2);
+}
+
+TEST(RayAxes, ThinWallsAreMeasuredAcross) {
+  // A wall between two planes of the lattice: only lines along x meet it.
+  const RayAxes r = boxes({{{{41, 0, 0}, {42, 100, 100}}}}, {0, 0, 0}, {10, 10, 10}, 10);
+  EXPECT_TRUE(r.surface.faces.empty());
+  ASSERT_EQ(r.summary.components.size(), 1U);
+  EXPECT_NEAR(r.summary.components[0].volume, 10, 1e-9);  // no sign: test
+  EXPECT_FALSE(r.summary.components[0].certified);
+}
+
+TEST(RayAxes, NeighboursThatOnlyOverlapAreNotCertified) {
+  // Apart by a twentieth of a step of the lattice, between its planes: overlapping intervals join them.
+  const std::vector<Corners> apart{{{{0, 0, 0}, {44, 90, 90}}}, {{{45, 0, 0}, {90, 90, 90}}}};
+  const RayAxes r = boxes(apart, {0, 0, 0}, {9, 9, 9}, 9);
+  ASSERT_EQ(r.summary.components.size(), 1U);
+  EXPECT_FALSE(r.summary.components[0].certified);
+  // A door through which lines along x pass certifies.
+  std::vector<Corners> joined = apart;
+  joined.push_back({{{40, 30, 30}, {50, 60, 60}}});
+  const RayAxes s = boxes(joined, {0, 0, 0}, {9, 9, 9}, 9);
+  ASSERT_EQ(s.summary.components.size(), 1U);
+  EXPECT_TRUE(s.summary.components[0].certified);
+  // Farther apart they are two.
+  const RayAxes two = boxes({{{{0, 0, 0}, {30, 90, 90}}}, {{{50, 0, 0}, {90, 90, 90}}}}, {0, 0, 0}, {9, 9, 9}, 9);
+  ASSERT_EQ(two.summary.components.size(), 2U);
+  EXPECT_TRUE(two.summary.components[0].certified && two.summary.components[1].certified);
+  EXPECT_GT(two.summary.components[0].volume, two.summary.components[1].volume);
+}
+
+TEST(RayAxes, CertifiedByAWayAroundACorner) {
+  // An L: no line of its two arms is common, the crossing is at the corner.
+  const RayAxes r = boxes({{{{0, 0, 0}, {90, 20, 20}}}, {{{0, 0, 0}, {20, 90, 20}}}, {{{0, 0, 0}, {20, 20, 90}}}},
+                          {0, 0, 0}, {9, 9, 9}, 18);
+  ASSERT_EQ(r.summary.components.size(), 1U);
+  EXPECT_TRUE(r.summary.components[0].certified);
+  EXPECT_NEAR(r.summary.volume, 3 * 36 - 2 * 8, 4);
+}
+
+}  // namespace
+}  // namespace findspace::space
