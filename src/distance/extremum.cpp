@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "distance/extremum_candidates.h"
 #include "distance/point_set.h"
@@ -62,6 +63,7 @@ class Search {
   double extent() const;
   void bracket();
   bool take(const Bracket& known);
+  bool try_near(const std::vector<Real>& all, double number);
   bool try_candidates();
   Extremum finished(const Real& level, bool proven) const;
 
@@ -73,7 +75,9 @@ class Search {
   double bad_ = 0, good_ = 0, scale_ = 1;  // turned so that less is better: the extremum is in (bad, good]
   CellComplex reached_;                    // of the last level that was reached
   std::vector<Real> refused_;
+  std::optional<Bracket> known_;
   Real level_;
+  bool value_only_ = false;
 };
 
 /// On the cells of S: kBeyond where f is better than the level, kOn where it is equal.
@@ -134,7 +138,19 @@ bool Search::take(const Bracket& known) {
   const double good = turn_ * known.reached + room;
   if (!reaches(Real::from_double(turn_ * good))) return false;
   bad_ = std::min(turn_ * known.bound - room, good - 2 * room);
+  known_ = known;
   return true;
+}
+
+/// The candidate next to a number, if one is as near as rounding.
+bool Search::try_near(const std::vector<Real>& all, double number) {
+  const auto far = [number](const Real& l) { return std::abs(near_value(l) - number); };
+  const auto best =
+      std::min_element(all.begin(), all.end(), [&](const auto& l, const auto& m) { return far(l) < far(m); });
+  if (far(*best) > scale_ * 0x1p-36) return false;
+  if (accept(*best)) return true;
+  refused_.push_back(*best);
+  return false;
 }
 
 bool Search::try_candidates() {
@@ -145,6 +161,7 @@ bool Search::try_candidates() {
     return std::any_of(refused_.begin(), refused_.end(), [&](const Real& r) { return near_value(r) == near_value(l); });
   });
   if (all.empty()) return false;
+  if (known_ && try_near(all, std::exchange(known_, std::nullopt)->reached)) return true;
   // Candidates of one value are tried; several values are told apart by bisection first.
   double spread = std::abs(near_value(all.front()) - near_value(all.back()));
   if (spread > scale_ * 0x1p-40) return false;
@@ -158,6 +175,7 @@ bool Search::try_candidates() {
 Extremum Search::finished(const Real& level, bool proven) const {
   Extremum e;
   e.exists = true, e.level = level, e.proven = proven;
+  if (value_only_) return e;
   if (proven) {
     auto on = [](Mark k) { return Mark(k == kOn); };
     e.at = plane::remark(probe(level, s_), on);
@@ -171,6 +189,7 @@ Extremum Search::finished(const Real& level, bool proven) const {
 }
 
 Extremum Search::run(const std::optional<Bracket>& known) {
+  value_only_ = known && known->value_only;
   if (plane::is_empty(s_) || !f_.defined()) return {};
   if (turn_ < 0 && s_.faces[0].mark > 0) {
     Extremum e;

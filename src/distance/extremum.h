@@ -27,9 +27,11 @@ struct Extremum {
   plane::Region at;  // the positions
 };
 
-/// Numbers that the extremum is known to lie between: `reached` is taken (to rounding), none is better than `bound`.
+/// Numbers that the extremum is known to lie between: `reached` is taken (to rounding) and probably it, none is better
+/// than `bound`.
 struct Bracket {
   double reached, bound;
+  bool value_only = false;  // the positions are not asked for
 };
 
 /// A bracket that is known saves most of the search.

@@ -58,7 +58,8 @@ class PathSearch {
       push({gap.leg, gap.from, middle, gap.f, f, 0});
       push({gap.leg, middle, gap.to, f, gap.g, 0});
     }
-    return Bracket{sign_ * best_, sign_ * (gaps_.empty() ? best_ : std::min(best_, gaps_.front().low))};
+    refine();
+    return Bracket{sign_ * best_, sign_ * (gaps_.empty() ? best_ : std::min(best_, gaps_.front().low)), true};
   }
 
  private:
@@ -67,6 +68,31 @@ class PathSearch {
     double from, to, f, g, low;
     bool operator<(const Gap& other) const { return low > other.low; }
   };
+
+  /// Golden sections of the gaps beside the best point: f is smooth or has one kink there.
+  void refine() {
+    constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
+    constexpr int kSteps = 50;
+    const auto best = std::min_element(
+        gaps_.begin(), gaps_.end(), [](const Gap& g, const Gap& h) { return std::min(g.f, g.g) < std::min(h.f, h.g); });
+    if (best == gaps_.end()) return;
+    const std::size_t leg = best->leg;
+    const double at = best->f < best->g ? best->from : best->to;
+    double from = best->from, to = best->to;
+    for (const Gap& g : gaps_) {
+      if (g.leg == leg && g.to == at) from = g.from;
+      if (g.leg == leg && g.from == at) to = g.to;
+    }
+    double low = to - kGolden * (to - from), high = from + kGolden * (to - from);
+    double f = look(leg, low), g = look(leg, high);
+    for (int k = 0; k < kSteps; ++k) {
+      if (f < g) {
+        to = high, high = low, g = f, low = to - kGolden * (to - from), f = look(leg, low);
+      } else {
+        from = low, low = high, f = g, high = from + kGolden * (to - from), g = look(leg, high);
+      }
+    }
+  }
 
   double way(std::size_t leg) const {
     const RealPoint d = path_[leg + 1] - path_[leg];

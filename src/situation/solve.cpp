@@ -413,6 +413,7 @@ namespace {
 struct Derived {
   Distance of;
   bool negated = false, cut = true;
+  std::optional<Distance> other{};  // the greater of both
 };
 
 std::optional<Derived> derived(const Distance& d) {
@@ -434,6 +435,11 @@ std::optional<Derived> derived(const Distance& d) {
       out.of.kind = Kind::kEta1, out.negated = true;
       std::swap(out.of.first, out.of.second);
       break;
+    case Kind::kHausdorff:
+      if (d.prefix != Extremum::kSup) return std::nullopt;
+      out.of.kind = Kind::kMu, out.cut = false, out.other = out.of;
+      std::swap(out.other->first, out.other->second);
+      return out;
     default:
       return std::nullopt;
   }
@@ -461,19 +467,26 @@ std::vector<DistanceAt> Solver::measure(const RealPoint& position, const Formula
   std::vector<DistanceAt> out(wanted.size());
   // Over time a value is a search: it is made once for those that follow from each other.
   std::vector<std::size_t> source(wanted.size());
+  const auto place = [&](const Distance& d) {
+    const auto canonical = d.kind == Kind::kMu ? d : moving_first(d, world_.moving);
+    return std::size_t(std::find(wanted.begin(), wanted.end(), canonical) - wanted.begin());
+  };
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     source[k] = k;
     const bool searched = world_.motion.given() && !world_.instant && !roles(wanted[k]).turning;
     const auto d = searched ? derived(wanted[k]) : std::nullopt;
     if (!d) continue;
-    const auto found = std::find(wanted.begin(), wanted.end(), moving_first(d->of, world_.moving));
-    if (found != wanted.end()) source[k] = std::size_t(found - wanted.begin());
+    const bool found = place(d->of) < wanted.size() && (!d->other || place(*d->other) < wanted.size());
+    if (found) source[k] = place(d->of);
   }
   plane::parallel_for(out.size(), [&](std::size_t k) {
     if (source[k] == k) out[k] = value(wanted[k], p);
   });
   for (std::size_t k = 0; k < wanted.size(); ++k) {
-    if (source[k] != k) out[k] = derived_value(wanted[k], *derived(wanted[k]), out[source[k]]);
+    if (source[k] == k) continue;
+    const Derived d = *derived(wanted[k]);
+    out[k] = derived_value(wanted[k], d, out[source[k]]);
+    if (d.other) out[k].value = std::max(*out[k].value, *out[place(*d.other)].value);
   }
   return out;
 }
