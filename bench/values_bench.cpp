@@ -3,7 +3,7 @@
 //
 // values_bench: every distance of two polygons of n vertices at one position, ours exact and continuous against the
 // rivals' numbers; 10,000 positions of one pair; and a formula of 30 atoms over 10 shapes of 100 vertices, with its
-// curve of time over the crossings of all boundaries. Prints tables (markdown). usage: values_bench [n]
+// curve of time over the crossings of all boundaries. Prints tables (markdown). usage: values_bench [n | atoms]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string_view>
 
 #include "distance/at_position.h"
 #include "plane/contour.h"
@@ -127,24 +128,27 @@ void many_positions(const Polygon& a, const Polygon& b) {
   }
 }
 
-/// Ten shapes of m vertices around the origin and a moving one of m vertices; for each a clearance, a nearness and a
-/// reach.
-void many_atoms(int m) {
+/// Ten shapes of m vertices on a ring of radius `spread` (in 16ths of their size) around the origin and a moving one of
+/// m vertices; for each a clearance, a nearness and a reach. Stars far apart cross little, wavy shapes on top of each
+/// other everywhere.
+void many_atoms(int m, int spread) {
   namespace situation = findspace::situation;
   const std::int64_t size = std::int64_t(1) << 20;
   situation::World world;
   situation::Context context;
   std::string formula;
+  const auto shape = [&](unsigned seed) { return spread < 16 ? smooth(m, seed) : star(m, seed); };
+  const double ring = double(spread) / 16 * double(size);
   for (int k = 0; k < 10; ++k) {
     std::string name = fmt::format("A{}", k);
     double t = 0.6283185 * k;
-    world.shapes.emplace(name, region(moved(star(m, unsigned(k + 1)), std::int64_t(2.0 * double(size) * std::cos(t)),
-                                            std::int64_t(2.0 * double(size) * std::sin(t)))));
+    world.shapes.emplace(name, region(moved(shape(unsigned(k + 1)), std::int64_t(ring * std::cos(t)),
+                                            std::int64_t(ring * std::sin(t)))));
     context.shapes.push_back(name);
     formula += fmt::format("{}(gamma1(B, {}) >= {} and gamma1(B, {}) <= {} or gamma2(B, {}) <= {})",
                            k > 0 ? " or " : "", name, size / 8, name, size / 2, name, 4 * size);
   }
-  world.shapes.emplace("B", region(star(m, 11)));
+  world.shapes.emplace("B", region(shape(11)));
   context.shapes.push_back("B");
   world.moving = context.moving = {"B"};
   world.step = 1;
@@ -174,14 +178,27 @@ void many_atoms(int m) {
     });
   });
   double n = double(crossings);
-  fmt::print("| {} | {} | {} | {:.1f} | {:.1f} | {:.1f} |\n", m, parsed.atoms().size(), crossings, maps_ms, overlay_ms,
-             overlay_ms * 1e6 / (n * std::log2(n)));
+  fmt::print("| {} | {} | {} | {} | {:.1f} | {:.1f} | {:.1f} |\n", m, spread, parsed.atoms().size(), crossings, maps_ms,
+             overlay_ms, overlay_ms * 1e6 / (n * std::log2(n)));
+}
+
+void atoms_table() {
+  fmt::print("\nA formula of 30 atoms over 10 shapes of m vertices on a ring (radius in 16ths), one overlay\n\n");
+  fmt::print(
+      "| m | ring | atoms | vertices of the overlay, n | sign maps, ms | overlay, ms | overlay, ns / (n log2 n) "
+      "|\n|---|---|---|---|---|---|---|\n");
+  for (int m : {12, 25, 50, 100, 200}) many_atoms(m, 32);
+  for (int m : {100, 200, 400, 800, 1600, 3200}) many_atoms(m, 1);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  if (argc > 1 && std::string_view(argv[1]) == "atoms") {
+    atoms_table();
+    return 0;
+  }
   int n = argc > 1 ? std::atoi(argv[1]) : 1000;
   const std::int64_t size = std::int64_t(1) << 20;
   fmt::print(
@@ -200,10 +217,6 @@ int main(int argc, char** argv) {
   fmt::print("\n10,000 positions of two wavy shapes (n = {}): fresh from the vertices, and prepared once\n\n", n);
   fmt::print("| distance | fresh, ms | prepared, ms a position | ratio |\n|---|---|---|---|\n");
   many_positions(smooth(n, 3), smooth(n, 4));
-  fmt::print("\nA formula of 30 atoms over 10 shapes of m vertices, one overlay\n\n");
-  fmt::print(
-      "| m | atoms | vertices of the overlay, n | sign maps, ms | overlay, ms | overlay, ns / (n log2 n) "
-      "|\n|---|---|---|---|---|---|\n");
-  for (int m : {12, 25, 50, 100, 200}) many_atoms(m);
+  atoms_table();
   return 0;
 }

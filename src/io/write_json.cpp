@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 #include <map>
 
+#include "io/json_text.h"
 #include "io/write_cells.h"
 #include "io/write_witness.h"
 
@@ -21,32 +21,12 @@ using plane::kNone;
 using plane::Place;
 using plane::Twofold;
 
-template <class... Args>
-void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
-
-const char* truth(bool value) { return value ? "true" : "false"; }
-
 std::string pair(const Place& p) { return fmt::format("[{}, {}]", json_number(p[0]), json_number(p[1])); }
 std::string box(const std::optional<Bounds>& b) {
   return b ? fmt::format("[{}, {}]", pair(b->low), pair(b->high)) : "null";
 }
-std::string number(const std::optional<double>& value) { return value ? json_number(*value) : "null"; }
 
 Place place(const exact::RealPoint& p) { return {Twofold(p.x).value(), Twofold(p.y).value()}; }
-
-/// Items separated by commas, each on its own line where `lines`.
-template <class Items, class Text>
-std::string list(const Items& items, Text text, bool lines = false) {
-  std::string out = "[";
-  const char* separator = lines ? "\n      " : "";
-  for (const auto& item : items) {
-    out += separator + text(item);
-    separator = lines ? ",\n      " : ", ";
-  }
-  return out + "]";
-}
 
 std::string component_text(const plane::Component& c) {
   return fmt::format(R"({{"dimension": {}, "area": {}, "dangling_length": {}, "holes": {}, "sample": {}, "bbox": {}}})",
@@ -106,11 +86,6 @@ void put_cells(std::string& out, const CurveNet& net) {
   out += list(
       c.faces, [&](const plane::Face& f) { return face_text(net, f); }, true);
   out += "\n  }";
-}
-
-/// The key "unit" with a comma, or nothing.
-std::string unit_key(std::string_view unit) {
-  return unit.empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit));
 }
 
 }  // namespace

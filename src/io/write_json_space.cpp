@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
+
+#include "io/json_text.h"
 
 namespace findspace::io {
 namespace {
@@ -16,13 +17,6 @@ using exact::Real;
 using space::Place3;
 using space::PlaceBox;
 
-template <class... Args>
-void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
-
-const char* truth(bool value) { return value ? "true" : "false"; }
-std::string number(const std::optional<double>& value) { return value ? json_number(*value) : "null"; }
 std::string triple(const Place3& p) {
   return fmt::format("[{}, {}, {}]", json_number(p[0]), json_number(p[1]), json_number(p[2]));
 }
@@ -30,17 +24,6 @@ std::string box(const std::optional<PlaceBox>& b) {
   return b ? fmt::format("[{}, {}]", triple(b->low), triple(b->high)) : "null";
 }
 Place3 place(const space::RealVector& p) { return {p[0].to_double(), p[1].to_double(), p[2].to_double()}; }
-
-template <class Items, class Text>
-std::string list(const Items& items, Text text, bool lines = false) {
-  std::string out = "[";
-  const char* separator = lines ? "\n      " : "";
-  for (const auto& item : items) {
-    out += separator + text(item);
-    separator = lines ? ",\n      " : ", ";
-  }
-  return out + "]";
-}
 
 std::string component_text(const space::SpaceComponent& c) {
   return fmt::format(
@@ -60,10 +43,6 @@ std::string box_text(const space::IntervalBox& b, const Real& step) {
   }
   return fmt::format(R"({{"from": [{}], "to": [{}], "from_in": [{}], "to_in": [{}]}})", rows[0], rows[1], rows[2],
                      rows[3]);
-}
-
-std::string unit_key(std::string_view unit) {
-  return unit.empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit));
 }
 
 /// "nearest": [..], "points": [[..], [..]], as far as known.

@@ -6,21 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "io/draw_layout.h"
-#include "io/write_json.h"
+#include "io/json_text.h"
 
 namespace findspace::io {
 namespace {
 
 using exact::Real;
 using plane::Twofold;
-
-template <class... Args>
-void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 std::string scaled(const Real& steps, const Real& step) {
   return json_number((Twofold(steps) * Twofold(step)).value());

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include "io/json_text.h"
 
 namespace findspace::io {
 namespace {
@@ -14,11 +14,6 @@ using space::PlanarContact;
 using space::PlanarEdge;
 using space::PlanarPair;
 using space::Point2;
-
-template <class... Args>
-void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 std::string point_text(const Point2& p, const Real& step) {
   return fmt::format("{},{}", (Real(p.x) * step).text(), (Real(p.y) * step).text());

@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 
-#include "space/half_spaces.h"
 #include "space/mesh.h"
 #include "space/partition.h"
 #include "space/polytope_sets.h"
@@ -20,37 +19,32 @@ namespace findspace::space {
 namespace {
 
 using exact::Real;
-using Cell = std::vector<PlaneVertex>;
 using Kind = plane::Shape::Kind;
 
-constexpr std::size_t kMostFaces = 2000;
+constexpr std::size_t kMostFaces = 100000;
 
 /// The least number by which all coordinates become whole, or 0 if that exceeds `limit`.
-std::int64_t common_scale(const std::vector<Cell>& cells, std::int64_t limit) {
+std::int64_t common_scale(const std::vector<ConvexRegion>& cells, std::int64_t limit) {
   int128 scale = 1;
-  for (const Cell& cell : cells) {
-    for (const PlaneVertex& v : cell) {
+  for (const ConvexRegion& cell : cells) {
+    for (const ConvexRegion::Vertex& v : cell.vertices()) {
       for (const Real& c : v.at) {
-        if (c.integer()) continue;
-        const auto whole = (c * Real(v.determinant)).integer();
-        if (!whole || v.determinant == 0) return 0;
-        const int128 denominator =
-            (v.determinant < 0 ? -v.determinant : v.determinant) / exact::gcd(*whole, v.determinant);
-        scale = scale / exact::gcd(scale, denominator);
-        if (denominator > limit || scale > limit / denominator) return 0;
-        scale *= denominator;
+        const auto fraction = c.fraction();
+        if (!fraction || (*fraction)[1] > limit) return 0;
+        scale = scale / exact::gcd(scale, (*fraction)[1]) * (*fraction)[1];
+        if (scale > limit) return 0;
       }
     }
   }
   return static_cast<std::int64_t>(scale);
 }
 
-std::int64_t largest_coordinate(const std::vector<Cell>& cells) {
+std::int64_t largest_coordinate(const std::vector<ConvexRegion>& cells) {
   std::int64_t largest = 1;
-  for (const Cell& cell : cells) {
-    for (const PlaneVertex& v : cell) {
-      for (const Real& c : v.at)
-        largest = std::max(largest, static_cast<std::int64_t>(std::ceil(std::fabs(c.to_double()))));
+  for (const ConvexRegion& cell : cells) {
+    for (const ConvexRegion::Vertex& v : cell.vertices()) {
+      for (const double c : {v.near.x, v.near.y, v.near.z})
+        largest = std::max(largest, static_cast<std::int64_t>(std::ceil(std::fabs(c))));
     }
   }
   return largest;
@@ -92,16 +86,14 @@ void join_neighbours(std::vector<Polytope>& parts) {
 }
 
 /// Cells as polytopes, on the grid or on a finer one.
-ConvexParts from_cells(const std::vector<std::vector<Plane>>& half_spaces) {
-  std::vector<Cell> cells;
-  for (const auto& planes : half_spaces) cells.push_back(half_space_vertices(planes));
+ConvexParts from_cells(const std::vector<ConvexRegion>& cells) {
   ConvexParts result;
   result.scale = common_scale(cells, kCoordinateLimit / largest_coordinate(cells));
   const bool exact = result.scale > 0;
   if (!exact) result.scale = 1;
-  for (const Cell& cell : cells) {
+  for (const ConvexRegion& cell : cells) {
     std::vector<Point> points;
-    for (const PlaneVertex& v : cell) {
+    for (const ConvexRegion::Vertex& v : cell.vertices()) {
       std::array<std::int64_t, 3> c{};
       double square = 0;
       for (int k = 0; k < 3; ++k) {
@@ -157,17 +149,14 @@ void check_volume(const ConvexParts& parts, const Real& six_enclosed) {
                                         " times the volume that it encloses");
 }
 
-std::array<Real, 3> real(const Point& p) { return {Real(p.x), Real(p.y), Real(p.z)}; }
-
 /// The box about the mesh: without it a surface that crosses itself could leave cells unbounded.
-std::vector<Plane> bounding_box(const Mesh& mesh) {
+ConvexRegion bounding_box(const Mesh& mesh) {
   Point low = mesh.vertices[0], high = low;
   for (const Point& p : mesh.vertices) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  return {{{1, 0, 0}, -high.x}, {{0, 1, 0}, -high.y}, {{0, 0, 1}, -high.z},
-          {{-1, 0, 0}, low.x},  {{0, -1, 0}, low.y},  {{0, 0, -1}, low.z}};
+  return {real(low), real(high)};
 }
 
 /// A prism over the convex parts of its polygon.
@@ -328,7 +317,7 @@ ConvexParts convex_parts(const Mesh& mesh) {
   for (const auto& face : mesh.faces) {
     const Wide3 normal = exact::primitive(area_vector(mesh, face));
     FacetPiece piece{{normal, -exact::dot(normal, mesh.vertices[face[0]])}, {}};
-    for (const int v : face) piece.corners.push_back(real(mesh.vertices[v]));
+    for (const int v : face) piece.corners.emplace_back(real(mesh.vertices[v]));
     facets.push_back(std::move(piece));
   }
   ConvexParts parts = from_cells(partition(std::move(facets), bounding_box(mesh)));

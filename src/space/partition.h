@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The binary space partition behind convex_parts.h: cells as lists of half spaces.
+// The binary space partition behind convex_parts.h: cells as convex regions. Guarantee: exact. Cost: a cut looks at all
+// pieces once, and at a sample of them for each of the planes it chooses from.
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "exact/real.h"
-#include "space/polytope.h"
+#include "space/convex_region.h"
 
 namespace findspace::space {
 
 /// A piece of a facet: its plane (outward) and its corners. Pieces may be degenerate along a cut.
 struct FacetPiece {
+  struct Corner {
+    RealVector at;
+    Vector near;  // rounded
+    explicit Corner(RealVector place) : at(std::move(place)), near(rounded(at)) {}
+  };
   Plane plane;
-  std::vector<std::array<exact::Real, 3>> corners;
+  std::vector<Corner> corners;
 };
 
-/// The cells inside the surface `facets`, which is closed within the intersection of `bounds`, each as its half spaces.
-std::vector<std::vector<Plane>> partition(std::vector<FacetPiece> facets, std::vector<Plane> bounds);
+/// The cells inside the surface `facets`, which is closed within `bounds`. Cells without interior may be among them
+/// where the surface crosses itself.
+std::vector<ConvexRegion> partition(std::vector<FacetPiece> facets, ConvexRegion bounds);
 
 }  // namespace findspace::space

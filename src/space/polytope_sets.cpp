@@ -6,8 +6,6 @@
 
 #include <algorithm>
 
-#include "space/convex_region.h"
-
 namespace findspace::space {
 
 using exact::Real;
@@ -38,15 +36,15 @@ bool within(const ConvexRegion& thin, const Cell& cell) {
                       [&](const Plane& p) { return thin.sides(HalfSpace(p)).outside; });
 }
 
-std::vector<std::vector<Plane>> planes_of(const std::vector<Cell>& cells) {
-  std::vector<std::vector<Plane>> out;
-  for (const Cell& c : cells) out.push_back(c.planes);
+std::vector<ConvexRegion> regions_of(std::vector<Cell> cells) {
+  std::vector<ConvexRegion> out;
+  for (Cell& c : cells) out.push_back(std::move(c.region));
   return out;
 }
 
 }  // namespace
 
-std::vector<std::vector<Plane>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
+std::vector<ConvexRegion> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
   std::vector<Cell> cells;
   std::vector<ConvexRegion> thin;
   for (const Polytope& p : a) {
@@ -66,10 +64,10 @@ std::vector<std::vector<Plane>> intersection_cells(std::span<const Polytope> a, 
     throw Error(ErrorCode::kUnsupported,
                 "the intersection has a part without interior; in 3D only shapes with axis-parallel faces may");
   }
-  return planes_of(cells);
+  return regions_of(std::move(cells));
 }
 
-std::vector<std::vector<Plane>> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
+std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
   std::vector<Cell> cells;
   for (const Polytope& p : a) cells.push_back(cell_of(p));
   for (const Polytope& q : b) {
@@ -94,7 +92,7 @@ std::vector<std::vector<Plane>> difference_cells(std::span<const Polytope> a, st
     }
     cells = std::move(left);
   }
-  return planes_of(cells);
+  return regions_of(std::move(cells));
 }
 
 }  // namespace findspace::space

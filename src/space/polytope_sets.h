@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Intersection and difference of finite unions of convex polytopes, as convex cells given by their planes (which may be
-// redundant).
+// Intersection and difference of finite unions of convex polytopes, as convex cells.
 //   intersection_cells   the parts of A n B with interior; Error(kUnsupported) if a thin piece (the two touch) is left
 //   over, since a body
 //                        has none;
@@ -14,11 +13,12 @@
 #include <span>
 #include <vector>
 
+#include "space/convex_region.h"
 #include "space/polytope.h"
 
 namespace findspace::space {
 
-std::vector<std::vector<Plane>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b);
-std::vector<std::vector<Plane>> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+std::vector<ConvexRegion> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b);
 
 }  // namespace findspace::space

@@ -5,6 +5,8 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "space/convex_parts.h"
 #include "space/mesh.h"
 #include "space/phi_union.h"
@@ -155,6 +157,49 @@ TEST(ConvexParts, OfTreesOfShapes) {
   Solid flat;
   flat.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_THROW(convex_parts(*leaf(flat)), Error);
+}
+
+/// A torus of n by m quadrilaterals in triangles, on a fine grid.
+Mesh torus(int n, int m) {
+  Mesh mesh;
+  const double turn = 2 * std::acos(-1.0);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < m; ++j) {
+      const double a = turn * i / n, b = turn * j / m, r = 10000 + 3000 * std::cos(b);
+      mesh.vertices.push_back(
+          {std::llround(r * std::cos(a)), std::llround(r * std::sin(a)), std::llround(3000 * std::sin(b))});
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < m; ++j) {
+      const int p = i * m + j, q = (i + 1) % n * m + j, r = (i + 1) % n * m + (j + 1) % m, s = i * m + (j + 1) % m;
+      mesh.faces.push_back({p, q, r});
+      mesh.faces.push_back({p, r, s});
+    }
+  }
+  return mesh;
+}
+
+TEST(ConvexParts, OfATorusFillItAndLeaveItsHole) {
+  Mesh mesh = torus(16, 10);
+  clean(mesh, 1);
+  const ConvexParts parts = convex_parts(mesh);  // checks the volume itself
+  EXPECT_GT(parts.parts.size(), 50u);
+  EXPECT_LT(parts.moved, 1);
+  const std::vector<Polytope> scaled = at_scale(parts, parts.scale);
+  const std::int64_t s = parts.scale;
+  std::vector<Point> cube;
+  for (int i = 0; i < 8; ++i) cube.push_back({(i & 1 ? 9 : -9) * s, (i & 2 ? 9 : -9) * s, (i & 4 ? 9 : -9) * s});
+  const std::vector<Polytope> small{Polytope::hull(cube)};
+  const PhiUnion phi(scaled, small);
+  const double d = static_cast<double>(s);
+  for (int k = 0; k < 64; ++k) {
+    const double t = 2 * std::acos(-1.0) * k / 64, x = std::cos(t) * d, y = std::sin(t) * d;
+    EXPECT_EQ(phi.sign({10000 * x, 10000 * y, 0}), -1);        // inside the tube
+    EXPECT_EQ(phi.sign({6500 * x, 6500 * y, 0}), 1);           // in the hole
+    EXPECT_EQ(phi.sign({13500 * x, 13500 * y, 0}), 1);         // around
+    EXPECT_EQ(phi.sign({10000 * x, 10000 * y, 3100 * d}), 1);  // above
+  }
 }
 
 }  // namespace
