@@ -3,6 +3,8 @@
 
 #include "plane/grid_faces.h"
 
+#include "plane/scratch.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -14,7 +16,8 @@ bool is_lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0);
 
 class Walk {
  public:
-  Walk(const CellComplex& c, bool mirrored) : c_(c), mirrored_(mirrored), seen_(c.half_edges.size(), 0) {}
+  Walk(const CellComplex& c, bool mirrored, Memory memory)
+      : c_(c), mirrored_(mirrored), seen_(c.half_edges.size(), 0, memory) {}
 
   /// The ring of a half-edge that has not been walked yet.
   void ring(Index start, std::vector<GridCorner>& out) {
@@ -50,7 +53,7 @@ class Walk {
 
   const CellComplex& c_;
   bool mirrored_;
-  std::vector<char> seen_;
+  std::pmr::vector<char> seen_;
 };
 
 bool on_grid(const CellComplex& c, Index e) {
@@ -73,7 +76,8 @@ bool GridFace::is_convex() const {
 
 std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
   auto in = [&](Index face) { return wanted(c.faces[face].mark); };
-  std::vector<char> near(c.vertices.size(), 0);
+  Scratch scratch(c.edges.size() / 4);
+  std::pmr::vector<char> near(c.vertices.size(), 0, scratch.memory());
   for (Index e = 0; e < c.edges.size(); ++e) {
     Index left = c.face(2 * e), right = c.face(2 * e + 1);
     bool beside = in(left) || in(right);
@@ -83,13 +87,14 @@ std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wan
   for (Index v = 0; v < c.vertices.size(); ++v)
     if (!near[v] && wanted(c.vertices[v].mark)) return std::nullopt;
   std::vector<GridFace> faces;
-  Walk walk(c, mirrored);
+  Walk walk(c, mirrored, scratch.memory());
   for (Index f = 0; f < c.faces.size(); ++f) {
     if (!in(f)) continue;
     for (Index v : c.faces[f].isolated)
       if (!wanted(c.vertices[v].mark)) return std::nullopt;
     GridFace& face = faces.emplace_back();
     face.unbounded = f == 0;
+    if (c.faces.size() == 2) face.corners.reserve(c.edges.size());
     if (c.faces[f].outer != kNone) walk.ring(c.faces[f].outer, face.corners);
     for (Index h : c.faces[f].inner) walk.ring(h, face.corners);
   }

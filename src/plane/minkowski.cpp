@@ -161,14 +161,19 @@ class SolidSum {
   std::optional<PointWinding> numbers_;
 };
 
+/// The open sum of two sets bounded by grid segments, without parts that have no interior.
+std::optional<SignMap> open_grid_sum(const Operand& a, const Operand& b) {
+  auto p = a.grid();
+  if (!p) return std::nullopt;
+  auto q = b.grid();
+  if (!q) return std::nullopt;
+  SolidSum solid(a, b);
+  return grid_sum({*p, a.cells.geometry}, {*q, b.cells.geometry},
+                  [&](exact::Geometry& g, Index point) { return solid.holds(g, point); });
+}
+
 /// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.
 SignMap open_sum(const Operand& a, const Operand& b) {
-  if (auto p = a.grid())
-    if (auto q = b.grid()) {
-      SolidSum solid(a, b);
-      return grid_sum({*p, a.cells.geometry}, {*q, b.cells.geometry},
-                      [&](exact::Geometry& g, Index point) { return solid.holds(g, point); });
-    }
   SumOfPairs sum(true);
   std::vector<Part> p = a.solid_parts(), q = b.solid_parts(), p_flat = a.flat_parts(), q_flat = b.flat_parts();
   for (const Part& x : p) {
@@ -182,6 +187,7 @@ SignMap open_sum(const Operand& a, const Operand& b) {
 
 /// {a + b} for a in A, b in B: -1 on the open part U, 0 on the rest of the sum, +1 elsewhere.
 SignMap sum_map(const Operand& a, const Operand& b) {
+  if (auto map = open_grid_sum(a, b)) return *std::move(map);
   SignMap open = open_sum(a, b);
   std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
   if (q.empty()) return open;
@@ -199,7 +205,9 @@ SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, in}, 
 
 SignMap containment_map(const Region& a, const Region& b) {
   // B + p leaves A where it meets the open complement; it leaves int A where it meets the closure of that.
-  SignMap leaves = open_sum({a, out, false, false}, {b, in, true});
+  Operand outside{a, out, false, false}, moving{b, in, true};
+  auto grid = open_grid_sum(outside, moving);
+  SignMap leaves = grid ? *std::move(grid) : open_sum(outside, moving);
   return remark(std::move(leaves), [](Mark m) { return Mark(-m); });
 }
 

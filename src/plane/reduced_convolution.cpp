@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 
+#include "plane/scratch.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -35,7 +37,7 @@ int compare(const Ray& p, const GridCorner& c, const Ray& q, const GridCorner& d
 /// The edges of a face by angle.
 class Fan {
  public:
-  explicit Fan(const GridFace& face) : corners(face.corners) {
+  Fan(const GridFace& face, Memory memory) : corners(face.corners), rays(memory), rank(memory) {
     rays.reserve(corners.size());
     for (Index k = 0; k < corners.size(); ++k) rays.push_back({diamond_angle(corners[k]), k});
     std::sort(rays.begin(), rays.end(), [this](const Ray& p, const Ray& q) {
@@ -59,8 +61,8 @@ class Fan {
   }
 
   const std::vector<GridCorner>& corners;
-  std::vector<Ray> rays;    // by angle
-  std::vector<Index> rank;  // corner -> rays of the other fan before its own
+  std::pmr::vector<Ray> rays;    // by angle
+  std::pmr::vector<Index> rank;  // corner -> rays of the other fan before its own
 
  private:
   static bool before(const Fan& p, Index i, const Fan& q, Index j) {
@@ -71,7 +73,7 @@ class Fan {
 /// Sums of two corners, each a point once. An open-addressing table of pairs.
 class CornerSums {
  public:
-  explicit CornerSums(std::size_t most) : slots_(std::bit_ceil(2 * most + 2)) {}
+  CornerSums(std::size_t most, Memory memory) : slots_(std::bit_ceil(2 * most + 2), memory) {}
 
   Index point(exact::Geometry& g, const Fan& a, Index i, const Fan& b, Index j) {
     std::uint64_t key = (std::uint64_t(i) << 32 | j) + 1, mask = slots_.size() - 1;
@@ -90,12 +92,13 @@ class CornerSums {
     std::uint64_t key = 0;
     Index point = kNone;
   };
-  std::vector<Slot> slots_;
+  std::pmr::vector<Slot> slots_;
 };
 
 class FacePair {
  public:
-  FacePair(ReducedConvolution& out, Fan& a, Fan& b) : out_(out), a_(a), b_(b), sums_(place_and_count()) {}
+  FacePair(ReducedConvolution& out, Fan& a, Fan& b, Memory memory)
+      : out_(out), a_(a), b_(b), sums_(place_and_count(), memory) {}
 
   void add(const exact::Geometry& a, const exact::Geometry& b) {
     add_edges(b_, b, a_, false);
@@ -152,20 +155,27 @@ class FacePair {
   CornerSums sums_;
 };
 
-std::vector<Fan> fans(const GridOperand& o) {
-  std::vector<Fan> out;
+std::pmr::vector<Fan> fans(const GridOperand& o, Memory memory) {
+  std::pmr::vector<Fan> out(memory);
   out.reserve(o.faces.size());
-  for (const GridFace& f : o.faces) out.emplace_back(f);
+  for (const GridFace& f : o.faces) out.emplace_back(f, memory);
   return out;
+}
+
+std::size_t corner_count(const GridOperand& o) {
+  std::size_t n = 0;
+  for (const GridFace& f : o.faces) n += f.corners.size();
+  return n;
 }
 
 }  // namespace
 
 ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b) {
   ReducedConvolution out;
-  std::vector<Fan> p = fans(a), q = fans(b);
+  Scratch scratch(corner_count(a) + corner_count(b));
+  std::pmr::vector<Fan> p = fans(a, scratch.memory()), q = fans(b, scratch.memory());
   for (Fan& f : p)
-    for (Fan& g : q) FacePair(out, f, g).add(a.geometry, b.geometry);
+    for (Fan& g : q) FacePair(out, f, g, scratch.memory()).add(a.geometry, b.geometry);
   return out;
 }
 

@@ -70,10 +70,10 @@ struct Shape {
   std::vector<GridPoint> points;
   exact::Real amount{};  // radius or offset, in grid steps
   exact::Real degrees{};
-  std::int64_t lift = 0;              // of kTranslate in 3D
+  std::int64_t lift = 0;                     // of kTranslate in 3D
   std::shared_ptr<const CellComplex> cells;  // of kCells: a Region
-  bool collection = false;            // a kUnion written as a list: its parts keep their names for reports
-  std::shared_ptr<const void> solid;  // a 3D primitive: a space::Solid, opaque to this layer; null in 2D
+  bool collection = false;                   // a kUnion written as a list: its parts keep their names for reports
+  std::shared_ptr<const void> solid;         // a 3D primitive: a space::Solid, opaque to this layer; null in 2D
 };
 
 }  // namespace findspace::plane
