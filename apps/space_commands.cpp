@@ -117,11 +117,9 @@ Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, co
           summary.empty ? kEmpty : kDone};
 }
 
-/// The region as boxes; nothing where it has other faces and lines can answer instead.
-std::optional<space::BoxComplex> box_region(const Session& session, const situation::SpaceSolver& solver,
-                                            const situation::Formula& formula) {
-  const bool others_may = session.options().apply.empty();
-  if (others_may && !solver.axis_parallel()) {
+/// The region as boxes; nothing where it has other faces.
+std::optional<space::BoxComplex> box_region(const situation::SpaceSolver& solver, const situation::Formula& formula) {
+  if (!solver.axis_parallel()) {
     // Only the least gamma2 has an answer of this kind.
     const bool least = std::any_of(formula.sign_maps().begin(), formula.sign_maps().end(),
                                    [](const situation::SignMap& m) { return m.minimum; });
@@ -130,9 +128,18 @@ std::optional<space::BoxComplex> box_region(const Session& session, const situat
   try {
     return solver.feasible(formula);
   } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported || !others_may) throw;
+    if (e.code() != ErrorCode::kUnsupported) throw;
     return std::nullopt;
   }
+}
+
+space::ConvexSet applied(const std::string& operation, space::ConvexSet set) {
+  if (operation == "interior") return interior(std::move(set));
+  if (operation == "closure") return closure(std::move(set));
+  if (operation == "regularize") return closure(interior(std::move(set)));
+  if (operation == "complement") return complement(std::move(set));
+  if (operation == "boundary") return boundary(set);
+  return set;
 }
 
 /// What the facets of a grown polytope do not give.
@@ -164,10 +171,11 @@ Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& 
     const io::ExtremeValue extreme{goal->sense == distance::Sense::kMaximum,
                                    best->value ? std::optional(best->value->to_double()) : std::nullopt,
                                    best->unbounded, best->attained, true};
-    return polytope_outcome(session, best->at, convex->step, title_of(session), &extreme);
+    return polytope_outcome(session, applied(session.options().apply, best->at), convex->step, title_of(session),
+                            &extreme);
   }
   if (convex && !(convex->set.radius.sign() > 0 && wants_surface(session)))
-    return polytope_outcome(session, convex->set, convex->step, title_of(session));
+    return polytope_outcome(session, applied(session.options().apply, convex->set), convex->step, title_of(session));
   return on_lines(session);
 }
 
@@ -180,7 +188,7 @@ Outcome map_space(const Session& session) {
   const auto goal = session.goal();
   const situation::SpaceSolver solver(world_of(session));
   session.talk().stage("solving");
-  std::optional<space::BoxComplex> boxes = box_region(session, solver, formula);
+  std::optional<space::BoxComplex> boxes = box_region(solver, formula);
   if (!boxes) return map_without_boxes(session, solver, formula);
   space::BoxComplex region = std::move(*boxes);
   std::optional<io::ExtremeValue> extreme;
