@@ -42,6 +42,7 @@ struct Cast {
   space::RaySummary summary;
   std::string lines;
   space::RaySurface surface;  // of three axes only
+  std::optional<space::RayExtreme::Found> extreme;
 };
 
 Cast cast_lines(const RaySet& set, double step) {
@@ -49,11 +50,14 @@ Cast cast_lines(const RaySet& set, double step) {
   out.grid = space::ray_grid(set.low, set.high, 2, set.resolution);
   space::RaySummarizer summarizer(out.grid);
   io::RayLines lines(out.grid, step);
+  space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
   space::each_row(*set.source(out.grid), [&](int j, space::RayRow&& row) {
     summarizer.add(j, row);
     lines.add(j, row);
+    extreme.add(out.grid, j, row);
   });
   out.summary = summarizer.finish();
+  out.extreme = extreme.found();
   out.lines = lines.text();
   return out;
 }
@@ -63,15 +67,46 @@ Cast cast_axes(const RaySet& set, double step) {
   const space::RayLattice lattice = space::ray_lattice(set.low, set.high, set.resolution);
   out.grid = lattice.grid(2);
   io::RayLines lines(out.grid, step);
-  int row_number = 0;
+  space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
+  std::array<int, 3> rows{};
   space::RayAxes axes = space::ray_axes(
       lattice, [&](int axis) { return set.source(lattice.grid(axis)); }, in_region,
       [&](const space::RayGrid& grid, const space::RayRow& row) {
-        if (grid.axis == 2) lines.add(row_number++, row);
+        const int j = rows[static_cast<std::size_t>(grid.axis)]++;
+        if (grid.axis == 2) lines.add(j, row);
+        extreme.add(grid, j, row);
       });
   out.summary = std::move(axes.summary);
+  out.extreme = extreme.found();
   out.surface = std::move(axes.surface);
   out.lines = lines.text();
+  return out;
+}
+
+space::RayAim aim_of(const Session& session, const Session::Goal& goal) {
+  using Kind = situation::Objective::Kind;
+  space::RayAim aim;
+  aim.greatest = goal.sense == distance::Sense::kMaximum;
+  const Kind kind = goal.objective.kind;
+  if (kind == Kind::kX || kind == Kind::kY || kind == Kind::kZ) {
+    aim.axis = kind == Kind::kX ? 0 : kind == Kind::kY ? 1 : 2;
+  } else if (kind == Kind::kDistanceToPoint && !aim.greatest) {
+    for (std::size_t k = 0; k < 3; ++k) aim.point[k] = (goal.objective.point.at(k) / session.step()).to_double();
+  } else {
+    throw Error(ErrorCode::kUnsupported, "in 3D the objectives are x, y, z and the distance to a point (minimised)",
+                session.scene().file);
+  }
+  return aim;
+}
+
+io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step) {
+  io::RayOptimum out;
+  out.maximum = set.aim->greatest;
+  // Of a coordinate there is no bound where the region goes on for ever.
+  if (!cast.extreme || (set.unbounded && set.aim->axis >= 0)) return out;
+  out.attained = cast.extreme->attained;
+  out.value = cast.extreme->value * step;
+  for (std::size_t k = 0; k < 3; ++k) out.at[k] = cast.extreme->at[k] * step;
   return out;
 }
 
@@ -94,8 +129,10 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   const double step = session.step().to_double();
   session.talk().stage("casting rays");
   const Cast cast = set.axes ? cast_axes(set, step) : cast_lines(set, step);
+  const auto optimum = set.aim ? std::optional(optimum_of(set, cast, step)) : std::nullopt;
   const auto json = [&] {
-    return io::rays_json(cast.summary, cast.grid, set.unbounded, step, session.unit(), cast.lines, set.axes);
+    return io::rays_json(cast.summary, cast.grid, set.unbounded, step, session.unit(), cast.lines, set.axes,
+                         optimum ? &*optimum : nullptr);
   };
   const auto surface = [&] {
     if (set.axes) return io::ray_surface_mesh(cast.surface, step);
@@ -114,12 +151,14 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
                           session.unit());
   };
   write_outputs(options, writers);
-  return {options.json ? json() : summary_text(set, cast.summary, step, session.unit()), kDone};
+  std::string text = options.json ? json() : summary_text(set, cast.summary, step, session.unit());
+  if (!options.json && optimum && optimum->value)
+    text += fmt::format("  {} on the lines: {} at ({}, {}, {})\n", optimum->maximum ? "greatest" : "least",
+                        *optimum->value, optimum->at[0], optimum->at[1], optimum->at[2]);
+  return {std::move(text), kDone};
 }
 
 Outcome map_rays(const Session& session, int resolution, bool axes) {
-  if (session.goal())
-    throw Error(ErrorCode::kUnsupported, "an objective is not computed on rays", session.scene().file);
   const situation::Formula formula = session.where();
   session.talk().stage("building the shapes");
   const situation::RayWorld world = ray_world(session);
@@ -130,6 +169,7 @@ Outcome map_rays(const Session& session, int resolution, bool axes) {
   set.axes = axes;
   set.low = window.low, set.high = window.high;
   set.unbounded = situation::holds_far_away(world, formula);
+  if (const auto goal = session.goal()) set.aim = aim_of(session, *goal);
   set.source = [&](const space::RayGrid& grid) { return situation::ray_region(world, formula, grid); };
   return rays_outcome(session, set);
 }

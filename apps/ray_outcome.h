@@ -6,11 +6,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "session.h"
 #include "situation/solve_rays.h"
-#include "space/ray_map.h"
+#include "space/ray_extreme.h"
 
 namespace findspace::app {
 
@@ -20,6 +21,7 @@ struct RaySet {
   bool axes = false;                                                               // along all three axes
   space::Point low, high;                                                          // a box that holds the frontier
   bool unbounded = false;                                                          // the set goes on beyond it
+  std::optional<space::RayAim> aim;                                                // what is looked for in the set
   std::function<std::unique_ptr<space::RaySource>(const space::RayGrid&)> source;  // at most 0 in the set
 };
 

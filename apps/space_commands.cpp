@@ -13,6 +13,7 @@
 #include "io/write_json_space.h"
 #include "plane/parallel.h"
 #include "ray_outcome.h"
+#include "situation/optimize_convex.h"
 #include "space/shape_rays.h"
 #include "space_report.h"
 
@@ -106,21 +107,19 @@ space::ConvexSet whole(const space::Body& body) {
 }
 
 Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const Real& step,
-                         const std::string& title) {
+                         const std::string& title, const io::ExtremeValue* extreme = nullptr) {
   const Options& options = session.options();
   const space::SpaceSummary summary = space::summarize(set, step);
-  const auto json = [&] { return io::space_json(set, summary, step, session.unit()); };
+  const auto json = [&] { return io::space_json(set, summary, step, session.unit(), extreme); };
   const auto surface = [&] { return io::convex_surface(set, step); };
   write_outputs(options, writers(json, surface, title, session.unit()));
-  return {options.json ? json() : space_summary_text(title, summary, session.unit(), nullptr),
+  return {options.json ? json() : space_summary_text(title, summary, session.unit(), extreme),
           summary.empty ? kEmpty : kDone};
 }
 
-/// The region as boxes; nothing where it has other faces and lines can answer instead.
-std::optional<space::BoxComplex> box_region(const Session& session, const situation::SpaceSolver& solver,
-                                            const situation::Formula& formula) {
-  const bool others_may = !session.goal() && session.options().apply.empty();
-  if (others_may && !solver.axis_parallel()) {
+/// The region as boxes; nothing where it has other faces.
+std::optional<space::BoxComplex> box_region(const situation::SpaceSolver& solver, const situation::Formula& formula) {
+  if (!solver.axis_parallel()) {
     // Only the least gamma2 has an answer of this kind.
     const bool least = std::any_of(formula.sign_maps().begin(), formula.sign_maps().end(),
                                    [](const situation::SignMap& m) { return m.minimum; });
@@ -129,9 +128,18 @@ std::optional<space::BoxComplex> box_region(const Session& session, const situat
   try {
     return solver.feasible(formula);
   } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported || !others_may) throw;
+    if (e.code() != ErrorCode::kUnsupported) throw;
     return std::nullopt;
   }
+}
+
+space::ConvexSet applied(const std::string& operation, space::ConvexSet set) {
+  if (operation == "interior") return interior(std::move(set));
+  if (operation == "closure") return closure(std::move(set));
+  if (operation == "regularize") return closure(interior(std::move(set)));
+  if (operation == "complement") return complement(std::move(set));
+  if (operation == "boundary") return boundary(set);
+  return set;
 }
 
 /// What the facets of a grown polytope do not give.
@@ -156,8 +164,18 @@ Outcome on_lines(const Session& session) {
 Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& solver,
                           const situation::Formula& formula) {
   const auto convex = solver.feasible_convex(formula);
+  if (const auto goal = session.goal()) {
+    const auto best =
+        convex ? situation::optimize(convex->set, convex->step, goal->objective, goal->sense) : std::nullopt;
+    if (!best) return on_lines(session);
+    const io::ExtremeValue extreme{goal->sense == distance::Sense::kMaximum,
+                                   best->value ? std::optional(best->value->to_double()) : std::nullopt,
+                                   best->unbounded, best->attained, true};
+    return polytope_outcome(session, applied(session.options().apply, best->at), convex->step, title_of(session),
+                            &extreme);
+  }
   if (convex && !(convex->set.radius.sign() > 0 && wants_surface(session)))
-    return polytope_outcome(session, convex->set, convex->step, title_of(session));
+    return polytope_outcome(session, applied(session.options().apply, convex->set), convex->step, title_of(session));
   return on_lines(session);
 }
 
@@ -170,7 +188,7 @@ Outcome map_space(const Session& session) {
   const auto goal = session.goal();
   const situation::SpaceSolver solver(world_of(session));
   session.talk().stage("solving");
-  std::optional<space::BoxComplex> boxes = box_region(session, solver, formula);
+  std::optional<space::BoxComplex> boxes = box_region(solver, formula);
   if (!boxes) return map_without_boxes(session, solver, formula);
   space::BoxComplex region = std::move(*boxes);
   std::optional<io::ExtremeValue> extreme;

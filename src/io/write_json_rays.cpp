@@ -45,7 +45,7 @@ void RayLines::add(int j, const space::RayRow& row) {
 }
 
 std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, bool unbounded, double step,
-                      std::string_view unit, std::string_view lines, bool axes) {
+                      std::string_view unit, std::string_view lines, bool axes, const RayOptimum* optimum) {
   const double cube = step * step * step, part = step / static_cast<double>(grid.parts);
   constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
   std::string out = "{\n  \"dimension\": 3,\n";
@@ -55,6 +55,11 @@ std::string rays_json(const space::RaySummary& summary, const space::RayGrid& gr
   out += unbounded ? std::string("  \"volume\": null,\n") : fmt::format("  \"volume\": {},\n", summary.volume * cube);
   if (!summary.empty)
     out += fmt::format("  \"bbox\": [{}, {}],\n", place(summary.low, step), place(summary.high, step));
+  if (optimum != nullptr) {
+    out += fmt::format("  \"{}\": {}, \"attained\": {},\n", optimum->maximum ? "maximum" : "minimum",
+                       optimum->value ? fmt::format("{}", *optimum->value) : "null", optimum->attained);
+    if (optimum->value) out += fmt::format("  \"at\": {},\n", place(optimum->at, 1));
+  }
   out += "  \"components\": [";
   for (std::size_t k = 0; k < summary.components.size(); ++k) {
     const space::RayComponent& c = summary.components[k];

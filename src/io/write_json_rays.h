@@ -5,6 +5,8 @@
 // intervals. Written line by line: the rows are not kept. Keywords: serialisation, linear ray representation.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,10 +30,17 @@ class RayLines {
   std::string text_;
 };
 
+/// What an objective has on the lines, in the scene's unit.
+struct RayOptimum {
+  bool maximum = false, attained = false;
+  std::optional<double> value;  // none: no line meets the region, or there is no bound
+  std::array<double, 3> at{};
+};
+
 /// `axes`: of lines along all three axes (space/ray_axes.h). `lines` may be empty: then only the summary is written.
 /// `unbounded`: the region goes on beyond the window.
 std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, bool unbounded, double step,
-                      std::string_view unit, std::string_view lines, bool axes);
+                      std::string_view unit, std::string_view lines, bool axes, const RayOptimum* optimum = nullptr);
 
 /// In the scene's unit.
 Surface ray_surface_mesh(const space::RaySurface& surface, double step);

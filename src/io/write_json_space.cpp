@@ -67,16 +67,19 @@ void put_summary(std::string& out, const space::SpaceSummary& s, std::string_vie
   put(out, "  \"components\": {},\n", list(s.components, component_text, true));
 }
 
+void put_extreme(std::string& out, const ExtremeValue* extreme) {
+  if (extreme == nullptr) return;
+  put(out, "  \"{}\": {}, \"attained\": {},\n", extreme->maximum ? "maximum" : "minimum",
+      extreme->unbounded && !extreme->maximum ? "\"-inf\"" : number(extreme->value), truth(extreme->attained));
+}
+
 }  // namespace
 
 std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& s, const Real& step,
                        std::string_view unit, const ExtremeValue* extreme) {
   std::string out = "{\n";
   put_summary(out, s, unit);
-  if (extreme != nullptr) {
-    put(out, "  \"{}\": {}, \"attained\": {},\n", extreme->maximum ? "maximum" : "minimum",
-        extreme->unbounded && !extreme->maximum ? "\"-inf\"" : number(extreme->value), truth(extreme->attained));
-  }
+  put_extreme(out, extreme);
   put(out, "  \"boxes\": {}\n",
       list(
           set.boxes(), [&](const space::IntervalBox& b) { return box_text(b, step); }, true));
@@ -84,9 +87,10 @@ std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& 
 }
 
 std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s, const Real& step,
-                       std::string_view unit) {
+                       std::string_view unit, const ExtremeValue* extreme) {
   std::string out = "{\n";
   put_summary(out, s, unit);
+  put_extreme(out, extreme);
   const Surface surface = convex_surface(set, step);
   const auto corners = [](const std::vector<int>& face) { return fmt::format("[{}]", fmt::join(face, ", ")); };
   put(out, "  \"polytope\": {{\"inside\": {}, \"frontier\": {}, \"outside\": {},\n    \"vertices\": {},\n",

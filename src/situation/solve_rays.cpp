@@ -182,10 +182,21 @@ const std::vector<RaySolid>* RayShape::solids() const {
     try {
       made_->solids = space::ray_solids(*shape_);
     } catch (const Error& e) {
-      if (e.code() != ErrorCode::kUnsupported) throw;
+      if (e.code() == ErrorCode::kUnsupported) return;
+      // A surface that meets itself in edges or faces may still have convex parts.
+      if (e.code() != ErrorCode::kGeometry || !has_body()) throw;
     }
   });
   return made_->solids ? &*made_->solids : nullptr;
+}
+
+bool RayShape::has_body() const {
+  try {
+    body();
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 const space::Body& RayShape::body() const {

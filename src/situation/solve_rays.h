@@ -36,6 +36,8 @@ class RayShape {
   void extend_box(space::Point& low, space::Point& high, bool& any) const;
 
  private:
+  bool has_body() const;
+
   struct Made {
     std::once_flag solids_once, body_once;
     std::optional<std::vector<space::RaySolid>> solids;

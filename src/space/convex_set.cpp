@@ -190,6 +190,35 @@ class Summarizer {
 
 }  // namespace
 
+namespace {
+
+bool solid(const ConvexSet& set) { return set.radius.sign() > 0 ? !set.region.empty() : set.region.dimension() == 3; }
+
+}  // namespace
+
+ConvexSet closure(ConvexSet set) {
+  set.frontier = set.frontier || set.outside || (set.inside && solid(set));
+  return set;
+}
+
+ConvexSet interior(ConvexSet set) {
+  set.frontier = set.frontier && set.outside && (set.inside || !solid(set));
+  return set;
+}
+
+ConvexSet complement(ConvexSet set) {
+  set.inside = !set.inside, set.frontier = !set.frontier, set.outside = !set.outside;
+  return set;
+}
+
+ConvexSet boundary(const ConvexSet& set) {
+  const ConvexSet closed = closure(set), open = interior(set);
+  ConvexSet out = set;
+  out.inside = out.outside = false;
+  out.frontier = closed.frontier && !open.frontier;
+  return out;
+}
+
 SpaceSummary summarize(const ConvexSet& set, const Real& step) { return Summarizer(set, step).run(); }
 
 }  // namespace findspace::space

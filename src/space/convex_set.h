@@ -19,6 +19,12 @@ struct ConvexSet {
   exact::Real radius{};  // of the ball by which the region is grown
 };
 
+/// Topological operations, and the complement.
+ConvexSet closure(ConvexSet set);
+ConvexSet interior(ConvexSet set);
+ConvexSet complement(ConvexSet set);
+ConvexSet boundary(const ConvexSet& set);
+
 SpaceSummary summarize(const ConvexSet& set, const exact::Real& step);
 
 }  // namespace findspace::space

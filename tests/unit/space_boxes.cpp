@@ -97,6 +97,23 @@ TEST(ConvexSet, SummaryOfATetrahedron) {
   EXPECT_TRUE(free.closed && free.regular && !free.bounded);
 }
 
+TEST(ConvexSet, TopologicalOperations) {
+  const auto marks = [](const ConvexSet& s) { return std::array{s.inside, s.frontier, s.outside}; };
+  using Marks = std::array<bool, 3>;
+  const ConvexRegion box(place(0, 0, 0), place(6, 6, 6)), sheet(place(0, 0, 0), place(6, 6, 0));
+  for (int k = 0; k < 8; ++k) {
+    const ConvexSet set{box, (k & 1) != 0, (k & 2) != 0, (k & 4) != 0, {}};
+    // The frontier is in the closure if anything is near it, in the interior if all is.
+    EXPECT_EQ(marks(closure(set)), (Marks{set.inside, k != 0, set.outside}));
+    EXPECT_EQ(marks(interior(set)), (Marks{set.inside, k == 7, set.outside}));
+    EXPECT_EQ(marks(boundary(set)), (Marks{false, k != 0 && k != 7, false}));
+    EXPECT_EQ(marks(complement(set)), (Marks{!set.inside, !set.frontier, !set.outside}));
+    const ConvexSet flat{sheet, false, set.frontier, set.outside, {}};
+    EXPECT_EQ(closure(flat).frontier, set.frontier || set.outside);
+    EXPECT_EQ(interior(flat).frontier, set.frontier && set.outside);
+  }
+}
+
 /// Grown sets against Pappus and other formulas of their own.
 TEST(ConvexSet, SummaryOfGrownSets) {
   const auto grown = [](const RealVector& high, std::int64_t r) {

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Bodies of the literature that are not convex (Stoyan 2004, Egeblad 2009, Liu 2015): for a sample of all ordered
+// pairs, overlap on rays against the exact Phi-function of their convex parts, at random positions and at events.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <random>
+
+#include "io/read_mesh.h"
+#include "space/convex_parts.h"
+#include "space/mesh.h"
+#include "space/mesh_crossing.h"
+#include "space/phi_union.h"
+#include "space/ray_pair.h"
+
+namespace findspace {
+namespace {
+
+using exact::Real;
+using space::ConvexParts;
+using space::RayGrid;
+using space::Triangles;
+
+constexpr std::int64_t kMostScale = 4096;
+
+struct RealBody {
+  std::string name;
+  Triangles surface;
+  ConvexParts parts;
+};
+
+std::vector<RealBody> read_all() {
+  const std::filesystem::path root = std::filesystem::path(FINDSPACE_SHARED) / "data" / "3d";
+  std::vector<std::filesystem::path> files;
+  for (const char* folder :
+       {"stoyan2004/nonconvex", "stoyan2004/nonconvex/sanitized", "egeblad2009/Merged", "liu2015"}) {
+    if (!std::filesystem::exists(root / folder)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending == ".obj" || ending == ".stl") files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<RealBody> bodies;
+  for (const auto& file : files) {
+    io::ReadContext context;
+    context.grid = io::Grid(Real::ratio(1, 100000));
+    try {
+      const space::Mesh mesh = io::read_mesh(file, context, [](const auto&) { return Real(1); });
+      RealBody body{file.filename().string(), triangles(mesh), convex_parts(mesh)};
+      const space::RayBody surface(body.surface);
+      // Parts whose vertices had to be rounded are no exact oracle.
+      if (!crossing_faces(surface) && body.parts.rounded == 0) bodies.push_back(std::move(body));
+    } catch (const Error& e) {
+      // Some files are not closed as they stand, or lists of convex parts that overlap.
+      EXPECT_EQ(e.code(), ErrorCode::kGeometry) << e.what();
+    }
+  }
+  return bodies;
+}
+
+void compare(const RealBody& a, const RealBody& b, std::mt19937& random, int places, int& overlaps) {
+  const std::int64_t scale = std::lcm(a.parts.scale, b.parts.scale);
+  const auto p = at_scale(a.parts, scale), q = at_scale(b.parts, scale);
+  const space::PhiUnion oracle(p, q);
+  SCOPED_TRACE(a.name + " " + b.name);
+  const space::RayBody body(a.surface), other(b.surface);
+  const RayGrid grid = space::ray_grid(body.low - other.high, body.high - other.low, 2, 16);
+  const space::PairRays rays(a.surface, b.surface, grid);
+  const auto pick = [&](std::int64_t low, std::int64_t high) {
+    return std::uniform_int_distribution<std::int64_t>(low, high)(random);
+  };
+  const auto check = [&](int i, int j, const Real& z, int sign) {
+    const Real unit = Real::ratio(scale, grid.parts);
+    const int truth = oracle.sign_at({Real(grid.u_at(i)) * unit, Real(grid.v_at(j)) * unit, z * unit});
+    ASSERT_EQ(sign, truth) << a.name << " " << b.name << ": line " << i << " " << j << " at " << z.text();
+    overlaps += truth < 0;
+  };
+  for (int k = 0; k < places; ++k) {
+    const int i = static_cast<int>(pick(0, grid.nu - 1)), j = static_cast<int>(pick(0, grid.nv - 1));
+    const space::RayRow row = rays.row(j);
+    const Real z(pick((body.low.z - other.high.z) * grid.parts, (body.high.z - other.low.z) * grid.parts));
+    check(i, j, z, sign_at(row, i, z));
+    const int first = row.first[static_cast<std::size_t>(i)], last = row.first[static_cast<std::size_t>(i) + 1];
+    if (first == last) continue;
+    const auto& event = row.events[static_cast<std::size_t>(pick(first, last - 1))];
+    check(i, j, event.at.to_real(), event.here);
+  }
+}
+
+TEST(RealBodies, OverlapOnRaysIsThatOfTheConvexParts) {
+  const std::vector<RealBody> bodies = read_all();
+  if (bodies.empty()) GTEST_SKIP() << "the data sets are not here";
+  EXPECT_GT(bodies.size(), 15U);
+  std::mt19937 random(11);
+  int overlaps = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t a = 0; a < bodies.size(); ++a) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) pairs.emplace_back(a, b);
+  }
+  std::shuffle(pairs.begin(), pairs.end(), random);
+  pairs.resize(std::min<std::size_t>(pairs.size(), 150));
+  int compared = 0;
+  for (const auto& [a, b] : pairs) {
+    // The common grid of some parts is finer than coordinates go.
+    const std::int64_t scale = std::lcm(bodies[a].parts.scale, bodies[b].parts.scale);
+    if (scale > kMostScale) continue;
+    compare(bodies[a], bodies[b], random, 60, overlaps);
+    ++compared;
+  }
+  EXPECT_GT(compared, 80);
+  EXPECT_GT(overlaps, 1000);
+}
+
+}  // namespace
+}  // namespace findspace
