@@ -75,7 +75,7 @@ bool truth(const Node& node, const std::vector<AtomAt>& atoms) {
 
 void require_static(const Distance& d) {
   if (d.mode == Mode::kAlong || d.mode == Mode::kToward)
-    refuse(d, "a distance along a direction is not computed over all angles, nor at an angle");
+    refuse(d, "a distance along a direction is not computed over all angles");
   if (d.prefix != Extremum::kNone) refuse(d, "a distance over time is not computed over all angles, nor at an angle");
 }
 
@@ -175,9 +175,8 @@ TurnMap TurnSolver::feasible(const Formula& formula) const {
 
 AtomAt TurnSolver::check_plain(const Formula& whole, std::size_t index) const {
   const Atom& atom = whole.atoms()[index];
-  require_static(atom.distance);
   AtomAt out = turned_solver().check(Formula(atom), pose_.at).atoms.at(0);
-  if (is_quarters(pose_.degrees) || atom.minimum) return out;
+  if (is_quarters(pose_.degrees) || atom.minimum || atom.distance.mode != Mode::kPlain) return out;
   // The truth from the exact circle, where there is one: rounding must not decide a contact.
   try {
     const TurnMap map = sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
