@@ -146,7 +146,10 @@ TurnSolver::Circle TurnSolver::circle(const Distance& d) const {
 TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
   const Distance& d = wanted.distance;
   require_static(d);
-  if (wanted.minimum) refuse(d, "its minimum over all angles is not computed");
+  if (wanted.minimum) {
+    const plane::TurnLeast best = least(d, TurnMap::uniform(1));
+    return plane::remark(best.at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });
+  }
   const Real& step = solver_.world().step;
   if (d.mode == Mode::kTurning) {
     if (!(centre_of(d, step) == about_ + in_steps(pose_.at, step)))
@@ -161,6 +164,22 @@ TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
     if (e.code() != ErrorCode::kUnsupported) throw;
     refuse(d, e.message());
   }
+}
+
+plane::TurnLeast TurnSolver::least(const Distance& d, const TurnMap& within) const {
+  const Real step = d.mode == Mode::kTurning ? Real::ratio(1, 1000000) : solver_.world().step;
+  return plane::least_turn([&](const Real& level) { return sign_map({d, level}); }, within, step);
+}
+
+plane::TurnLeast TurnSolver::greatest(const Distance& d, const TurnMap& within) const {
+  const Real step = d.mode == Mode::kTurning ? Real::ratio(1, 1000000) : solver_.world().step;
+  plane::TurnLeast best = plane::least_turn(
+      [&](const Real& level) {
+        return plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
+      },
+      within, step);
+  best.value = -best.value;
+  return best;
 }
 
 TurnMap TurnSolver::feasible(const Formula& formula) const {
