@@ -3,9 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "commands.h"
+#include "io/draw_layout.h"
 #include "io/write_json.h"
 #include "io/write_wkt.h"
+#include "plane/locate.h"
+#include "plane/overlay.h"
+#include "plane/path_region.h"
 #include "plane/topology.h"
 #include "report.h"
 #include "session.h"
@@ -47,6 +54,34 @@ io::ExtremeValue value_of(const situation::Optimum& optimum, bool maximum, Talk&
           optimum.attained, optimum.proven || !optimum.value};
 }
 
+/// Two points of the line, about 2^36 steps either way from where it goes through: beyond them nothing is looked for.
+std::array<exact::RealPoint, 2> ends_of_line(const io::Free& free) {
+  const std::int64_t most = std::max({std::abs(free.direction[0]), std::abs(free.direction[1]), std::int64_t(1)});
+  const std::int64_t times = std::max<std::int64_t>(1, (std::int64_t(1) << 36) / most);
+  const auto end = [&](std::int64_t way) {
+    return exact::RealPoint{exact::Real(free.through[0] + way * free.direction[0]),
+                            exact::Real(free.through[1] + way * free.direction[1])};
+  };
+  return {end(-times), end(times)};
+}
+
+plane::Region on_line(const plane::Region& region, const io::Free& free) {
+  const plane::Region line = plane::region_of_path(ends_of_line(free));
+  const std::array<const plane::Region*, 2> both{&region, &line};
+  return plane::intersect(both);
+}
+
+/// An optimum at an end of the line is none: it goes on.
+situation::Optimum within_line(situation::Optimum best, const io::Free& free) {
+  for (const exact::RealPoint& end : ends_of_line(free)) {
+    if (!best.value || mark_of(best.at, plane::locate(best.at, end)) == 0) continue;
+    best.value.reset();
+    best.unbounded = true, best.attained = false;
+    best.at = plane::Region::uniform(0);
+  }
+  return best;
+}
+
 Map solve(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
   Talk& talk = session.talk();
   const std::optional<Session::Goal> goal = session.goal();
@@ -66,7 +101,10 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
           std::nullopt};
   if (goal) {
     talk.stage("optimizing");
+    const bool line = session.scene().free.kind == io::Free::Kind::kLine;
+    if (line) map.region = on_line(map.region, session.scene().free);
     situation::Optimum best = situation::optimize(map.region, goal->objective, goal->sense, solver);
+    if (line) best = within_line(std::move(best), session.scene().free);
     map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, talk);
     map.feasible = std::exchange(map.region, std::move(best.at));
   } else if (const auto least = situation::minimum_of(formula, solver)) {
@@ -90,26 +128,42 @@ void require_question(const Session& session) {
   throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", session.scene().file);
 }
 
-Outcome map_of_line(const Session& session, const plane::Region& region) {
+Outcome map_of_line(const Session& session, const Map& map) {
+  const plane::Region& region = map.region;
+  const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
   const io::Free& free = session.scene().free;
   const auto intervals =
       plane::along_line(region, {free.through[0], free.through[1]}, {free.direction[0], free.direction[1]});
-  const auto json = [&] { return io::intervals_json(intervals, session.step(), session.unit()); };
+  const auto json = [&] { return io::intervals_json(intervals, session.step(), session.unit(), extreme); };
   write_outputs(session.options(), {{".json", json}});
-  const std::string text = intervals_text(title(session) + " on the line", intervals, session.step(), session.unit());
+  std::string text = intervals_text(title(session) + " on the line", intervals, session.step(), session.unit());
+  if (extreme != nullptr && extreme->value)
+    text += fmt::format("{} {}\n", extreme->maximum ? "maximum" : "minimum", io::shown(*extreme->value));
   return {session.options().json ? json() : text, intervals.empty() ? kEmpty : kDone};
 }
 
 Outcome map_of_time(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
   const exact::RealPoint at = session.position();
   session.talk().stage("solving");
-  const auto intervals = plane::intervals(solver.instants(formula, at), exact::Real(1));
-  const auto json = [&] { return io::intervals_json(intervals, exact::Real(1), ""); };
+  const auto in_time = [](const plane::Section& line) { return plane::intervals(line, exact::Real(1)); };
+  std::vector<plane::LineInterval> intervals, outer;
+  const bool bounded = solver.turns_in(formula);
+  if (bounded) {
+    session.talk().note("shapes turn: instants that certainly belong, and in \"outer\" the possible ones");
+    const situation::Solver::InstantBounds bounds = solver.instant_bounds(formula, at);
+    intervals = in_time(bounds.inner), outer = in_time(bounds.outer);
+  } else {
+    intervals = in_time(solver.instants(formula, at));
+  }
+  const auto json = [&] {
+    std::string text = io::intervals_json(intervals, exact::Real(1), "");
+    return bounded ? bounded_json(std::move(text), io::intervals_json(outer, exact::Real(1), "")) : text;
+  };
   write_outputs(session.options(), {{".json", json}});
   const std::string text = intervals_text(fmt::format("Instants with {} at {}", fmt::join(session.scene().moving, ", "),
                                                       session.options().at.value_or("0,0")),
                                           intervals, exact::Real(1), "");
-  return {session.options().json ? json() : text, intervals.empty() ? kEmpty : kDone};
+  return {session.options().json ? json() : text, !intervals.empty() ? kDone : outer.empty() ? kEmpty : kLimit};
 }
 
 Outcome map_of_plane(const Session& session, const Map& map, const situation::World& world,
@@ -170,14 +224,13 @@ Outcome run_map(const Options& options, Talk& talk) {
   if ((line || time) && !options.apply.empty())
     throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line or of time");
   session.require_positions(true);
-  if ((line || time) && session.goal())
-    throw Error(ErrorCode::kUnsupported, "an objective on a line or in time is not computed", scene.file);
+  if (time && session.goal()) throw Error(ErrorCode::kUnsupported, "an objective in time is not computed", scene.file);
   require_question(session);
   const situation::Formula formula = session.where();
   const situation::Solver solver(session.world());
   if (time) return map_of_time(session, solver, formula);
   const Map map = solve(session, solver, formula);
-  return line ? map_of_line(session, map.region) : map_of_plane(session, map, solver.world(), formula);
+  return line ? map_of_line(session, map) : map_of_plane(session, map, solver.world(), formula);
 }
 
 }  // namespace findspace::app

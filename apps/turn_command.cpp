@@ -168,11 +168,32 @@ situation::Formula question_over_angles(const Session& session) {
   const io::Scene& scene = session.scene();
   if (!session.options().apply.empty())
     throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not for those over angles");
-  if (session.goal()) throw Error(ErrorCode::kUnsupported, "an objective over angles is not computed", scene.file);
-  if (scene.where.empty())
+  const auto goal = session.goal();
+  if (goal && (scene.free.kind == Kind::kPose || goal->objective.kind != situation::Objective::Kind::kDistance))
+    throw Error(ErrorCode::kUnsupported, "over angles only a distance can be an objective, over poses none",
+                scene.file);
+  if (scene.where.empty() && !goal)
     throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene.file);
   return session.where();
 }
+
+namespace {
+
+/// The best angles of the set take its place.
+std::optional<io::ExtremeValue> optimum(const Session& session, const situation::TurnSolver& solver,
+                                        plane::TurnMap& set) {
+  const auto goal = session.goal();
+  if (!goal) return std::nullopt;
+  const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
+  const situation::Distance& d = goal->objective.distance;
+  plane::TurnLeast best = maximum != negated ? solver.greatest(d, set) : solver.least(d, set);
+  set = std::move(best.at);
+  if (!best.exists) return io::ExtremeValue{maximum, std::nullopt, false, false, true};
+  const double value = best.value.to_double();
+  return io::ExtremeValue{maximum, negated ? -value : value, false, best.attained, best.proven};
+}
+
+}  // namespace
 
 Outcome map_of_angles(const Session& session) {
   check_outputs(session.options(), {".json", ".svg"});
@@ -181,12 +202,17 @@ Outcome map_of_angles(const Session& session) {
   session.talk().stage("solving");
   const exact::RealPoint at = session.position();
   const situation::TurnSolver turned(solver, {at, {}, about(session)});
-  const plane::TurnMap set = turned.feasible(formula);
-  const auto json = [&] { return io::turns_json(set); };
+  plane::TurnMap set = turned.feasible(formula);
+  const std::optional<io::ExtremeValue> best = optimum(session, turned, set);
+  const io::ExtremeValue* extreme = best ? &*best : nullptr;
+  const auto json = [&] { return io::turns_json(set, extreme); };
   const auto angles = io::degree_intervals(set);
   const auto svg = [&] { return picture(session, solver.world(), formula, at, angles); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  return {session.options().json ? json() : turns_text(session, angles), angles.empty() ? kEmpty : kDone};
+  std::string text = turns_text(session, angles);
+  if (best && best->value)
+    text += fmt::format("{} {}\n", best->maximum ? "maximum" : "minimum", io::shown(*best->value));
+  return {session.options().json ? json() : text, angles.empty() ? kEmpty : kDone};
 }
 
 }  // namespace findspace::app

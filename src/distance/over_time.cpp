@@ -8,9 +8,11 @@
 #include <limits>
 
 #include "distance/sites.h"
+#include "plane/locate.h"
 #include "plane/moved.h"
 #include "plane/overlay.h"
 #include "plane/path_region.h"
+#include "plane/section.h"
 #include "plane/swept.h"
 
 namespace findspace::distance {
@@ -151,6 +153,57 @@ class OverTime : public PositionFunction {
   Sense sense_;
 };
 
+class JumpingOverTime : public PositionFunction {
+ public:
+  JumpingOverTime(PositionFunctionPointer f, RelativePath path, Sense sense)
+      : f_(std::move(f)), path_(std::move(path)), sense_(sense) {
+    for (std::size_t k = 0; k < path_.size(); ++k) times_.emplace_back(int(k));
+  }
+
+  bool defined() const override { return f_->defined(); }
+
+  SignMap sign_map(const Real& level) const override {
+    SignMap m = f_->sign_map(level);
+    if (sense_ == Sense::kMinimum) return least_along(m, path_);
+    return negated(least_along(negated(std::move(m)), path_));
+  }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    if (!defined()) return std::nullopt;
+    if (sign(p, Real()) == 0) return Value{Real(), std::nullopt};
+    constexpr double kFar = 0x1p44;  // steps: beyond all coordinates
+    if (sign(p, Real::from_double(-kFar)) <= 0) return Value{Real(), std::nullopt, true};
+    if (sign(p, Real::from_double(kFar)) > 0) return std::nullopt;
+    double low = -kFar, high = kFar;  // f is above the one, not above the other
+    for (int k = 0; k < 110; ++k) {
+      const double middle = low + (high - low) / 2;
+      if (middle <= low || middle >= high) break;
+      (sign(p, Real::from_double(middle)) > 0 ? low : high) = middle;
+    }
+    const Real whole = exact::round(Real::from_double(high));
+    return Value{sign(p, whole) == 0 ? whole : Real::from_double(high), std::nullopt};
+  }
+
+ private:
+  /// Of the extremum at p minus the level.
+  Mark sign(const RealPoint& p, const Real& level) const {
+    const SignMap m = f_->sign_map(level);
+    if (path_.size() == 1) return mark_of(m, locate(m, p + path_[0]));
+    const plane::Section line = plane::section_of_path(m, p, path_, times_);
+    Mark best = line.stops[0].at;
+    for (std::size_t k = 0; k < line.stops.size(); ++k) {
+      for (const Mark mark : {line.stops[k].at, k + 1 < line.stops.size() ? line.stops[k].after : line.stops[k].at})
+        best = sense_ == Sense::kMinimum ? std::min(best, mark) : std::max(best, mark);
+    }
+    return best;
+  }
+
+  PositionFunctionPointer f_;
+  RelativePath path_;
+  Sense sense_;
+  std::vector<Real> times_;
+};
+
 class AtInstant : public PositionFunction {
  public:
   AtInstant(PositionFunctionPointer f, const RealPoint& by) : f_(std::move(f)), by_(by) {}
@@ -173,6 +226,10 @@ class AtInstant : public PositionFunction {
 
 PositionFunctionPointer over_time(TDistancePointer f, RelativePath path, Sense sense) {
   return std::make_shared<OverTime>(std::move(f), std::move(path), sense);
+}
+
+PositionFunctionPointer jumping_over_time(PositionFunctionPointer f, RelativePath path, Sense sense) {
+  return std::make_shared<JumpingOverTime>(std::move(f), std::move(path), sense);
 }
 
 PositionFunctionPointer at_instant(PositionFunctionPointer f, const RealPoint& by) {

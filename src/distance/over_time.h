@@ -23,6 +23,10 @@ using RelativePath = std::vector<exact::RealPoint>;
 /// inf (kMinimum) or sup (kMaximum) of f over the time of the path.
 PositionFunctionPointer over_time(TDistancePointer f, RelativePath path, Sense sense);
 
+/// The same of a distance that jumps (along a direction), of the values that it takes: its inf is at most a level where
+/// f is at some instant, its sup where f is at every instant. Values are found by bisection, to about 1e-14.
+PositionFunctionPointer jumping_over_time(PositionFunctionPointer f, RelativePath path, Sense sense);
+
 /// p -> f(p + by): f at an instant.
 PositionFunctionPointer at_instant(PositionFunctionPointer f, const exact::RealPoint& by);
 

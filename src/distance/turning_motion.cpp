@@ -60,7 +60,6 @@ TurningMotion::TurningMotion(const plane::Region& b, const plane::Region& a, Whi
   factor_ = double(factor);
 }
 
-/// Change of f over the leg at most, by its part of the leg.
 double TurningMotion::rate(std::size_t leg) const {
   const TurningPose &p = poses_[leg], &q = poses_[leg + 1];
   const double way = std::hypot(near_value(q.at.x - p.at.x), near_value(q.at.y - p.at.y));

@@ -44,9 +44,10 @@ class TurningMotion {
   /// Over the whole time. A supremum is undefined where f is at some instant that was looked at.
   std::optional<BoundedValue> extremum(const exact::RealPoint& p, Sense sense) const;
 
- private:
+  /// By how much f may change over the whole of a leg, in proportion to its part.
   double rate(std::size_t leg) const;
 
+ private:
   plane::Region b_, a_;  // on the fine grid
   double b_reach_, a_reach_, factor_;
   Which which_;

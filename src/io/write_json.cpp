@@ -119,7 +119,7 @@ std::string region_json(const plane::Region& region, const plane::Summary& summa
 }
 
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
-                           std::string_view unit) {
+                           std::string_view unit, const ExtremeValue* extreme) {
   const Twofold factor(step);
   auto end = [&](const std::optional<exact::Real>& t) {
     return t ? json_number((Twofold(*t) * factor).value()) : "null";
@@ -128,7 +128,9 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
     return fmt::format(R"({{"from": {}, "to": {}, "from_in": {}, "to_in": {}}})", end(i.from), end(i.to),
                        truth(i.from_in), truth(i.to_in));
   };
-  return fmt::format("{{{}\"empty\": {}, \"intervals\": {}}}\n", unit_key(unit), truth(intervals.empty()),
+  std::string best;
+  if (extreme != nullptr) put_extreme(best, *extreme);
+  return fmt::format("{{{}\"empty\": {},{} \"intervals\": {}}}\n", unit_key(unit), truth(intervals.empty()), best,
                      list(intervals, text));
 }
 

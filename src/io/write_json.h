@@ -34,7 +34,7 @@ std::string region_json(const plane::Region& region, const plane::Summary& summa
                         std::string_view unit, const ExtremeValue* extreme = nullptr, bool exact = false);
 /// The result of `map` along a line: lengths from the point the line goes through.
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
-                           std::string_view unit);
+                           std::string_view unit, const ExtremeValue* extreme = nullptr);
 
 /// The results of `check` and `measure` at a position in the scene's unit. `nearest` may be null.
 std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,

@@ -19,15 +19,21 @@ std::vector<DegreeInterval> degree_intervals(const plane::TurnMap& set) {
   return out;
 }
 
-std::string turns_json(const plane::TurnMap& set) {
+std::string turns_json(const plane::TurnMap& set, const ExtremeValue* extreme) {
   std::string list;
   const auto all = degree_intervals(set);
   for (const DegreeInterval& i : all) {
     list += fmt::format("{}{{\"from\": {}, \"to\": {}, \"from_in\": {}, \"to_in\": {}}}", list.empty() ? "" : ", ",
                         json_number(i.from), json_number(i.to), i.from_in, i.to_in);
   }
-  return fmt::format("{{\"empty\": {}, \"whole\": {}, \"intervals\": [{}]}}\n", all.empty(),
-                     set.at.empty() && set.everywhere != 0, list);
+  std::string best;
+  if (extreme != nullptr) {
+    best = fmt::format(" \"{}\": {}, \"attained\": {},{}", extreme->maximum ? "maximum" : "minimum",
+                       extreme->value ? json_number(*extreme->value) : "null", extreme->attained,
+                       extreme->proven ? "" : " \"proven\": false,");
+  }
+  return fmt::format("{{\"empty\": {}, \"whole\": {},{} \"intervals\": [{}]}}\n", all.empty(),
+                     set.at.empty() && set.everywhere != 0, best, list);
 }
 
 }  // namespace findspace::io

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/write_json.h"
 #include "plane/turn_map.h"
 
 namespace findspace::io {
@@ -19,6 +20,6 @@ struct DegreeInterval {
 
 /// The whole circle is [0, 360), a circle without one angle (a, a + 360).
 std::vector<DegreeInterval> degree_intervals(const plane::TurnMap& set);
-std::string turns_json(const plane::TurnMap& set);
+std::string turns_json(const plane::TurnMap& set, const ExtremeValue* extreme = nullptr);
 
 }  // namespace findspace::io

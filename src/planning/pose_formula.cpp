@@ -86,8 +86,8 @@ class Hedge {
 
  private:
   static void require_plain(const Atom& a) {
-    if (!a.minimum && a.distance.mode == situation::Mode::kPlain && a.distance.prefix == situation::Extremum::kNone)
-      return;
+    const bool turning = a.distance.mode == situation::Mode::kTurning;
+    if (!a.minimum && !turning && a.distance.prefix == situation::Extremum::kNone) return;
     throw Error(ErrorCode::kUnsupported, a.text + ": not computed over positions and angles");
   }
 
@@ -99,7 +99,7 @@ class Hedge {
     }
     const Distance d = moving_first(atom.distance, moving_);
     const Response r = response(d.kind);
-    if (!r.known) return situation::constant(false);
+    if (!r.known || d.mode != situation::Mode::kPlain) return situation::constant(false);
     const bool at_most = relation == Relation::kLess || relation == Relation::kLessEqual;
     const Real level = at_most ? atom.level - bound_ : atom.level + bound_;
     if (r.as_mu && atom.level.sign() <= 0) return Formula(situation::compare(as_mu(d), relation, level));

@@ -11,9 +11,9 @@
 // by it. gamma1 between levels >= 0, gamma2, mu (for eta1 <= 0 too), ... change by at most the bound and get it added
 // to their level; where that is not so (a depth jumps: an exact fit in a slot is lost at once), an eroded or grown
 // shape takes a shape's place. Guarantee: maps exact for the turned shapes on the grid; sectors certified for the
-// exactly turned shape. Atoms of which nothing certain is known (eta2, delta2) make `inner` smaller and `outer` larger,
-// never wrong. Cost: one map an angle, two a sector's half. Keywords: configuration space slices, orientation,
-// conservative approximation.
+// exactly turned shape. Atoms of which nothing certain is known (eta2, delta2, along a direction) make `inner` smaller
+// and `outer` larger, never wrong. Cost: one map an angle, two a sector's half. Keywords: configuration space slices,
+// orientation, conservative approximation.
 #pragma once
 
 #include <vector>
@@ -41,7 +41,7 @@ struct PoseStack {
 };
 
 /// `about`: the pole, a grid point of the moving shape's own coordinates. Throws Error(kUnsupported) for `-> min` and
-/// for distances along a direction, in rotation or over time.
+/// for distances in rotation or over time.
 PoseStack pose_stack(const situation::World& world, const situation::Formula& formula, const plane::GridPoint& about,
                      std::vector<exact::Real> degrees);
 

@@ -78,7 +78,7 @@ Relations::Bound Relations::bind(const Distance& distance, const Roles& roles, c
 }
 
 plane::SignMap Relations::sign_map(const Distance& distance, const situation::SignMap& wanted) const {
-  if (!wanted.minimum) return solver_.distance(distance)->sign_map(wanted.level / problem_.world.step);
+  if (!wanted.minimum) return solver_.function(distance)->sign_map(wanted.level / problem_.world.step);
   const auto least = solver_.least(distance);
   if (!least.exists) return CellComplex::uniform(1);
   return plane::remark(least.at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });

@@ -11,6 +11,7 @@
 #include "plane/topology.h"
 #include "planning/alternatives.h"
 #include "planning/convex_cells.h"
+#include "planning/corner_search.h"
 #include "planning/pair_system.h"
 #include "planning/sequential.h"
 
@@ -61,7 +62,11 @@ class Simultaneous {
   /// others.
   void try_sequence(SimultaneousPlacement& out) {
     SequentialPlacement found = place_sequentially(relations_, limit_);
-    if (!std::all_of(found.poses.begin(), found.poses.end(), [](const auto& p) { return p.has_value(); })) return;
+    if (!std::all_of(found.poses.begin(), found.poses.end(), [](const auto& p) { return p.has_value(); })) {
+      auto corners = search_corners(relations_, limit_);
+      if (!corners) return;
+      found.poses = std::move(*corners);
+    }
     for (std::size_t b = 0; b < found.poses.size(); ++b)
       for (AtAngle& p : out.positions[b]) {
         Poses poses = found.poses;

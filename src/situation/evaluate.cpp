@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "situation/evaluate.h"
 
+#include <functional>
 #include <utility>
+#include <vector>
 
 namespace findspace::situation {
 namespace {
@@ -78,6 +80,22 @@ Program compile(const Node& root, std::span<const Atom> atoms, std::span<const s
   Compiler compiler(atoms, sign_map_of);
   const std::int32_t entry = compiler.add(root, Instruction::kTrue, Instruction::kFalse);
   return {compiler.take(), entry};
+}
+
+std::int8_t certainty(const Formula& formula, std::span<const std::int8_t> bounds) {
+  const std::size_t n = formula.sign_maps().size();
+  std::vector<std::int8_t> signs(n);
+  bool all = true, some = false;
+  std::function<void(std::size_t)> choose = [&](std::size_t k) {
+    if (k == n) {
+      const bool holds = evaluate(formula, signs);
+      all &= holds, some |= holds;
+      return;
+    }
+    for (std::int8_t s = bounds[2 * k]; s <= bounds[2 * k + 1]; ++s) signs[k] = s, choose(k + 1);
+  };
+  choose(0);
+  return std::int8_t(all ? 2 : some ? 1 : 0);
 }
 
 }  // namespace findspace::situation

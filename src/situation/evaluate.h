@@ -42,4 +42,8 @@ struct Program {
 /// The chain of decisions for a tree over `atoms`, atom k being decided by sign map sign_map_of[k].
 Program compile(const Node& root, std::span<const Atom> atoms, std::span<const std::size_t> sign_map_of);
 
+/// Of signs known between bounds only, low and high in turn for every sign map of the formula: 2 where it holds
+/// whatever they are, 1 where it holds for some, else 0.
+std::int8_t certainty(const Formula& formula, std::span<const std::int8_t> bounds);
+
 }  // namespace findspace::situation

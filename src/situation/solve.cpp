@@ -129,12 +129,10 @@ distance::PositionFunctionPointer Solver::function(const Distance& wanted) const
   if (r.turning) refuse(wanted, "shapes that turn in time have no exact region here");
   if (world_.instant && wanted.prefix == Extremum::kNone)
     return distance::at_instant(of_instant(r), position_at(r.path, *world_.instant));
-  if (r.wanted.mode != Mode::kPlain)
-    refuse(wanted,
-           "along a direction it jumps in time, so it has no extremum over a motion; ask for an instant (\"free\": "
-           "\"time\", or --time)");
   const bool least = natural_extremum(r.wanted) == Extremum::kInf;
-  return distance::over_time(plain(r), r.path.path, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);
+  const distance::Sense sense = least ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+  if (r.wanted.mode != Mode::kPlain) return distance::jumping_over_time(of_instant(r), r.path.path, sense);
+  return distance::over_time(plain(r), r.path.path, sense);
 }
 
 TDistancePointer Solver::distance(const Distance& wanted) const {
@@ -281,15 +279,20 @@ distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
   // Containment down from level 0 is the directed Hausdorff distance, which changes no faster than the shapes do.
   if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
     kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
-  const bool jumps = kind == Which::kEta1 || kind == Which::kDelta1 || kind == Which::kEta2 || kind == Which::kDelta2;
-  if (jumps)
-    refuse(wanted.distance,
-           "of shapes that turn in time, regions are computed for eta1 and delta1 up to level 0 only, not for eta2 and "
-           "delta2");
   const auto sense =
       natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
-  return distance::turning_maps(shape(r.names.first), shape(r.names.second), kind, turning_poses(r, false), sense,
-                                wanted.level / world_.step);
+  const auto bounds = [&](Which of, const Real& level) {
+    return distance::turning_maps(shape(r.names.first), shape(r.names.second), of, turning_poses(r, false), sense,
+                                  level / world_.step);
+  };
+  const bool eta = kind == Which::kEta1 || kind == Which::kEta2, first = kind == Which::kEta1 || kind == Which::kDelta1;
+  if (!eta && !first && kind != Which::kDelta2) return bounds(kind, wanted.level);
+  // The places where a shape fits come and go with its angle. But eta is at least mu, and eta1 not above 0 where mu is
+  // not.
+  const Which mu = eta ? Which::kMu : Which::kMuBack;
+  distance::BoundedMaps out{bounds(mu, wanted.level).low, plane::SignMap::uniform(1)};
+  if (first) out.high = plane::remark(bounds(mu, Real()).high, [](Mark k) { return Mark(k <= 0 ? -1 : 1); });
+  return out;
 }
 
 Solver::Bounds Solver::feasible_bounds(const Formula& formula) const {
@@ -299,20 +302,8 @@ Solver::Bounds Solver::feasible_bounds(const Formula& formula) const {
   std::vector<const CellComplex*> operands;
   for (const auto& m : maps) operands.insert(operands.end(), {&m.low, &m.high});
   // 2 where every choice of signs between the bounds satisfies the formula, 1 where some does.
-  const CellComplex both = plane::overlay(operands, [&](std::span<const Mark> marks) {
-    std::vector<std::int8_t> signs(n);
-    bool all = true, some = false;
-    std::function<void(std::size_t)> choose = [&](std::size_t k) {
-      if (k == n) {
-        const bool holds = evaluate(formula, signs);
-        all &= holds, some |= holds;
-        return;
-      }
-      for (Mark s = marks[2 * k]; s <= marks[2 * k + 1]; ++s) signs[k] = s, choose(k + 1);
-    };
-    choose(0);
-    return Mark(all ? 2 : some ? 1 : 0);
-  });
+  const CellComplex both =
+      plane::overlay(operands, [&](std::span<const Mark> marks) { return certainty(formula, marks); });
   return {plane::remark(both, [](Mark m) { return Mark(m == 2); }),
           plane::remark(both, [](Mark m) { return Mark(m > 0); })};
 }
@@ -375,8 +366,7 @@ plane::Section Solver::instants(const SignMap& wanted, const RealPoint& p) const
   const Motion& motion = world_.motion;
   const bool whole_time = wanted.distance.prefix != Extremum::kNone;
   const Roles r = roles(wanted.distance);
-  if (r.turning)
-    refuse(wanted.distance, "the instants of shapes that turn are not computed; check --time gives single ones");
+  if (r.turning) refuse(wanted.distance, "the instants of shapes that turn are known between bounds only");
   if (whole_time) {
     const plane::SignMap map = sign_map(wanted);
     return plane::Section::constant(motion.start, motion.end, mark_of(map, locate(map, p)));

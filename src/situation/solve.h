@@ -8,6 +8,7 @@
 // level other than 0, one overlay. Keywords: feasible region, configuration space, situation.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -67,7 +68,8 @@ class Solver {
   /// {p : the formula holds at p}. Throws Error(kUnsupported) for distances this version does not compute.
   plane::Region feasible(const Formula& formula) const;
 
-  /// For shapes that turn in time and distances in rotation: positions that certainly and that possibly belong to feasible(formula).
+  /// For shapes that turn in time and distances in rotation: positions that certainly and that possibly belong to
+  /// feasible(formula).
   struct Bounds {
     plane::Region inner, outer;
   };
@@ -95,6 +97,12 @@ class Solver {
   /// With a motion: the marks that the formula has at p (in the scene's unit) from the start to the end of the motion,
   /// 1 where it holds at the instant. Distances with inf or sup keep to the whole time.
   plane::Section instants(const Formula& formula, const exact::RealPoint& p) const;
+
+  /// The same where shapes turn in time: instants that certainly and that possibly belong.
+  struct InstantBounds {
+    plane::Section inner, outer;
+  };
+  InstantBounds instant_bounds(const Formula& formula, const exact::RealPoint& p) const;
 
   /// The function that a formula means, in grid steps: along a direction, over time or at the instant too.
   distance::PositionFunctionPointer function(const Distance& wanted) const;
@@ -129,6 +137,8 @@ class Solver {
   std::shared_ptr<const distance::AtPosition> pair(const Names& names) const;
   plane::SignMap sign_map(const SignMap& wanted) const;
   plane::Section instants(const SignMap& wanted, const exact::RealPoint& p) const;
+  std::array<plane::Section, 2> turning_instants(const SignMap& wanted, const Roles& roles,
+                                                 const exact::RealPoint& p) const;
   std::vector<Distance> all_distances() const;
   distance::Extremum least_directional(const Distance& wanted) const;
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;

@@ -75,7 +75,7 @@ bool truth(const Node& node, const std::vector<AtomAt>& atoms) {
 
 void require_static(const Distance& d) {
   if (d.mode == Mode::kAlong || d.mode == Mode::kToward)
-    refuse(d, "a distance along a direction is not computed over all angles, nor at an angle");
+    refuse(d, "a distance along a direction is not computed over all angles");
   if (d.prefix != Extremum::kNone) refuse(d, "a distance over time is not computed over all angles, nor at an angle");
 }
 
@@ -146,7 +146,10 @@ TurnSolver::Circle TurnSolver::circle(const Distance& d) const {
 TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
   const Distance& d = wanted.distance;
   require_static(d);
-  if (wanted.minimum) refuse(d, "its minimum over all angles is not computed");
+  if (wanted.minimum) {
+    const plane::TurnLeast best = least(d, TurnMap::uniform(1));
+    return plane::remark(best.at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });
+  }
   const Real& step = solver_.world().step;
   if (d.mode == Mode::kTurning) {
     if (!(centre_of(d, step) == about_ + in_steps(pose_.at, step)))
@@ -163,6 +166,22 @@ TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
   }
 }
 
+plane::TurnLeast TurnSolver::least(const Distance& d, const TurnMap& within) const {
+  const Real step = d.mode == Mode::kTurning ? Real::ratio(1, 1000000) : solver_.world().step;
+  return plane::least_turn([&](const Real& level) { return sign_map({d, level}); }, within, step);
+}
+
+plane::TurnLeast TurnSolver::greatest(const Distance& d, const TurnMap& within) const {
+  const Real step = d.mode == Mode::kTurning ? Real::ratio(1, 1000000) : solver_.world().step;
+  plane::TurnLeast best = plane::least_turn(
+      [&](const Real& level) {
+        return plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
+      },
+      within, step);
+  best.value = -best.value;
+  return best;
+}
+
 TurnMap TurnSolver::feasible(const Formula& formula) const {
   about_ = centre(formula);
   const std::vector<SignMap>& wanted = formula.sign_maps();
@@ -175,9 +194,8 @@ TurnMap TurnSolver::feasible(const Formula& formula) const {
 
 AtomAt TurnSolver::check_plain(const Formula& whole, std::size_t index) const {
   const Atom& atom = whole.atoms()[index];
-  require_static(atom.distance);
   AtomAt out = turned_solver().check(Formula(atom), pose_.at).atoms.at(0);
-  if (is_quarters(pose_.degrees) || atom.minimum) return out;
+  if (is_quarters(pose_.degrees) || atom.minimum || atom.distance.mode != Mode::kPlain) return out;
   // The truth from the exact circle, where there is one: rounding must not decide a contact.
   try {
     const TurnMap map = sign_map(whole.sign_maps()[whole.sign_map_of(index)]);

@@ -14,6 +14,7 @@
 
 #include "distance/turned_pair.h"
 #include "plane/transform.h"
+#include "plane/turn_least.h"
 #include "situation/solve.h"
 
 namespace findspace::situation {
@@ -32,6 +33,10 @@ class TurnSolver {
 
   /// {angle : the formula holds}; the angle of the pose plays no part.
   plane::TurnMap feasible(const Formula& formula) const;
+  /// Where in a set of angles a distance is least; with its least value in the scene's unit, or in degrees.
+  plane::TurnLeast least(const Distance& distance, const plane::TurnMap& within) const;
+  /// Where it is greatest, likewise.
+  plane::TurnLeast greatest(const Distance& distance, const plane::TurnMap& within) const;
   /// Every atom of the formula at the pose. Values of plain distances are those of the turned shape with its vertices
   /// on the grid.
   Solver::Check check(const Formula& formula) const;

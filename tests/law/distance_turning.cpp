@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "distance/turning_map.h"
+#include "distance/turning_positions.h"
 #include "law/plane_random.h"
 #include "plane/locate.h"
 #include "plane/primitives.h"
@@ -83,6 +85,41 @@ TEST(Turning, ValuesAndBoundsOfADiscOnAnArm) {
     }
   }
   EXPECT_GT(decided, 8 * 12 * 2 * 8 / 10);
+}
+
+/// How far a disc has to turn about a point to meet another disc, in degrees; far: the greatest such angle.
+double angle_to_contact(double px, double py, double ax, double ay, double reach, bool far) {
+  const double b = std::hypot(px, py), a = std::hypot(ax, ay), cosine = (a * a + b * b - reach * reach) / (2 * a * b);
+  const double none = std::numeric_limits<double>::infinity(), degree = std::numbers::pi / 180;
+  if (cosine > 1) return none;
+  if (cosine < -1) return far ? 180 : -none;
+  const double width = std::acos(cosine) / degree;
+  double gap = std::abs(std::atan2(ay, ax) - std::atan2(py, px)) / degree;
+  gap = std::min(gap, 360 - gap);
+  return far ? std::min(180.0, gap + width) : gap - width;
+}
+
+TEST(Turning, PositionsOfADiscThatTurnsToAnother) {
+  constexpr std::int64_t kUnit = 1000000;
+  Random random(5);
+  int decided = 0, asked = 0;
+  for (const auto& [which, level] :
+       {std::pair{Which::kGamma1, 20}, {Which::kGamma1, -10}, {Which::kGamma2, 60}, {Which::kGamma1, 150}}) {
+    const plane::Region b = plane::region_of_disc(Real(0), Real(0), Real(kUnit));
+    const plane::Region a = plane::region_of_disc(Real(6 * kUnit), Real(2 * kUnit), Real(kUnit));
+    const BoundedMaps maps = turning_position_maps(b, a, which, {Real(kUnit), Real(-kUnit)}, Real(level));
+    for (int k = 0; k < 40; ++k) {
+      const std::int64_t x = random.pick(-8 * kUnit, 10 * kUnit), y = random.pick(-8 * kUnit, 9 * kUnit);
+      const double f = angle_to_contact(double(x) / kUnit - 1, double(y) / kUnit + 1, 5, 3, 2, which == Which::kGamma2);
+      const int sign = f > level ? 1 : -1;
+      const exact::RealPoint p{Real(x), Real(y)};
+      const int low = mark_of(maps.low, locate(maps.low, p)), high = mark_of(maps.high, locate(maps.high, p));
+      EXPECT_LE(low, sign) << "level " << level << " at " << x << ", " << y;
+      EXPECT_GE(high, sign) << "level " << level << " at " << x << ", " << y;
+      ++asked, decided += low == high;
+    }
+  }
+  EXPECT_GT(decided, asked * 8 / 10);
 }
 
 }  // namespace
