@@ -109,7 +109,7 @@ std::optional<Measured> AtPosition::farthest(Which which, const RealPoint& p) co
 }
 
 /// mu(B + p, A), or mu(A, B + p) if `back`.
-std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p) const {
+std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, double floor) const {
   if (back && fixed_.region().faces[0].mark > 0) return std::nullopt;
   const SiteTree &from = back ? fixed_ : moving_, &to = back ? moving_ : fixed_;
   const RealPoint by = back ? RealPoint{-p.x, -p.y} : p;
@@ -118,7 +118,8 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p) cons
     if (!from.has_arcs() && !to.has_arcs()) return farthest_place(from, to, by, least);
     return FarthestFromSet(from.region(), to.region()).greatest(by, least);
   };
-  auto place = search(scale * kClearlyOut);
+  auto place = search(std::max(scale * kClearlyOut, floor));
+  if (!place && floor > scale * kClearlyOut) return Measured{};
   if (!place) {
     Standing s = standing(p);
     if (s.kind == (back ? Standing::Kind::kAround : Standing::Kind::kInside))
@@ -135,6 +136,15 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p) cons
   Measured m{place->value, std::nullopt, std::nullopt, {out, in}};
   if (back) std::swap(m.witness[0], m.witness[1]);
   return m;
+}
+
+/// The greater of the two directed ones; of the second only what could be greater than the first is looked for.
+std::optional<Measured> AtPosition::hausdorff(const RealPoint& p) const {
+  auto f = directed(false, p);
+  if (!f) return std::nullopt;
+  const double scale = moving_.scale() + fixed_.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
+  auto g = directed(true, p, near_value(f->value) - scale * kHardlyOut);
+  return !g ? std::nullopt : f->value < g->value ? g : f;
 }
 
 /// A point of both shapes: their boundaries cross there, touch, or one lies in the other.
@@ -222,10 +232,8 @@ std::optional<Measured> AtPosition::measure(Which which, const RealPoint& p) con
       return directed(false, p);
     case Which::kMuBack:
       return directed(true, p);
-    case Which::kHausdorff: {
-      auto f = directed(false, p), g = directed(true, p);
-      return !f || !g ? std::nullopt : f->value < g->value ? g : f;
-    }
+    case Which::kHausdorff:
+      return hausdorff(p);
     case Which::kD1:
       return plain(p);
     case Which::kH:

@@ -57,7 +57,9 @@ class AtPosition {
   std::optional<Measured> signed_distance(Which which, Standing::Kind quick, const exact::RealPoint& p) const;
   std::optional<Measured> by_map(Which which, const exact::RealPoint& p) const;
   std::optional<Measured> farthest(Which which, const exact::RealPoint& p) const;
-  std::optional<Measured> directed(bool back, const exact::RealPoint& p) const;
+  /// A value of `floor` or less may come out as 0.
+  std::optional<Measured> directed(bool back, const exact::RealPoint& p, double floor = 0) const;
+  std::optional<Measured> hausdorff(const exact::RealPoint& p) const;
   std::optional<Measured> plain(const exact::RealPoint& p) const;
   std::optional<Measured> diameter(const exact::RealPoint& p) const;
   std::optional<Measured> cut(std::optional<Measured> m, bool negated) const;

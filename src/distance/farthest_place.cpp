@@ -103,7 +103,7 @@ void PlaceSearch::record(const Seen& seen, Cell cell, double error) {
   if (seen.value + error <= best_ - slack_) return;
   if (error == 0) best_ = std::max(best_, seen.value);
   for (const Found& f : found_)
-    if (f.cell == cell && std::hypot(f.seen.at.x - seen.at.x, f.seen.at.y - seen.at.y) <= std::max(error, slack_))
+    if (f.cell == cell && plain_length(f.seen.at.x - seen.at.x, f.seen.at.y - seen.at.y) <= std::max(error, slack_))
       return;
   found_.push_back({seen, cell, error});
 }
@@ -119,7 +119,7 @@ void PlaceSearch::walk_boundary() {
   auto push = [&](Index node, Index guess) {
     const SiteBox& box = b_.nodes()[node].box;
     Spot c{(box.x0 + box.x1) / 2 + px_, (box.y0 + box.y1) / 2 + py_};
-    double radius = std::hypot(box.x1 - box.x0, box.y1 - box.y0) / 2;
+    double radius = plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2;
     auto near = a_.nearest(c.x, c.y, guess);
     bool outside = near.distance + radius > best_ && !in_a(c, near);
     double bound = (outside ? near.distance : near.distance > radius ? -1 : 0) + radius;
@@ -162,12 +162,12 @@ void PlaceSearch::visit_edge(const Site& edge, Index guess) {
   while (!parts.empty()) {
     const Seen s = parts.back().first, t = parts.back().second;
     parts.pop_back();
-    double length = std::hypot(t.at.x - s.at.x, t.at.y - s.at.y);
+    const double size = plain_length(t.at.x - s.at.x, t.at.y - s.at.y);
     double bound = std::min({std::max(s.near.distance, to_site(t.at, s.near.site)),
-                             std::max(to_site(s.at, t.near.site), t.near.distance), (s.value + t.value + length) / 2});
-    if (bound <= best_ + slack_ || length <= scale_ * kShortPart) continue;
+                             std::max(to_site(s.at, t.near.site), t.near.distance), (s.value + t.value + size) / 2});
+    if (bound <= best_ + slack_ || size <= scale_ * kShortPart) continue;
     double covered = (s.inside ? s.near.distance : 0) + (t.inside ? t.near.distance : 0);
-    if (covered >= length) continue;  // all inside A
+    if (covered >= size) continue;  // all inside A
     auto on_part = [&](double m) { return Spot{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)}; };
     double m = s.near.site != t.near.site ? split(s, t) : 0.5;
     if (m > 0x1p-30 && m < 1 - 0x1p-30) record(see(on_part(m), s.near.site), edge.cell);
@@ -204,10 +204,10 @@ bool PlaceSearch::can_grow(Spot middle, const Seen& seen, double radius) const {
     double dx = s.x1 - s.x0, dy = s.y1 - s.y0;
     double side = (middle.y - s.y0) * dx - (middle.x - s.x0) * dy > 0 ? 1 : -1;
     ux = -dy * side, uy = dx * side;
-  } else if (!s.is_vertex() && std::hypot(middle.x - s.x1, middle.y - s.y1) < std::hypot(ux, uy)) {
+  } else if (!s.is_vertex() && plain_length(middle.x - s.x1, middle.y - s.y1) < plain_length(ux, uy)) {
     ux = middle.x - s.x1, uy = middle.y - s.y1;
   }
-  double n = std::hypot(ux, uy), reach = seen.near.distance + 2 * radius + slack_;
+  double n = plain_length(ux, uy), reach = seen.near.distance + 2 * radius + slack_;
   ux /= n, uy /= n;
   double level = ux * middle.x + uy * middle.y - radius - slack_;
   auto height = [&](double x, double y) { return ux * x + uy * y - level; };
@@ -303,7 +303,7 @@ std::optional<FarthestPlace> PlaceSearch::exact_meeting(const Found& f) const {
     for (const Event& e : all) {
       if (!e.at) continue;
       double u = near_value(e.at->x), v = near_value(e.at->y);
-      if (!(std::hypot(u - x, v - y) <= room)) continue;
+      if (!(plain_length(u - x, v - y) <= room)) continue;
       double error = std::abs(a_.nearest(u, v, f.seen.near.site).distance - near_value(e.level));
       if (error > slack_ * 4 ||
           (best && near_value(e.level) <= near_value(best->value) + slack_ && error >= least_error))

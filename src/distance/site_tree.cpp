@@ -169,11 +169,11 @@ std::optional<bool> SiteTree::contains(double x, double y, const Near& near) con
   if (s.is_vertex()) return region_.faces[region_.vertices[s.cell.index].face].mark > 0;
   Index h = 2 * s.cell.index;  // from (x0, y0) to (x1, y1)
   if (s.faces(x, y)) {
-    bool left = s.arc ? (std::hypot(x - s.cx, y - s.cy) < s.r) == (s.half < 0)
+    bool left = s.arc ? (plain_length(x - s.cx, y - s.cy) < s.r) == (s.half < 0)
                       : (s.x1 - s.x0) * (y - s.y0) - (s.y1 - s.y0) * (x - s.x0) > 0;
     return region_.faces[region_.face(left ? h : h + 1)].mark > 0;
   }
-  bool first = std::hypot(x - s.x0, y - s.y0) < std::hypot(x - s.x1, y - s.y1);
+  bool first = plain_length(x - s.x0, y - s.y0) < plain_length(x - s.x1, y - s.y1);
   auto face = face_around(first ? region_.edges[s.cell.index].v0 : region_.edges[s.cell.index].v1, x, y);
   if (!face) return std::nullopt;
   return region_.faces[*face].mark > 0;

@@ -22,9 +22,9 @@ double near_value(const Real& r) {
 
 bool Site::has_direction(double dx, double dy) const {
   if (dy != 0 && (dy > 0) != (half > 0)) return false;
-  double length = std::hypot(dx, dy);
-  if (length == 0) return true;
-  double at = cx + dx / length * r;
+  double size = plain_length(dx, dy);
+  if (size == 0) return true;
+  double at = cx + dx / size * r;
   return at >= x0 && at <= x1;
 }
 
@@ -36,19 +36,22 @@ bool Site::faces(double x, double y) const {
 }
 
 double Site::distance(double x, double y) const {
-  double d = std::hypot(x - x0, y - y0);
-  if (is_vertex()) return d;
-  if (!faces(x, y)) return std::min(d, std::hypot(x - x1, y - y1));
-  if (arc) return std::abs(std::hypot(x - cx, y - cy) - r);
-  double dx = x1 - x0, dy = y1 - y0;
-  return std::abs((x - x0) * dy - (y - y0) * dx) / std::hypot(dx, dy);
+  const double px = x - x0, py = y - y0;
+  if (is_vertex()) return plain_length(px, py);
+  if (arc) {
+    return has_direction(x - cx, y - cy) ? std::abs(plain_length(x - cx, y - cy) - r)
+                                         : std::min(plain_length(px, py), plain_length(x - x1, y - y1));
+  }
+  const double dx = x1 - x0, dy = y1 - y0, t = px * dx + py * dy, square = dx * dx + dy * dy;
+  if (t < 0) return plain_length(px, py);
+  return t > square ? plain_length(x - x1, y - y1) : std::abs(px * dy - py * dx) / std::sqrt(square);
 }
 
 double Site::farthest(double x, double y) const {
-  double d = std::hypot(x - x0, y - y0);
+  double d = plain_length(x - x0, y - y0);
   if (is_vertex()) return d;
-  if (arc && has_direction(cx - x, cy - y)) return std::hypot(x - cx, y - cy) + r;
-  return std::max(d, std::hypot(x - x1, y - y1));
+  if (arc && has_direction(cx - x, cy - y)) return plain_length(x - cx, y - cy) + r;
+  return std::max(d, plain_length(x - x1, y - y1));
 }
 
 Site vertex_site(const CellComplex& c, Index v) {
@@ -88,7 +91,7 @@ Front near_front(const CellComplex& c, const Site& s, double x, double y, int si
   }
   const Carrier& k = c.carrier(s.cell.index);
   if (k.circle) {
-    bool outside = std::hypot(x - s.cx, y - s.cy) > s.r;
+    bool outside = plain_length(x - s.cx, y - s.cy) > s.r;
     return Front::ring(k.center_x(), k.center_y(), k.w, outside ? level : -level);
   }
   bool above = k.x.value * (x - s.x0) + k.y.value * (y - s.y0) > 0;

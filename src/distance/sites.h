@@ -6,6 +6,7 @@
 // sites, features.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -18,6 +19,9 @@ namespace findspace::distance {
 
 /// A middle of the enclosure that a real number carries.
 double near_value(const exact::Real& r);
+
+/// As std::hypot for coordinates whose squares doubles hold, at a tenth of its cost.
+inline double plain_length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// A vertex, or the relatively open inside of an edge.
 struct Site {
