@@ -8,6 +8,7 @@
 
 #include "findspace/error.h"
 #include "situation/solve_space.h"
+#include "space/deepest.h"
 #include "space/min_ball.h"
 
 namespace findspace::situation {
@@ -174,8 +175,46 @@ std::optional<SpacePair::Sublevel> SpacePair::sublevel(Which which, const Real& 
   return out;
 }
 
+namespace {
+
+BoxPair::Least least_at(const RealVector& at, const Real& value, const Real& scale) {
+  space::IntervalBox box;
+  for (std::size_t k = 0; k < 3; ++k) box[k] = {at[k] / scale, at[k] / scale, true, true};
+  return {value / scale, BoxComplex::of_boxes(std::array<space::IntervalBox, 1>{box})};
+}
+
+}  // namespace
+
+/// gamma1, eta1 and delta1 of convex shapes.
+std::optional<BoxPair::Least> SpacePair::deepest_fit(Which which) const {
+  if (!bodies_ || a_->outside) return std::nullopt;
+  const auto plain = [](const Body& body) { return body.convex() && body.parts[0].core && !body.round(); };
+  std::vector<space::HalfSpace> planes;
+  Real grown;
+  if (which == Which::kEta1 && plain(*a_)) {
+    planes = fitting_planes(*b_, a_->parts[0], Real(), false);
+  } else if (which == Which::kDelta1 && plain(*b_)) {
+    planes = fitting_planes(*a_, b_->parts[0], Real(), true);
+  } else if (which == Which::kGamma1 && a_->convex() && b_->convex()) {
+    planes = space::difference_planes(a_->parts[0], b_->parts[0]);
+    grown = a_->parts[0].radius + b_->parts[0].radius;
+    if (planes.empty()) return least_at(real(a_->parts[0].center - b_->parts[0].center), -grown, Real(scale_));
+  } else {
+    return std::nullopt;
+  }
+  const space::Bounds3 a = bounds(*a_), b = bounds(*b_);
+  const auto found = space::deepest(planes, space::minus(a.low, b.high), space::minus(a.high, b.low));
+  if (!found) return std::nullopt;
+  // Where nothing fits there is no distance.
+  if (found->value.sign() > 0) return BoxPair::Least{Real(), BoxComplex()};
+  return least_at(found->at, found->value - grown, Real(scale_));
+}
+
 std::optional<BoxPair::Least> SpacePair::least(Which which) const {
-  if (which != Which::kGamma2) return boxes_ ? boxes_->least(which) : std::nullopt;
+  if (which != Which::kGamma2) {
+    auto found = boxes_ ? boxes_->least(which) : std::nullopt;
+    return found ? std::move(found) : deepest_fit(which);
+  }
   bodies();
   const Body &b = *b_, &a = *a_;
   if (a.outside) return std::nullopt;
@@ -192,11 +231,7 @@ std::optional<BoxPair::Least> SpacePair::least(Which which) const {
     }
   }
   const space::EnclosingBall ball = space::min_ball(points);
-  const Real scale(scale_);
-  space::IntervalBox at;
-  for (std::size_t k = 0; k < 3; ++k) at[k] = {ball.center[k] / scale, ball.center[k] / scale, true, true};
-  return BoxPair::Least{(sqrt(ball.square) + round) / scale,
-                        BoxComplex::of_boxes(std::array<space::IntervalBox, 1>{at})};
+  return least_at(ball.center, sqrt(ball.square) + round, Real(scale_));
 }
 
 }  // namespace findspace::situation

@@ -40,6 +40,7 @@ class SpacePair {
  private:
   const distance::SolidPair& bodies() const;
   Sublevel none() const;
+  std::optional<distance::BoxPair::Least> deepest_fit(distance::Which which) const;
 
   std::unique_ptr<distance::BoxPair> boxes_;
   std::unique_ptr<distance::SolidPair> bodies_;
