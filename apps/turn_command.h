@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verbs `map`, `check` and `measure` where the moving shape turns: "free": "angle" or "pose", --angle, distances with
-// turning=.
+// The verbs `map`, `check` and `measure` where the moving shape turns: "free": "angle" or "pose", --angle, distances
+// with turning=.
 #pragma once
 
 #include "session.h"

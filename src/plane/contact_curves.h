@@ -28,10 +28,10 @@ struct RoughCurve {
   double radius = 0;      // signed
   Cone normals, opposed;  // u lies in both
   double offset() const { return normal.real() * p.real() + normal.imag() * p.imag(); }
-  bool allows(RoughPoint u, double room) const;         // of a round pair
-  bool holds(RoughPoint at, double room) const;         // a point of its line or circle lies on it
-  RoughPoint normal_at(RoughPoint at) const;            // u
-  double least() const;                                 // a lower bound of the distance to the origin
+  bool allows(RoughPoint u, double room) const;  // of a round pair
+  bool holds(RoughPoint at, double room) const;  // a point of its line or circle lies on it
+  RoughPoint normal_at(RoughPoint at) const;     // u
+  double least() const;                          // a lower bound of the distance to the origin
 };
 
 /// normal * s = offset (the normal has any length, points along u), or the circle.

@@ -5,9 +5,9 @@
 // normal that points out of M, and its round parts, arcs and corners, each a centre, a signed radius (0: a corner, less
 // than 0: M lies outside the circle) and the range of its outward normals. A part of M and a part of another set that
 // touch have opposite normals, so pairs of features with opposite normals give all positions in which two sets touch
-// without overlapping: the reduced convolution. Curves without area have normals to both sides. Guarantee: no feature is
-// missing; there may be some too many (normals in doubles, with room). Cost: linear. Source: Guibas, Ramshaw, Stolfi, A
-// kinetic framework for computational geometry (1983). Keywords: normal cone, convolution, contact curve.
+// without overlapping: the reduced convolution. Curves without area have normals to both sides. Guarantee: no feature
+// is missing; there may be some too many (normals in doubles, with room). Cost: linear. Source: Guibas, Ramshaw,
+// Stolfi, A kinetic framework for computational geometry (1983). Keywords: normal cone, convolution, contact curve.
 #pragma once
 
 #include <functional>

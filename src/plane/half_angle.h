@@ -29,8 +29,8 @@ HalfAngle operator*(double s, const HalfAngle& a);
 /// Times 1 + u^2.
 HalfAngle raised(const HalfAngle& a);
 
-/// The roots in [-span, span] and the places where the polynomial comes as near to 0 as rounding, `scale` being the size
-/// of what it was made of.
+/// The roots in [-span, span] and the places where the polynomial comes as near to 0 as rounding, `scale` being the
+/// size of what it was made of.
 std::vector<double> roots(const HalfAngle& a, double span, double scale);
 
 }  // namespace findspace::plane

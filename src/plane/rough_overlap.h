@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A filter in doubles: does a closed set B, turned and moved, certainly meet an open set O? Witnesses are a point of B's
-// boundary well inside O, a point of O's boundary well inside B, or two edges that cross well inside both. Guarantee: a
-// yes is right (every margin is a million times what doubles lose); a no says nothing, so what it lets through is
-// decided exactly elsewhere. Cost: pairs of edges, some nanoseconds each. Keywords: floating point filter, collision.
+// A filter in doubles: does a closed set B, turned and moved, certainly meet an open set O? Witnesses are a point of
+// B's boundary well inside O, a point of O's boundary well inside B, or two edges that cross well inside both.
+// Guarantee: a yes is right (every margin is a million times what doubles lose); a no says nothing, so what it lets
+// through is decided exactly elsewhere. Cost: pairs of edges, some nanoseconds each. Keywords: floating point filter,
+// collision.
 #pragma once
 
 #include <complex>
@@ -24,7 +25,7 @@ class RoughSet {
 
   struct Line {
     RoughPoint p, q, center;
-    double radius = 0;  // of an arc, counter-clockwise from p to q
+    double radius = 0;                       // of an arc, counter-clockwise from p to q
     bool separates = false, bounds = false;  // one side, at least one side is inside
   };
 

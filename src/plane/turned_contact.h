@@ -40,8 +40,8 @@ class TurnedContact {
 
   /// The angles at which the marks met can change, ascending, each once; more than those, but finitely many.
   std::vector<exact::Turn> events() const;
-  /// The marks met at an angle by T moved by `shift`; the search ends as soon as one of `enough` is found. One thread at
-  /// a time.
+  /// The marks met at an angle by T moved by `shift`; the search ends as soon as one of `enough` is found. One thread
+  /// at a time.
   MarkSet marks_met(const exact::Turn& angle, MarkSet enough = 0, const exact::RealPoint& shift = {});
   /// rule(marks met) at all angles; `enough` as above. Threads: uses several.
   static TurnMap turn_map(const Pair& pair, Mark (*rule)(MarkSet), MarkSet enough);
