@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "io/draw_canvas.h"
 #include "io/draw_view.h"
 
 namespace findspace::io {
@@ -19,21 +20,6 @@ using Place2 = std::array<double, 2>;
 constexpr double kSize = 720, kMargin = 30, kLine = 18;
 
 double dot(const Place3& a, const Place3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 Place2 seen(const Place3& p) { return {dot(p, kRight), -dot(p, kUp)}; }
 
@@ -114,11 +100,11 @@ class Drawing {
   std::string run() {
     put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
         "font-size=\"13\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n",
-        kSize, (high_[1] - low_[1]) * scale_ + 2 * kMargin + header_, escaped(picture_.title));
+        kSize, (high_[1] - low_[1]) * scale_ + 2 * kMargin + header_, xml_escaped(picture_.title));
     double y = kLine;
-    put("<text x=\"12\" y=\"{}\" fill=\"#123\" font-weight=\"bold\">{}</text>\n", y, escaped(picture_.title));
+    put("<text x=\"12\" y=\"{}\" fill=\"#123\" font-weight=\"bold\">{}</text>\n", y, xml_escaped(picture_.title));
     for (const std::string& line : picture_.lines)
-      put("<text x=\"12\" y=\"{}\" fill=\"#345\">{}</text>\n", y += kLine, escaped(line));
+      put("<text x=\"12\" y=\"{}\" fill=\"#345\">{}</text>\n", y += kLine, xml_escaped(line));
     for (const Shown& part : parts_) put_outline(part);
     for (const Shown& part : parts_) {
       put_edges(part.back, part.moving ? "#9bd" : "#bbb", " stroke-dasharray=\"3 4\"");

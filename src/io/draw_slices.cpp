@@ -8,27 +8,13 @@
 #include <cmath>
 #include <iterator>
 
+#include "io/draw_canvas.h"
 #include "io/draw_layout.h"
 
 namespace findspace::io {
 namespace {
 
 constexpr double kWidth = 900, kGap = 18, kLine = 16;
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 /// One layer: from the window's coordinates to those of its panel.
 struct Panel {
@@ -87,7 +73,7 @@ std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayG
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
       "font-size=\"12\" fill=\"#234\">\n<title>{}</title>\n<text x=\"{}\" y=\"{}\">{}</text>\n",
-      width, height, escaped(title), kGap, kLine, escaped(title));
+      width, height, xml_escaped(title), kGap, kLine, xml_escaped(title));
   for (std::size_t j = 0; j < rows.size(); ++j) {
     const int k = static_cast<int>(j);
     const Panel panel{kGap + (k % across) * (panel_width + kGap),

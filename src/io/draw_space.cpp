@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "io/draw_canvas.h"
 #include "io/draw_view.h"
 
 namespace findspace::io {
@@ -180,12 +181,6 @@ class View {
   double low_[2] = {1e300, 1e300}, high_[2] = {-1e300, -1e300}, scale_ = 1;
 };
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  return out;
-}
-
 }  // namespace
 
 std::string space_svg(const SpacePicture& picture) {
@@ -222,7 +217,7 @@ std::string space_svg(const SpacePicture& picture) {
   fmt::format_to(put,
                  "<text x=\"{0}\" y=\"28\" font-size=\"17\">{1}</text>\n<text x=\"{0}\" y=\"48\" font-size=\"12.5\" "
                  "fill=\"#555\">{2}</text>\n",
-                 kMargin, escaped(picture.title), escaped(picture.subtitle));
+                 kMargin, xml_escaped(picture.title), xml_escaped(picture.subtitle));
   for (const Polygon& f : faces) {
     std::string corners;
     for (const Place3& p : f.corners) corners += view.at(p) + " ";

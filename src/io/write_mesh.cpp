@@ -10,6 +10,7 @@
 #include <iterator>
 #include <map>
 
+#include "io/draw_canvas.h"
 #include "io/draw_view.h"
 #include "io/mesh_3mf.h"
 #include "io/write_mesh_binary.h"
@@ -62,21 +63,6 @@ Picture fit(const Surface& s) {
   p.width = (high[0] - low[0]) * p.scale + 2 * kMargin;
   p.height = (high[1] - low[1]) * p.scale + 2 * kMargin;
   return p;
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (static_cast<unsigned char>(c) >= ' ')
-      out += c;
-  }
-  return out;
 }
 
 std::string one_line(std::string_view text) {
@@ -146,7 +132,7 @@ std::string svg_text(const Surface& s, std::string_view title) {
       std::back_inserter(out),
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" fill=\"none\" stroke=\"#123\" "
       "stroke-width=\"1.4\" stroke-linecap=\"round\">\n<title>{}</title>\n",
-      picture.width, picture.height, escaped(title));
+      picture.width, picture.height, xml_escaped(title));
   for (const bool front : {false, true}) {
     fmt::format_to(std::back_inserter(out), "<path{} d=\"", front ? "" : " stroke-dasharray=\"4 4\" stroke=\"#89a\"");
     for (const auto& [edge, seen] : visible) {
