@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "io/draw_slices.h"
 #include "io/write_json_rays.h"
@@ -110,6 +112,22 @@ io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step) {
   return out;
 }
 
+/// What the slices show: the region with a little around it, within the box of the lines.
+std::pair<space::Point, space::Point> shown_box(const RaySet& set, const space::RaySummary& summary) {
+  space::Point low = set.low, high = set.high;
+  if (summary.empty) return {low, high};
+  constexpr double kAround = 0.05;
+  const auto shrink = [&](std::int64_t space::Point::*axis, std::size_t k) {
+    const double room = std::max(1.0, (summary.high[k] - summary.low[k]) * kAround);
+    low.*axis = std::max(low.*axis, static_cast<std::int64_t>(std::floor(summary.low[k] - room)));
+    high.*axis = std::min(high.*axis, static_cast<std::int64_t>(std::ceil(summary.high[k] + room)));
+  };
+  shrink(&space::Point::x, 0);
+  shrink(&space::Point::y, 1);
+  shrink(&space::Point::z, 2);
+  return {low, high};
+}
+
 }  // namespace
 
 situation::RayWorld ray_world(const Session& session) {
@@ -146,9 +164,9 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   for (const char* ending : io::kSurfaceEndings)
     writers.emplace(ending, [=] { return io::surface_text(surface(), set.title, ending, session.unit()); });
   writers[".svg"] = [&] {
-    const space::RayGrid slices = io::slice_grid(set.low, set.high, kLayers, set.resolution);
-    return io::slices_svg(space::all_rows(*set.source(slices)), slices, set.low, set.high, step, set.title,
-                          session.unit());
+    const auto [low, high] = shown_box(set, cast.summary);
+    const space::RayGrid slices = io::slice_grid(low, high, kLayers, set.resolution);
+    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, set.title, session.unit());
   };
   write_outputs(options, writers);
   std::string text = options.json ? json() : summary_text(set, cast.summary, step, session.unit());
