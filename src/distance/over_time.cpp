@@ -123,6 +123,12 @@ class PathSearch {
   std::vector<Gap> gaps_;
 };
 
+/// The sign of the least (greatest) value along the path from every position.
+SignMap extreme_along(SignMap m, const RelativePath& path, Sense sense) {
+  if (sense == Sense::kMinimum) return least_along(m, path);
+  return negated(least_along(negated(std::move(m)), path));
+}
+
 class OverTime : public PositionFunction {
  public:
   OverTime(TDistancePointer f, RelativePath path, Sense sense)
@@ -130,11 +136,7 @@ class OverTime : public PositionFunction {
 
   bool defined() const override { return f_->defined(); }
 
-  SignMap sign_map(const Real& level) const override {
-    SignMap m = f_->sign_map(level);
-    if (sense_ == Sense::kMinimum) return least_along(m, path_);
-    return negated(least_along(negated(std::move(m)), path_));
-  }
+  SignMap sign_map(const Real& level) const override { return extreme_along(f_->sign_map(level), path_, sense_); }
 
   std::optional<Value> value(const RealPoint& p) const override {
     if (!defined()) return std::nullopt;
@@ -162,11 +164,7 @@ class JumpingOverTime : public PositionFunction {
 
   bool defined() const override { return f_->defined(); }
 
-  SignMap sign_map(const Real& level) const override {
-    SignMap m = f_->sign_map(level);
-    if (sense_ == Sense::kMinimum) return least_along(m, path_);
-    return negated(least_along(negated(std::move(m)), path_));
-  }
+  SignMap sign_map(const Real& level) const override { return extreme_along(f_->sign_map(level), path_, sense_); }
 
   std::optional<Value> value(const RealPoint& p) const override {
     if (!defined()) return std::nullopt;

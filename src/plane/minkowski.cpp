@@ -35,8 +35,7 @@ std::int64_t reach_of(const Part& p) {
 }
 
 /// Adds up the convolutions of pairs of parts; where an intersection of the two could be a ring, whose Euler
-/// characteristic is 0, holes are bridged first so that every number counts simply connected components. The parts
-/// given must outlive the sum.
+/// characteristic is 0, holes are bridged first so that every number counts simply connected components.
 class SumOfPairs {
  public:
   /// The curves are added to the given geometry.
@@ -55,9 +54,8 @@ class SumOfPairs {
     builder_.add(*p, *q);
   }
 
-  /// Marks 1 where the number is positive. Of the open sum: 0 elsewhere. `closure`: -1 inside, 0 on the boundary, +1
-  /// outside.
-  CellComplex open_sum() && {
+  /// -1 where the number is positive, 0 on the boundary of that, +1 elsewhere.
+  SignMap open_sum() && {
     Arrangement a = arranged();
     Windings w = windings(a, strands_, corners_, base_);
     add_circled(a, w);
@@ -80,7 +78,8 @@ class SumOfPairs {
   /// The numbers at single points, of solid parts bounded by segments.
   PointWinding numbers() && { return PointWinding(std::move(builder_), base_); }
 
-  CellComplex closed_sum() && {
+  /// 1 where the number is positive.
+  Region closed_sum() && {
     Arrangement a = arranged();
     Windings w = windings(a, strands_, corners_, base_, VertexScope::kAll);
     add_circled(a, w);
