@@ -102,7 +102,9 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
     command.add_option("--index", o.index, "which of the drawing's shapes, from 0");
   }
   command.add_option("--threads", o.threads, "threads to use; 0: one for each core")->type_name("N");
-  command.add_option("--time-limit", o.time_limit, "seconds after which to give up")->type_name("S");
+  command.add_option("--time-limit", o.time_limit, "seconds after which to give up; 0: never")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
   command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written");
 }
 

@@ -110,6 +110,8 @@ void Session::require_positions_in_space() const {
     throw Error(ErrorCode::kUnsupported, what + " is not computed in 3D", scene_.file);
   };
   if (scene_.motion.given()) refuse("a scene with \"motion\"");
+  if (options_.angle) refuse("--angle");
+  instant();  // refuses --time: there is no motion
   if (scene_.free.kind != io::Free::Kind::kPosition) refuse("this kind of \"free\"");
   if (scene_.moving.empty())
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);

@@ -130,6 +130,8 @@ void Search::bracket() {
   good_ += scale_ * 0x1p-30;
   double step = std::max(1.0, scale_ / 8);
   for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) bad_ = good_ - step;
+  scale_ =
+      std::max({scale_, std::abs(bad_), std::abs(good_)});  // over the whole plane nothing else says how large all is
 }
 
 /// Begins with what is known, if the level that is said to be reached is.

@@ -73,7 +73,7 @@ const std::string& SceneReader::text(const JsonValue& value, std::string_view me
 std::vector<std::string> SceneReader::texts(const JsonValue& value, std::string_view meaning,
                                             const Label& label) const {
   if (value.is(JsonValue::Kind::kString)) return {text(value, meaning, label)};
-  expect(value, JsonValue::Kind::kArray, meaning, label);
+  expect(value, JsonValue::Kind::kArray, fmt::format("{} (if it is not a text)", meaning), label);
   if (value.size() == 0) fail(ErrorCode::kBadValue, fmt::format("{} is an empty list", meaning), label, value);
   std::vector<std::string> all;
   for (const JsonValue& item : value.items) all.push_back(text(item, meaning, label));

@@ -12,22 +12,31 @@ using exact::Geometry;
 using exact::int128;
 using exact::Real;
 
+namespace {
+
+/// The sum of two such coordinates fits a grid coordinate of Geometry.
+constexpr std::int64_t kMost = std::int64_t(1) << 61;
+
+bool fits(std::int64_t c) { return c <= kMost && c >= -kMost; }
+bool fits(const std::optional<int128>& c) { return c && *c <= kMost && *c >= -kMost; }
+
+}  // namespace
+
 Position Position::of(const Geometry& g, Index point) {
   const exact::Point& p = g.points[point];
-  Position out;
-  if (p.kind == exact::Point::Kind::kGrid) {
+  if (p.kind == exact::Point::Kind::kGrid && fits(p.gx) && fits(p.gy)) {
+    Position out;
     out.x = p.gx, out.y = p.gy;
-  } else {
-    exact::RealPoint e = g.exact(point);
-    out = of(e.x, e.y);
+    return out;
   }
-  return out;
+  exact::RealPoint e = g.exact(point);
+  return of(e.x, e.y);
 }
 
 Position Position::of(const Real& x, const Real& y) {
   Position out;
   auto ix = x.integer(), iy = y.integer();
-  if (ix && iy) {
+  if (fits(ix) && fits(iy)) {
     out.x = std::int64_t(*ix), out.y = std::int64_t(*iy);
   } else {
     out.real = std::make_shared<const exact::RealPoint>(exact::RealPoint{x, y});
@@ -37,10 +46,8 @@ Position Position::of(const Real& x, const Real& y) {
 
 Position operator+(const Position& p, const Position& q) {
   Position out;
-  if (p.grid() && q.grid()) {
-    out.x = p.x + q.x, out.y = p.y + q.y;
-    return out;
-  }
+  if (p.grid() && q.grid()) out.x = p.x + q.x, out.y = p.y + q.y;
+  if (p.grid() && q.grid() && fits(out.x) && fits(out.y)) return out;
   return Position::of(p.real_x() + q.real_x(), p.real_y() + q.real_y());
 }
 
@@ -54,7 +61,7 @@ void Position::mirror() {
 Direction Direction::of(const Real& x, const Real& y) {
   Direction d;
   auto ix = x.integer(), iy = y.integer();
-  if (ix && iy)
+  if (fits(ix) && fits(iy))
     d.x = std::int64_t(*ix), d.y = std::int64_t(*iy);
   else
     d.real = std::make_shared<const exact::RealPoint>(exact::RealPoint{x, y});

@@ -101,7 +101,7 @@ std::vector<Part> flat_parts(const CellComplex& complex, const std::function<boo
 /// The same part with its holes joined to their surroundings by horizontal bridges, so that it is simply connected. The
 /// bridge is walked on both sides; as an open set it lacks the bridge, which no Minkowski sum with an open set notices.
 /// For an unbounded part one bridge leads left for at least `reach`.
-Part bridged(Part part, std::int64_t reach);
+Part bridged(Part part, const exact::Real& reach);
 
 Part mirrored(Part part);
 

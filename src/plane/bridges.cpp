@@ -149,7 +149,7 @@ bool join_left(std::vector<std::vector<Step>>& paths, const Hole& hole) {
 
 }  // namespace
 
-Part bridged(Part part, std::int64_t reach) {
+Part bridged(Part part, const Real& reach) {
   std::vector<std::vector<Step>> paths;
   std::vector<Hole> holes;
   for (std::size_t k = 0; k < part.paths.size(); ++k) {
@@ -162,7 +162,7 @@ Part bridged(Part part, std::int64_t reach) {
   for (const Hole& hole : holes) {
     if (join_left(paths, hole)) continue;
     // Nothing to its left (the part is unbounded): a slit that leads far away.
-    Position tip = Position::of(Real(exact::floor(hole.first.real_x())) - Real(reach), hole.first.real_y());
+    Position tip = Position::of(Real(exact::floor(hole.first.real_x())) - reach, hole.first.real_y());
     paths.push_back(hole.steps);
     paths.back().push_back(level_step(hole.first, tip, true));
     paths.back().push_back(level_step(tip, hole.first, false));

@@ -38,10 +38,18 @@ CellMeasures::CellMeasures(const CellComplex& c) : c_(c) {
 
 CellMeasures::Spread CellMeasures::spread(Index arc) const {
   const Edge& e = c_.edges[arc];
-  const Circle& k = circle(arc);
   Index from = e.half < 0 ? e.v0 : e.v1, to = e.half < 0 ? e.v1 : e.v0;  // the lower half runs counter-clockwise
-  Twofold ax = x_[from] - k.x, ay = y_[from] - k.y, bx = x_[to] - k.x, by = y_[to] - k.y;
+  const auto [ax, ay] = arm(arc, from);
+  const auto [bx, by] = arm(arc, to);
   return {cross(ax, ay, bx, by), ax * bx + ay * by};
+}
+
+std::array<Twofold, 2> CellMeasures::arm(Index arc, Index vertex) const {
+  const Circle& k = circle(arc);
+  constexpr double kSmall = 0x1p-40;  // no sign: where the differences of rounded coordinates keep too few digits
+  if (k.radius.hi > kSmall * (std::abs(k.x.hi) + std::abs(k.y.hi))) return {x_[vertex] - k.x, y_[vertex] - k.y};
+  const exact::RealPoint p = c_.geometry.exact(c_.vertices[vertex].point);
+  return {Twofold(p.x - c_.carrier(arc).center_x()), Twofold(p.y - c_.carrier(arc).center_y())};
 }
 
 Twofold CellMeasures::angle(Index arc) const {

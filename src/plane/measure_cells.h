@@ -8,6 +8,7 @@
 // Keywords: polygon area, arc length, circular segment, shoelace formula.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "plane/cell_complex.h"
@@ -39,6 +40,8 @@ class CellMeasures {
     Twofold cross, dot;  // of the vectors from the centre to the arc's ends, in counter-clockwise order
   };
   Spread spread(Index arc) const;
+  /// From the centre of the circle to an end of the arc.
+  std::array<Twofold, 2> arm(Index arc, Index vertex) const;
   Twofold swept_area(Index half_edge, const Twofold& ox, const Twofold& oy) const;
 
   const CellComplex& c_;

@@ -30,8 +30,9 @@ bool can_enclose(const Part& ring, const Part& other) {
                      [&](const Extent& hole) { return other.unbounded || fits(hole, other.filled); });
 }
 
-std::int64_t reach_of(const Part& p) {
-  return std::int64_t(std::ceil(std::hypot(p.filled.x1 - p.filled.x0, p.filled.y1 - p.filled.y0))) + 2;
+exact::Real reach_of(const Part& p) {
+  return exact::Real::from_double(std::ceil(std::hypot(p.filled.x1 - p.filled.x0, p.filled.y1 - p.filled.y0))) +
+         exact::Real(2);
 }
 
 /// Adds up the convolutions of pairs of parts; where an intersection of the two could be a ring, whose Euler

@@ -82,7 +82,7 @@ void Reader::fail_unclosed(Span open) const {
 
 std::string Reader::question(std::string_view word, std::span<const std::string> candidates) {
   const std::string near = nearest(word, candidates);
-  return near.empty() ? "" : fmt::format("; did you mean '{}'?", printable(near));
+  return near.empty() || near == word ? "" : fmt::format("; did you mean '{}'?", printable(near));
 }
 
 Number Reader::number() {

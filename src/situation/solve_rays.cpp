@@ -231,7 +231,10 @@ RayWindow window(const RayWorld& world, const Formula& formula) {
     bool any_b = false, any_a = false;
     for (const std::string& name : d.first) world.shapes.at(name).extend_box(b_low, b_high, any_b);
     for (const std::string& name : d.second) world.shapes.at(name).extend_box(a_low, a_high, any_a);
-    const auto r = static_cast<std::int64_t>(exact::floor(abs(map.level / world.step))) + 1;
+    const Real steps = abs(map.level / world.step);
+    if (steps > Real(exact::kRayLimit))
+      throw Error(ErrorCode::kOutOfRange, "a level exceeds 2^38 grid steps, the limit of ray maps");
+    const auto r = static_cast<std::int64_t>(exact::floor(steps)) + 1;
     const space::Point low = a_low - b_high - space::Point{r, r, r}, high = a_high - b_low + space::Point{r, r, r};
     if (first) result = {low, high};
     first = false;

@@ -141,7 +141,7 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
 
 /// Turns the faces reached from `seed` over edges of two faces so that neighbours agree; returns them all.
 std::vector<int> turn_piece(Mesh& mesh, const std::map<Edge, std::vector<int>>& faces_at, int seed,
-                            std::vector<char>& done, int& turned) {
+                            std::vector<char>& done) {
   std::vector<int> piece{seed};
   done[seed] = 1;
   for (std::size_t i = 0; i < piece.size(); ++i) {
@@ -152,7 +152,7 @@ std::vector<int> turn_piece(Mesh& mesh, const std::map<Edge, std::vector<int>>& 
       if (two.size() != 2 || done[g]) return;
       bool same = false;
       each_edge(mesh.faces[g], [&](int c, int d) { same = same || (a == c && b == d); });
-      if (same) std::reverse(mesh.faces[g].begin(), mesh.faces[g].end()), ++turned;
+      if (same) std::reverse(mesh.faces[g].begin(), mesh.faces[g].end());
       done[g] = 1;
       piece.push_back(g);
     });
@@ -169,22 +169,25 @@ void orient(Mesh& mesh, std::vector<std::string>& notes) {
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
     each_edge(mesh.faces[f], [&](int a, int b) { faces_at[undirected(a, b)].push_back(f); });
   }
-  int turned = 0;
+  const std::vector<std::vector<int>> stated = mesh.faces;
   const auto turn_outward = [&](const std::vector<int>& piece) {
     Mesh part{mesh.vertices, {}};
     for (const int f : piece) part.faces.push_back(mesh.faces[f]);
     if (six_volumes(part).sign() >= 0) return;
     for (const int f : piece) std::reverse(mesh.faces[f].begin(), mesh.faces[f].end());
-    turned += static_cast<int>(piece.size());
   };
   std::vector<int> all(mesh.faces.size());
   std::iota(all.begin(), all.end(), 0);
   if (agree) turn_outward(all);
   std::vector<char> done(mesh.faces.size(), agree);
   for (const int seed : all) {
-    if (!done[seed]) turn_outward(turn_piece(mesh, faces_at, seed, done, turned));
+    if (!done[seed]) turn_outward(turn_piece(mesh, faces_at, seed, done));
   }
-  if (turned > 0) notes.push_back(fmt::format("{} faces were turned to point outward", turned));
+  int turned = 0;
+  for (const int f : all) turned += mesh.faces[f] != stated[f];
+  if (turned > 0) {
+    notes.push_back(fmt::format("{} face{} turned to point outward", turned, turned == 1 ? " was" : "s were"));
+  }
 }
 
 void check_closed(const Mesh& mesh, double step) {
