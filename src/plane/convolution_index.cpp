@@ -80,6 +80,20 @@ ConvolutionIndex::ConvolutionIndex(const GridOperand& a, const GridOperand& b) :
     }
 }
 
+std::size_t ConvolutionIndex::convex_count() const {
+  std::size_t count = 0;
+  for (const Pair& pair : pairs_)
+    for (int s : {0, 1}) {
+      const Side &moved = pair.side[std::size_t(s)], &other = pair.side[std::size_t(1 - s)];
+      for (Index v = 0; v < other.fan.corners.size(); ++v) {
+        if (other.fan.corners[v].turn <= 0) continue;
+        const EdgeFan::Sweep& sweep = other.sweep[v];
+        count += sweep.end + (sweep.wraps ? moved.place.size() : 0) - sweep.first;
+      }
+    }
+  return count;
+}
+
 bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unsure) const {
   for (Index k = 0; k < pairs_.size(); ++k) {
     if (number(g, point, k) != 0) return true;

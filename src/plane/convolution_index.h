@@ -43,6 +43,9 @@ class ConvolutionIndex {
     return sum(pairs_[c.pair].side[c.side].fan.corners[edge(c).next].at, corner(c).at);
   }
 
+  /// How many curves arise at convex corners.
+  std::size_t convex_count() const;
+
   /// Calls visit(curve) for the curves at convex corners whose boxes meet the range, while it returns true.
   template <class Visit>
   bool visit_convex(const Range& range, Visit&& visit) const {

@@ -25,11 +25,12 @@ class LocalSum {
   LocalSum& operator=(const LocalSum&) = delete;
 
   /// Everything outside is in the set, or everything outside is not; nothing at all is left out if it is empty.
-  const std::optional<Window>& bounds() const { return bounds_; }
+  const std::optional<GridBox>& bounds() const { return bounds_; }
   bool holds(const exact::RealPoint& p) const;
-  std::size_t curves_in(const Window& w, std::size_t most) const { return plane::curves_in(index_, w, most); }
-  /// -1 on the set, as of window_sum.
-  SignMap map(const Window& w) const;
+  const ConvolutionIndex& index() const { return index_; }
+  /// -1 on the set, as of window_sum. `surely` may say that a place, given by numbers, is in the set.
+  SignMap map(const GridBox& w, std::span<const ConvolutionIndex::Curve> curves,
+              const std::function<bool(const exact::Point&)>& surely = {}) const;
 
  private:
   LocalSum(Operand a, Operand b, std::vector<GridFace> p, std::vector<GridFace> q);
@@ -38,7 +39,7 @@ class LocalSum {
   Operand a_, b_;
   std::vector<GridFace> p_, q_;
   ConvolutionIndex index_;
-  std::optional<Window> bounds_;
+  std::optional<GridBox> bounds_;
 };
 
 }  // namespace findspace::plane

@@ -3,6 +3,7 @@
 
 #include "plane/reduced_convolution.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "plane/edge_fan.h"
@@ -37,8 +38,8 @@ class CornerSums {
 
 class FacePair {
  public:
-  FacePair(ReducedConvolution& out, EdgeFan& a, EdgeFan& b, Memory memory)
-      : out_(out), a_(a), b_(b), sums_(place_and_count(), memory) {}
+  FacePair(ReducedConvolution& out, EdgeFan& a, EdgeFan& b, const std::optional<GridBox>& within, Memory memory)
+      : out_(out), a_(a), b_(b), within_(within), sums_(place_and_count(), memory) {}
 
   void add(const exact::Geometry& a, const exact::Geometry& b) {
     add_edges(b_, b, a_, false);
@@ -58,11 +59,18 @@ class FacePair {
     }
   }
 
+  bool reaches(const EdgeFan& moved, Index e, const EdgeFan& fan, Index v) const {
+    if (!within_) return true;
+    const GridPoint by = fan.corners[v].at, p = moved.corners[e].at, q = moved.corners[moved.corners[e].next].at;
+    return std::max(p.x, q.x) + by.x >= within_->x0 && std::min(p.x, q.x) + by.x <= within_->x1 &&
+           std::max(p.y, q.y) + by.y >= within_->y0 && std::min(p.y, q.y) + by.y <= within_->y1;
+  }
+
   std::size_t place_and_count() {
     EdgeFan::place(a_, b_);
     std::size_t count = 0;
-    each(b_, a_, [&](Index, Index) { ++count; });
-    each(a_, b_, [&](Index, Index) { ++count; });
+    each(b_, a_, [&](Index e, Index v) { count += reaches(b_, e, a_, v); });
+    each(a_, b_, [&](Index e, Index v) { count += reaches(a_, e, b_, v); });
     auto& g = out_.geometry;
     g.carriers.reserve(g.carriers.size() + count);
     g.points.reserve(g.points.size() + 2 * count);
@@ -74,6 +82,7 @@ class FacePair {
   void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first) {
     auto& g = out_.geometry;
     each(moved, fan, [&](Index e, Index v) {
+      if (!reaches(moved, e, fan, v)) return;
       const GridCorner& edge = moved.corners[e];
       Index from = moved_first ? sums_.point(g, moved, e, fan, v) : sums_.point(g, fan, v, moved, e);
       Index to = moved_first ? sums_.point(g, moved, edge.next, fan, v) : sums_.point(g, fan, v, moved, edge.next);
@@ -86,6 +95,7 @@ class FacePair {
 
   ReducedConvolution& out_;
   EdgeFan &a_, &b_;
+  const std::optional<GridBox>& within_;
   CornerSums sums_;
 };
 
@@ -104,12 +114,13 @@ std::size_t corner_count(const GridOperand& o) {
 
 }  // namespace
 
-ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b) {
+ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b,
+                                       const std::optional<GridBox>& within) {
   ReducedConvolution out;
   Scratch scratch(corner_count(a) + corner_count(b));
   std::pmr::vector<EdgeFan> p = fans(a, scratch.memory()), q = fans(b, scratch.memory());
   for (EdgeFan& f : p)
-    for (EdgeFan& g : q) FacePair(out, f, g, scratch.memory()).add(a.geometry, b.geometry);
+    for (EdgeFan& g : q) FacePair(out, f, g, within, scratch.memory()).add(a.geometry, b.geometry);
   return out;
 }
 

@@ -15,10 +15,10 @@ using exact::Carrier;
 using exact::Geometry;
 using exact::int128;
 
-Range range(const Window& w) { return {double(w.x0), double(w.y0), double(w.x1), double(w.y1)}; }
+Range range(const GridBox& w) { return {double(w.x0), double(w.y0), double(w.x1), double(w.y1)}; }
 
 /// The line of the curve passes the window on one side; certain where true.
-bool misses(const ConvolutionIndex& index, const Curve& c, const Window& w) {
+bool misses(const ConvolutionIndex& index, const Curve& c, const GridBox& w) {
   const GridCorner& e = index.edge(c);
   const GridPoint p = index.from(c);
   double nx = -double(e.dy), ny = double(e.dx);
@@ -31,7 +31,7 @@ bool misses(const ConvolutionIndex& index, const Curve& c, const Window& w) {
 /// Collects the curves, cut to the window.
 class Clipped {
  public:
-  explicit Clipped(const Window& w) : w_(w) {
+  explicit Clipped(const GridBox& w) : w_(w) {
     auto& g = out.geometry;
     for (auto [x, y] : {std::pair{w.x0, w.y0}, {w.x1, w.y0}, {w.x1, w.y1}, {w.x0, w.y1}}) g.add_grid_point(x, y);
     border_ = {g.add_line(1, 0, w.x0), g.add_line(1, 0, w.x1), g.add_line(0, 1, w.y0), g.add_line(0, 1, w.y1)};
@@ -87,28 +87,42 @@ class Clipped {
     return true;
   }
 
-  Window w_;
+  GridBox w_;
   std::array<Index, 4> border_{};  // left, right, bottom, top
 };
 
 }  // namespace
 
-std::size_t curves_in(const ConvolutionIndex& index, const Window& w, std::size_t most) {
-  std::size_t count = 0;
-  index.visit_convex(range(w), [&](const Curve& c) { return misses(index, c, w) || ++count < most; });
-  return count;
+std::vector<Curve> curves_in(const ConvolutionIndex& index, const GridBox& w, std::size_t most) {
+  std::vector<Curve> out;
+  index.visit_convex(range(w), [&](const Curve& c) {
+    if (!misses(index, c, w)) out.push_back(c);
+    return out.size() < most;
+  });
+  return out;
 }
 
-SignMap window_sum(const ConvolutionIndex& index, const Window& w, const InsideTest& inside) {
-  Clipped curves(w);
-  index.visit_convex(range(w), [&](const Curve& c) {
-    if (!misses(index, c, w)) curves.add(index, c);
-    return true;
-  });
-  curves.close();
-  Scratch scratch(curves.out.pieces.size());
-  Arrangement arrangement = arrange(std::move(curves.out.geometry), std::move(curves.out.pieces), {}, scratch.memory());
-  return labelled_sum(std::move(arrangement), curves.out.sides, true, inside);
+std::vector<Curve> curves_in(const ConvolutionIndex& index, const GridBox& w, std::span<const Curve> among) {
+  std::vector<Curve> out;
+  const Range r = range(w);
+  for (const Curve& c : among) {
+    const GridPoint p = index.from(c), q = index.to(c);
+    if (double(std::max(p.x, q.x)) >= r.x0 && double(std::min(p.x, q.x)) <= r.x1 &&
+        double(std::max(p.y, q.y)) >= r.y0 && double(std::min(p.y, q.y)) <= r.y1 && !misses(index, c, w))
+      out.push_back(c);
+  }
+  return out;
+}
+
+SignMap window_sum(const ConvolutionIndex& index, const GridBox& w, std::span<const Curve> curves,
+                   const InsideTest& inside) {
+  Clipped clipped(w);
+  for (const Curve& c : curves) clipped.add(index, c);
+  clipped.close();
+  Scratch scratch(clipped.out.pieces.size());
+  Arrangement arrangement =
+      arrange(std::move(clipped.out.geometry), std::move(clipped.out.pieces), {}, scratch.memory());
+  return labelled_sum(std::move(arrangement), clipped.out.sides, true, inside);
 }
 
 }  // namespace findspace::plane

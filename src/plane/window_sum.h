@@ -9,20 +9,22 @@
 // sum_labels.h. Keywords: local arrangement, clipping.
 #pragma once
 
+#include <span>
+
+#include "plane/boundary_box.h"
 #include "plane/convolution_index.h"
 #include "plane/sum_labels.h"
 
 namespace findspace::plane {
 
-/// Grid coordinates, lower bounds below upper ones.
-struct Window {
-  std::int64_t x0, y0, x1, y1;
-};
+/// The curves of the reduced convolution that reach into the window, `most` of them if there are more.
+std::vector<ConvolutionIndex::Curve> curves_in(const ConvolutionIndex& index, const GridBox& window, std::size_t most);
+/// Those of them that reach into a window inside the first one.
+std::vector<ConvolutionIndex::Curve> curves_in(const ConvolutionIndex& index, const GridBox& window,
+                                               std::span<const ConvolutionIndex::Curve> among);
 
-/// How many curves of the reduced convolution reach into the window; `most` if there are more.
-std::size_t curves_in(const ConvolutionIndex& index, const Window& window, std::size_t most);
-
-/// -1 on the open sum, 0 on its boundary, +1 elsewhere.
-SignMap window_sum(const ConvolutionIndex& index, const Window& window, const InsideTest& inside);
+/// -1 on the open sum, 0 on its boundary, +1 elsewhere; `curves` are all that reach into the window.
+SignMap window_sum(const ConvolutionIndex& index, const GridBox& window,
+                   std::span<const ConvolutionIndex::Curve> curves, const InsideTest& inside);
 
 }  // namespace findspace::plane

@@ -53,7 +53,7 @@ Region star(std::mt19937& rng, int n, double size) {
 }
 
 /// Where the marks of two maps differ within the open window.
-Region difference(const SignMap& part, const SignMap& whole, const Window& w) {
+Region difference(const SignMap& part, const SignMap& whole, const GridBox& w) {
   Region inside = ring({{w.x0, w.y0}, {w.x1, w.y0}, {w.x1, w.y1}, {w.x0, w.y1}});
   for (Edge& e : inside.edges) e.mark = 0;
   for (Vertex& v : inside.vertices) v.mark = 0;
@@ -77,8 +77,9 @@ void compare(const LocalSum& local, const SignMap& whole, std::int64_t size, std
     std::int64_t wide = 1 + std::int64_t(rng() % std::uint64_t(size)),
                  high = 1 + std::int64_t(rng() % std::uint64_t(size));
     // A vertex of the map in the middle of the window, or on its border.
-    Window w{x - (k % 3 ? wide : 0), y - (k % 3 == 1 ? high : 1), x + wide, y + high};
-    ASSERT_TRUE(is_nothing(difference(local.map(w), whole, w)))
+    GridBox w{x - (k % 3 ? wide : 0), y - (k % 3 == 1 ? high : 1), x + wide, y + high};
+    auto curves = curves_in(local.index(), w, SIZE_MAX);
+    ASSERT_TRUE(is_nothing(difference(local.map(w, curves), whole, w)))
         << what << ", window " << w.x0 << " " << w.y0 << " " << w.x1 << " " << w.y1;
   }
 }
