@@ -107,15 +107,25 @@ Outline outline(const GridFace& face) {
   return out;
 }
 
-std::vector<Outline> outlines(const GridOperand& o) {
+/// An unbounded face as far as it can matter: up to a frame further out than the other set is large.
+Outline framed(const GridFace& face, const GridOperand& other) {
+  Outline out = outline(face);
+  const GridBox p = box_of(std::span(&face, 1)), q = box_of(other.faces);
+  const double far = double(q.x1 - q.x0) + double(q.y1 - q.y0) + 2;
+  const double x0 = double(p.x0) - far, y0 = double(p.y0) - far, x1 = double(p.x1) + far, y1 = double(p.y1) + far;
+  out.insert(out.end(), {{x0, y0, x1, y0}, {x1, y0, x1, y1}, {x1, y1, x0, y1}, {x0, y1, x0, y0}});
+  return out;
+}
+
+std::vector<Outline> outlines(const GridOperand& o, const GridOperand& other) {
   std::vector<Outline> out;
   for (const GridFace& f : o.faces)
-    if (!f.unbounded) out.push_back(outline(f));
+    if (!f.corners.empty()) out.push_back(f.unbounded ? framed(f, other) : outline(f));
   return out;
 }
 
 InnerMask inner_mask(const Extents& e, const GridOperand& a, const GridOperand& b) {
-  std::vector<Outline> p = outlines(a), q = outlines(b);
+  std::vector<Outline> p = outlines(a, b), q = outlines(b, a);
   std::vector<InnerMask::Pair> pairs;
   for (const Outline& x : p)
     for (const Outline& y : q) pairs.push_back({&x, &y});
