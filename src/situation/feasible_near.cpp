@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -86,19 +87,26 @@ class Near {
   Region run() {
     const Node& root = formula_.root();
     if (root.op != Node::Op::kAnd) return solver_.feasible(formula_);
-    std::vector<Formula> bounding, others;
+    std::vector<Formula> bounding, near;
+    std::vector<const Node*> others;
     for (const Node& operand : root.operands) {
-      std::vector<Atom> atoms;
-      Node copy = taken(operand, formula_, atoms);
-      (bounds(operand) ? bounding : others).push_back(Formula(std::move(copy), std::move(atoms)));
+      if (bounds(operand))
+        bounding.push_back(alone(operand));
+      else
+        others.push_back(&operand);
     }
     if (bounding.empty() || others.empty()) return solver_.feasible(formula_);
     Region room = solver_.feasible(conjunction(bounding));
     if (plane::is_empty(room)) return room;
     if (!plane::is_bounded(room)) return solver_.feasible(formula_);
     box_ = *plane::extent(room);
-    std::vector<std::optional<Region>> sets(others.size());
-    plane::parallel_for(others.size(), [&](std::size_t k) { sets[k] = set(others[k]); });
+    for (const Node* other : others) {
+      const std::optional<bool> far = if_far(*other);
+      if (!far) near.push_back(alone(*other));
+      if (far && !*far) return CellComplex::uniform(0);
+    }
+    std::vector<std::optional<Region>> sets(near.size());
+    plane::parallel_for(near.size(), [&](std::size_t k) { sets[k] = set(near[k]); });
     std::vector<const Region*> all{&room};
     for (const auto& s : sets)
       if (s) all.push_back(&*s);
@@ -106,6 +114,18 @@ class Near {
   }
 
  private:
+  struct Mover {
+    Region shape;
+    std::optional<PieceBox> box;
+  };
+  using Names = std::vector<std::string>;
+
+  Formula alone(const Node& node) const {
+    std::vector<Atom> atoms;
+    Node copy = taken(node, formula_, atoms);
+    return Formula(std::move(copy), std::move(atoms));
+  }
+
   bool moves(const std::string& name) const {
     const auto& moving = solver_.world().moving;
     return std::find(moving.begin(), moving.end(), name) != moving.end();
@@ -135,6 +155,27 @@ class Near {
     return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
   }
 
+  /// Does an atom hold everywhere in the box, or nowhere, because its obstacles are out of reach? Nothing: they are
+  /// not, or it is another kind of condition.
+  std::optional<bool> if_far(const Node& node) {
+    if (node.op != Node::Op::kAtom) return std::nullopt;
+    const Atom& atom = formula_.atoms()[node.atom];
+    const Distance& d = atom.distance;
+    const bool first = !d.first.empty() && moves(d.first[0]), second = !d.second.empty() && moves(d.second[0]);
+    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || first == second || atom.level.sign() < 0)
+      return std::nullopt;
+    const Names& moving = first ? d.first : d.second;
+    auto mover = movers_.find(moving);
+    if (mover == movers_.end()) mover = movers_.emplace(moving, made(moving)).first;
+    if (!mover->second.box) return std::nullopt;
+    const PieceBox window = reached(*mover->second.box, atom.level / solver_.world().step);
+    for (const std::string& name : first ? d.second : d.first) {
+      const PieceBox* box = solver_.box(name);
+      if (!box || box->meets(window)) return std::nullopt;
+    }
+    return holds(atom, 1);
+  }
+
   plane::SignMap sign_map(const SignMap& wanted) const {
     const Real level = wanted.level / solver_.world().step;
     const Distance d = moving_first(wanted.distance, solver_.world().moving);
@@ -144,31 +185,33 @@ class Near {
       return plane::remark(std::move(e.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
     }
     const bool local = is_plain(d) && d.kind == Kind::kGamma1 && level.sign() >= 0 && moves(d.first[0]);
-    if (!local) return solver_.function(wanted.distance)->sign_map(level);
-    const Region b = united(d.first);
-    const auto reach = plane::extent(b);
-    if (!reach) return solver_.function(wanted.distance)->sign_map(level);
-    const PieceBox window =
-        grown({box_.x0 + reach->x0, box_.y0 + reach->y0, box_.x1 + reach->x1, box_.y1 + reach->y1}, level);
+    const bool bounded = local && std::all_of(d.second.begin(), d.second.end(),
+                                              [&](const std::string& name) { return solver_.box(name) != nullptr; });
+    if (!bounded) return solver_.function(wanted.distance)->sign_map(level);
+    const auto known = movers_.find(d.first);
+    const Mover b = known == movers_.end() ? made(d.first) : known->second;
+    if (!b.box) return solver_.function(wanted.distance)->sign_map(level);
+    const PieceBox window = reached(*b.box, level);
     std::vector<Region> parts;
-    for (const std::string& name : d.second) {
-      const Region& a = solver_.world().shapes.at(name);
-      const auto box = plane::extent(a);
-      if (!plane::is_bounded(a)) return solver_.function(wanted.distance)->sign_map(level);
-      if (box && box->meets(window)) parts.push_back(within(a, window));
-    }
+    for (const std::string& name : d.second)
+      if (solver_.box(name)->meets(window)) parts.push_back(within(solver_.world().shapes.at(name), window));
     std::vector<const Region*> all;
     for (const Region& p : parts) all.push_back(&p);
     if (all.empty()) return CellComplex::uniform(1);
     const Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
     if (plane::is_empty(a)) return CellComplex::uniform(1);
-    return distance::SignedDistance::gamma1(b, a).sign_map(level);
+    return distance::SignedDistance::gamma1(b.shape, a).sign_map(level);
   }
 
-  Region united(const std::vector<std::string>& names) const {
-    std::vector<const Region*> all;
-    for (const std::string& n : names) all.push_back(&solver_.world().shapes.at(n));
-    return all.size() == 1 ? *all[0] : plane::unite(all);
+  Mover made(const Names& names) const {
+    Region shape = solver_.shape(names);
+    auto box = plane::extent(shape);
+    return {std::move(shape), box};
+  }
+
+  /// What a shape with this box comes within the level of, from the positions in question.
+  PieceBox reached(const PieceBox& shape, const Real& level) const {
+    return grown({box_.x0 + shape.x0, box_.y0 + shape.y0, box_.x1 + shape.x1, box_.y1 + shape.y1}, level);
   }
 
   /// By the level and by more than all rounding.
@@ -180,7 +223,8 @@ class Near {
 
   const Solver& solver_;
   const Formula& formula_;
-  PieceBox box_{};
+  PieceBox box_{};                 // of the positions in question
+  std::map<Names, Mover> movers_;  // known so far
 };
 
 }  // namespace

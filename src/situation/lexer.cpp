@@ -101,7 +101,7 @@ struct Sign {
 
 // Longer signs before their beginnings.
 using K = Token::Kind;
-constexpr std::array<Sign, 21> kSigns{{
+constexpr std::array<Sign, 15> kSigns{{
     {"->", K::kArrow},
     {"→", K::kArrow},
     {"<=", K::kRelation, Relation::kLessEqual},
@@ -116,12 +116,6 @@ constexpr std::array<Sign, 21> kSigns{{
     {"∧", K::kAnd},
     {"∨", K::kOr},
     {"¬", K::kNot},
-    {"(", K::kOpen},
-    {")", K::kClose},
-    {"[", K::kOpenBracket},
-    {"]", K::kCloseBracket},
-    {",", K::kComma},
-    {"+", K::kPlus},
     {"-", K::kMinus},
 }};
 
@@ -137,9 +131,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kForeign
                                                                                   {"!", "not"},
                                                                                   {"∪", "+"}}};
 
+/// The mark that is always a token of its own; kFault if it is none.
+K mark(char c) {
+  constexpr std::string_view kMarks = "()[],+";
+  constexpr std::array kKinds{K::kOpen, K::kClose, K::kOpenBracket, K::kCloseBracket, K::kComma, K::kPlus, K::kFault};
+  return kKinds[std::min(kMarks.find(c), kMarks.size())];
+}
+
 class Lexer {
  public:
-  explicit Lexer(std::string_view text) : text_(text) {}
+  explicit Lexer(std::string_view text) : text_(text) { tokens_.reserve(text.size() / 4 + 1); }
 
   std::vector<Token> run() {
     do {
@@ -168,6 +169,7 @@ class Lexer {
   void read() {
     if (at_ == text_.size()) return push(K::kEnd, 0);
     if (const std::size_t size = name_length(rest())) return push(K::kName, size, std::string(rest().substr(0, size)));
+    if (const K kind = mark(text_[at_]); kind != K::kFault) return push(kind, 1);
     if (const std::size_t size = number_length(rest())) return push_number(size);
     if (text_[at_] == '"' || text_[at_] == '\'') return push_quoted();
     for (const auto& [foreign, ours] : kForeign) {

@@ -74,7 +74,8 @@ Term Reader::distance() {
   }
   if (row == nullptr) fail_unknown_word();
   const std::string word = printable(take().text);
-  Call arguments = call(word, word + "(B, A)", false);
+  Call arguments = call(
+      word, [&] { return word + "(B, A)"; }, false);
   if (arguments.mode != Mode::kPlain && !is_directional(row->kind)) {
     fail(ErrorCode::kBadValue, arguments.mode_span,
          "'{}' has no directional or turning form; gamma1 gamma2 eta1 eta2 delta1 delta2 have", word);
@@ -96,7 +97,8 @@ Term Reader::distance() {
 
 Atom Reader::predicate() {
   const PredicateName& row = *find_predicate(take().text);
-  Call arguments = call(row.name, usage(row), true);
+  Call arguments = call(
+      row.name, [&] { return usage(row); }, true);
   if (arguments.level && row.level == PredicateName::Level::kNone) {
     fail(ErrorCode::kSyntax, arguments.level->span, "'{}' takes no number: {}", row.name, usage(row));
   }
@@ -127,30 +129,30 @@ void Reader::fail_unknown_word() const {
        question(word, known));
 }
 
-Call Reader::call(std::string_view word, std::string_view usage, bool is_predicate) {
+Call Reader::call(std::string_view word, const Usage& usage, bool is_predicate) {
   Call result;
-  const std::string takes = fmt::format("'{}' takes two shapes: {}", word, usage);
+  const auto takes = [&] { return fmt::format("'{}' takes two shapes: {}", word, usage()); };
   result.span.begin = peek().span.begin;
   const Span open = peek().span;
-  if (!accept(K::kOpen)) fail_syntax("{}, found {}", takes, found());
-  if (at(K::kClose)) fail_syntax("{}", takes);
+  if (!accept(K::kOpen)) fail_syntax("{}, found {}", takes(), found());
+  if (at(K::kClose)) fail_syntax("{}", takes());
   result.first_span.begin = peek().span.begin;
   result.first = shapes(word);
   result.first_span.end = end();
-  if (at(K::kClose)) fail_syntax("{}; the second is missing", takes);
+  if (at(K::kClose)) fail_syntax("{}; the second is missing", takes());
   if (!accept(K::kComma)) fail_syntax("a ',' and the second shape of '{}' are meant here, found {}", word, found());
   result.second_span.begin = peek().span.begin;
   result.second = shapes(word);
   result.second_span.end = end();
   if (accept(K::kComma)) last_argument(result, word, usage, is_predicate);
-  if (at(K::kComma)) fail_syntax("too many arguments; '{}' is written {}", word, usage);
+  if (at(K::kComma)) fail_syntax("too many arguments; '{}' is written {}", word, usage());
   if (!accept(K::kClose)) fail_unclosed(open);
   result.span.end = end();
   check_roles(result);
   return result;
 }
 
-void Reader::last_argument(Call& call, std::string_view word, std::string_view usage, bool is_predicate) {
+void Reader::last_argument(Call& call, std::string_view word, const Usage& usage, bool is_predicate) {
   if (at(K::kName) && peek(1).kind == K::kRelation && peek(1).relation == Relation::kEqual) {
     return direction(call, word, is_predicate);
   }
@@ -158,8 +160,8 @@ void Reader::last_argument(Call& call, std::string_view word, std::string_view u
     call.level = number();
     return;
   }
-  if (at_number()) fail_syntax("'{}' takes no number; compare it with one: {} >= 1", word, usage);
-  fail_syntax("'{}' takes two shapes: {}, found {}", word, usage, found());
+  if (at_number()) fail_syntax("'{}' takes no number; compare it with one: {} >= 1", word, usage());
+  fail_syntax("'{}' takes two shapes: {}, found {}", word, usage(), found());
 }
 
 void Reader::direction(Call& call, std::string_view word, bool is_predicate) {

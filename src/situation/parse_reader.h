@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -104,8 +105,10 @@ class Reader {
   const Context& context() const { return context_; }
 
  private:
-  Call call(std::string_view word, std::string_view usage, bool is_predicate);
-  void last_argument(Call& call, std::string_view word, std::string_view usage, bool is_predicate);
+  /// How a call is written, for messages.
+  using Usage = std::function<std::string()>;
+  Call call(std::string_view word, const Usage& usage, bool is_predicate);
+  void last_argument(Call& call, std::string_view word, const Usage& usage, bool is_predicate);
   void direction(Call& call, std::string_view word, bool is_predicate);
   std::vector<std::string> shapes(std::string_view word);
   std::string shape(std::string_view word);

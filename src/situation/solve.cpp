@@ -71,7 +71,11 @@ struct Solver::Cache {
 
 Solver::Solver(World world) : world_(std::move(world)), cache_(std::make_unique<Cache>()) {
   // Distances are those of closed sets.
-  for (auto& [name, region] : world_.shapes) region = plane::closure(std::move(region));
+  for (auto& [name, region] : world_.shapes) {
+    region = plane::closure(std::move(region));
+    const auto box = plane::is_bounded(region) ? plane::extent(region) : std::nullopt;
+    if (box) boxes_.emplace(name, *box);
+  }
 }
 
 Solver::~Solver() = default;

@@ -20,6 +20,7 @@
 #include "distance/shape_pair.h"
 #include "distance/turning_map.h"
 #include "distance/turning_motion.h"
+#include "plane/extent.h"
 #include "plane/section.h"
 #include "situation/formula.h"
 #include "situation/motion.h"
@@ -113,6 +114,11 @@ class Solver {
   distance::Extremum least(const Distance& wanted) const;
 
   const World& world() const { return world_; }
+  /// A box around a shape; none for one that is unbounded or empty.
+  const plane::PieceBox* box(const std::string& name) const {
+    auto found = boxes_.find(name);
+    return found == boxes_.end() ? nullptr : &found->second;
+  }
   /// The union of the named shapes, closed.
   plane::Region shape(const std::vector<std::string>& names) const;
   /// Which distance of a pair a formula means, the moving shape being the first of the pair.
@@ -153,6 +159,7 @@ class Solver {
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
 
   World world_;
+  std::map<std::string, plane::PieceBox> boxes_;  // of the bounded shapes
   std::unique_ptr<Cache> cache_;
 };
 
