@@ -109,7 +109,8 @@ std::unique_ptr<const WayOut> WayOut::make(const SiteTree& moving, const SiteTre
   auto sum = of == Of::kContact ? plane::LocalSum::contact(a, b) : plane::LocalSum::containment(a, b);
   if (!sum) return nullptr;
   const std::size_t curves = sum->index().convex_count();
-  if (when == When::kPaying && sum->bounds() && curves < kCurvesOfMap) return nullptr;
+  const bool cheap = curves < kCurvesOfMap || sum->index().may_be_unsure();
+  if (when == When::kPaying && sum->bounds() && cheap) return nullptr;
   auto boxes = when == When::kAlways ? std::numeric_limits<std::int64_t>::max()
                                      : std::int64_t(std::pow(double(curves) / kCurvesPerBox, 2)) + 1;
   return std::unique_ptr<const WayOut>(new WayOut(moving, fixed, of, std::move(sum), boxes));

@@ -27,8 +27,8 @@ class WayOut {
 
   enum class When { kPaying, kAlways };
 
-  /// Null where the shapes are not bounded by grid segments alone, or where the map of all positions is cheap (not for
-  /// kAlways). References are kept.
+  /// Null where the shapes are not bounded by grid segments alone, or, for kPaying, where the map of all positions is
+  /// cheap or one shape could go round a hole of the other. References are kept.
   static std::unique_ptr<const WayOut> make(const SiteTree& moving, const SiteTree& fixed, Of of,
                                             When when = When::kPaying);
 
