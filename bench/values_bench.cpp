@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // values_bench: every distance of two polygons of n vertices at one position, ours exact and continuous against the
-// rivals' numbers; 10,000 positions of one pair; and a formula of 30 atoms over 10 shapes of 100 vertices, with its
-// curve of time over the crossings of all boundaries. Prints tables (markdown). usage: values_bench [n | positions |
-// atoms]
+// rivals' numbers; shapes that overlap, of growing size; 10,000 positions of one pair; and a formula of 30 atoms over
+// 10 shapes of 100 vertices, with its curve of time over the crossings of all boundaries. Prints tables (markdown).
+// usage: values_bench [n | depth | positions | atoms]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -196,6 +196,32 @@ void positions_table(int n) {
   many_positions(smooth(n, 3), smooth(n, 4));
 }
 
+/// The depth of shapes that overlap, and eta1 of a shape a quarter as large inside the other; at one position, and at
+/// twenty others.
+void depth_table() {
+  fmt::print(
+      "\n| shapes | n | distance | from the shapes, ms | again at 20 other positions, ms each |\n"
+      "|---|---|---|---|---|\n");
+  const std::int64_t size = std::int64_t(1) << 20;
+  auto row = [&](const char* name, int n, const char* distance, Which which, const Region& a, const Region& b) {
+    auto prepared = std::make_unique<AtPosition>(std::make_shared<ShapePair>(b, a));
+    double first = once_ms([&] { prepared->measure(which, {size / 2, size / 3}); });
+    double others = once_ms([&] {
+      for (int k = 0; k < 20; ++k) prepared->measure(which, {size / 2 - k * size / 40, size / 3 - k * size / 90});
+    });
+    fmt::print("| {} | {} | {} | {:.1f} | {:.2f} |\n", name, n, distance, first, others / 20);
+  };
+  auto quarter = [](Polygon polygon) {
+    for (Point& p : polygon) p.x /= 4, p.y /= 4;
+    return polygon;
+  };
+  for (int n : {125, 250, 500, 1000}) {
+    row("stars", n, "gamma1", Which::kGamma1, region(star(n, 1)), region(star(n, 2)));
+    row("wavy", n, "gamma1", Which::kGamma1, region(smooth(n, 3)), region(smooth(n, 4)));
+    row("star in a star", n, "eta1", Which::kEta1, region(star(n, 1)), region(quarter(star(n, 2))));
+  }
+}
+
 void atoms_table() {
   fmt::print("\nA formula of 30 atoms over 10 shapes of m vertices on a ring (radius in 16ths), one overlay\n\n");
   fmt::print(
@@ -211,6 +237,10 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   if (argc > 1 && std::string_view(argv[1]) == "atoms") {
     atoms_table();
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "depth") {
+    depth_table();
     return 0;
   }
   if (argc > 1 && std::string_view(argv[1]) == "positions") {
@@ -232,6 +262,7 @@ int main(int argc, char** argv) {
     compare(fmt::format("{}, apart", i.name).c_str(), i.a, i.b, 3 * size, size / 3);
     compare(fmt::format("{}, overlapping", i.name).c_str(), i.a, i.b, size / 2, size / 3);
   }
+  depth_table();
   positions_table(n);
   atoms_table();
   return 0;

@@ -6,38 +6,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/farthest.h"
 #include "distance/farthest_place.h"
 #include "distance/hausdorff.h"
+#include "plane/real_vector.h"
 
 namespace findspace::distance {
 
 using exact::Real;
 using exact::RealPoint;
+using plane::operator+;
+using plane::operator-;
 using plane::Index;
 using plane::Region;
 
 namespace {
 
-// Of the scale: a directed Hausdorff distance beyond the first needs no map; one that is positive and below the second
-// counts as 0.
-constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;
-
-RealPoint sum(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
-RealPoint difference(const RealPoint& p, const RealPoint& q) { return {p.x - q.x, p.y - q.y}; }
-
-/// A pair of A and B + p as features, B's first.
-std::vector<Feature> features(const SitePair& k) {
-  return {{true, k.second_cell, k.second}, {false, k.first_cell, k.first}};
-}
+constexpr double kClearlyOut = 0x1p-26;  // of the scale: a directed Hausdorff distance beyond needs no map
 
 /// Vertex v of one shape, moved by p, lies in the set.
 bool is_inside(const SiteTree& of, Index v, const SiteTree& set, const RealPoint& p) {
   const exact::Point& at = of.region().point(v);
   double x = at.x + near_value(p.x), y = at.y + near_value(p.y);
   if (auto in = set.contains(x, y, set.nearest(x, y))) return *in;
-  return mark_of(set.region(),
-                 locate(set.region(), sum(of.region().geometry.exact(of.region().vertices[v].point), p))) > 0;
+  return mark_of(set.region(), locate(set.region(), of.region().geometry.exact(of.region().vertices[v].point) + p)) > 0;
 }
 
 /// Every piece of the boundary of `inner`, moved by p, lies in the set: 1; none does: -1; else 0.
@@ -61,7 +52,7 @@ AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
   if (moving_.empty() || fixed_.empty()) return {Kind::kClose, std::nullopt};
   auto pair = nearest_pair(fixed_, moving_, p);
   if (!pair) return {Kind::kClose, std::nullopt};
-  int in_fixed = pieces_inside(moving_, fixed_, p), in_moving = pieces_inside(fixed_, moving_, {-p.x, -p.y});
+  int in_fixed = pieces_inside(moving_, fixed_, p), in_moving = pieces_inside(fixed_, moving_, -p);
   // Boundaries that do not meet: what one piece of a boundary does, all around it does.
   Kind kind = in_fixed < 0 && in_moving < 0   ? Kind::kApart
               : in_fixed > 0 && in_moving < 0 ? Kind::kInside
@@ -70,78 +61,11 @@ AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
   return {kind, std::move(pair)};
 }
 
-/// The points that come together when B goes from p to `position`, where it touches A.
-void AtPosition::add_contact(Measured& m, const RealPoint& position, const RealPoint& p) const {
-  SitePair k = touching_pair(fixed_, moving_, position);
-  // Chains touch where they cross, too.
-  if (near_value(k.distance) > (moving_.scale() + fixed_.scale()) * kHardlyOut)
-    k = distance::common_point(fixed_, moving_, position);
-  k.second = difference(k.second, difference(position, p));
-  m.witness = features(k);
-}
-
-std::optional<Measured> AtPosition::signed_distance(Which which, Standing::Kind quick, const RealPoint& p) const {
-  Standing s = standing(p);
-  if (s.kind == quick) {
-    bool outside = quick == Standing::Kind::kApart;
-    RealPoint step = difference(s.pair->first, s.pair->second);
-    return Measured{outside ? s.pair->distance : -s.pair->distance, sum(p, step), std::nullopt, features(*s.pair)};
-  }
-  return signed_value(which, p);
-}
-
-/// Null where there is none, or the map serves better.
-const WayOut* AtPosition::way_out(Which which) const {
-  const std::size_t k = which == Which::kGamma1 ? 0 : which == Which::kEta1 ? 1 : 2;
-  std::call_once(ways_made_[k], [&] {
-    // A lies in B + p where A - p lies in B.
-    ways_[k] =
-        which == Which::kDelta1
-            ? WayOut::make(fixed_, moving_, WayOut::Of::kContainment)
-            : WayOut::make(moving_, fixed_, which == Which::kGamma1 ? WayOut::Of::kContact : WayOut::Of::kContainment);
-  });
-  return ways_[k] && ways_[k]->pays() && !pair_->has(which) ? ways_[k].get() : nullptr;
-}
-
-/// gamma1, eta1 or delta1.
-std::optional<Measured> AtPosition::signed_value(Which which, const RealPoint& p) const {
-  const WayOut* way = way_out(which);
-  const bool back = which == Which::kDelta1;
-  const RealPoint at = back ? RealPoint{-p.x, -p.y} : p;
-  if (!way || !way->holds(at)) return by_map(which, p);
-  WayOut::Answer answer = way->nearest(at);
-  if (!answer.known) return by_map(which, p);
-  if (!answer.nearest) return std::nullopt;
-  const plane::Nearest& n = *answer.nearest;
-  Measured m{
-      which == Which::kGamma1 ? -n.distance : n.distance, back ? RealPoint{-n.at.x, -n.at.y} : n.at, std::nullopt, {}};
-  add_contact(m, *m.nearest, p);
-  return m;
-}
-
-std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) const {
-  auto v = pair_->distance(which)->value(p);
-  if (!v) return std::nullopt;
-  Measured m{v->value, v->nearest, std::nullopt, {}};
-  if (m.nearest || m.value.sign() == 0) add_contact(m, m.nearest.value_or(p), p);
-  return m;
-}
-
-std::optional<Measured> AtPosition::farthest(Which which, const RealPoint& p) const {
-  auto f = pair_->distance(which);
-  if (!f->defined()) return std::nullopt;
-  const auto& family = static_cast<const Farthest&>(*f);
-  RealPoint q = family.farthest_point(p);
-  Measured m{f->value(p)->value, std::nullopt, q, {}};
-  add_contact(m, q, p);
-  return m;
-}
-
 /// mu(B + p, A), or mu(A, B + p) if `back`.
 std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, double floor) const {
   if (back && fixed_.region().faces[0].mark > 0) return std::nullopt;
   const SiteTree &from = back ? fixed_ : moving_, &to = back ? moving_ : fixed_;
-  const RealPoint by = back ? RealPoint{-p.x, -p.y} : p;
+  const RealPoint by = back ? -p : p;
   double scale = from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
   auto search = [&](double least) -> std::optional<FarthestPlace> {
     if (!from.has_arcs() && !to.has_arcs()) return farthest_place(from, to, by, least);
@@ -154,14 +78,14 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
     if (s.kind == (back ? Standing::Kind::kAround : Standing::Kind::kInside))
       return Measured{-s.pair->distance, std::nullopt, std::nullopt, features(*s.pair)};
     // One touches the other from inside, or all but: containment decides.
-    auto margin = signed_value(back ? Which::kDelta1 : Which::kEta1, p);
+    auto margin = signed_value(back ? Which::kDelta1 : Which::kEta1, s, p);
     if (margin && margin->value.sign() <= 0) return margin;
     place = search(scale * kHardlyOut);
     if (!place) return Measured{};
   }
   SitePair near = nearest_point(to, place->at);
   Feature out{!back, place->cell, place->at}, in{back, near.first_cell, near.first};
-  if (back) out.at = sum(out.at, p), in.at = sum(in.at, p);
+  if (back) out.at = out.at + p, in.at = in.at + p;
   Measured m{place->value, std::nullopt, std::nullopt, {out, in}};
   if (back) std::swap(m.witness[0], m.witness[1]);
   return m;
@@ -184,9 +108,9 @@ std::vector<Feature> AtPosition::common_point(const Standing& s, const RealPoint
   for (bool moves : {true, false}) {
     const SiteTree &inner = moves ? moving_ : fixed_, &set = moves ? fixed_ : moving_;
     for (Index v : inner.representatives()) {
-      if (!is_inside(inner, v, set, moves ? p : RealPoint{-p.x, -p.y})) continue;
+      if (!is_inside(inner, v, set, moves ? p : -p)) continue;
       RealPoint place = inner.region().geometry.exact(inner.region().vertices[v].point);
-      if (moves) place = sum(place, p);
+      if (moves) place = place + p;
       Feature mine{moves, {0, v}, place}, other{!moves, {2, 0}, place};
       if (moves) return {mine, other};
       return {other, mine};
@@ -195,16 +119,17 @@ std::vector<Feature> AtPosition::common_point(const Standing& s, const RealPoint
   return {};
 }
 
-/// d1 = max(0, gamma1).
+/// d1 = max(0, gamma1). Of shapes that overlap a crossing is mostly found sooner than how they stand.
 std::optional<Measured> AtPosition::plain(const RealPoint& p) const {
+  if (auto crossing = crossing_pair(fixed_, moving_, p))
+    return Measured{Real(), std::nullopt, std::nullopt, features(*crossing)};
   Standing s = standing(p);
   if (s.kind == Standing::Kind::kApart) {
-    RealPoint step = difference(s.pair->first, s.pair->second);
-    return Measured{s.pair->distance, sum(p, step), std::nullopt, features(*s.pair)};
+    RealPoint step = s.pair->first - s.pair->second;
+    return Measured{s.pair->distance, p + step, std::nullopt, features(*s.pair)};
   }
-  bool meet = s.kind != Standing::Kind::kClose || crossing_pair(fixed_, moving_, p);
-  if (!meet) {
-    auto m = cut(signed_distance(Which::kGamma1, Standing::Kind::kApart, p), false);
+  if (s.kind == Standing::Kind::kClose) {
+    auto m = cut(signed_value(Which::kGamma1, s, p), false);
     if (m->value.sign() > 0) return m;
   }
   return Measured{Real(), std::nullopt, std::nullopt, common_point(s, p)};
@@ -223,7 +148,7 @@ std::optional<Measured> AtPosition::diameter(const RealPoint& p) const {
     if (own.distance <= m.value) continue;
     RealPoint by = i ? p : RealPoint{Real(), Real()};
     m.value = own.distance;
-    m.witness = {{i == 1, own.first_cell, sum(own.first, by)}, {i == 1, own.second_cell, sum(own.second, by)}};
+    m.witness = {{i == 1, own.first_cell, own.first + by}, {i == 1, own.second_cell, own.second + by}};
   }
   return m;
 }

@@ -35,6 +35,14 @@ struct Measured {
   std::vector<Feature> witness;  // two features, of B + p first (of a diameter within one shape both of that)
 };
 
+/// Of the scale: a positive distance below counts as 0.
+inline constexpr double kHardlyOut = 0x1p-36;
+
+/// A pair of A and B + p as features, B's first.
+inline std::vector<Feature> features(const SitePair& k) {
+  return {{true, k.second_cell, k.second}, {false, k.first_cell, k.first}};
+}
+
 class AtPosition {
  public:
   explicit AtPosition(std::shared_ptr<const ShapePair> pair);
@@ -58,7 +66,7 @@ class AtPosition {
   Standing standing(const exact::RealPoint& p) const;
   std::optional<Measured> signed_distance(Which which, Standing::Kind quick, const exact::RealPoint& p) const;
   std::optional<Measured> by_map(Which which, const exact::RealPoint& p) const;
-  std::optional<Measured> signed_value(Which which, const exact::RealPoint& p) const;
+  std::optional<Measured> signed_value(Which which, const Standing& s, const exact::RealPoint& p) const;
   const WayOut* way_out(Which which) const;
   std::optional<Measured> farthest(Which which, const exact::RealPoint& p) const;
   /// A value of `floor` or less may come out as 0.

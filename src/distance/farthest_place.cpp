@@ -108,35 +108,45 @@ void PlaceSearch::record(const Seen& seen, Cell cell, double error) {
   found_.push_back({seen, cell, error});
 }
 
-/// Boxes of B's boundary, the one with the largest bound first.
+/// Boxes of B's boundary, the one with the largest bound first. A box is first bounded by the part of A that was
+/// nearest to the box it is a half of; its own nearest part is looked for when its turn comes.
 void PlaceSearch::walk_boundary() {
   struct Entry {
     double bound;
     Index node, guess;
+    bool sharp = false;
     bool operator<(const Entry& o) const { return bound < o.bound; }
   };
   std::priority_queue<Entry> todo;
-  auto push = [&](Index node, Index guess) {
-    const SiteBox& box = b_.nodes()[node].box;
-    Spot c{(box.x0 + box.x1) / 2 + px_, (box.y0 + box.y1) / 2 + py_};
-    double radius = plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2;
-    auto near = a_.nearest(c.x, c.y, guess);
-    bool outside = near.distance + radius > best_ && !in_a(c, near);
-    double bound = (outside ? near.distance : near.distance > radius ? -1 : 0) + radius;
-    if (bound >= radius && bound > best_ + slack_) todo.push({bound, node, near.site});
+  auto push = [&](const Entry& e) {
+    if (e.bound > best_ + slack_) todo.push(e);
   };
-  push(0, kNone);
+  auto ball = [&](Index node) {
+    const SiteBox& box = b_.nodes()[node].box;
+    return std::pair{Spot{(box.x0 + box.x1) / 2 + px_, (box.y0 + box.y1) / 2 + py_},
+                     plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2};
+  };
+  todo.push({std::numeric_limits<double>::infinity(), 0, kNone});
   while (!todo.empty()) {
     Entry e = todo.top();
     todo.pop();
     if (e.bound <= best_ + slack_) break;
     const SiteTree::Node& n = b_.nodes()[e.node];
+    if (!e.sharp) {
+      auto [c, radius] = ball(e.node);
+      auto near = a_.nearest(c.x, c.y, e.guess);
+      bool outside = near.distance + radius > best_ && !in_a(c, near);
+      if (outside || near.distance <= radius) push({(outside ? near.distance : 0) + radius, e.node, near.site, true});
+      continue;
+    }
     if (n.right == kNone) {
       for (Index k = n.first; k < n.last; ++k) visit_edge(b_.sites()[k], e.guess);
       continue;
     }
-    push(e.node + 1, e.guess);
-    push(n.right, e.guess);
+    for (Index child : {e.node + 1, n.right}) {
+      auto [c, radius] = ball(child);
+      push({to_site(c, e.guess) + radius, child, e.guess});
+    }
   }
 }
 
@@ -153,10 +163,13 @@ double PlaceSearch::split(const Seen& s, const Seen& t) const {
 
 void PlaceSearch::visit_edge(const Site& edge, Index guess) {
   const auto& region = b_.region();
-  Seen first = see({edge.x0 + px_, edge.y0 + py_}, guess);
+  const Spot from{edge.x0 + px_, edge.y0 + py_}, to{edge.x1 + px_, edge.y1 + py_};
+  // The distance to one part of A is convex along the edge.
+  if (std::max(to_site(from, guess), to_site(to, guess)) <= best_ + slack_) return;
+  Seen first = see(from, guess);
   record(first, {0, edge.is_vertex() ? edge.cell.index : region.edges[edge.cell.index].v0});
   if (edge.is_vertex()) return;
-  Seen last = see({edge.x1 + px_, edge.y1 + py_}, first.near.site);
+  Seen last = see(to, first.near.site);
   record(last, {0, region.edges[edge.cell.index].v1});
   std::vector<std::pair<Seen, Seen>> parts{{first, last}};
   while (!parts.empty()) {
@@ -253,6 +266,7 @@ void PlaceSearch::search_inside() {
     Box box = stack.back();
     stack.pop_back();
     double radius = box.half * std::sqrt(2.0);
+    if (box.guess != kNone && to_site(box.middle, box.guess) + radius <= best_ + slack_) continue;
     Seen seen = see(box.middle, box.guess);
     if (seen.value + radius <= best_ + slack_) continue;
     if (seen.inside ? seen.near.distance >= radius : seen.near.distance > radius && can_grow(box.middle, seen, radius))

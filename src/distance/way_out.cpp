@@ -26,17 +26,18 @@ constexpr int kVainHalvings = 4;             // that leave nearly all curves in 
 constexpr std::size_t kCurvesOfMap = 10000;  // a map of fewer is cheap
 // What a map costs, in boxes: the square of the number of curves, in these.
 constexpr double kCurvesPerBox = 1000;
-constexpr double kRoom = 0x1p-40;  // of the coordinates: more than doubles lose, no sign
+constexpr double kNearby = 0x1p-30;  // of the coordinates: what numbers cannot tell apart is nearer
+constexpr double kRoom = 0x1p-40;    // of the coordinates: more than doubles lose, no sign
 
 using Curves = std::vector<plane::ConvolutionIndex::Curve>;
 
 struct Box {
   GridBox window;
-  double distance;                                // from p, at most the true one
-  std::size_t before;                             // curves of the box it is a half of
-  int vain = 0;                                   // halvings in a row that left nearly all curves
+  double bound;        // no position in it is better: the least distance from p, or minus the greatest
+  std::size_t before;  // curves of the box it is a half of
+  int vain = 0;        // halvings in a row that left nearly all curves
   std::shared_ptr<const Curves> among = nullptr;  // all curves of the box it is a half of, if there are not many
-  bool operator<(const Box& o) const { return distance > o.distance; }  // the nearest on top
+  bool operator<(const Box& o) const { return bound > o.bound; }  // the best on top
 };
 
 /// Halves across the longer side.
@@ -49,12 +50,37 @@ std::array<GridBox, 2> halves(const GridBox& w) {
   return out;
 }
 
-double distance_to(const GridBox& w, double x, double y) {
-  double dx = std::max({double(w.x0) - x, x - double(w.x1), 0.0});
-  double dy = std::max({double(w.y0) - y, y - double(w.y1), 0.0});
-  double scale = std::abs(x) + std::abs(y) + std::abs(double(w.x0)) + std::abs(double(w.y0));
-  return std::max(0.0, std::hypot(dx, dy) - scale * kRoom);
+double bound(const GridBox& w, double x, double y, bool far) {
+  const double left = double(w.x0) - x, right = x - double(w.x1), low = double(w.y0) - y, high = y - double(w.y1);
+  const double room = (std::abs(x) + std::abs(y) + std::abs(double(w.x0)) + std::abs(double(w.y0))) * kRoom;
+  if (far) return -std::hypot(std::min(left, right), std::min(low, high)) - room;
+  return std::max(0.0, std::hypot(std::max({left, right, 0.0}), std::max({low, high, 0.0})) - room);
 }
+
+/// The vertex farthest from p among those whose mark is not negative.
+std::optional<Nearest> farthest_vertex(const plane::SignMap& map, const RealPoint& p) {
+  const double x = near_value(p.x), y = near_value(p.y);
+  double most = -1, scale = std::abs(x) + std::abs(y);
+  auto number = [&](const plane::Vertex& v) {
+    const exact::Point& q = map.geometry.points[v.point];
+    scale = std::max({scale, std::abs(q.x), std::abs(q.y)});
+    return std::hypot(q.x - x, q.y - y);
+  };
+  for (const plane::Vertex& v : map.vertices)
+    if (v.mark >= 0) most = std::max(most, number(v));
+  std::optional<Nearest> best;
+  for (plane::Index k = 0; k < map.vertices.size(); ++k) {
+    const plane::Vertex& v = map.vertices[k];
+    if (v.mark < 0 || number(v) < most - (scale + most) * kRoom) continue;
+    RealPoint at = map.geometry.exact(v.point);
+    exact::Real dx = at.x - p.x, dy = at.y - p.y, d = sqrt(dx * dx + dy * dy);
+    if (!best || d > best->distance) best = Nearest{d, at, {0, k}};
+  }
+  return best;
+}
+
+/// A step more on every side: the map of a window says nothing certain about its border.
+GridBox grown(const GridBox& w) { return {w.x0 - 1, w.y0 - 1, w.x1 + 1, w.y1 + 1}; }
 
 /// One of the vertices that stand for the pieces of a shape's boundary, moved by (dx, dy), lies deeper than `margin` in
 /// the other shape (or outside it, if not `inside`).
@@ -83,7 +109,8 @@ std::unique_ptr<const WayOut> WayOut::make(const SiteTree& moving, const SiteTre
   auto sum = of == Of::kContact ? plane::LocalSum::contact(a, b) : plane::LocalSum::containment(a, b);
   if (!sum) return nullptr;
   const std::size_t curves = sum->index().convex_count();
-  if (when == When::kPaying && sum->bounds() && curves < kCurvesOfMap) return nullptr;
+  const bool cheap = curves < kCurvesOfMap || sum->index().may_be_unsure();
+  if (when == When::kPaying && sum->bounds() && cheap) return nullptr;
   auto boxes = when == When::kAlways ? std::numeric_limits<std::int64_t>::max()
                                      : std::int64_t(std::pow(double(curves) / kCurvesPerBox, 2)) + 1;
   return std::unique_ptr<const WayOut>(new WayOut(moving, fixed, of, std::move(sum), boxes));
@@ -106,38 +133,55 @@ bool WayOut::certainly_holds(const GridBox& w) const {
                          std::hypot(double(w.x1 - w.x0), double(w.y1 - w.y0)) / 2);
 }
 
-WayOut::Answer WayOut::nearest(const RealPoint& p) const {
+WayOut::Answer WayOut::search(const RealPoint& p, bool far) const {
   const double x = near_value(p.x), y = near_value(p.y);
   std::optional<Nearest> best;
   std::priority_queue<Box> boxes;
-  if (sum_->bounds()) boxes.push({*sum_->bounds(), distance_to(*sum_->bounds(), x, y), kManyCurves});
+  if (sum_->bounds()) boxes.push({*sum_->bounds(), bound(*sum_->bounds(), x, y, far), kManyCurves});
   while (!boxes.empty()) {
-    Box box = boxes.top();
+    const Box box = boxes.top();
     boxes.pop();
-    if (best && box.distance > best->distance.to_double() * (1 + kRoom)) break;
+    if (best) {
+      const double d = best->distance.to_double();
+      if (box.bound > (far ? -d : d) + d * kRoom) break;
+    }
     if (--boxes_left_ < 0) return {false, std::nullopt};
-    if (certainly_holds(box.window)) continue;
     const GridBox& w = box.window;
-    // A step more on every side: the map of a window says nothing certain about its border.
-    const GridBox grown{w.x0 - 1, w.y0 - 1, w.x1 + 1, w.y1 + 1};
-    auto curves = std::make_shared<const Curves>(box.among ? curves_in(sum_->index(), grown, *box.among)
-                                                           : curves_in(sum_->index(), grown, kManyCurves));
-    const std::size_t count = curves->size();
-    const int vain = count < kManyCurves && count * 5 > box.before * 4 ? box.vain + 1 : 0;
+    if (certainly_holds(w)) continue;
     const bool small = std::max(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest;
-    if (count == kManyCurves)
-      curves = small ? std::make_shared<const Curves>(curves_in(sum_->index(), grown, SIZE_MAX)) : nullptr;
+    const std::size_t most = small ? SIZE_MAX : kManyCurves;
+    auto curves = std::make_shared<const Curves>(box.among ? curves_in(sum_->index(), grown(w), *box.among)
+                                                           : curves_in(sum_->index(), grown(w), most));
+    const std::size_t count = curves->size();
+    const int vain = count < most && count * 5 > box.before * 4 ? box.vain + 1 : 0;
     if (count < kFewCurves || vain == kVainHalvings || small) {
       plane::SignMap map =
-          sum_->map(grown, *curves, [&](const exact::Point& q) { return certainly_holds(q.x, q.y, q.error); });
-      auto near = plane::nearest(
-          map, [](Mark m) { return m >= 0; }, p);
-      if (near && (!best || near->distance < best->distance)) best = std::move(near);
+          sum_->map(grown(w), *curves, [&](const exact::Point& q) { return certainly_holds(q.x, q.y, q.error); });
+      auto found = far ? farthest_vertex(map, p)
+                       : plane::nearest(
+                             map, [](Mark m) { return m >= 0; }, p);
+      if (found && (!best || (far ? found->distance > best->distance : found->distance < best->distance)))
+        best = std::move(found);
       continue;
     }
-    for (const GridBox& half : halves(w)) boxes.push({half, distance_to(half, x, y), count, vain, curves});
+    if (count == most) curves = nullptr;
+    for (const GridBox& half : halves(w)) boxes.push({half, bound(half, x, y, far), count, vain, curves});
   }
   return {true, std::move(best)};
+}
+
+WayOut::Answer WayOut::nearest_inside(const RealPoint& p) const {
+  const std::int64_t x = std::llround(near_value(p.x)), y = std::llround(near_value(p.y));
+  const double far = std::max((moving_.scale() + fixed_.scale()) * kNearby, double(16 * kSmallest));
+  for (std::int64_t reach = kSmallest; double(reach) < far; reach *= 2) {
+    const GridBox w{x - reach - 1, y - reach - 1, x + reach + 1, y + reach + 1};
+    plane::SignMap map = sum_->map(w, curves_in(sum_->index(), w, SIZE_MAX));
+    if (mark_of(map, locate(map, p)) == 0) return {true, Nearest{exact::Real(), p, {}}};
+    auto near = plane::nearest(
+        map, [](Mark m) { return m <= 0; }, p);
+    if (near && near->distance < exact::Real(reach)) return {true, std::move(near)};
+  }
+  return {false, std::nullopt};
 }
 
 }  // namespace findspace::distance

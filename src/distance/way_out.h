@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The position nearest to p outside an open set of positions O that holds p, O being
-//   contact:     {p : int A meets int (B + p)}   (then the distance is the penetration depth, -gamma1),
-//   containment: {p : B + p leaves A}            (then it is eta1 > 0),
-// from the boundary of O near p alone: boxes of positions are taken in the order of their distance from p; one is
+// The position nearest to p, or farthest from it, outside an open set of positions O, which is
+//   contact:     {p : int A meets int (B + p)}   (the distance from p in O is the penetration depth, -gamma1),
+//   containment: {p : B + p leaves A}            (it is eta1 > 0; the farthest is eta2),
+// from the boundary of O there alone: boxes of positions are taken in the order of their distance; one is
 // dropped where two edges cross, a vertex lies inside, or a disc inside one shape reaches into the other, by more than
 // the box is wide; else it is halved, or, once few curves reach into it, arranged exactly (plane/local_sum.h).
 // Guarantee: exact, slots and single free points included. Cost: boxes along the part of O's boundary that is about as
@@ -27,8 +27,8 @@ class WayOut {
 
   enum class When { kPaying, kAlways };
 
-  /// Null where the shapes are not bounded by grid segments alone, or where the map of all positions is cheap (not for
-  /// kAlways). References are kept.
+  /// Null where the shapes are not bounded by grid segments alone, or, for kPaying, where the map of all positions is
+  /// cheap or one shape could go round a hole of the other. References are kept.
   static std::unique_ptr<const WayOut> make(const SiteTree& moving, const SiteTree& fixed, Of of,
                                             When when = When::kPaying);
 
@@ -42,9 +42,15 @@ class WayOut {
     bool known = true;                      // false where the map would have cost less
     std::optional<plane::Nearest> nearest;  // nothing if O is everything
   };
-  Answer nearest(const exact::RealPoint& p) const;
+  /// The nearest position outside O, for p in O.
+  Answer nearest(const exact::RealPoint& p) const { return search(p, false); }
+  /// The farthest position outside O, of containment: eta2.
+  Answer farthest(const exact::RealPoint& p) const { return search(p, true); }
+  /// The nearest position of the closure of O, for p outside O but so near to it that numbers cannot tell.
+  Answer nearest_inside(const exact::RealPoint& p) const;
 
  private:
+  Answer search(const exact::RealPoint& p, bool far) const;
   WayOut(const SiteTree& moving, const SiteTree& fixed, Of of, std::shared_ptr<const plane::LocalSum> sum,
          std::int64_t boxes);
   /// At a place the shapes overlap (or B leaves A) by more than `reach`: so they do wherever that leads.

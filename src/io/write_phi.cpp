@@ -7,7 +7,8 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+
+#include "io/phi_text.h"
 
 namespace findspace::io {
 namespace {
@@ -17,13 +18,6 @@ using exact::Real;
 using space::ContactSurface;
 using space::Point;
 using space::RoundedPair;
-
-using Buffer = fmt::memory_buffer;
-
-template <class... Args>
-void put(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 /// step = numerator / denominator in lowest terms.
 std::array<int128, 2> fraction(const Real& step) {
@@ -50,7 +44,7 @@ std::array<std::vector<int>, 2> feature_vertices(const ContactSurface& s, int f)
   return features;
 }
 
-void put_surface(Buffer& out, const ContactSurface& s, const Real& step) {
+void put_surface(std::string& out, const ContactSurface& s, const Real& step) {
   put(out, "\"vertices\":[");
   for (int v = 0; v < s.vertex_count(); ++v) put(out, "{}{}", v == 0 ? "" : ",", point_text(s.vertices()[v], step));
   put(out, "],\"pairs\":[");
@@ -70,7 +64,7 @@ const char* form_name(const RoundedPair& pair) {
   return !pair.phi ? "balls" : pair.radius.sign() > 0 ? "rounded" : "polytopes";
 }
 
-void put_pair(Buffer& out, const RoundedPair& pair, const Real& step) {
+void put_pair(std::string& out, const RoundedPair& pair, const Real& step) {
   put(out, "\"form\":\"{}\",", form_name(pair));
   if (pair.radius.sign() > 0) put(out, "\"radius\":{},", (pair.radius * step).text());
   if (pair.phi)
@@ -88,19 +82,18 @@ Real square_form(const PhiReport& r) {
   return x * x + y * y + z * z - radius * radius;
 }
 
-void put_value(Buffer& out, const PhiReport& r) {
-  const double step = r.step.to_double();
+std::string position_text(const PhiReport& r, const char* separator) {
+  return fmt::format("{}{}{}{}{}", r.at[0]->text(), separator, r.at[1]->text(), separator, r.at[2]->text());
+}
+
+void put_value(std::string& out, const PhiReport& r) {
   const space::RoundedAt& at = r.value->at;
-  put(out, "\"at\":{{\"position\":[{},{},{}],\"phi\":{},\"normalised\":{},\"distance\":{},\"state\":\"{}\",",
-      r.at[0]->text(), r.at[1]->text(), r.at[2]->text(), at.phi * step, at.normalised * step, at.distance * step,
-      state_name(at.state));
-  put(out, "\"gradient\":[{},{},{}],\"active\":[{}],\"pair\":[{},{}]", at.gradient.x, at.gradient.y, at.gradient.z,
-      fmt::join(at.active, ","), r.value->pair / r.parts_second, r.value->pair % r.parts_second);
+  put_at(out, r, position_text(r, ","), fmt::format("{},{},{}", at.gradient.x, at.gradient.y, at.gradient.z));
   if (r.phi->pair_count() == 1 && !r.phi->pair(0).phi) put(out, ",\"square\":{}", square_form(r).text());
   put(out, "{}}}", limits_json(r.limits));
 }
 
-void put_table(Buffer& out, const RoundedPair& pair, const Real& step) {
+void put_table(std::string& out, const RoundedPair& pair, const Real& step) {
   const std::string radius = (pair.radius * step).text();
   if (!pair.phi) {
     put(out, "two balls: the sphere about {} with radius {}\n", point_text(pair.apex, step), radius);
@@ -178,45 +171,13 @@ std::vector<std::string> plane_numbers(const space::Plane& plane, const Real& st
 }
 
 std::string phi_json(const PhiReport& r) {
-  Buffer out;
-  put(out, "{{");
-  if (r.phi->pair_count() == 1) {
-    put_pair(out, r.phi->pair(0), r.step);
-  } else {
-    put(out, "\"parts\":[");
-    for (int k = 0; k < r.phi->pair_count(); ++k) {
-      put(out, "{}\n{{\"first\":{},\"second\":{},", k == 0 ? "" : ",", k / r.parts_second, k % r.parts_second);
-      put_pair(out, r.phi->pair(k), r.step);
-      put(out, "}}");
-    }
-    put(out, "]");
-  }
-  if (r.value) {
-    put(out, ",\n");
-    put_value(out, r);
-  }
-  put(out, "}}\n");
-  return fmt::to_string(out);
+  std::string out = "{";
+  put_pairs(out, r, put_pair);
+  if (r.value) put_value(out, r);
+  return out + "}\n";
 }
 
-std::string phi_table(const PhiReport& r) {
-  Buffer out;
-  put(out, "Phi-function of {} and {}, {} translated by u: {} - {}\n", r.first, r.second, r.second, r.first, r.second);
-  for (int k = 0; k < r.phi->pair_count(); ++k) {
-    if (r.phi->pair_count() > 1)
-      put(out, "\npart {} of {}, part {} of {}\n", k / r.parts_second + 1, r.first, k % r.parts_second + 1, r.second);
-    put_table(out, r.phi->pair(k), r.step);
-  }
-  if (r.value) {
-    const double step = r.step.to_double();
-    const space::RoundedAt& at = r.value->at;
-    put(out, "\nat ({}, {}, {}): {}, Phi = {}", r.at[0]->text(), r.at[1]->text(), r.at[2]->text(), state_name(at.state),
-        at.phi * step);
-    if (at.state == space::State::kApart) put(out, ", distance {}", at.distance * step);
-    put(out, "\n{}", limits_table(r.limits));
-  }
-  return fmt::to_string(out);
-}
+std::string phi_table(const PhiReport& r) { return pairs_table(r, r.value ? position_text(r, ", ") : "", put_table); }
 
 Surface phi_surface(const PhiReport& r) {
   Surface surface;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "io/json_text.h"
+#include "io/phi_text.h"
 
 namespace findspace::io {
 namespace {
@@ -54,16 +54,13 @@ void put_pair(std::string& out, const PlanarPair& pair, const Real& step) {
 }
 
 void put_value(std::string& out, const PlanarPhiReport& r) {
-  const double step = r.step.to_double();
   const space::PlanarAt& at = r.value->at;
-  put(out, ",\n\"at\":{{\"position\":[{},{}],\"phi\":{},\"normalised\":{},\"distance\":{},\"state\":\"{}\",",
-      r.at->x.text(), r.at->y.text(), at.phi * step, at.normalised * step, at.distance * step, state_name(at.state));
-  put(out, "\"gradient\":[{},{}],\"active\":[{}],\"pair\":[{},{}]", at.gradient.x, at.gradient.y,
-      fmt::join(at.active, ","), r.value->pair / r.parts_second, r.value->pair % r.parts_second);
+  put_at(out, r, fmt::format("{},{}", r.at->x.text(), r.at->y.text()),
+         fmt::format("{},{}", at.gradient.x, at.gradient.y));
   if (r.phi->pair_count() == 1) {
     const auto forms = space::other_forms(r.phi->pair(0), {r.at->x / r.step, r.at->y / r.step});
     if (forms.square) put(out, ",\"square\":{}", (*forms.square * r.step * r.step).text());
-    if (forms.case_free) put(out, ",\"case_free\":{}", *forms.case_free * step);
+    if (forms.case_free) put(out, ",\"case_free\":{}", *forms.case_free * r.step.to_double());
   }
   out += limits_json(r.limits) + "}";
 }
@@ -87,37 +84,13 @@ void put_table(std::string& out, const PlanarPair& pair, const Real& step) {
 
 std::string planar_phi_json(const PlanarPhiReport& r) {
   std::string out = "{\"dimension\":2,";
-  if (r.phi->pair_count() == 1) {
-    put_pair(out, r.phi->pair(0), r.step);
-  } else {
-    out += "\"parts\":[";
-    for (int k = 0; k < r.phi->pair_count(); ++k) {
-      put(out, "{}\n{{\"first\":{},\"second\":{},", k == 0 ? "" : ",", k / r.parts_second, k % r.parts_second);
-      put_pair(out, r.phi->pair(k), r.step);
-      out += "}";
-    }
-    out += "]";
-  }
+  put_pairs(out, r, put_pair);
   if (r.value) put_value(out, r);
   return out + "}\n";
 }
 
 std::string planar_phi_table(const PlanarPhiReport& r) {
-  std::string out;
-  put(out, "Phi-function of {} and {}, {} translated by u: {} - {}\n", r.first, r.second, r.second, r.first, r.second);
-  for (int k = 0; k < r.phi->pair_count(); ++k) {
-    if (r.phi->pair_count() > 1)
-      put(out, "\npart {} of {}, part {} of {}\n", k / r.parts_second + 1, r.first, k % r.parts_second + 1, r.second);
-    put_table(out, r.phi->pair(k), r.step);
-  }
-  if (r.value) {
-    const double step = r.step.to_double();
-    const space::PlanarAt& at = r.value->at;
-    put(out, "\nat ({}, {}): {}, Phi = {}", r.at->x.text(), r.at->y.text(), state_name(at.state), at.phi * step);
-    if (at.state == space::State::kApart) put(out, ", distance {}", at.distance * step);
-    out += "\n" + limits_table(r.limits);
-  }
-  return out;
+  return pairs_table(r, r.at ? r.at->x.text() + ", " + r.at->y.text() : "", put_table);
 }
 
 }  // namespace findspace::io

@@ -176,10 +176,19 @@ class Builder {
       case Kind::kOffset:
         return plain_offset(*child(s, 0), s.amount);
       case Kind::kHull:
-        return hull(*child(s, 0));
+        return hull_of(s);
       default:
         return combine(s);
     }
+  }
+
+  /// Of all operands together.
+  Region hull_of(const Shape& s) {
+    if (s.children.size() == 1) return hull(*child(s, 0));
+    std::vector<RegionPtr> operands;
+    std::vector<const Region*> all;
+    for (std::size_t k = 0; k < s.children.size(); ++k) all.push_back(operands.emplace_back(child(s, k)).get());
+    return hull(unite(all));
   }
 
   RegionPtr child(const Shape& s, std::size_t k) { return region(s.children[k]); }

@@ -3,6 +3,7 @@
 
 #include "plane/convolution_index.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -78,6 +79,10 @@ ConvolutionIndex::ConvolutionIndex(const GridOperand& a, const GridOperand& b) :
       EdgeFan::place(pair.side[0].fan, pair.side[1].fan);
       for (Side& s : pair.side) s.find_sweeps();
     }
+}
+
+bool ConvolutionIndex::may_be_unsure() const {
+  return std::any_of(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.may_enclose; });
 }
 
 std::size_t ConvolutionIndex::convex_count() const {

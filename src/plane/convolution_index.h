@@ -43,6 +43,8 @@ class ConvolutionIndex {
     return sum(pairs_[c.pair].side[c.side].fan.corners[edge(c).next].at, corner(c).at);
   }
 
+  /// Could an intersection be a ring, so that numbers alone do not decide?
+  bool may_be_unsure() const;
   /// How many curves arise at convex corners.
   std::size_t convex_count() const;
 

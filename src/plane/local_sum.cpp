@@ -36,6 +36,7 @@ std::shared_ptr<const LocalSum> LocalSum::containment(const Region& a, const Reg
 }
 
 bool LocalSum::holds(const exact::RealPoint& p) const {
+  if (!bounds_) return has_unbounded(p_) || has_unbounded(q_);
   exact::Geometry g;
   SolidSum solid(a_, b_, index_);
   return solid.holds(g, g.add_real_point(p.x, p.y));

@@ -24,7 +24,7 @@ class LocalSum {
   LocalSum(const LocalSum&) = delete;
   LocalSum& operator=(const LocalSum&) = delete;
 
-  /// Everything outside is in the set, or everything outside is not; nothing at all is left out if it is empty.
+  /// Outside, everything is in the set, or nothing is; without bounds this is so everywhere.
   const std::optional<GridBox>& bounds() const { return bounds_; }
   bool holds(const exact::RealPoint& p) const;
   const ConvolutionIndex& index() const { return index_; }

@@ -60,7 +60,7 @@ struct Shape {
     kMinkowskiSum,
     kMinkowskiDifference,  // a (+) b ; a (-) b = AND_{q in b} (a + q)   (distances.md 1.3)
     kOffset,               // by `amount`: > 0 grows by the closed ball, < 0 erodes
-    kHull
+    kHull                  // of all children together
   };
   Kind kind = Kind::kPoints;
   std::string name;                // its name in the scene, empty for an inline shape

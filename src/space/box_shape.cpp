@@ -158,11 +158,13 @@ std::optional<BoxComplex> offset_of(const BoxComplex& set, const Real& amount) {
 std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxComplex>& c) {
   std::vector<const BoxComplex*> sets;
   for (const BoxComplex& s : c) sets.push_back(&s);
+  auto united = [&] {
+    return overlay(
+        sets, [](std::span<const Mark> m) { return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x; })); });
+  };
   switch (shape.kind) {
     case Kind::kUnion:
-      return overlay(sets, [](std::span<const Mark> m) {
-        return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x; }));
-      });
+      return united();
     case Kind::kIntersection:
       return overlay(sets, [](std::span<const Mark> m) {
         return Mark(std::all_of(m.begin(), m.end(), [](Mark x) { return x; }));
@@ -193,7 +195,7 @@ std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxC
     case Kind::kMinkowskiDifference:
       return sum(c[0].complement(), c[1]).complement();
     case Kind::kHull:
-      return hull_of(c[0]);
+      return hull_of(united());
     case Kind::kOffset:
       return offset_of(c[0], shape.amount);
     default:

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/planar_phi_union.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -88,48 +86,22 @@ Gap gap(const PlanarPair& pair, const RealPoint& u) {
   return *best;
 }
 
-State state_of(int sign) { return sign < 0 ? State::kOverlap : sign > 0 ? State::kApart : State::kContact; }
-
-/// `pair` at a u that is not inside the difference of the cores: by their distance.
 PlanarAt outside(const PlanarPair& pair, const RealPoint& u) {
   const Gap g = gap(pair, u);
-  const double length = std::sqrt(g.square.to_double()), radius = pair.radius.to_double();
-  const Real rest = g.square - pair.radius * pair.radius;
-  PlanarAt at;
-  at.state = state_of(rest.sign());
-  // d - R = (d^2 - R^2) / (d + R), without cancellation.
-  at.phi = at.normalised = rest.to_double() / (length + radius);
-  at.gradient = length > 0 ? Vector2{g.way.x.to_double() / length, g.way.y.to_double() / length} : Vector2{1, 0};
-  return at;
+  const double length = std::sqrt(g.square.to_double());
+  return at_distance(g.square, pair.radius,
+                     length > 0 ? Vector2{g.way.x.to_double() / length, g.way.y.to_double() / length} : Vector2{1, 0});
 }
 
 PlanarAt value_at(const PlanarPair& pair, const RealPoint& u) {
   if (!pair.phi) return outside(pair, u);
-  const Top top = top_of(*pair.phi, u);
+  Top top = top_of(*pair.phi, u);
   const int side = top.level.value.sign();
-  const bool round = pair.radius.sign() > 0;
-  PlanarAt at;
-  if (round && side > 0) {
-    at = outside(pair, u);
-  } else {
-    const double height = side == 0 ? 0 : top.level.value.to_double() / std::sqrt(top.level.square.to_double());
-    at.state = round ? State::kOverlap : state_of(side);
-    at.phi = height - pair.radius.to_double();
-    at.normalised = side > 0 ? std::sqrt(gap(pair, u).square.to_double()) : at.phi;
-    at.gradient = pair.phi->unit_normal(top.edges[0]);
-  }
-  at.active = top.edges;
-  return at;
-}
-
-int compare_pair(const PlanarPair& pair, const RealPoint& u, const Real& rho) {
-  const Real limit = pair.radius + rho;
-  if (pair.phi) {
-    const int side = top_of(*pair.phi, u).level.value.sign();
-    if (side < 0 || (side == 0 && limit.sign() > 0)) return -1;
-    if (side == 0) return 0;
-  }
-  return compare(gap(pair, u).square, limit * limit);
+  const double height = side == 0 ? 0 : top.level.value.to_double() / std::sqrt(top.level.square.to_double());
+  const Vector2 normal = pair.phi->unit_normal(top.edges[0]);
+  return at_cores(
+      CoreAt<Vector2>{state_of(side), height, normal, std::move(top.edges)}, pair.radius,
+      [&] { return outside(pair, u); }, [&] { return std::sqrt(gap(pair, u).square.to_double()); });
 }
 
 bool is_along_axes(std::span<const PlanarEdge> edges) {
@@ -154,44 +126,25 @@ OtherForms other_forms(const PlanarPair& pair, const RealPoint& u) {
   return forms;
 }
 
-PlanarPhiUnion::PlanarPhiUnion(std::span<const PlanarPart> a, std::span<const PlanarPart> b) {
-  if (a.empty() || b.empty()) throw Error(ErrorCode::kGeometry, "a union of convex parts needs at least one part");
-  for (const PlanarPart& p : a) {
-    for (const PlanarPart& q : b) {
-      PlanarPair& pair = pairs_.emplace_back();
-      pair.radius = p.radius + q.radius;
-      if (p.core.is_point() && q.core.is_point()) {
+PlanarPhiUnion::PlanarPhiUnion(std::span<const PlanarPart> a, std::span<const PlanarPart> b)
+    : pairs_(all_pairs<PlanarPair>(a, b, [](PlanarPair& pair, const PlanarPart& p, const PlanarPart& q) {
+        if (!p.core.is_point() || !q.core.is_point()) {
+          pair.phi.emplace(p.core, q.core);
+          return;
+        }
         const Point2 &v = p.core.vertices()[0], &w = q.core.vertices()[0];
         pair.apex = {v.x - w.x, v.y - w.y};
-      } else {
-        pair.phi.emplace(p.core, q.core);
-      }
-    }
-  }
-}
+      })) {}
 
 PlanarPhiUnion::At PlanarPhiUnion::at(const RealPoint& u) const {
-  At best{value_at(pairs_[0], u), 0};
-  double normalised = best.at.normalised;
-  for (int k = 1; k < pair_count(); ++k) {
-    PlanarAt here = value_at(pairs_[k], u);
-    normalised = std::min(normalised, here.normalised);
-    // States order overlap < contact < apart; next to contact they are the exact part of the comparison.
-    if (here.state < best.at.state || (here.state == best.at.state && here.phi < best.at.phi))
-      best = {std::move(here), k};
-  }
-  best.at.normalised = normalised;
-  best.at.distance = best.at.state == State::kApart ? normalised : 0;
-  return best;
+  return least_at<Vector2>(pairs_, [&](const PlanarPair& pair) { return value_at(pair, u); });
 }
 
 int PlanarPhiUnion::compare_distance(const RealPoint& u, const Real& rho) const {
-  int least = 1;
-  for (const PlanarPair& pair : pairs_) {
-    least = std::min(least, compare_pair(pair, u, rho));
-    if (least < 0) break;
-  }
-  return least;
+  return least_sign(pairs_, [&](const PlanarPair& pair) {
+    const int side = pair.phi ? top_of(*pair.phi, u).level.value.sign() : 1;
+    return compare_to(rho, pair.radius, side, [&] { return gap(pair, u).square; });
+  });
 }
 
 }  // namespace findspace::space

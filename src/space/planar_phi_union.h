@@ -17,6 +17,7 @@
 
 #include "exact/geometry.h"
 #include "space/phi_function.h"
+#include "space/phi_pairs.h"
 #include "space/planar_parts.h"
 
 namespace findspace::space {
@@ -37,13 +38,7 @@ struct OtherForms {
 };
 OtherForms other_forms(const PlanarPair& pair, const exact::RealPoint& u);
 
-struct PlanarAt {
-  State state = State::kContact;
-  double phi = 0, normalised = 0;
-  double distance = 0;      // of the bodies; 0 unless apart
-  Vector2 gradient;         // of `phi`
-  std::vector<int> active;  // edges of the cores that are highest at u, ties included
-};
+using PlanarAt = PairAt<Vector2>;
 
 class PlanarPhiUnion {
  public:
@@ -53,10 +48,7 @@ class PlanarPhiUnion {
   /// Pair i * (number of parts of B) + j belongs to A_i and B_j.
   const PlanarPair& pair(int k) const { return pairs_[k]; }
 
-  struct At {
-    PlanarAt at;
-    int pair = 0;  // whose Phi is least
-  };
+  using At = LeastAt<Vector2>;
   At at(const exact::RealPoint& u) const;
   /// The sign of (normalised form at u) - rho, for rho >= 0.
   int compare_distance(const exact::RealPoint& u, const exact::Real& rho) const;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "space/phi_exact.h"
+#include "space/phi_pairs.h"
 #include "space/rounded_parts.h"
 
 namespace findspace::space {
@@ -26,13 +27,7 @@ struct RoundedPair {
   exact::Real radius;
 };
 
-struct RoundedAt {
-  State state = State::kContact;
-  double phi = 0, normalised = 0;
-  double distance = 0;      // of the bodies; 0 unless apart
-  Vector gradient;          // of `phi`
-  std::vector<int> active;  // facets of the cores that are highest at u, ties included
-};
+using RoundedAt = PairAt<Vector>;
 
 class RoundedPhi {
  public:
@@ -42,10 +37,7 @@ class RoundedPhi {
   /// Pair i * (number of parts of B) + j belongs to A_i and B_j.
   const RoundedPair& pair(int k) const { return pairs_[k]; }
 
-  struct At {
-    RoundedAt at;
-    int pair = 0;  // whose Phi is least
-  };
+  using At = LeastAt<Vector>;
   At at(const RealVector& u) const;
   /// The sign of (normalised form at u) - rho, for rho >= 0.
   int compare_distance(const RealVector& u, const exact::Real& rho) const;

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "distance/at_position.h"
+#include "distance/farthest.h"
 #include "distance/way_out.h"
 #include "plane/overlay.h"
 #include "plane/primitives.h"
@@ -51,7 +52,7 @@ Region star(std::mt19937& rng, int n, double size) {
 }
 
 struct Count {
-  int found = 0, everything = 0;
+  int found = 0, everything = 0, outside = 0;
 };
 
 /// At some places: is it in the set, and how far out of it?
@@ -69,7 +70,22 @@ void compare(const Region& a, const Region& b, WayOut::Of of, std::int64_t reach
     const auto value = d.value(p);
     const int sign = value ? value->value.sign() : 1;
     ASSERT_EQ(way->holds(p), contact ? sign < 0 : sign > 0);
-    if (!way->holds(p)) continue;
+    if (!contact) {
+      const Farthest most(d.base());
+      const auto far = way->farthest(p);
+      ASSERT_TRUE(far.known);
+      ASSERT_EQ(far.nearest.has_value(), most.defined());
+      if (far.nearest) {
+ EXPECT_EQ(far.nearest->distance, most.value(p)->value);
+}
+    }
+    if (!way->holds(p)) {
+      const auto in = way->nearest_inside(p);
+      if (!in.known) continue;
+      ++count.outside;
+      EXPECT_EQ(in.nearest->distance, abs(value->value));
+      continue;
+    }
     const auto answer = way->nearest(p);
     ASSERT_TRUE(answer.known);
     ASSERT_EQ(answer.nearest.has_value(), value.has_value());
@@ -97,6 +113,7 @@ TEST(WayOut, SquaresWithSlotsAndHoles) {
   }
   EXPECT_GT(count.found, 300);
   EXPECT_GT(count.everything, 100);
+  EXPECT_GT(count.outside, 50);
 }
 
 TEST(WayOut, Stars) {
@@ -116,7 +133,8 @@ TEST(WayOut, Stars) {
 TEST(WayOut, AtAPositionOfLargeShapes) {
   std::mt19937 rng(3);
   auto pair = std::make_shared<ShapePair>(star(rng, 280, 1 << 20), star(rng, 300, 1 << 20));
-  for (Which w : {Which::kGamma1, Which::kEta1, Which::kDelta1, Which::kPenetration, Which::kDstar}) {
+  for (Which w : {Which::kGamma1, Which::kEta1, Which::kDelta1, Which::kPenetration, Which::kDstar, Which::kEta2,
+                  Which::kDelta2}) {
     const RealPoint p{1 << 18, 1 << 19};
     const auto m = AtPosition(pair).measure(w, p);
     const auto whole = ShapePair(pair->moving(), pair->fixed()).distance(w)->value(p);

@@ -50,6 +50,12 @@ TEST(Build, OneOperand) {
   for (Kind kind : {Kind::kUnion, Kind::kIntersection, Kind::kDifference}) expect_same(node(kind, {box}), box);
 }
 
+TEST(Build, HullOfSeveral) {
+  std::vector<ShapePtr> parts{box_of(0, 0, 1, 1), box_of(8, 0, 9, 1), box_of(3, 8, 5, 9)};
+  expect_same(node(Kind::kHull, parts), node(Kind::kHull, {node(Kind::kUnion, parts)}));
+  EXPECT_EQ(mark_at(region_of(node(Kind::kHull, parts)), 4, 5), 1);
+}
+
 TEST(Build, Primitives) {
   Shape rings;
   rings.kind = Kind::kRings;

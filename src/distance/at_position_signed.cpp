@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The distances of AtPosition that are translations to a contact: gamma1, eta1, delta1, eta2, delta2.
+
+#include "distance/at_position.h"
+#include "distance/farthest.h"
+#include "plane/real_vector.h"
+
+namespace findspace::distance {
+
+using exact::RealPoint;
+using plane::operator+;
+using plane::operator-;
+
+/// The points that come together when B goes from p to `position`, where it touches A.
+void AtPosition::add_contact(Measured& m, const RealPoint& position, const RealPoint& p) const {
+  SitePair k = touching_pair(fixed_, moving_, position);
+  // Chains touch where they cross, too.
+  if (near_value(k.distance) > (moving_.scale() + fixed_.scale()) * kHardlyOut)
+    k = distance::common_point(fixed_, moving_, position);
+  k.second = k.second - (position - p);
+  m.witness = features(k);
+}
+
+std::optional<Measured> AtPosition::signed_distance(Which which, Standing::Kind quick, const RealPoint& p) const {
+  Standing s = standing(p);
+  if (s.kind == quick) {
+    bool outside = quick == Standing::Kind::kApart;
+    RealPoint step = s.pair->first - s.pair->second;
+    return Measured{outside ? s.pair->distance : -s.pair->distance, p + step, std::nullopt, features(*s.pair)};
+  }
+  return signed_value(which, s, p);
+}
+
+/// Null where there is none, or the map serves better.
+const WayOut* AtPosition::way_out(Which which) const {
+  const std::size_t k = which == Which::kGamma1 ? 0 : which == Which::kEta1 ? 1 : 2;
+  std::call_once(ways_made_[k], [&] {
+    // A lies in B + p where A - p lies in B.
+    ways_[k] =
+        which == Which::kDelta1
+            ? WayOut::make(fixed_, moving_, WayOut::Of::kContainment)
+            : WayOut::make(moving_, fixed_, which == Which::kGamma1 ? WayOut::Of::kContact : WayOut::Of::kContainment);
+  });
+  return ways_[k] && ways_[k]->pays() && !pair_->has(which) ? ways_[k].get() : nullptr;
+}
+
+/// gamma1, eta1 or delta1.
+std::optional<Measured> AtPosition::signed_value(Which which, const Standing& s, const RealPoint& p) const {
+  const WayOut* way = way_out(which);
+  if (!way) return by_map(which, p);
+  const bool back = which == Which::kDelta1;
+  const RealPoint at = back ? -p : p;
+  const bool holds = way->holds(at), positive = holds != (which == Which::kGamma1);
+  Measured m;
+  if (!holds && s.pair) {  // not overlapping (or not outside), and the boundaries do not meet
+    m = {positive ? s.pair->distance : -s.pair->distance, p + (s.pair->first - s.pair->second), std::nullopt,
+         features(*s.pair)};
+    return m;
+  }
+  WayOut::Answer answer = holds ? way->nearest(at) : way->nearest_inside(at);
+  if (!answer.known) return by_map(which, p);
+  if (!answer.nearest) return std::nullopt;
+  m.value = positive ? answer.nearest->distance : -answer.nearest->distance;
+  const RealPoint& q = answer.nearest->at;
+  const RealPoint there = back ? -q : q;
+  if (m.value.sign() != 0) m.nearest = there;
+  add_contact(m, there, p);
+  return m;
+}
+
+std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) const {
+  auto v = pair_->distance(which)->value(p);
+  if (!v) return std::nullopt;
+  Measured m{v->value, v->nearest, std::nullopt, {}};
+  if (m.nearest || m.value.sign() == 0) add_contact(m, m.nearest.value_or(p), p);
+  return m;
+}
+
+std::optional<Measured> AtPosition::farthest(Which which, const RealPoint& p) const {
+  const bool back = which == Which::kDelta2;
+  if (const WayOut* way = pair_->has(which) ? nullptr : way_out(back ? Which::kDelta1 : Which::kEta1)) {
+    WayOut::Answer answer = way->farthest(back ? -p : p);
+    if (answer.known && !answer.nearest) return std::nullopt;
+    if (answer.known) {
+      const RealPoint& q = answer.nearest->at;
+      Measured m{answer.nearest->distance, std::nullopt, back ? -q : q, {}};
+      add_contact(m, *m.farthest, p);
+      return m;
+    }
+  }
+  auto f = pair_->distance(which);
+  if (!f->defined()) return std::nullopt;
+  const auto& family = static_cast<const Farthest&>(*f);
+  RealPoint q = family.farthest_point(p);
+  Measured m{f->value(p)->value, std::nullopt, q, {}};
+  add_contact(m, q, p);
+  return m;
+}
+
+}  // namespace findspace::distance
