@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -250,9 +251,12 @@ class PathPair {
   void follow(Index from, Index to, Index key, std::int64_t turned) {
     Node &n = nodes_[from], &m = nodes_[to];
     n.next = to;
-    n.rotation = std::int8_t((turned > 0) - (turned < 0));
-    if (!still_.empty()) n.extra = extra_rounds(n, m, key, turned);
     n.smooth_end = m.smooth_start = n.key_out / 2 == key / 2;
+    n.rotation = std::int8_t((turned > 0) - (turned < 0));
+    // A cusp: the path goes from one end to the other where they are next to each other.
+    const bool cusp = n.forward != m.forward && n.smooth_end && std::abs(turned) <= 1;
+    if (cusp) n.rotation = std::int8_t(bend_sum(n, m));
+    if (!still_.empty()) n.extra = extra_rounds(n, m, key, turned);
   }
 
   const Direction& direction_of(const Node& n, Index key) const {

@@ -144,6 +144,21 @@ TEST_F(Program, DescribeAndConvert) {
   EXPECT_EQ(run("convert a.svg").out, "POLYGON ((0 0, 10 0, 10 6, 0 6, 0 0))\n");
 }
 
+TEST_F(Program, DrawingsReadBack) {
+  const std::string
+      flat = R"({"polyline": [[0, 1], [5, 1]]})",
+      circle = R"({"boundary": {"disc": {"center": [0, 0], "radius": 2}}})",
+      touching = R"({"union": [{"box": {"min": [0, 0], "max": [1, 1]}}, {"box": {"min": [1, 1], "max": [2, 2]}}]})";
+  for (const std::string& shape : {flat, circle, touching}) {
+    const std::string scene = R"({"findspace": 1, "unit": "mm", "shapes": {"S": )" + shape + "}}";
+    ASSERT_EQ(run("convert scene.json -o s.svg", scene).status, 0);
+    const json stated = json::parse(run("describe scene.json --json", scene).out);
+    const json drawn = json::parse(
+        run("describe scene.json --json", R"({"findspace": 1, "unit": "mm", "shapes": {"S": {"file": "s.svg"}}})").out);
+    for (const char* key : {"area", "dangling_length", "bbox"}) EXPECT_EQ(drawn[key], stated[key]) << shape;
+  }
+}
+
 TEST_F(Program, SceneFromStandardInput) { EXPECT_EQ(run("map - < scene.json").out, run("map scene.json").out); }
 
 TEST_F(Program, QuietSaysNothingWhereFilesAreWritten) {
