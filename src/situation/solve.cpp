@@ -88,7 +88,7 @@ plane::Region Solver::shape(const std::vector<std::string>& names) const {
     parts.push_back(&found->second);
   }
   plane::Region whole = parts.size() == 1 ? *parts[0] : plane::unite(parts);
-  if (plane::is_empty(whole))
+  if (plane::is_empty(whole) && !world_.worn)
     throw Error(ErrorCode::kGeometry,
                 fmt::format("shape '{}' is empty: there is no distance to it", fmt::join(names, "+")));
   return whole;
