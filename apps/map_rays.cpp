@@ -13,8 +13,10 @@
 #include "io/write_json_rays.h"
 #include "io/write_mesh.h"
 #include "ray_outcome.h"
+#include "situation/optimize_rays.h"
 #include "situation/solve_rays.h"
 #include "space/ray_axes.h"
+#include "space/ray_sources.h"
 #include "space_commands.h"
 
 namespace findspace::app {
@@ -36,6 +38,12 @@ std::string summary_text(const RaySet& set, const space::RaySummary& summary, do
                                     : "overlap of neighbouring lines");
 }
 
+std::string optimum_text(const io::RayOptimum& found, bool on_lines) {
+  return fmt::format("  {}{}: {} at ({}, {}, {}){}\n", found.maximum ? "greatest" : "least",
+                     on_lines ? " on the lines" : " over all positions", *found.value, found.at[0], found.at[1],
+                     found.at[2], found.bound ? fmt::format("; none is beyond {}", *found.bound) : "");
+}
+
 bool in_region(std::int8_t sign) { return sign <= 0; }
 
 /// What the lines tell.
@@ -45,7 +53,20 @@ struct Cast {
   std::string lines;
   space::RaySurface surface;  // of three axes only
   std::optional<space::RayExtreme::Found> extreme;
+  std::vector<space::RayInterval> intervals;  // where an objective wants them
 };
+
+/// Beyond the box distances grow along the lines, so intervals without end are cut there.
+void keep_intervals(const RaySet& set, const space::RayGrid& grid, int j, const space::RayRow& row,
+                    std::vector<space::RayInterval>& out) {
+  const space::Shadow3 low = exact::shadow(set.low), high = exact::shadow(set.high);
+  const double from[3] = {low.x, low.y, low.z}, to[3] = {high.x, high.y, high.z};
+  space::each_interval(grid, j, row, [&](space::RayInterval r) {
+    if (!std::isfinite(r.from)) r.from = std::min(from[r.axis], r.to), r.from_in = true;
+    if (!std::isfinite(r.to)) r.to = std::max(to[r.axis], r.from), r.to_in = true;
+    out.push_back(r);
+  });
+}
 
 Cast cast_lines(const RaySet& set, double step) {
   Cast out;
@@ -57,6 +78,7 @@ Cast cast_lines(const RaySet& set, double step) {
     summarizer.add(j, row);
     lines.add(j, row);
     extreme.add(out.grid, j, row);
+    if (set.objective) keep_intervals(set, out.grid, j, row, out.intervals);
   });
   out.summary = summarizer.finish();
   out.extreme = extreme.found();
@@ -77,6 +99,7 @@ Cast cast_axes(const RaySet& set, double step) {
         const int j = rows[static_cast<std::size_t>(grid.axis)]++;
         if (grid.axis == 2) lines.add(j, row);
         extreme.add(grid, j, row);
+        if (set.objective) keep_intervals(set, grid, j, row, out.intervals);
       });
   out.summary = std::move(axes.summary);
   out.extreme = extreme.found();
@@ -95,10 +118,22 @@ space::RayAim aim_of(const Session& session, const Session::Goal& goal) {
   } else if (kind == Kind::kDistanceToPoint && !aim.greatest) {
     for (std::size_t k = 0; k < 3; ++k) aim.point[k] = (goal.objective.point.at(k) / session.step()).to_double();
   } else {
-    throw Error(ErrorCode::kUnsupported, "in 3D the objectives are x, y, z and the distance to a point (minimised)",
-                session.scene().file);
+    throw Error(ErrorCode::kUnsupported, "in 3D the distance to a point can be minimised only", session.scene().file);
   }
   return aim;
+}
+
+std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step) {
+  io::RayOptimum out;
+  out.maximum = set.objective->greatest != (set.objective->sign < 0);
+  if (set.unbounded && set.objective->greatest) return out;
+  const auto best = situation::best_on_lines(std::move(cast.intervals), set.objective->greatest, set.objective->value);
+  if (!best) return out;
+  out.attained = best->attained;
+  out.value = best->value * step * set.objective->sign;
+  out.bound = best->bound * step * set.objective->sign;
+  for (std::size_t k = 0; k < 3; ++k) out.at[k] = best->at[k] * step;
+  return out;
 }
 
 io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step) {
@@ -109,6 +144,16 @@ io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step) {
   out.attained = cast.extreme->attained;
   out.value = cast.extreme->value * step;
   for (std::size_t k = 0; k < 3; ++k) out.at[k] = cast.extreme->at[k] * step;
+  return out;
+}
+
+io::RayOptimum least_of(const situation::LeastOf& found) {
+  io::RayOptimum out;
+  if (!found.least) return out;
+  out.attained = true;
+  out.value = found.least->value.to_double();
+  if (!found.least->proven) out.bound = found.least->bound.to_double();
+  for (std::size_t k = 0; k < 3; ++k) out.at[k] = found.least->at[k].to_double();
   return out;
 }
 
@@ -126,6 +171,34 @@ std::pair<space::Point, space::Point> shown_box(const RaySet& set, const space::
   shrink(&space::Point::y, 1);
   shrink(&space::Point::z, 2);
   return {low, high};
+}
+
+bool has_ray_map(const RaySet& set) {
+  try {
+    set.source({2, 1, set.low.x, set.low.y, 1, 1, 1, 1});
+    return true;
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return false;
+  }
+}
+
+RayObjective objective_of(const situation::SpaceSolver& solver, const Session::Goal& goal) {
+  RayObjective out;
+  const bool negated = goal.objective.negated;
+  out.sign = negated ? -1 : 1;
+  out.greatest = (goal.sense == distance::Sense::kMaximum) != negated;
+  const auto at = [&solver, wanted = goal.objective.distance](const std::array<double, 3>& place) {
+    space::RealVector p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = exact::Real::from_double(place[k]);
+    return solver.value(wanted, p);
+  };
+  if (!at({})) throw Error(ErrorCode::kUnsupported, "the objective is undefined for these shapes: " + goal.text);
+  out.value = [at](const std::array<double, 3>& place) {
+    const auto v = at(place);
+    return v->lowest ? -exact::kInfinity : v->value.to_double();
+  };
+  return out;
 }
 
 }  // namespace
@@ -146,11 +219,16 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply needs an exact map, not one on rays");
   const double step = session.step().to_double();
   session.talk().stage("casting rays");
-  const Cast cast = set.axes ? cast_axes(set, step) : cast_lines(set, step);
-  const auto optimum = set.aim ? std::optional(optimum_of(set, cast, step)) : std::nullopt;
+  Cast cast = set.axes ? cast_axes(set, step) : cast_lines(set, step);
+  if (set.objective) session.talk().stage("looking for the best place");
+  const auto optimum = set.objective ? best_of(set, cast, step)
+                       : set.aim     ? std::optional(optimum_of(set, cast, step))
+                                     : set.least;
   const auto json = [&] {
-    return io::rays_json(cast.summary, cast.grid, set.unbounded, step, session.unit(), cast.lines, set.axes,
-                         optimum ? &*optimum : nullptr);
+    const std::string unit = session.unit();
+    return io::rays_json(
+        cast.summary, cast.grid, step,
+        {unit, cast.lines, set.axes, set.unbounded, situation::name(set.on_lines), "none", set.somewhere, optimum});
   };
   const auto surface = [&] {
     if (set.axes) return io::ray_surface_mesh(cast.surface, step);
@@ -170,14 +248,21 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   };
   write_outputs(options, writers);
   std::string text = options.json ? json() : summary_text(set, cast.summary, step, session.unit());
-  if (!options.json && optimum && optimum->value)
-    text += fmt::format("  {} on the lines: {} at ({}, {}, {})\n", optimum->maximum ? "greatest" : "least",
-                        *optimum->value, optimum->at[0], optimum->at[1], optimum->at[2]);
+  if (!options.json && optimum && optimum->value) text += optimum_text(*optimum, set.aim || set.objective);
   return {std::move(text), kDone};
 }
 
 Outcome map_rays(const Session& session, int resolution, bool axes) {
-  const situation::Formula formula = session.where();
+  situation::MinimaAsLevels levels{session.where(), {}, situation::Side::kExact};
+  const auto goal = session.goal();
+  const bool by_distance = goal && goal->objective.kind == situation::Objective::Kind::kDistance;
+  std::optional<situation::SpaceSolver> solver;
+  if (by_distance || situation::has_minima(levels.formula)) solver.emplace(space_world(session));
+  if (situation::has_minima(levels.formula)) {
+    session.talk().stage("looking for least values");
+    levels = situation::minima_as_levels(*solver, levels.formula);
+  }
+  const situation::Formula& formula = levels.formula;
   session.talk().stage("building the shapes");
   const situation::RayWorld world = ray_world(session);
   const situation::RayWindow window = situation::window(world, formula);
@@ -187,8 +272,21 @@ Outcome map_rays(const Session& session, int resolution, bool axes) {
   set.axes = axes;
   set.low = window.low, set.high = window.high;
   set.unbounded = situation::holds_far_away(world, formula);
-  if (const auto goal = session.goal()) set.aim = aim_of(session, *goal);
+  set.on_lines = levels.side;
+  if (!levels.minima.empty()) {
+    set.least = least_of(levels.minima[0]);
+    set.somewhere = formula.atoms().size() == 1 && set.least->value;
+  }
+  if (by_distance)
+    set.objective = objective_of(*solver, *goal);
+  else if (goal)
+    set.aim = aim_of(session, *goal);
   set.source = [&](const space::RayGrid& grid) { return situation::ray_region(world, formula, grid); };
+  if (set.somewhere && !has_ray_map(set)) {
+    session.talk().note("the minimisers have no map on lines: one of them is given");
+    set.on_lines = situation::Side::kInner;
+    set.source = [](const space::RayGrid& grid) { return space::constant_rays(grid, 1); };
+  }
   return rays_outcome(session, set);
 }
 

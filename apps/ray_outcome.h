@@ -9,11 +9,20 @@
 #include <optional>
 #include <string>
 
+#include "io/write_json_rays.h"
 #include "session.h"
+#include "situation/ray_minima.h"
 #include "situation/solve_rays.h"
 #include "space/ray_extreme.h"
 
 namespace findspace::app {
+
+/// A distance that is to be least (or greatest) over a set on lines.
+struct RayObjective {
+  bool greatest = false;
+  double sign = 1;                                            // -1: the objective is minus the distance
+  std::function<double(const std::array<double, 3>&)> value;  // at a position, all in grid steps
+};
 
 struct RaySet {
   std::string title;
@@ -22,6 +31,10 @@ struct RaySet {
   space::Point low, high;                                                          // a box that holds the frontier
   bool unbounded = false;                                                          // the set goes on beyond it
   std::optional<space::RayAim> aim;                                                // what is looked for in the set
+  std::optional<RayObjective> objective;                                           // or this
+  bool somewhere = false;                                                          // it is known not to be empty
+  situation::Side on_lines = situation::Side::kExact;                              // of the set on the lines
+  std::optional<io::RayOptimum> least;                                             // of a formula with `-> min`
   std::function<std::unique_ptr<space::RaySource>(const space::RayGrid&)> source;  // at most 0 in the set
 };
 

@@ -46,29 +46,6 @@ void note_rounding(const Session& session, const std::string& name, const situat
                   shape.body->rounded, shape.body->moved * session.scene().grid.step_size(), session.unit()));
 }
 
-situation::SpaceWorld world_of(const Session& session) {
-  session.talk().stage("building the shapes");
-  const io::Scene& scene = session.scene();
-  std::vector<situation::SpaceShape> built(scene.shapes.size());
-  plane::parallel_for(built.size(), [&](std::size_t k) {
-    try {
-      built[k] = situation::space_shape(*scene.shapes[k]);
-    } catch (const Error& e) {
-      if (e.code() != ErrorCode::kUnsupported) throw;
-      built[k].refused = e.what();  // its surface may do
-    }
-  });
-  situation::SpaceWorld world;
-  for (std::size_t k = 0; k < built.size(); ++k) {
-    note_rounding(session, scene.shapes[k]->name, built[k]);
-    world.shapes.emplace(scene.shapes[k]->name, std::move(built[k]));
-  }
-  world.moving = scene.moving;
-  world.step = session.step();
-  world.rays = std::make_shared<const situation::RayWorld>(ray_world(session));
-  return world;
-}
-
 /// The region among the shapes that have boxes; the moving ones stand at a sample position.
 std::string picture(const Session& session, const situation::SpaceWorld& world, const space::BoxComplex& region,
                     const space::SpaceSummary& summary, std::string title) {
@@ -164,7 +141,9 @@ Outcome on_lines(const Session& session) {
 Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& solver,
                           const situation::Formula& formula) {
   const auto convex = solver.feasible_convex(formula);
-  if (const auto goal = session.goal()) {
+  const auto goal = session.goal();
+  if (goal && goal->objective.kind == situation::Objective::Kind::kDistance) return on_lines(session);
+  if (goal) {
     const auto best =
         convex ? situation::optimize(convex->set, convex->step, goal->objective, goal->sense) : std::nullopt;
     if (!best) return on_lines(session);
@@ -181,14 +160,38 @@ Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& 
 
 }  // namespace
 
+situation::SpaceWorld space_world(const Session& session) {
+  session.talk().stage("building the shapes");
+  const io::Scene& scene = session.scene();
+  std::vector<situation::SpaceShape> built(scene.shapes.size());
+  plane::parallel_for(built.size(), [&](std::size_t k) {
+    try {
+      built[k] = situation::space_shape(*scene.shapes[k]);
+    } catch (const Error& e) {
+      if (e.code() != ErrorCode::kUnsupported) throw;
+      built[k].refused = e.what();  // its surface may do
+    }
+  });
+  situation::SpaceWorld world;
+  for (std::size_t k = 0; k < built.size(); ++k) {
+    note_rounding(session, scene.shapes[k]->name, built[k]);
+    world.shapes.emplace(scene.shapes[k]->name, std::move(built[k]));
+  }
+  world.moving = scene.moving;
+  world.step = session.step();
+  world.rays = std::make_shared<const situation::RayWorld>(ray_world(session));
+  return world;
+}
+
 Outcome map_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, formats());
   const situation::Formula formula = session.where();
   const auto goal = session.goal();
-  const situation::SpaceSolver solver(world_of(session));
+  const situation::SpaceSolver solver(space_world(session));
   session.talk().stage("solving");
-  std::optional<space::BoxComplex> boxes = box_region(solver, formula);
+  const bool by_distance = goal && goal->objective.kind == situation::Objective::Kind::kDistance;
+  std::optional<space::BoxComplex> boxes = by_distance ? std::nullopt : box_region(solver, formula);
   if (!boxes) return map_without_boxes(session, solver, formula);
   space::BoxComplex region = std::move(*boxes);
   std::optional<io::ExtremeValue> extreme;
@@ -255,7 +258,7 @@ Outcome check_space(const Session& session) {
   check_outputs(options, {".json", ".svg"});
   const space::RealVector at = session.position_in_space();
   const situation::Formula formula = session.where();
-  const situation::SpaceSolver solver(world_of(session));
+  const situation::SpaceSolver solver(space_world(session));
   session.talk().stage("checking");
   const situation::SpaceSolver::Check check = solver.check(formula, at);
   const auto json = [&] { return io::space_check_json(check, at, session.unit()); };
@@ -280,7 +283,7 @@ Outcome measure_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, {".json", ".svg"});
   const space::RealVector at = session.position_in_space();
-  const situation::SpaceSolver solver(world_of(session));
+  const situation::SpaceSolver solver(space_world(session));
   session.talk().stage("measuring");
   const std::vector<situation::SpaceDistanceAt> distances = solver.measure(at);
   for (const auto& d : distances) {

@@ -6,8 +6,12 @@
 #pragma once
 
 #include "session.h"
+#include "situation/solve_space.h"
 
 namespace findspace::app {
+
+/// The scene's shapes as sets and bodies.
+situation::SpaceWorld space_world(const Session& session);
 
 Outcome map_space(const Session& session);
 /// On `resolution` x `resolution` lines, of one axis or of all three.

@@ -35,6 +35,7 @@ struct Table {
 
 Row sum_row(std::string name, Polygon a, Polygon b) {
   return {std::move(name), [a = std::move(a), b = std::move(b)](const Contender& c) -> Job {
+            if (c.sum_alone) return c.sum_alone(a, b);
             return c.sum ? Job([&] { return c.sum(a, b); }) : Job();
           }};
 }

@@ -6,6 +6,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
@@ -45,6 +46,11 @@ Nef nef(const ray_bench::Triangles& t) {
   Polyhedron p;
   Build build(t);
   p.delegate(build);
+  // Nef polyhedra of surfaces that cross themselves make the cut into convex parts run for ever.
+  if (CGAL::Polygon_mesh_processing::does_self_intersect(p)) {
+    std::fprintf(stderr, "the mesh of %zu triangles crosses itself: take another number\n", t.faces.size());
+    std::exit(1);
+  }
   return Nef(p);
 }
 

@@ -87,7 +87,36 @@ std::optional<Measured> AtPosition::signed_distance(Which which, Standing::Kind 
     RealPoint step = difference(s.pair->first, s.pair->second);
     return Measured{outside ? s.pair->distance : -s.pair->distance, sum(p, step), std::nullopt, features(*s.pair)};
   }
-  return by_map(which, p);
+  return signed_value(which, p);
+}
+
+/// Null where there is none, or the map serves better.
+const WayOut* AtPosition::way_out(Which which) const {
+  const std::size_t k = which == Which::kGamma1 ? 0 : which == Which::kEta1 ? 1 : 2;
+  std::call_once(ways_made_[k], [&] {
+    // A lies in B + p where A - p lies in B.
+    ways_[k] =
+        which == Which::kDelta1
+            ? WayOut::make(fixed_, moving_, WayOut::Of::kContainment)
+            : WayOut::make(moving_, fixed_, which == Which::kGamma1 ? WayOut::Of::kContact : WayOut::Of::kContainment);
+  });
+  return ways_[k] && ways_[k]->pays() && !pair_->has(which) ? ways_[k].get() : nullptr;
+}
+
+/// gamma1, eta1 or delta1.
+std::optional<Measured> AtPosition::signed_value(Which which, const RealPoint& p) const {
+  const WayOut* way = way_out(which);
+  const bool back = which == Which::kDelta1;
+  const RealPoint at = back ? RealPoint{-p.x, -p.y} : p;
+  if (!way || !way->holds(at)) return by_map(which, p);
+  WayOut::Answer answer = way->nearest(at);
+  if (!answer.known) return by_map(which, p);
+  if (!answer.nearest) return std::nullopt;
+  const plane::Nearest& n = *answer.nearest;
+  Measured m{
+      which == Which::kGamma1 ? -n.distance : n.distance, back ? RealPoint{-n.at.x, -n.at.y} : n.at, std::nullopt, {}};
+  add_contact(m, *m.nearest, p);
+  return m;
 }
 
 std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) const {
@@ -125,7 +154,7 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
     if (s.kind == (back ? Standing::Kind::kAround : Standing::Kind::kInside))
       return Measured{-s.pair->distance, std::nullopt, std::nullopt, features(*s.pair)};
     // One touches the other from inside, or all but: containment decides.
-    auto margin = by_map(back ? Which::kDelta1 : Which::kEta1, p);
+    auto margin = signed_value(back ? Which::kDelta1 : Which::kEta1, p);
     if (margin && margin->value.sign() <= 0) return margin;
     place = search(scale * kHardlyOut);
     if (!place) return Measured{};

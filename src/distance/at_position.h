@@ -5,8 +5,9 @@
 // that attain it, and the vertices, edges or arcs they lie on. For the distances that are translations to a contact
 // (gamma1 < 0, eta, delta) the pair are the points that come together: B + p moved by (point of A) - (point of B)
 // touches A there, and the move is as long as the value. Values come from the boundaries alone where these decide:
-// shapes that are clearly apart or clearly inside each other, gamma2, mu, h, Hausdorff and diameter; else from the map
-// of the family (t_distance.h), which is made once. Guarantee: as the families'. Cost: about log n boxes for
+// shapes that are clearly apart or clearly inside each other, gamma2, mu, h, Hausdorff and diameter; gamma1 < 0, eta1 >
+// 0 and delta1 > 0 of polygons from the boundary of the sum near p (way_out.h) where its map is large; else from the
+// map of the family (t_distance.h), which is made once. Guarantee: as the families'. Cost: about log n boxes for
 // boundaries, a map where these meet. Prepared once, asked at many positions; threads: safe. Keywords: witness, closest
 // features, contact, clearance, measure.
 #pragma once
@@ -16,6 +17,7 @@
 
 #include "distance/shape_pair.h"
 #include "distance/site_pairs.h"
+#include "distance/way_out.h"
 
 namespace findspace::distance {
 
@@ -56,6 +58,8 @@ class AtPosition {
   Standing standing(const exact::RealPoint& p) const;
   std::optional<Measured> signed_distance(Which which, Standing::Kind quick, const exact::RealPoint& p) const;
   std::optional<Measured> by_map(Which which, const exact::RealPoint& p) const;
+  std::optional<Measured> signed_value(Which which, const exact::RealPoint& p) const;
+  const WayOut* way_out(Which which) const;
   std::optional<Measured> farthest(Which which, const exact::RealPoint& p) const;
   /// A value of `floor` or less may come out as 0.
   std::optional<Measured> directed(bool back, const exact::RealPoint& p, double floor = 0) const;
@@ -68,6 +72,8 @@ class AtPosition {
 
   std::shared_ptr<const ShapePair> pair_;
   SiteTree moving_, fixed_;
+  mutable std::array<std::once_flag, 3> ways_made_;
+  mutable std::array<std::unique_ptr<const WayOut>, 3> ways_;  // of gamma1, eta1, delta1; null where there is none
   mutable std::once_flag diameters_made_;
   mutable std::array<std::optional<SitePair>, 2> diameters_;  // of A, of B
 };

@@ -42,6 +42,11 @@ class ShapePair {
   ShapePair(plane::Region b, plane::Region a);
 
   TDistancePointer distance(Which which) const;
+  /// Has it been made?
+  bool has(Which which) const {
+    std::lock_guard lock(guard_);
+    return known_[std::size_t(which)] != nullptr;
+  }
   const plane::Region& moving() const { return b_; }
   const plane::Region& fixed() const { return a_; }
 

@@ -36,6 +36,7 @@ class PairSearch {
   void run_farthest();
   /// A crossing of straight edges, certain; with `arcs` also a place where arcs meet or seem to.
   std::optional<SitePair> run_common(bool arcs);
+  bool run_crossing(double margin);
   /// The exact best among what numbers left over.
   SitePair best(bool far) const;
   /// What numbers say is nearest, exactly.
@@ -145,6 +146,17 @@ std::optional<SitePair> PairSearch::run_common(bool arcs) {
   return found;
 }
 
+bool PairSearch::run_crossing(double margin) {
+  bool found = false;
+  best_ = 0;
+  walk(false, [&](const Placed& p, const Placed& q) {
+    const Site &s = p.s, &t = q.s;
+    found = !s.arc && !t.arc && !s.is_vertex() && !t.is_vertex() && segments_cross(s, t, margin + slack_);
+    return !found;
+  });
+  return found;
+}
+
 SitePair PairSearch::best(bool far) const {
   std::optional<SitePair> best;
   for (const Candidate& c : candidates_) {
@@ -172,6 +184,10 @@ std::optional<SitePair> nearest_pair(const SiteTree& a, const SiteTree& b, const
 
 std::optional<SitePair> crossing_pair(const SiteTree& a, const SiteTree& b, const RealPoint& p) {
   return PairSearch(a, b, p).run_common(false);
+}
+
+bool certainly_cross(const SiteTree& a, const SiteTree& b, double x, double y, double margin) {
+  return PairSearch(a, b, {Real::from_double(x), Real::from_double(y)}).run_crossing(margin);
 }
 
 SitePair common_point(const SiteTree& a, const SiteTree& b, const RealPoint& p) {

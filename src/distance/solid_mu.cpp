@@ -3,9 +3,8 @@
 #include "distance/solid_mu.h"
 
 #include <algorithm>
-#include <queue>
 
-#include "distance/matrix_game.h"
+#include "distance/convex_distance.h"
 
 namespace findspace::distance {
 
@@ -98,222 +97,24 @@ SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVecto
   return *best;
 }
 
-namespace {
-
-/// Distances to one convex part in doubles: the dual simplex of foot_search.h for a single set.
-class PartDistance {
- public:
-  explicit PartDistance(const std::vector<HalfSpace>& planes) {
-    for (const HalfSpace& h : planes) units_.push_back(h.unit), shifts_.push_back(h.shift);
-  }
-  double operator()(const Vector& x) const {
-    Vector y;
-    std::vector<int> basis;
-    const double slack = 0x1p-46 * (space::size_of(x) + 1);
-    for (int step = 0; step < 100; ++step) {
-      int worst = -1;
-      double most = slack;
-      for (int i = 0; i < static_cast<int>(units_.size()); ++i) {
-        const double out = gap(i, x) + dot(units_[i], y);
-        if (out > most && std::find(basis.begin(), basis.end(), i) == basis.end()) most = out, worst = i;
-      }
-      if (worst < 0 || !exchange(basis, worst, x, y)) break;
-    }
-    return space::length(y);
-  }
-
- private:
-  double gap(int i, const Vector& x) const { return dot(units_[i], x) + shifts_[i]; }
-
-  /// The foot of x on plane `fresh` and some of the basis that keeps below all of them.
-  bool exchange(std::vector<int>& basis, int fresh, const Vector& x, Vector& y) const {
-    for (int kept = 0; kept < (1 << basis.size()); ++kept) {
-      std::vector<int> on{fresh};
-      for (std::size_t i = 0; i < basis.size(); ++i) {
-        if (kept >> i & 1) on.push_back(basis[i]);
-      }
-      if (on.size() > 3) continue;
-      const auto foot = foot_on(on, x);
-      if (!foot) continue;
-      const bool below = std::all_of(basis.begin(), basis.end(), [&](int i) {
-        return gap(i, x) + dot(units_[i], *foot) <= 0x1p-44 * (space::size_of(x) + 1);
-      });
-      if (!below) continue;
-      basis = on;
-      y = *foot;
-      return true;
-    }
-    return false;
-  }
-
-  std::optional<Vector> foot_on(const std::vector<int>& on, const Vector& x) const {
-    // Gram-Schmidt on the normals, then back substitution for the multipliers.
-    const std::size_t n = on.size();
-    std::array<std::array<double, 4>, 3> g{};
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) g[i][j] = dot(units_[on[i]], units_[on[j]]);
-      g[i][3] = -gap(on[i], x);
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-      if (g[k][k] < 0x1p-40) return std::nullopt;
-      for (std::size_t i = 0; i < n; ++i) {
-        if (i == k) continue;
-        const double factor = g[i][k] / g[k][k];
-        for (std::size_t j = 0; j < 4; ++j) g[i][j] -= factor * g[k][j];
-      }
-    }
-    Vector y;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double multiplier = g[i][3] / g[i][i];
-      if (multiplier > 0) return std::nullopt;
-      y = space::plus(y, space::scaled(multiplier, units_[on[i]]));
-    }
-    return y;
-  }
-
-  std::vector<Vector> units_;
-  std::vector<double> shifts_;
-};
-
-struct Cell {
-  std::array<Vector, 4> corner;
-  std::vector<int> parts;  // of A that can be nearest in the cell
-  std::vector<std::array<double, 4>> distances;
-  double bound = 0;
-  bool operator<(const Cell& other) const { return bound < other.bound; }
-};
-
-class Search {
- public:
-  Search(const Body& b, const Body& a, const RealVector& p) : p_(space::rounded(p)) {
-    for (const BodyPart& part : a.parts) parts_.emplace_back(half_spaces(part));
-    for (const BodyPart& part : b.parts) add_tetrahedra(*part.core);
-  }
-
-  /// The value and the place; false where the limit was reached.
-  bool run(double& value, Vector& place) {
-    bool whole = true;
-    for (int count = 0; !queue_.empty(); ++count) {
-      Cell top = queue_.top();
-      if (top.bound <= best_ * (1 + 0x1p-41)) break;
-      if (count == kMostCells) {
-        whole = false;
-        break;
-      }
-      queue_.pop();
-      split(top);
-    }
-    value = best_;
-    place = place_;
-    return whole;
-  }
-
- private:
-  void add_tetrahedra(const space::Polytope& s) {
-    const auto at = [&](int v) { return space::plus(exact::shadow(s.vertices()[v]), p_); };
-    std::vector<int> all(parts_.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-    for (int f = 0; f < s.facet_count(); ++f) {
-      const std::vector<int> ring = s.circuit(f);
-      if (std::find(ring.begin(), ring.end(), 0) != ring.end()) continue;
-      for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        add({at(0), at(ring[0]), at(ring[i]), at(ring[i + 1])}, all, exact::kInfinity);
-    }
-  }
-
-  double nearest(const Vector& x, const std::vector<int>& parts) const {
-    double least = exact::kInfinity;
-    for (const int i : parts) least = std::min(least, parts_[i](x));
-    return least;
-  }
-
-  void offer(const Vector& x, double value) {
-    if (value > best_) best_ = value, place_ = x;
-  }
-
-  void add(const std::array<Vector, 4>& corner, const std::vector<int>& parts, double ceiling) {
-    Cell cell;
-    cell.corner = corner;
-    double size = 0, bound = exact::kInfinity;
-    for (const Vector& v : corner) {
-      for (const Vector& w : corner) size = std::max(size, space::length(v - w));
-    }
-    std::vector<std::array<double, 4>> all;
-    std::array<double, 4> least;
-    least.fill(exact::kInfinity);
-    for (const int i : parts) {
-      std::array<double, 4> d{};
-      for (int v = 0; v < 4; ++v) d[v] = parts_[i](corner[v]), least[v] = std::min(least[v], d[v]);
-      all.push_back(d);
-      bound = std::min(bound, *std::max_element(d.begin(), d.end()));
-    }
-    for (int v = 0; v < 4; ++v) offer(corner[v], least[v]);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (*std::max_element(all[k].begin(), all[k].end()) - size > bound) continue;
-      cell.parts.push_back(parts[k]);
-      cell.distances.push_back(all[k]);
-    }
-    const GameValue game = matrix_game(cell.distances);
-    cell.bound = std::min(ceiling, game.value);
-    if (cell.bound <= best_) return;
-    Vector x;
-    for (int v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
-    offer(x, nearest(x, cell.parts));
-    queue_.push(std::move(cell));
-  }
-
-  /// By how much the distances exceed, half-way between two corners, what their values there make one expect: none
-  /// where they are linear. That is what the bound of a cell loses.
-  double bend(const Cell& cell, std::size_t v, std::size_t w) const {
-    const Vector middle = space::scaled(0.5, space::plus(cell.corner[v], cell.corner[w]));
-    double most = 0;
-    for (std::size_t k = 0; k < cell.parts.size(); ++k) {
-      const double mean = (cell.distances[k][v] + cell.distances[k][w]) / 2;
-      most = std::max(most, mean - parts_[std::size_t(cell.parts[k])](middle));
-    }
-    return most;
-  }
-
-  /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
-  void split(const Cell& cell) {
-    std::size_t a = 0, b = 1;
-    double longest = 0, greatest = 0x1p-46 * best_;
-    for (std::size_t v = 0; v < 4; ++v) {
-      for (std::size_t w = v + 1; w < 4; ++w) {
-        const double d = space::length(cell.corner[v] - cell.corner[w]), bent = bend(cell, v, w);
-        if (bent > greatest) {
-          greatest = bent, longest = exact::kInfinity, a = v, b = w;
-        } else if (d > longest) {
-          longest = d, a = v, b = w;
-        }
-      }
-    }
-    const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
-    for (const std::size_t moved : {a, b}) {
-      std::array<Vector, 4> corner = cell.corner;
-      corner[moved] = middle;
-      add(corner, cell.parts, cell.bound);
-    }
-  }
-
-  Vector p_;
-  std::vector<PartDistance> parts_;
-  std::priority_queue<Cell> queue_;
-  double best_ = 0;
-  Vector place_;
-};
-
-}  // namespace
-
 SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p) {
-  double value = 0;
-  Vector place;
-  const bool whole = Search(b, a, p).run(value, place);
+  std::vector<ConvexDistance> parts;
+  for (const BodyPart& part : a.parts) parts.push_back(distance_to(half_spaces(part)));
+  std::vector<Tetrahedron> cells;
+  const Vector by = space::rounded(p);
+  for (const BodyPart& part : b.parts) {
+    for (Tetrahedron& t : tetrahedra(*part.core)) {
+      for (Vector& v : t) v = space::plus(v, by);
+      cells.push_back(t);
+    }
+  }
+  const SolidPeak peak = solid_peak(cells, parts, 0);
   // At a vertex of B the exact distance to the nearest part is known.
   for (const BodyPart& part : b.parts) {
     for (const space::Point& v : part.vertices()) {
       const RealVector at = space::plus(real(v), p);
-      if (!whole || space::length(space::rounded(at) - place) > 0x1p-44 * space::size_of(place)) continue;
+      if (!peak.whole || space::length(space::rounded(at) - peak.place) > 0x1p-44 * space::size_of(peak.place))
+        continue;
       std::optional<SolidValue> best;
       for (const BodyPart& t : a.parts) {
         const RealVector foot = *nearest_in(half_spaces(t), at);
@@ -327,7 +128,7 @@ SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p)
     }
   }
   SolidValue out;
-  out.value = Real::from_double(value);
+  out.value = Real::from_double(peak.value);
   out.proven = false;
   return out;
 }

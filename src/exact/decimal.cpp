@@ -112,4 +112,33 @@ OnGrid to_grid(std::string_view text, const Real& step) {
   return nearest_on_grid(Decimal::parse(text).value() / step, text);
 }
 
+std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step) {
+  constexpr std::size_t kMostDigits = 17;
+  const auto parts = step.fraction();
+  if (!parts || (*parts)[0] <= 0 || (*parts)[0] > kMaxGridCoordinate || (*parts)[1] > kMaxGridCoordinate) {
+    return std::nullopt;
+  }
+  std::size_t at = 0;
+  bool negative = false;
+  if (at < text.size() && (text[at] == '+' || text[at] == '-')) negative = text[at++] == '-';
+  if (text.size() - at > kMostDigits + 1) return std::nullopt;
+  std::int64_t digits = 0, below = 1;
+  std::size_t read = 0;
+  bool fraction = false;
+  for (; at < text.size(); ++at) {
+    if (text[at] == '.' && !fraction) {
+      fraction = true;
+      continue;
+    }
+    if (!is_digit(text[at]) || ++read > kMostDigits) return std::nullopt;
+    digits = digits * 10 + (text[at] - '0');
+    if (fraction) below *= 10;
+  }
+  if (read == 0) return std::nullopt;
+  const int128 above = int128(digits) * (*parts)[1], divisor = int128(below) * (*parts)[0];
+  if (above % divisor != 0 || above / divisor > kMaxGridCoordinate) return std::nullopt;
+  const auto steps = static_cast<std::int64_t>(above / divisor);
+  return negative ? -steps : steps;
+}
+
 }  // namespace findspace::exact

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -43,5 +44,9 @@ inline constexpr std::int64_t kMaxGridCoordinate = std::int64_t{1} << 40;
 OnGrid to_grid(std::string_view text, int grid_exponent);
 /// The same for a grid whose step is a positive rational; throws Error(kBadValue) for any other step.
 OnGrid to_grid(std::string_view text, const Real& step);
+
+/// The same without a remainder, in machine integers: nothing for numbers with an exponent or of more than 17 digits,
+/// for what is no decimal, off the grid or beyond 2^40 steps. Cost: some ten nanoseconds.
+std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step);
 
 }  // namespace findspace::exact

@@ -26,11 +26,24 @@ Real make_real(Closed value) {
   return Access::adopt(new ClosedNode(kind, enclosure, std::move(value), cancelled));
 }
 
-void destroy(Node* node) noexcept {
+namespace {
+
+/// Of a node without operands that could make a deep graph; false for others.
+bool destroy_leaf(Node* node) noexcept {
   if (is_closed(*node)) {
     delete static_cast<ClosedNode*>(node);
-    return;
+  } else if (node->kind == NodeKind::kPolynomialRoot) {
+    delete static_cast<RootNode*>(node);
+  } else {
+    return false;
   }
+  return true;
+}
+
+}  // namespace
+
+void destroy(Node* node) noexcept {
+  if (destroy_leaf(node)) return;
   auto* pending = static_cast<OperationNode*>(node);
   while (pending) {
     OperationNode* dead = pending;
@@ -38,12 +51,9 @@ void destroy(Node* node) noexcept {
     for (Real* child : {&dead->a, &dead->b}) {
       Node* c = Access::take(*child);
       if (!c || c->references.fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
-      if (is_closed(*c)) {
-        delete static_cast<ClosedNode*>(c);
-      } else {
-        static_cast<OperationNode*>(c)->next_to_destroy = pending;
-        pending = static_cast<OperationNode*>(c);
-      }
+      if (destroy_leaf(c)) continue;
+      static_cast<OperationNode*>(c)->next_to_destroy = pending;
+      pending = static_cast<OperationNode*>(c);
     }
     delete dead;
   }

@@ -8,7 +8,8 @@
 //   * the closed form (p + r*sqrt(n)) / q with big integers, evaluated eagerly: all rationals, and all numbers of one
 //     quadratic field, such as the offset c0 + c1*sqrt(a^2+b^2) of a line. Two fields that are the same one
 //     (n*m a square) are recognised. Signs by squaring;
-//   * an expression graph over those, whose nodes carry a double enclosure found when they are made.
+//   * an expression graph over those, whose nodes carry a double enclosure found when they are made; its leaves may
+//     also be roots of polynomials (polynomial_root.h).
 // Guarantee: sign() and compare() are exact for every input. In the graph form a sign is found by evaluation with
 //   growing precision until the enclosure excludes 0 or falls below the root separation bound, which proves 0.
 //   A sign that would need more than 2^28 bits is refused with Error(kUnsupported), never guessed.
@@ -35,7 +36,7 @@ namespace findspace::exact {
 
 namespace detail {
 struct Access;
-enum class NodeKind : std::uint8_t { kRational, kQuadratic, kNeg, kAdd, kSub, kMul, kDiv, kSqrt };
+enum class NodeKind : std::uint8_t { kRational, kQuadratic, kPolynomialRoot, kNeg, kAdd, kSub, kMul, kDiv, kSqrt };
 /// What every node starts with; the rest is known to the .cpp files only.
 struct Node {
   Node(NodeKind kind_of, Interval enclosure) : kind(kind_of), interval(enclosure) {}

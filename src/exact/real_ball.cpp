@@ -35,6 +35,34 @@ void Ball::set(std::int64_t value) {
   add_rounding(mpfr_set_si(mid_, value, MPFR_RNDN));
 }
 
+void Ball::set(const Ball& a) {
+  radius_ = a.radius_;
+  add_rounding(mpfr_set(mid_, a.mid_, MPFR_RNDN));
+}
+
+void Ball::set_middle(const Ball& a) {
+  mpfr_set(mid_, a.mid_, MPFR_RNDN);  // any number near it will do
+  radius_ = Radius();
+}
+
+void Ball::set_between(const Ball& lo, const Ball& hi) {
+  // From the middle to an end is half of |hi - lo| <= 2^e, and the ends have radii of their own.
+  radius_ = lo.radius_ + hi.radius_;
+  mpfr_sub(mid_, hi.mid_, lo.mid_, MPFR_RNDA);
+  radius_ = radius_ + magnitude(mid_);
+  const int inexact = mpfr_add(mid_, lo.mid_, hi.mid_, MPFR_RNDN);
+  if (!mpfr_zero_p(mid_)) mpfr_div_2ui(mid_, mid_, 1, MPFR_RNDN);
+  if (inexact != 0) add_rounding(inexact);
+}
+
+bool Ball::narrower_than(const Ball& a, int bits) const { return radius_.times_power_of_two(bits) < a.radius_; }
+
+Interval Ball::interval() const {
+  if (!radius_.finite()) return whole_line();
+  const double r = next_up(radius_.to_double());
+  return outward(mpfr_get_d(mid_, MPFR_RNDD) - r, mpfr_get_d(mid_, MPFR_RNDU) + r);
+}
+
 void Ball::negate(const Ball& a) {
   mpfr_neg(mid_, a.mid_, MPFR_RNDN);  // the same precision: exact
   radius_ = a.radius_;

@@ -12,10 +12,13 @@
 #include <gmp.h>
 #include <mpfr.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "exact/interval.h"
 
 namespace findspace::exact::detail {
 
@@ -29,6 +32,12 @@ class Radius {
   bool zero() const { return m_ == 0; }
   bool finite() const { return m_ < 1; }
   std::int64_t exponent() const { return e_; }  // value < 2^exponent, unless zero or infinite
+  double to_double() const { return finite() ? std::ldexp(m_, int(std::clamp<std::int64_t>(e_, -2000, 2000))) : m_; }
+  friend bool operator<(const Radius& a, const Radius& b) {
+    if (a.zero() || b.zero()) return a.zero() && !b.zero();
+    if (!a.finite() || !b.finite()) return a.finite() && !b.finite();
+    return a.e_ != b.e_ ? a.e_ < b.e_ : a.m_ < b.m_;
+  }
 
   friend Radius operator+(const Radius& a, const Radius& b) {
     if (a.zero() || !b.finite()) return b;
@@ -72,6 +81,9 @@ class Ball {
 
   void set(mpz_srcptr value);
   void set(std::int64_t value);
+  void set(const Ball& a);            // of any precision
+  void set_middle(const Ball& a);     // radius 0
+  void set_between(const Ball& lo, const Ball& hi);  // contains both and all between
   void negate(const Ball& a);
   void add(const Ball& a, const Ball& b);
   void subtract(const Ball& a, const Ball& b);
@@ -88,8 +100,12 @@ class Ball {
   bool within(double bits) const;
   /// radius <= 2^-bits * |mid|.
   bool accurate_to(int bits) const;
+  /// The radius is less than 2^-bits of the other's.
+  bool narrower_than(const Ball& a, int bits) const;
+  mpfr_prec_t precision() const { return mpfr_get_prec(mid_); }
   const Radius& radius() const { return radius_; }
   double to_double() const { return mpfr_get_d(mid_, MPFR_RNDN); }
+  Interval interval() const;  // contains the ball
 
  private:
   /// radius += the error of rounding mid to nearest, of which MPFR said `inexact`.

@@ -4,6 +4,9 @@
 // The nodes behind Real and the way in for the other files of src/exact. Internal: brings in GMP.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "exact/real.h"
 #include "exact/real_closed.h"
 #include "exact/real_small.h"
@@ -27,6 +30,17 @@ struct OperationNode : Node {
   Node* next_to_destroy = nullptr;
 };
 
+class RootBalls;
+
+/// kPolynomialRoot: the one root of c0 + c1 x + c2 x^2 + ... in an interval; no other root of the polynomial, with all
+/// its multiplicity, coincides with it. The coefficients contain no such root.
+struct RootNode : Node {
+  RootNode(Interval enclosure, std::vector<Real> polynomial, std::unique_ptr<RootBalls> found);
+  ~RootNode();
+  std::vector<Real> coefficients;
+  std::unique_ptr<RootBalls> balls;
+};
+
 struct Access {
   static Node* node(const Real& x) { return x.node_; }
   static Small small(const Real& x) { return {x.numerator_, x.denominator_}; }  // where there is no node
@@ -37,6 +51,7 @@ struct Access {
 
 inline bool is_closed(const Node& node) { return node.kind <= NodeKind::kQuadratic; }
 inline const Closed& closed(const Node& node) { return static_cast<const ClosedNode&>(node).value; }
+inline bool is_unary(NodeKind kind) { return kind == NodeKind::kNeg || kind == NodeKind::kSqrt; }
 inline const OperationNode& operation(const Node& node) { return static_cast<const OperationNode&>(node); }
 
 /// The simplest form of a closed value.

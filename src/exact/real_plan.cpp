@@ -85,7 +85,7 @@ int Plan::small_step(const Small& value) {
   });
   if (found >= 0) return found;
   const Interval interval = value.q == 1 ? enclose(value.p) : enclose(value.p) / enclose(value.q);
-  steps_.push_back({StepKind::kSmall, -1, -1, nullptr, interval, value});
+  steps_.push_back({StepKind::kSmall, -1, -1, nullptr, nullptr, interval, value});
   return next;
 }
 
@@ -93,7 +93,7 @@ int Plan::plain_root_step(const Closed& leaf) {
   for (int i = 0; i < static_cast<int>(steps_.size()); ++i) {
     if (steps_[i].kind == StepKind::kPlainRoot && steps_[i].leaf->n == leaf.n) return i;
   }
-  steps_.push_back({StepKind::kPlainRoot, -1, -1, &leaf, sqrt(enclose(leaf.n)), {}});
+  steps_.push_back({StepKind::kPlainRoot, -1, -1, &leaf, nullptr, sqrt(enclose(leaf.n)), {}});
   return static_cast<int>(steps_.size()) - 1;
 }
 
@@ -107,7 +107,7 @@ int Plan::leaf_step(const Real& x) {
     return steps_[step].kind == StepKind::kLeaf && same(*steps_[step].leaf, value);
   });
   if (found >= 0) return found;
-  steps_.push_back({StepKind::kLeaf, root, -1, &value, node->interval, {}});
+  steps_.push_back({StepKind::kLeaf, root, -1, &value, nullptr, node->interval, {}});
   return next;
 }
 
@@ -120,7 +120,7 @@ int Plan::operation_step(const OperationNode& node, int a, int b) {
   const auto next = static_cast<int>(steps_.size());
   const int found = operations_.find_or_put(key, next, [](int) { return true; });
   if (found >= 0) return found;
-  steps_.push_back({kind, a, b, nullptr, node.interval, {}});
+  steps_.push_back({kind, a, b, nullptr, nullptr, node.interval, {}});
   return next;
 }
 
@@ -134,22 +134,45 @@ int Plan::step_of(const Real& x) {
   return step;
 }
 
+int Plan::polynomial_step(const RootNode& node) {
+  Step step{StepKind::kPolynomialRoot, -1, -1, nullptr, &node, node.interval, {}};
+  step.first = static_cast<int>(coefficients_.size());
+  for (const Real& c : node.coefficients) coefficients_.push_back(step_of(c));
+  steps_.push_back(step);
+  return static_cast<int>(steps_.size()) - 1;
+}
+
+/// Whether all operands have steps; those that have none go to `open`.
+bool Plan::operands_ready(const Node& node, std::vector<const Real*>& open) {
+  const std::size_t before = open.size();
+  const auto need = [&](const Real& operand) {
+    if (step_of(operand) < 0) open.push_back(&operand);
+  };
+  if (node.kind == NodeKind::kPolynomialRoot) {
+    for (const Real& c : static_cast<const RootNode&>(node).coefficients) need(c);
+  } else {
+    need(operation(node).a);
+    if (!is_unary(node.kind)) need(operation(node).b);
+  }
+  return open.size() == before;
+}
+
 int Plan::build(const Real& x) {
   if (is_leaf(x)) return leaf_step(x);
   std::vector<const Real*> open{&x};
   while (!open.empty()) {
-    const Real& top = *open.back();
-    if (of_node_.find(key_of(Access::node(top))) >= 0) {
+    const Node& top = *Access::node(*open.back());
+    if (of_node_.find(key_of(&top)) >= 0) {
       open.pop_back();
       continue;
     }
-    const OperationNode& node = operation(*Access::node(top));
-    const bool unary = node.kind == NodeKind::kNeg || node.kind == NodeKind::kSqrt;
-    const int a = step_of(node.a), b = unary ? -1 : step_of(node.b);
-    if (a < 0) open.push_back(&node.a);
-    if (b < 0 && !unary) open.push_back(&node.b);
-    if (a < 0 || (b < 0 && !unary)) continue;
-    of_node_.put(key_of(&node), operation_step(node, a, b));
+    if (!operands_ready(top, open)) continue;
+    if (top.kind == NodeKind::kPolynomialRoot) {
+      of_node_.put(key_of(&top), polynomial_step(static_cast<const RootNode&>(top)));
+    } else {
+      const OperationNode& node = operation(top);
+      of_node_.put(key_of(&top), operation_step(node, step_of(node.a), is_unary(node.kind) ? -1 : step_of(node.b)));
+    }
     open.pop_back();
   }
   return of_node_.find(key_of(Access::node(x)));
@@ -157,90 +180,10 @@ int Plan::build(const Real& x) {
 
 namespace {
 
-struct Bound {
-  double u = 0, l = 0;  // log2, rounded up
-};
-
-double up(double log_value) {
-  return log_value == -kInfinity ? log_value : log_value + std::abs(log_value) * 1e-14 + 1e-12;
-}
-
-/// log2 |z| <= result; -infinity for 0.
-double log2_of(const mpz_class& z) {
-  if (sgn(z) == 0) return -kInfinity;
-  long exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&exponent, z.get_mpz_t());
-  return up(std::log2(std::abs(mantissa) * (1 + 1e-15)) + static_cast<double>(exponent));
-}
-
-double log2_of(const Interval& a) { return up(std::log2(std::max(std::abs(a.lo), std::abs(a.hi)))); }
-
-/// log2(2^x + 2^y) <= result.
-double log2_sum(double x, double y) {
-  const double high = std::max(x, y), low = std::min(x, y);
-  if (low == -kInfinity || high - low > 80) return up(high);
-  return up(high + std::log2(1 + std::exp2(low - high)));
-}
-
-Bound bound_of(const Step& step, const std::vector<Bound>& bounds) {
-  const Bound a = step.a >= 0 ? bounds[step.a] : Bound{}, b = step.b >= 0 ? bounds[step.b] : Bound{};
-  switch (step.kind) {
-    case StepKind::kSmall:
-      return {log2_of(enclose(step.small.p)), log2_of(enclose(step.small.q))};
-    case StepKind::kPlainRoot:
-      return {log2_of(step.leaf->n) / 2, 0};
-    case StepKind::kLeaf:
-      if (step.leaf->rational()) return {log2_of(step.leaf->p), log2_of(step.leaf->q)};
-      return {log2_sum(log2_of(step.leaf->p), log2_of(step.leaf->r) + a.u), log2_of(step.leaf->q)};
-    case StepKind::kNeg:
-      return a;
-    case StepKind::kAdd:
-    case StepKind::kSub:
-      return {log2_sum(a.u + b.l, a.l + b.u), up(a.l + b.l)};
-    case StepKind::kMul:
-      return {up(a.u + b.u), up(a.l + b.l)};
-    case StepKind::kDiv:
-      return {up(a.u + b.l), up(a.l + b.u)};
-    case StepKind::kSqrt:
-      if (a.u >= a.l) return {up((a.u + a.l) / 2), a.l};
-      return {a.u, up((a.u + a.l) / 2)};
-  }
-  return {};
-}
-
 double largest(const Interval& a) { return std::max(-a.lo, a.hi); }
 double smallest(const Interval& a) { return a.lo > 0 ? a.lo : a.hi < 0 ? -a.hi : 0; }
 
 }  // namespace
-
-double Plan::log2_degree() const {
-  // Products of the independent n found so far, modulo squares; past kMostProducts new ones are taken as independent.
-  constexpr std::size_t kMostProducts = 16;
-  std::vector<mpz_class> products;
-  double degree = 0;
-  for (const Step& step : steps_) {
-    if (step.kind == StepKind::kSqrt) ++degree;
-    if (step.kind != StepKind::kPlainRoot) continue;
-    const mpz_class& n = step.leaf->n;
-    const bool dependent =
-        std::any_of(products.begin(), products.end(), [&](const mpz_class& m) { return perfect_square_product(m, n); });
-    if (dependent) continue;
-    ++degree;
-    const std::size_t before = products.size();
-    if (before >= kMostProducts) continue;
-    for (std::size_t i = 0; i < before; ++i) products.emplace_back(products[i] * n);
-    products.push_back(n);
-  }
-  return degree;
-}
-
-double Plan::separation_bits() const {
-  std::vector<Bound> bounds;
-  bounds.reserve(steps_.size());
-  for (const Step& step : steps_) bounds.push_back(bound_of(step, bounds));
-  const Bound& result = bounds[root_];
-  return up(result.l + std::max(result.u, 0.0) * (std::exp2(log2_degree()) - 1));
-}
 
 double Plan::error_bits() const {
   std::vector<double> errors;

@@ -3,19 +3,7 @@
 //
 // A plan is the expression graph below one Real as a flat list of steps, operands before their users, in which equal
 // subexpressions are one step (value numbering). So evaluation is a loop, a root written twice counts once, and a graph
-// of any depth needs no stack. The plan also knows the root separation bound of its value:
-//
-// BFMSS (ESA 2001, theorem 1). Rewriting without divisions, every step is U/L with algebraic integers U, L, all
-// conjugates of which are at most u and l in magnitude:
-//     (p + r sqrt n)/q:  u = |p| + |r| sqrt n,        l = q
-//     a +- b:            u = ua lb + la ub,           l = la lb
-//     a * b:             u = ua ub,                   l = la lb
-//     a / b:             u = ua lb,                   l = la ub
-//     sqrt(a):           u = sqrt(ua la), l = la   if ua >= la,   else  u = ua, l = sqrt(ua la)
-// If the value is not 0 then |value| >= 1 / (l u^(D-1)), where D bounds the degree: 2 for every distinct root, nested
-// ones as well; plain roots sqrt(n_i) count only as far as they are independent modulo squares.
-// Logarithms of u and l are kept as doubles and rounded up by far more than the error of log2.
-// Internal to src/exact. Keywords: common subexpression elimination, root bound.
+// of any depth needs no stack. Its value's root separation bound: real_bound.h. Internal to src/exact. Keywords: common subexpression elimination, root bound.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +14,16 @@
 namespace findspace::exact::detail {
 
 /// kSmall is an inline rational, kLeaf a closed form of a node; kPlainRoot is the sqrt(n) such leaves share.
-enum class StepKind : std::uint8_t { kSmall, kLeaf, kPlainRoot, kNeg, kAdd, kSub, kMul, kDiv, kSqrt };
+enum class StepKind : std::uint8_t { kSmall, kLeaf, kPlainRoot, kPolynomialRoot, kNeg, kAdd, kSub, kMul, kDiv, kSqrt };
 
 struct Step {
   StepKind kind = StepKind::kSmall;
   int a = -1, b = -1;            // operands; of a quadratic leaf, a is the step of its sqrt(n)
   const Closed* leaf = nullptr;  // of kLeaf, and of kPlainRoot the leaf whose n it is
+  const RootNode* polynomial = nullptr;
   Interval interval;             // the known enclosure
   Small small;                   // of kSmall
+  int first = 0;                 // of kPolynomialRoot: where its coefficients begin in Plan::coefficients()
 };
 
 /// From 64-bit keys to step numbers: open addressing, no deletion.
@@ -65,8 +55,8 @@ class Plan {
   const std::vector<Step>& steps() const { return steps_; }
   int root() const { return root_; }
   bool is_zero() const;  // seen without arithmetic: x - x
-  /// A value below 2^-result in magnitude is 0.
-  double separation_bits() const;
+  /// Of all polynomials, as steps.
+  const std::vector<int>& coefficients() const { return coefficients_; }
   /// About log2 of the absolute error of the value in units of 2^-precision, from the doubles known; infinite where
   /// they tell nothing. A heuristic for choosing a precision.
   double error_bits() const;
@@ -78,9 +68,11 @@ class Plan {
   int small_step(const Small& value);
   int plain_root_step(const Closed& leaf);
   int operation_step(const OperationNode& node, int a, int b);
-  double log2_degree() const;
+  int polynomial_step(const RootNode& node);
+  bool operands_ready(const Node& node, std::vector<const Real*>& open);
 
   std::vector<Step> steps_;
+  std::vector<int> coefficients_;
   StepTable of_node_, leaves_, operations_;
   int root_ = 0;
 };

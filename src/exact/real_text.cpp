@@ -166,8 +166,11 @@ std::string RealWriter::text(const Real& x) {
       todo.pop_back();
       continue;
     }
+    if (Access::node(top)->kind == NodeKind::kPolynomialRoot) {
+      throw Error(ErrorCode::kUnsupported, "a root of a polynomial has no text");
+    }
     const detail::OperationNode& node = detail::operation(*Access::node(top));
-    const bool unary = node.kind == NodeKind::kNeg || node.kind == NodeKind::kSqrt;
+    const bool unary = detail::is_unary(node.kind);
     const bool ready = known(node.a) && (unary || known(node.b));
     if (!ready) {
       if (!known(node.a)) todo.push_back(node.a);

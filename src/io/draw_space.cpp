@@ -20,7 +20,12 @@ using space::BoxComplex;
 using space::Place3;
 using CellIndex = std::array<int, 3>;
 
-constexpr double kSize = 720, kMargin = 36, kHeader = 58;
+constexpr double kSize = 720, kMargin = 36, kHeader = 58, kLegendLine = 20;
+constexpr const char* kShades[3] = {"#6fa8a0", "#8cc0b8", "#b4dcd5"};
+constexpr const char* kSheet = "fill=\"#f2a33a\" fill-opacity=\"0.75\"";
+constexpr const char* kFixed = "stroke=\"#8a8f98\" stroke-width=\"1\"";
+constexpr const char* kMoving = "stroke=\"#2f62c8\" stroke-width=\"2\"";
+constexpr const char* kHeavy = "stroke=\"#c8452c\" stroke-width=\"4\"";
 
 double dot(const Place3& a, const Place3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -46,7 +51,7 @@ class Parts {
       if (a != b)
         out.push_back(face(c, k, fmt::format("fill=\"{}\" fill-opacity=\"0.82\"", kShades[k])));
       else if (!a && in(c))
-        out.push_back(face(c, k, "fill=\"#f2a33a\" fill-opacity=\"0.75\""));
+        out.push_back(face(c, k, kSheet));
     });
   }
 
@@ -81,8 +86,6 @@ class Parts {
   }
 
  private:
-  static constexpr const char* kShades[3] = {"#6fa8a0", "#8cc0b8", "#b4dcd5"};
-
   template <class Visit>
   void each(Visit visit) const {
     CellIndex c{};
@@ -181,6 +184,34 @@ class View {
   double low_[2] = {1e300, 1e300}, high_[2] = {-1e300, -1e300}, scale_ = 1;
 };
 
+/// What the colours mean, of those that are to be seen: a column of swatches.
+std::string legend(const SpacePicture& picture, const std::vector<Polygon>& faces, const std::vector<Stroke>& strokes,
+                   const std::vector<Place3>& points, double top) {
+  std::string out;
+  const auto row = [&](bool seen, const std::string& swatch, const char* meaning) {
+    if (!seen) return;
+    fmt::format_to(std::back_inserter(out),
+                   "<g transform=\"translate({} {:.1f})\">{}<text x=\"26\" y=\"4.5\" font-size=\"12.5\" "
+                   "fill=\"#333\">{}</text></g>\n",
+                   kMargin, top, swatch, meaning);
+    top += kLegendLine;
+  };
+  const auto box = [](const std::string& style) {
+    return fmt::format("<rect y=\"-6\" width=\"18\" height=\"12\" {}/>", style);
+  };
+  const auto line = [](const char* style) { return fmt::format("<line x2=\"18\" {}/>", style); };
+  const auto sheet = [](const Polygon& f) { return f.style == kSheet; };
+  row(!std::all_of(faces.begin(), faces.end(), sheet), box(fmt::format("fill=\"{}\"", kShades[1])),
+      "positions: the border of solid parts");
+  row(std::any_of(faces.begin(), faces.end(), sheet), box(kSheet), "positions in a plane only");
+  row(std::any_of(strokes.begin(), strokes.end(), [](const Stroke& s) { return s.style == kHeavy; }), line(kHeavy),
+      "positions on a line only");
+  row(!points.empty(), "<circle cx=\"9\" r=\"6\" fill=\"#c8452c\"/>", "single positions");
+  row(!picture.fixed.empty(), line(kFixed), "fixed shapes");
+  row(!picture.moving.empty(), line(kMoving), "the moving shape at a sample position");
+  return out;
+}
+
 }  // namespace
 
 std::string space_svg(const SpacePicture& picture) {
@@ -192,15 +223,14 @@ std::string space_svg(const SpacePicture& picture) {
       strokes.push_back({a, b, style});
     });
   };
-  for (const BoxComplex& set : picture.fixed) add_creases(set, "stroke=\"#8a8f98\" stroke-width=\"1\"");
+  for (const BoxComplex& set : picture.fixed) add_creases(set, kFixed);
   const Parts region(*picture.region, picture.step);
   region.add_faces(faces);
   region.add_lines(true, [&](const Place3& a, const Place3& b, bool heavy) {
-    strokes.push_back(
-        {a, b, heavy ? "stroke=\"#c8452c\" stroke-width=\"4\"" : "stroke=\"#23605a\" stroke-width=\"1.2\""});
+    strokes.push_back({a, b, heavy ? kHeavy : "stroke=\"#23605a\" stroke-width=\"1.2\""});
   });
   region.add_points([&](const Place3& p) { points.push_back(p); });
-  for (const BoxComplex& set : picture.moving) add_creases(set, "stroke=\"#2f62c8\" stroke-width=\"2\"");
+  for (const BoxComplex& set : picture.moving) add_creases(set, kMoving);
   View view;
   for (const Polygon& f : faces) {
     for (const Place3& p : f.corners) view.include(p);
@@ -208,11 +238,13 @@ std::string space_svg(const SpacePicture& picture) {
   for (const Stroke& s : strokes) view.include(s.from), view.include(s.to);
   for (const Place3& p : points) view.include(p);
   view.fit();
+  const std::string meanings = legend(picture, faces, strokes, points, view.height() + kLegendLine / 2);
+  const double below = kLegendLine * double(std::count(meanings.begin(), meanings.end(), '\n')) + kMargin;
   std::stable_sort(faces.begin(), faces.end(), [](const Polygon& a, const Polygon& b) { return a.depth < b.depth; });
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
       "font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      view.width(), view.height());
+      view.width(), view.height() + below);
   const auto put = std::back_inserter(out);
   fmt::format_to(put,
                  "<text x=\"{0}\" y=\"28\" font-size=\"17\">{1}</text>\n<text x=\"{0}\" y=\"48\" font-size=\"12.5\" "
@@ -229,7 +261,7 @@ std::string space_svg(const SpacePicture& picture) {
   }
   for (const Place3& p : points)
     fmt::format_to(put, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#c8452c\"/>\n", view.x(p), view.y(p));
-  return out + "</svg>\n";
+  return out + meanings + "</svg>\n";
 }
 
 }  // namespace findspace::io

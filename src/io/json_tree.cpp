@@ -126,9 +126,14 @@ class TreeBuilder {
     return i;
   }
 
+  static JsonValue& item_of(JsonValue& list) {
+    if (list.items.capacity() == 0) list.items.reserve(2);  // most lists are points
+    return list.items.emplace_back();
+  }
+
   JsonValue* begin(JsonValue::Kind kind) {
     std::size_t start = token_start();
-    JsonValue* value = open_.empty() ? &root_ : &open_.back()->items.emplace_back();
+    JsonValue* value = open_.empty() ? &root_ : &item_of(*open_.back());
     value->kind = kind;
     lines_.place(start, value->line, value->column);
     end_ = offset();

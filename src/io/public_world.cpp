@@ -13,6 +13,7 @@
 #include "io/write_witness.h"
 #include "plane/build.h"
 #include "plane/overlay.h"
+#include "situation/feasible_near.h"
 #include "situation/optimize.h"
 #include "situation/parse.h"
 
@@ -142,7 +143,7 @@ SignMap World::sign_map(std::string_view distance, const Number& level) const {
 }
 
 Region World::solve(std::string_view formula) const {
-  return data_->region(data_->solver.feasible(data_->formula(formula)));
+  return data_->region(situation::feasible_near(data_->solver, data_->formula(formula)));
 }
 
 bool World::holds(std::string_view formula, const Point& p) const {
@@ -151,7 +152,7 @@ bool World::holds(std::string_view formula, const Point& p) const {
 
 Optimum World::minimize(std::string_view objective, std::string_view formula) const {
   const situation::Objective wanted = situation::parse_objective(objective, data_->context);
-  situation::Optimum best = situation::optimize(data_->solver.feasible(data_->formula(formula)), wanted,
+  situation::Optimum best = situation::optimize(situation::feasible_near(data_->solver, data_->formula(formula)), wanted,
                                                 distance::Sense::kMinimum, data_->solver);
   return {best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
           data_->region(std::move(best.at))};

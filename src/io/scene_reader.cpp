@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "exact/decimal.h"
 #include "situation/names.h"
 
 namespace findspace::io {
@@ -94,6 +95,12 @@ plane::GridPoint SceneReader::point(const JsonValue& value, const Label& label) 
   return {p[0], p[1]};
 }
 
+/// The usual case, without big numbers.
+std::optional<std::int64_t> SceneReader::on_grid(const JsonValue& value) const {
+  if (!value.is(JsonValue::Kind::kNumber)) return std::nullopt;
+  return exact::grid_integer(value.text, context_.grid.step());
+}
+
 GridPosition SceneReader::position(const JsonValue& value, int dimension, const Label& label) const {
   expect(value, JsonValue::Kind::kArray, dimension == 2 ? "a point [x, y]" : "a point [x, y, z]", label);
   if (value.size() != static_cast<std::size_t>(dimension)) {
@@ -103,7 +110,11 @@ GridPosition SceneReader::position(const JsonValue& value, int dimension, const 
   GridPosition result{};
   std::array<double, 3> moved{};
   for (std::size_t i = 0; i < value.size(); ++i) {
-    Real x = number(value.items[i], label);
+    if (const auto steps = on_grid(value.items[i])) {
+      result[i] = *steps;
+      continue;
+    }
+    const Real x = number(value.items[i], label);
     result[i] = placed(label, value.items[i], [&] { return context_.grid.nearest(x, moved[i]); });
   }
   context_.rounding.add(moved[0], std::hypot(moved[1], moved[2]));

@@ -4,6 +4,7 @@
 // Typed access to the JSON tree of a scene, with errors that say where: the shape, the part of it, the line.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,6 +67,7 @@ class SceneReader {
   GridPosition position(const JsonValue& value, int dimension, const Label& label) const;
 
  private:
+  std::optional<std::int64_t> on_grid(const JsonValue& value) const;
   std::string file_;
   ReadContext& context_;
 };

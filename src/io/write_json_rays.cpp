@@ -13,6 +13,14 @@ std::string place(const std::array<double, 3>& p, double step) {
   return fmt::format("[{}, {}, {}]", p[0] * step, p[1] * step, p[2] * step);
 }
 
+void put_optimum(const RayOptimum& optimum, std::string& out) {
+  out += fmt::format("  \"{}\": {}, \"attained\": {},", optimum.maximum ? "maximum" : "minimum",
+                     optimum.value ? fmt::format("{}", *optimum.value) : "null", optimum.attained);
+  if (optimum.bound) out += fmt::format(" \"proven\": false, \"bound\": {},", *optimum.bound);
+  out += "\n";
+  if (optimum.value) out += fmt::format("  \"at\": {},\n", place(optimum.at, 1));
+}
+
 }  // namespace
 
 void RayLines::add(int j, const space::RayRow& row) {
@@ -44,39 +52,36 @@ void RayLines::add(int j, const space::RayRow& row) {
   }
 }
 
-std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, bool unbounded, double step,
-                      std::string_view unit, std::string_view lines, bool axes, const RayOptimum* optimum) {
+std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text) {
   const double cube = step * step * step, part = step / static_cast<double>(grid.parts);
   constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+  const bool empty = summary.empty && !text.unbounded && !text.somewhere;
   std::string out = "{\n  \"dimension\": 3,\n";
-  if (!unit.empty()) out += fmt::format("  \"unit\": \"{}\",\n", unit);
-  out += fmt::format("  \"empty\": {}, \"whole\": false, \"bounded\": {},\n", summary.empty && !unbounded, !unbounded);
-  out += "  \"exact\": false,\n";
-  out += unbounded ? std::string("  \"volume\": null,\n") : fmt::format("  \"volume\": {},\n", summary.volume * cube);
+  if (!text.unit.empty()) out += fmt::format("  \"unit\": \"{}\",\n", text.unit);
+  out += fmt::format("  \"empty\": {}, \"whole\": false, \"bounded\": {},\n", empty, !text.unbounded);
+  out += fmt::format("  \"exact\": false, \"side\": \"{}\",\n", text.side);
+  out +=
+      text.unbounded ? std::string("  \"volume\": null,\n") : fmt::format("  \"volume\": {},\n", summary.volume * cube);
   if (!summary.empty)
     out += fmt::format("  \"bbox\": [{}, {}],\n", place(summary.low, step), place(summary.high, step));
-  if (optimum != nullptr) {
-    out += fmt::format("  \"{}\": {}, \"attained\": {},\n", optimum->maximum ? "maximum" : "minimum",
-                       optimum->value ? fmt::format("{}", *optimum->value) : "null", optimum->attained);
-    if (optimum->value) out += fmt::format("  \"at\": {},\n", place(optimum->at, 1));
-  }
+  if (text.optimum) put_optimum(*text.optimum, out);
   out += "  \"components\": [";
   for (std::size_t k = 0; k < summary.components.size(); ++k) {
     const space::RayComponent& c = summary.components[k];
     out += fmt::format("{}\n    {{\"volume\": {}, \"sample\": {}, \"bbox\": [{}, {}]{}}}", k == 0 ? "" : ",",
                        c.volume * cube, place(c.sample, step), place(c.low, step), place(c.high, step),
-                       axes ? fmt::format(", \"certified\": {}", c.certified) : "");
+                       text.axes ? fmt::format(", \"certified\": {}", c.certified) : "");
   }
   out += summary.components.empty() ? "],\n" : "\n  ],\n";
   out += fmt::format(
       "  \"rays\": {{\"axis\": \"{}\", \"counts\": [{}, {}], \"spacing\": [{}, {}], \"precision\": {}, \"intervals\": "
       "{}, "
-      "\"points\": {},\n    \"axes\": {}, \"connectivity\": \"{}\"",
+      "\"points\": {},\n    \"on_lines\": \"{}\", \"axes\": {}, \"connectivity\": \"{}\"",
       kAxes[grid.axis], grid.nu, grid.nv, static_cast<double>(grid.du) * part, static_cast<double>(grid.dv) * part,
-      summary.precision * step, summary.intervals, summary.points, axes ? 3 : 1,
-      axes ? "crossing lines of three axes where certified, else overlapping intervals of neighbouring lines"
-           : "overlapping intervals of neighbouring lines");
-  if (!lines.empty()) out += fmt::format(",\n    \"lines\": [\n    {}]", lines);
+      summary.precision * step, summary.intervals, summary.points, text.on_lines, text.axes ? 3 : 1,
+      text.axes ? "crossing lines of three axes where certified, else overlapping intervals of neighbouring lines"
+                : "overlapping intervals of neighbouring lines");
+  if (!text.lines.empty()) out += fmt::format(",\n    \"lines\": [\n    {}]", text.lines);
   return out + "}\n}\n";
 }
 

@@ -35,12 +35,20 @@ struct RayOptimum {
   bool maximum = false, attained = false;
   std::optional<double> value;  // none: no line meets the region, or there is no bound
   std::array<double, 3> at{};
+  /// Where the value is not proven: nothing that was looked at, all positions or the lines, has less (or more).
+  std::optional<double> bound;
 };
 
-/// `axes`: of lines along all three axes (space/ray_axes.h). `lines` may be empty: then only the summary is written.
-/// `unbounded`: the region goes on beyond the window.
-std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, bool unbounded, double step,
-                      std::string_view unit, std::string_view lines, bool axes, const RayOptimum* optimum = nullptr);
+struct RaysText {
+  std::string_view unit, lines;         // `lines` may be empty: then only the summary is written
+  bool axes = false;                    // lines along all three axes (space/ray_axes.h)
+  bool unbounded = false;               // the region goes on beyond the window
+  std::string_view on_lines = "exact";  // how the lines stand to the region, and
+  std::string_view side = "none";       // how the cells about them do (docs/results.md)
+  bool somewhere = false;               // the region is known not to be empty, whether a line meets it or not
+  std::optional<RayOptimum> optimum;
+};
+std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text);
 
 /// In the scene's unit.
 Surface ray_surface_mesh(const space::RaySurface& surface, double step);

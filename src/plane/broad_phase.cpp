@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
+#include <numeric>
+
+#include "plane/small_sort.h"
 
 namespace findspace::plane {
 namespace {
@@ -45,12 +48,11 @@ CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std:
 void CellGrid::enter_sorted() {
   column_scale_ = 1 / std::max(box_.x1 - box_.x0, 1e-300);  // no sign: keeps the scale of a flat box finite
   row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);     // no sign: keeps the scale of a flat box finite
-  std::pmr::vector<std::pair<double, Index>> order(boxes_.get_allocator());
-  order.reserve(boxes_.size());
-  for (Index i = 0; i < boxes_.size(); ++i) order.push_back({boxes_[i].x0, i});
-  std::sort(order.begin(), order.end());
-  items_.reserve(order.size());
-  for (const auto& [x0, i] : order) items_.push_back(i);
+  items_.resize(boxes_.size());
+  std::iota(items_.begin(), items_.end(), Index(0));
+  small_sort(items_.begin(), items_.end(), [&](Index i, Index j) {
+    return boxes_[i].x0 != boxes_[j].x0 ? boxes_[i].x0 < boxes_[j].x0 : i < j;
+  });
   start_.assign({0, Index(items_.size())});
 }
 

@@ -110,11 +110,16 @@ RoughCurve ContactCurves::rough(const ContactPair& k, double angle) const {
 
 RealVector exact_normal(const EdgeFeature& e) { return e.side > 0 ? turned_left(e.q - e.p) : turned_right(e.q - e.p); }
 
+namespace {
+
+Real times_length(const Real& r, const RealVector& n) {
+  return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n));
+}
+
+}  // namespace
+
 ExactCurve ContactCurves::exact(const ContactPair& k, const exact::Turn& turn) const {
   ExactCurve c;
-  const auto times_length = [](const Real& r, const RealVector& n) {
-    return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n));
-  };
   if (k.kind == Kind::kRounds) {
     const RoundFeature &a = fixed_.rounds[k.fixed], &b = turning_.rounds[k.turning];
     c.center = a.center - turn(b.center), c.radius = a.radius + b.radius;
@@ -134,6 +139,38 @@ ExactCurve ContactCurves::exact(const ContactPair& k, const exact::Turn& turn) c
   c.normal = -turn(n);
   c.offset = plane::dot(c.normal, a.center) + times_length(a.radius, n) + plane::dot(n, b.p);
   return c;
+}
+
+ExactSectorCurve ContactCurves::exact_sector(const ContactPair& k, int quarters) const {
+  using exact::TurnPolynomial;
+  const auto linear = [&](const Real& constant, const Real& cosine, const Real& sine) {
+    return TurnPolynomial::linear(constant, cosine, sine, quarters);
+  };
+  const auto dot_turned = [&](const RealVector& v, const RealVector& w) {
+    return linear(0, plane::dot(v, w), plane::cross(w, v));
+  };
+  if (k.kind == Kind::kRounds) {
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = turning_.rounds[k.turning];
+    const RealVector &p = a.center, &v = b.center;
+    const Real radius = a.radius + b.radius;
+    const Real squares = plane::dot(p, p) + plane::dot(v, v) - radius * radius;
+    return {false, linear(p.x, -v.x, v.y), linear(p.y, -v.y, -v.x),
+            TurnPolynomial::constant(squares) - Real(2) * dot_turned(p, v), radius};
+  }
+  if (k.kind == Kind::kFixedEdge) {
+    const EdgeFeature& a = fixed_.edges[k.fixed];
+    const RoundFeature& b = turning_.rounds[k.turning];
+    const RealVector n = exact_normal(a);
+    const Real own = plane::dot(n, a.p) + times_length(b.radius, n);
+    return {true, TurnPolynomial::constant(n.x), TurnPolynomial::constant(n.y),
+            TurnPolynomial::constant(own) - dot_turned(n, b.center), {}};
+  }
+  const RoundFeature& a = fixed_.rounds[k.fixed];
+  const EdgeFeature& b = turning_.edges[k.turning];
+  const RealVector n = exact_normal(b), back = -n;
+  const Real own = times_length(a.radius, n) + plane::dot(n, b.p);
+  return {true, linear(0, back.x, -back.y), linear(0, back.y, back.x),
+          dot_turned(a.center, back) + TurnPolynomial::constant(own), {}};
 }
 
 SectorCurve ContactCurves::sector(const ContactPair& k, double middle) const {

@@ -3,14 +3,14 @@
 //
 // The positions s in which a set B, turned by an angle and moved by s, touches a set A: curves, one for each pair of
 // features with opposite normals (contact_features.h). An edge and a round give a segment, two rounds a part of a
-// circle, or a point where the radii cancel. Each curve as numbers at an angle, exactly at an exact turn, and as
-// polynomials of the half angle for a sector. With u the normal at the contact, pointing from A to B, B goes free of A
+// circle, or a point where the radii cancel. Each curve as numbers at an angle, exactly at an exact turn, and for a
+// sector as polynomials of the half angle, in doubles or exact. With u the normal at the contact, pointing from A to B, B goes free of A
 // by moving along u: a round pair touches at s = center + radius * u, a segment has one u. Guarantee: rough numbers and
 // polynomials to about 1e-14 of the sizes, exact curves exact. Keywords: c-space obstacle boundary, moving convolution.
 #pragma once
 
 #include "plane/contact_features.h"
-#include "plane/half_angle.h"
+#include "plane/curve_forms.h"
 #include "plane/rough_overlap.h"
 
 namespace findspace::plane {
@@ -43,13 +43,6 @@ struct ExactCurve {
   exact::Real radius;  // signed
 };
 
-/// In a sector around an angle: nx * x + ny * y = h; of a circle the centre, and h = |center|^2 - radius^2.
-struct SectorCurve {
-  bool line = false;
-  HalfAngle nx, ny, h;
-  double radius = 0;
-};
-
 class ContactCurves {
  public:
   /// Features of B relative to the point it turns about, of A relative to where that point comes to lie.
@@ -62,7 +55,9 @@ class ContactCurves {
   std::vector<ContactPair> pairs(const std::vector<ContactPair>& among, double middle, double half) const;
   RoughCurve rough(const ContactPair& pair, double angle) const;
   ExactCurve exact(const ContactPair& pair, const exact::Turn& turn) const;
+  /// Around an angle.
   SectorCurve sector(const ContactPair& pair, double middle) const;
+  ExactSectorCurve exact_sector(const ContactPair& pair, int quarters) const;
 
   const ContactFeatures& turning() const { return turning_; }
   const ContactFeatures& fixed() const { return fixed_; }

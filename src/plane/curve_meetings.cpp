@@ -14,32 +14,6 @@ using exact::Real;
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
 double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
-/// nx * x + ny * y = h, each times 1 + u^2.
-struct Form {
-  HalfAngle nx, ny, h;
-};
-
-Form line_of(const SectorCurve& c) { return {c.nx, c.ny, c.h}; }
-
-/// The line through the points that the circle shares with the one of radius `level` around the origin.
-Form radical_line(const SectorCurve& c, double level) {
-  return {2.0 * c.nx, 2.0 * c.ny, c.h + HalfAngle::linear(level * level, 0, 0)};
-}
-
-/// The line through the points that two circles share.
-Form radical_line(const SectorCurve& c, const SectorCurve& d) {
-  return {2.0 * (d.nx - c.nx), 2.0 * (d.ny - c.ny), d.h - c.h};
-}
-
-/// The meeting point of two lines is (x, y) / w.
-struct Meeting {
-  HalfAngle x, y, w;
-};
-
-Meeting meeting(const Form& f, const Form& g) {
-  return {f.h * g.ny - g.h * f.ny, f.nx * g.h - g.nx * f.h, f.nx * g.ny - f.ny * g.nx};
-}
-
 /// A bound of the polynomial's value for |u| < 1, as it is rounded.
 double size(const HalfAngle& a) {
   double most = 0;
@@ -47,69 +21,66 @@ double size(const HalfAngle& a) {
   return most;
 }
 
-bool is_nothing(const Meeting& m, const Form& f, const Form& g) {
-  const double scale = (size(f.nx) + size(f.ny)) * (size(g.nx) + size(g.ny));
-  return size(m.w) <= scale * 1e-12;  // no sign: parallel at all angles, up to rounding
-}
+/// Of what the terms of a meeting were before they cancelled.
+struct MeetingSize {
+  double x, y, w;
+};
 
-double squares(const Meeting& m) { return size(m.x) * size(m.x) + size(m.y) * size(m.y); }
+MeetingSize size(const LineForm<HalfAngle>& f, const LineForm<HalfAngle>& g) {
+  return {size(f.h) * size(g.ny) + size(g.h) * size(f.ny), size(f.nx) * size(g.h) + size(g.nx) * size(f.h),
+          size(f.nx) * size(g.ny) + size(f.ny) * size(g.nx)};
+}
 
 }  // namespace
 
-std::vector<double> corner_roots(const SectorCurve& c, const SectorCurve& d, double level, double span) {
-  const Form f = c.line ? line_of(c) : radical_line(c, level), g = d.line ? line_of(d) : radical_line(d, level);
-  const Meeting m = meeting(f, g);
-  if (is_nothing(m, f, g)) return {};
-  const HalfAngle p = m.x * m.x + m.y * m.y - (level * level) * (m.w * m.w);
-  return roots(p, span, squares(m) + level * level * size(m.w) * size(m.w));
+std::vector<RootPlace> corner_places(const SectorCurve& c, const SectorCurve& d, double level, double span) {
+  const auto [f, g] = corner_lines(c, d, level);
+  const MeetingSize m = size(f, g);
+  return root_places(corner_polynomial(meeting(f, g), level), span, m.x * m.x + m.y * m.y + level * level * m.w * m.w);
 }
 
-std::vector<double> meeting_roots(const SectorCurve& c, const SectorCurve& d, const SectorCurve& e, double span) {
-  std::array<const SectorCurve*, 3> all{&c, &d, &e};
-  std::stable_sort(all.begin(), all.end(), [](const auto* p, const auto* q) { return p->line < q->line; });
+std::vector<RootPlace> meeting_places(const SectorCurve& c, const SectorCurve& d, const SectorCurve& e, double span) {
+  const auto all = ordered(c, d, e);
+  const auto [f, g] = meeting_lines(all);
+  const MeetingSize m = size(f, g);
   const SectorCurve& first = *all[0];
-  const auto form = [&](const SectorCurve& s) { return s.line ? line_of(s) : radical_line(first, s); };
-  if (first.line) {
-    const Form f = line_of(first), g = line_of(*all[1]), h = line_of(*all[2]);
-    const Meeting m = meeting(f, g);
-    const HalfAngle p = h.nx * m.x + h.ny * m.y - h.h * m.w;
-    return roots(p, span, (size(h.nx) + size(h.ny)) * (size(m.x) + size(m.y)) + size(h.h) * size(m.w));
-  }
-  const Form f = form(*all[1]), g = form(*all[2]);
-  const Meeting m = meeting(f, g);
-  if (is_nothing(m, f, g)) return {};
-  const HalfAngle x = raised(m.x) - first.nx * m.w, y = raised(m.y) - first.ny * m.w, w = first.radius * raised(m.w);
-  const double center = size(first.nx) + size(first.ny);
-  return roots(x * x + y * y - w * w, span,
-               squares(m) + (center * center + first.radius * first.radius) * size(m.w) * size(m.w));
+  const double x = size(first.nx), y = size(first.ny), r = std::abs(first.radius);
+  const double line = x * m.x + y * m.y + size(first.h) * m.w;
+  const double circle = (m.x + x * m.w) * (m.x + x * m.w) + (m.y + y * m.w) * (m.y + y * m.w) + r * r * m.w * m.w;
+  return root_places(meeting_polynomial(first, meeting(f, g)), span, first.line ? line : circle);
 }
 
 namespace {
 
-std::vector<RoughPoint> line_meets_circle(RoughPoint n, double offset, const RoughCurve& c) {
+std::vector<RoughMeeting> line_meets_circle(RoughPoint n, double offset, const RoughCurve& c, double error) {
   const double away = offset - dot(n, c.center), rest = c.radius * c.radius - away * away;
-  if (rest < -1e-9 * c.radius * c.radius) return {};  // no sign: a tangent counts
-  const RoughPoint foot = c.center + away * n, half = std::sqrt(std::max(0.0, rest)) * RoughPoint(0, 1) * n;
-  return {foot - half, foot + half};
+  const double lost = 4 * (std::abs(c.radius) + std::abs(away) + error) * error;
+  if (rest < -lost) return {};
+  // The root of a number that is off by `lost`.
+  const double root = std::sqrt(std::max(0.0, rest)), off = 2 * error + std::min(lost / root, std::sqrt(2 * lost));
+  const RoughPoint foot = c.center + away * n, half = root * RoughPoint(0, 1) * n;
+  return {{foot - half, off}, {foot + half, off}};
 }
 
 }  // namespace
 
-std::vector<RoughPoint> rough_meetings(const RoughCurve& c, const RoughCurve& d) {
+std::vector<RoughMeeting> rough_meetings(const RoughCurve& c, const RoughCurve& d, double error) {
   if (c.line && d.line) {
     const double w = cross(c.normal, d.normal);
-    if (std::abs(w) < 1e-11) return {};  // no sign: parallel lines have no corner
+    if (w == 0) return {};
     const RoughPoint s = (c.offset() * d.normal - d.offset() * c.normal) * RoughPoint(0, -1) / w;
-    return {s};
+    return {{s, 2 * error * (1 + (std::abs(s) + 1) / std::abs(w))}};
   }
-  if (c.line) return line_meets_circle(c.normal, c.offset(), d);
-  if (d.line) return line_meets_circle(d.normal, d.offset(), c);
+  if (c.line) return line_meets_circle(c.normal, c.offset(), d, error);
+  if (d.line) return line_meets_circle(d.normal, d.offset(), c, error);
   const RoughPoint way = d.center - c.center;
   const double far = std::abs(way);
   if (far == 0) return {};
   const RoughPoint n = way / far;
+  const double radii = std::abs(c.radius) + std::abs(d.radius);
+  if (far <= error) return {{c.center, radii + far}};
   const double offset = dot(n, c.center) + (far * far + c.radius * c.radius - d.radius * d.radius) / (2 * far);
-  return line_meets_circle(n, offset, c);
+  return line_meets_circle(n, offset, c, error * (1 + 2 * (radii + std::abs(c.center)) / far));
 }
 
 namespace {
@@ -143,10 +114,11 @@ std::vector<RealVector> exact_meetings(const ExactCurve& c, const ExactCurve& d)
 std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& c, double room) {
   for (int k = 0; k < 3; ++k) {
     const RoughCurve &a = c[std::size_t(k)], &b = c[std::size_t((k + 1) % 3)], &d = c[std::size_t((k + 2) % 3)];
-    for (const RoughPoint& s : rough_meetings(a, b)) {
-      const double off =
+    for (const RoughMeeting& m : rough_meetings(a, b, room / 1000)) {
+      const RoughPoint s = m.at;
+      const double reach = room + m.off, off =
           d.line ? std::abs(dot(d.normal, s) - d.offset()) : std::abs(std::abs(s - d.center) - std::abs(d.radius));
-      if (off > room || !a.holds(s, room) || !b.holds(s, room) || !d.holds(s, room)) continue;
+      if (off > reach || !a.holds(s, reach) || !b.holds(s, reach) || !d.holds(s, reach)) continue;
       // Some direction has a positive part along all three normals exactly if they lie in an open half plane.
       std::array<RoughPoint, 3> u{a.normal_at(s), b.normal_at(s), d.normal_at(s)};
       for (const RoughCurve* r : {&a, &b, &d})

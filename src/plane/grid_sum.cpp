@@ -3,27 +3,19 @@
 
 #include "plane/grid_sum.h"
 
-#include <algorithm>
-
 #include "plane/convex_sum.h"
 #include "plane/prune_inside.h"
 #include "plane/transversal_sum.h"
 
 namespace findspace::plane {
-namespace {
-
-bool is_unbounded(const GridOperand& o) {
-  return std::any_of(o.faces.begin(), o.faces.end(), [](const GridFace& f) { return f.unbounded; });
-}
-
-}  // namespace
-
 SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& inside) {
   if (a.faces.empty() || b.faces.empty()) return CellComplex::uniform(1);
   if (a.faces.size() == 1 && b.faces.size() == 1 && a.faces[0].is_convex() && b.faces[0].is_convex())
     return convex_sum({a.faces[0], a.geometry}, {b.faces[0], b.geometry});
-  ReducedConvolution curves = reduced_convolution(a, b);
-  bool unbounded = is_unbounded(a) || is_unbounded(b);
+  const bool unbounded = has_unbounded(a.faces) || has_unbounded(b.faces);
+  std::optional<GridBox> within;  // where what is not in the sum lies
+  if (unbounded && !(within = boundary_box(a.faces, b.faces))) return CellComplex::uniform(-1);
+  ReducedConvolution curves = reduced_convolution(a, b, within);
   if (pruning_pays(curves)) curves = prune_inside(std::move(curves), a, b);
   if (a.faces.size() == 1 && b.faces.size() == 1 && !unbounded)
     if (auto sum = transversal_sum(curves, inside)) return *std::move(sum);

@@ -68,24 +68,42 @@ double bisected(const HalfAngle& a, double from, double to) {
   return from + (to - from) / 2;
 }
 
-}  // namespace
+constexpr double kLost = 1e-12;  // no sign: of the size; more than rounding loses, places too many do no harm
 
-std::vector<double> roots(const HalfAngle& a, double span, double scale) {
+/// The roots, and the places where the polynomial comes as near to 0 as `room`.
+std::vector<double> roots(const HalfAngle& a, double span, double room) {
   // No root where the constant outweighs all else.
   double rest = 0, power = 1;
   for (int k = 1; k <= a.degree; ++k) power *= span, rest += std::abs(a.c[std::size_t(k)]) * power;
-  const double room = scale * 1e-12;  // no sign: places too many do no harm
-  if (std::abs(a.c[0]) > rest + room || rest + std::abs(a.c[0]) <= room) return {};
+  if (std::abs(a.c[0]) > rest + room) return {};
   std::vector<double> stops{-span}, out;
   if (a.degree > 1) {
     for (double u : roots(a.derivative(), span, 0)) stops.push_back(u);
   }
   stops.push_back(span);
   std::sort(stops.begin(), stops.end());
-  for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
-    const double f = a.at(stops[k]), g = a.at(stops[k + 1]);
-    if (k > 0 && std::abs(f) <= room) out.push_back(stops[k]);
-    if ((f < 0) != (g < 0)) out.push_back(bisected(a, stops[k], stops[k + 1]));
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const double f = a.at(stops[k]);
+    if (std::abs(f) <= room) out.push_back(stops[k]);
+    if (k + 1 == stops.size()) break;
+    if ((f < 0) != (a.at(stops[k + 1]) < 0)) out.push_back(bisected(a, stops[k], stops[k + 1]));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<RootPlace> root_places(const HalfAngle& a, double span, double scale) {
+  const double room = scale * kLost;
+  double all = 0, power = 1;
+  for (int k = 0; k <= a.degree; ++k, power *= span) all += std::abs(a.c[std::size_t(k)]) * power;
+  if (all <= room) return {{0, span}};
+  std::vector<RootPlace> out;
+  for (double u : roots(a, span, room)) {
+    if (!out.empty() && std::abs(u - out.back().u) <= out.back().room) continue;
+    double width = 1e-15;  // no sign: doubled until the polynomial is clear of 0 at both ends
+    while (width < span && (std::abs(a.at(u - width)) <= 2 * room || std::abs(a.at(u + width)) <= 2 * room)) width *= 2;
+    out.push_back({u, std::min(2 * width, span)});
   }
   return out;
 }

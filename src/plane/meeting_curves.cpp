@@ -11,6 +11,11 @@
 #include "plane/small_sort.h"
 
 namespace findspace::plane {
+namespace {
+
+constexpr Index kFewStops = 8;
+
+}  // namespace
 
 bool MeetingCurves::cross_all() {
   ends_at_.assign(g_.points.size(), kNone);
@@ -135,12 +140,27 @@ bool MeetingCurves::sort_stops() {
 }
 
 void MeetingCurves::sort_stops_of(Index i, Index first, Index last) {
-  auto at = [&](Index k) { return stops_.begin() + std::ptrdiff_t(k); };
-  small_sort(at(first), at(last), [&](const Stop& s, const Stop& t) {
+  if (last - first > kFewStops) sort_by_estimate(i, first, last);
+  auto before = [&](const Stop& s, const Stop& t) {
     int order = s.point == t.point ? 0 : compare_along(g_, c_.pieces[i], s.point, t.point);
     if (order == 0) return s.point < t.point;
     return right(i) ? order < 0 : order > 0;
-  });
+  };
+  auto at = [&](Index k) { return stops_.begin() + std::ptrdiff_t(k); };
+  if (last - first <= kFewStops || !std::is_sorted(at(first), at(last), before))
+    small_sort(at(first), at(last), before);
+}
+
+void MeetingCurves::sort_by_estimate(Index i, Index first, Index last) {
+  const exact::Point &from = g_.points[start(i)], &to = g_.points[end(i)];
+  double dx = to.x - from.x, dy = to.y - from.y;
+  estimates_.clear();
+  for (Index k = first; k < last; ++k) {
+    const exact::Point& p = g_.points[stops_[k].point];
+    estimates_.push_back({p.x * dx + p.y * dy, stops_[k]});
+  }
+  std::sort(estimates_.begin(), estimates_.end(), [](const auto& p, const auto& q) { return p.along < q.along; });
+  for (const Estimate& e : estimates_) stops_[first++] = e.stop;
 }
 
 bool MeetingCurves::same_place(const Stop& s, const Stop& t) {

@@ -36,6 +36,7 @@ class MeetingCurves {
       : c_(c),
         g_(c.geometry),
         stops_(memory),
+        estimates_(memory),
         first_stop_(memory),
         ends_at_(memory),
         starts_at_(memory),
@@ -93,6 +94,8 @@ class MeetingCurves {
   bool sort_stops();
 
   void sort_stops_of(Index i, Index first, Index last);
+  /// As nearly as approximate coordinates tell.
+  void sort_by_estimate(Index i, Index first, Index last);
   /// One crossing, or one knot.
   static bool same_place(const Stop& s, const Stop& t);
 
@@ -113,7 +116,13 @@ class MeetingCurves {
 
   ReducedConvolution& c_;
   exact::Geometry& g_;
+  struct Estimate {
+    double along;  // the curve
+    Stop stop;
+  };
+
   std::pmr::vector<Stop> stops_;
+  std::pmr::vector<Estimate> estimates_;  // of one curve at a time
   std::pmr::vector<Index> first_stop_, ends_at_, starts_at_;
   std::pmr::vector<Index> knot_of_;  // point -> knot; empty while there is none
   Index knots_ = 0;

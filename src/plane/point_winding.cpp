@@ -10,7 +10,6 @@
 namespace findspace::plane {
 
 using exact::Geometry;
-using exact::int128;
 
 PointWinding::PointWinding(ConvolutionBuilder convolution, std::int32_t base)
     : convolution_(std::move(convolution)), base_(base) {
@@ -27,10 +26,10 @@ PointWinding::PointWinding(ConvolutionBuilder convolution, std::int32_t base)
   for (const Corner& k : convolution_.corners) corner_x_.push_back(g.points[end(k.in)].x);
 }
 
-PointWinding::Vector PointWinding::ahead(const Geometry& g, Index piece) const {
+Heading PointWinding::ahead(const Geometry& g, Index piece) const {
   const exact::Carrier& k = g.carriers[pieces()[piece].carrier];
   // From p0 to p1: along (b, -a) or its opposite, to the right or straight up.
-  return (k.b > 0) == bool(strand(piece).forward) ? Vector{k.b, -k.a} : Vector{-k.b, k.a};
+  return (k.b > 0) == bool(strand(piece).forward) ? Heading{k.b, -k.a} : Heading{-k.b, k.a};
 }
 
 void PointWinding::make_bands() {
@@ -60,20 +59,6 @@ Index PointWinding::band_of(double y) const {
   return b <= 0 ? 0 : Index(std::min(b, double(band_start_.size() - 2)));
 }
 
-int PointWinding::crossing(Vector from, Vector to, int rotation) {
-  if (rotation == 0) return 0;
-  if (rotation < 0) return -crossing(to, from, 1);
-  auto level = [](Vector v) { return v.y == 0 && v.x > 0; };  // along the ray, just below it
-  auto half = [](Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0) ? 0 : 1; };
-  int128 cross = int128(from.x) * to.y - int128(from.y) * to.x;
-  bool same = cross == 0 && int128(from.x) * to.x + int128(from.y) * to.y > 0;
-  if (same || level(to)) return 0;
-  if (level(from)) return 1;
-  // Counter-clockwise from a larger angle in (0, 360) to a smaller one passes the ray.
-  bool larger = half(from) != half(to) ? half(from) > half(to) : cross < 0;
-  return larger ? 1 : 0;
-}
-
 std::int32_t PointWinding::past_curve(const Geometry& g, Index point, std::size_t k) const {
   const Piece& s = pieces()[k];
   int from = g.compare_y(s.p0, point), to = g.compare_y(s.p1, point);
@@ -84,8 +69,8 @@ std::int32_t PointWinding::past_curve(const Geometry& g, Index point, std::size_
     // On the line: at an end (its corner counts), beside the piece (level ones only), or inside it.
     int x0 = g.compare_xy(s.p0, point), x1 = g.compare_xy(s.p1, point);
     if (x0 >= 0 || x1 <= 0) return 0;
-    Vector d = ahead(g, Index(k));
-    return crossing({-d.x, -d.y}, d, strand(k).displaced_left ? -1 : 1);
+    Heading d = ahead(g, Index(k));
+    return ray_crossing(-d, d, strand(k).displaced_left ? -1 : 1);
   }
   if (from == to || std::max(from, to) <= 0) return 0;  // level, or wholly at or below: the ray is a little above
   // The ray to the right crosses it if the point is to its left. (a, b) with a > 0 points to the right of the line.
@@ -114,8 +99,8 @@ std::int32_t PointWinding::past_corner(const Geometry& g, Index point, const Cor
   Index at = end(k.in);
   if (at != point && g.compare_xy(at, point) != 0) return 0;
   bool left = strand(k.in).displaced_left, both = left == strand(k.out).displaced_left;
-  Vector d = ahead(g, k.in);
-  return crossing({-d.x, -d.y}, ahead(g, k.out), both ? (left ? -1 : 1) : k.rotation);
+  Heading d = ahead(g, k.in);
+  return ray_crossing(-d, ahead(g, k.out), both ? (left ? -1 : 1) : k.rotation);
 }
 
 std::int32_t PointWinding::past_corners(const Geometry& g, Index point) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "plane/convolution.h"
+#include "plane/ray_crossing.h"
 
 namespace findspace::plane {
 
@@ -25,19 +26,14 @@ class PointWinding {
   std::int32_t at(const exact::Geometry& geometry, Index point);
 
  private:
-  struct Vector {
-    std::int64_t x, y;
-  };
   struct Place {  // where a corner is
     double x;
     Index corner;
   };
-  /// +1, -1 or 0: how a path that turns from one direction to another around the point crosses the ray.
-  static int crossing(Vector from, Vector to, int rotation);
   const std::vector<Piece>& pieces() const { return convolution_.curves.pieces; }
   const Strand& strand(std::size_t piece) const { return convolution_.strands[piece]; }
   /// Of the way along a curve.
-  Vector ahead(const exact::Geometry& g, Index piece) const;
+  Heading ahead(const exact::Geometry& g, Index piece) const;
   Index end(Index piece) const { return strand(piece).forward ? pieces()[piece].p1 : pieces()[piece].p0; }
   void make_bands();
   Index band_of(double y) const;

@@ -39,7 +39,8 @@ double estimated_crossings(const Extents& e) {
 
 constexpr std::size_t kFewPieces = 150;
 constexpr double kManyCrossings = 1;  // a piece
-constexpr double kCellsPerCurve = 5;  // along a side of the lattice, squared
+constexpr double kLines = 5.5;        // the mask costs about the third power of their number
+constexpr double kWordsPerCrossing = 10;
 
 /// Cuts away what lies in masked cells. A piece is followed along its longer axis; it is cut where it passes from a
 /// line of cells that are all masked to one that is not, on the border between them, which is a grid line.
@@ -56,24 +57,26 @@ class Cutter {
     Index from = turned ? piece.p1 : piece.p0, to = turned ? piece.p0 : piece.p1;
     std::int64_t first = mask_.line_of(u0), last = mask_.line_of(u1);
     Index open = kNone;  // start of the part that is kept at present
-    for (std::int64_t line = first; line <= last; ++line) {
-      bool masked = covered(line, u0, v0, u1, v1, steep);
-      if (!masked && open == kNone) open = line == first ? from : border(piece, line, steep);
-      if (masked && open != kNone) keep(piece, open, border(piece, line, steep), turned, out), open = kNone;
+    for (std::int64_t line = first; line <= last;) {
+      std::int64_t depth = depth_of(line, u0, v0, u1, v1, steep);
+      if (depth == 0 && open == kNone) open = line == first ? from : border(piece, line, steep);
+      if (depth > 0 && open != kNone) keep(piece, open, border(piece, line, steep), turned, out), open = kNone;
+      line += std::max<std::int64_t>(depth, 1);
     }
     if (open != kNone) keep(piece, open, to, turned, out);
   }
 
  private:
-  /// Is the part of the piece over this line of cells in masked cells only?
-  bool covered(std::int64_t line, double u0, double v0, double u1, double v1, bool steep) const {
+  /// How many lines from this one on the piece passes in masked cells only; its slope is at most one.
+  std::int64_t depth_of(std::int64_t line, double u0, double v0, double u1, double v1, bool steep) const {
     double low = std::max(u0, double(mask_.border(line))), high = std::min(u1, double(mask_.border(line + 1)));
     double slope = u1 > u0 ? (v1 - v0) / (u1 - u0) : 0, va = v0 + slope * (low - u0), vb = v0 + slope * (high - u0);
     // Two grid steps are far more than the rounding of these doubles (2^43 steps at most).
     std::int64_t c0 = mask_.line_of(std::min(va, vb) - 2), c1 = mask_.line_of(std::max(va, vb) + 2);
+    std::int64_t least = INT64_MAX;
     for (std::int64_t c = c0; c <= c1; ++c)
-      if (!(steep ? mask_.covers(c, line) : mask_.covers(line, c))) return false;
-    return true;
+      least = std::min(least, steep ? mask_.depth(c, line) : mask_.depth(line, c));
+    return least;
   }
 
   Index border(const Piece& piece, std::int64_t line, bool steep) {
@@ -104,22 +107,31 @@ Outline outline(const GridFace& face) {
   return out;
 }
 
-std::vector<Outline> outlines(const GridOperand& o) {
-  std::vector<Outline> out;
-  for (const GridFace& f : o.faces)
-    if (!f.unbounded) out.push_back(outline(f));
+/// An unbounded face as far as it can matter: up to a frame further out than the other set is large.
+Outline framed(const GridFace& face, const GridOperand& other) {
+  Outline out = outline(face);
+  const GridBox p = box_of(std::span(&face, 1)), q = box_of(other.faces);
+  const double far = double(q.x1 - q.x0) + double(q.y1 - q.y0) + 2;
+  const double x0 = double(p.x0) - far, y0 = double(p.y0) - far, x1 = double(p.x1) + far, y1 = double(p.y1) + far;
+  out.insert(out.end(), {{x0, y0, x1, y0}, {x1, y0, x1, y1}, {x1, y1, x0, y1}, {x0, y1, x0, y0}});
   return out;
 }
 
-InnerMask inner_mask(const Extents& e, std::size_t curves, const GridOperand& a, const GridOperand& b) {
-  std::vector<Outline> p = outlines(a), q = outlines(b);
+std::vector<Outline> outlines(const GridOperand& o, const GridOperand& other) {
+  std::vector<Outline> out;
+  for (const GridFace& f : o.faces)
+    if (!f.corners.empty()) out.push_back(f.unbounded ? framed(f, other) : outline(f));
+  return out;
+}
+
+InnerMask inner_mask(const Extents& e, const GridOperand& a, const GridOperand& b) {
+  std::vector<Outline> p = outlines(a, b), q = outlines(b, a);
   std::vector<InnerMask::Pair> pairs;
   for (const Outline& x : p)
     for (const Outline& y : q) pairs.push_back({&x, &y});
-  // As many cells as there are curves, so that a cell holds a few of them.
-  double lines = std::clamp(std::sqrt(double(curves)) * kCellsPerCurve, 64.0, 1000.0);
-  std::int64_t side = 2 * std::max<std::int64_t>(std::int64_t(std::max(e.x1 - e.x0, e.y1 - e.y0) / lines / 2), 8);
-  return InnerMask(pairs, side);
+  double crossings = estimated_crossings(e), lines = std::clamp(kLines * std::cbrt(crossings), 64.0, 4000.0);
+  std::int64_t side = std::max<std::int64_t>(std::int64_t(std::max(e.x1 - e.x0, e.y1 - e.y0) / lines), 16);
+  return InnerMask(pairs, side, kWordsPerCrossing * crossings);
 }
 
 }  // namespace
@@ -129,7 +141,7 @@ bool pruning_pays(const ReducedConvolution& c) {
 }
 
 ReducedConvolution prune_inside(ReducedConvolution c, const GridOperand& a, const GridOperand& b) {
-  InnerMask mask = inner_mask(extents(c), c.pieces.size(), a, b);
+  InnerMask mask = inner_mask(extents(c), a, b);
   ReducedConvolution out;
   Cutter cutter(c.geometry, mask);
   for (std::size_t k = 0; k < c.pieces.size(); ++k) {

@@ -7,9 +7,11 @@
 // Cost: O(n log n + m log m + curves). Source: Behar & Lien 2011. Keywords: reduced convolution.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "plane/arrangement.h"
+#include "plane/boundary_box.h"
 #include "plane/grid_faces.h"
 
 namespace findspace::plane {
@@ -34,7 +36,8 @@ struct GridOperand {
   const exact::Geometry& geometry;
 };
 
-/// Of all pairs of faces.
-ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b);
+/// Of all pairs of faces; without curves that miss the box, if there is one.
+ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b,
+                                       const std::optional<GridBox>& within = std::nullopt);
 
 }  // namespace findspace::plane

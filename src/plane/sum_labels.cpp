@@ -59,6 +59,7 @@ class Labels {
     hides_.assign(4 * std::size_t(a_.edge_count()), 0);
     for (Index e = 0; e < a_.edge_count(); ++e)
       for (Index k = a_.cover_start[e]; k < a_.cover_start[e + 1]; ++k) {
+        if (a_.cover[k] >= sides_.size()) continue;
         const InnerSide& s = sides_[a_.cover[k]];
         side_[2 * e + (s.left ? 0 : 1)] = 1;
         const Piece& p = a_.pieces[a_.cover[k]];

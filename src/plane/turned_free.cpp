@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRoom = 1e-9;     // no sign: of the sizes; what is nearer is decided exactly
+constexpr double kError = 1e-4;    // no sign: of the room; more than rough curves are off
 constexpr double kNormals = 1e-7;  // no sign: of directions; candidates too many do no harm
 
 bool is_in(Mark m) { return m > 0; }
@@ -51,9 +52,8 @@ class TurnedFree::Look {
     }
   }
 
-  /// `exact`: of the turn; else what is within the filter's room of being free is free, and of the level on it.
-  Mark sign(const Turn& turn, bool exact) {
-    prepare(turn, exact);
+  Mark sign(const Turn& turn) {
+    prepare(turn);
     if (far_) return farthest();
     return nearest();
   }
@@ -61,28 +61,30 @@ class TurnedFree::Look {
  private:
   struct Candidate {
     RoughPoint at;
-    double distance;
+    double distance, off;       // off: how far `at` may be off
     std::size_t first, second;  // of curves_; equal for a foot, kNone for the origin
   };
 
   static TurnedContact::Pair contact_pair(const Pair& p) { return {p.turning, p.around_fixed, p.about, p.to}; }
 
-  void prepare(const Turn& turn, bool exact) {
-    turn_ = turn, exact_ = exact;
+  void prepare(const Turn& turn) {
+    turn_ = turn;
     const double angle = turn.degrees() * kPi / 180;
     here_.emplace(f_.turning_.turned(unit(turn)));
     pairs_ = f_.curves_.pairs(angle, 0);
     rough_.clear();
     for (const ContactPair& k : pairs_) rough_.push_back(f_.curves_.rough(k, angle));
     candidates_.clear();
-    add(RoughPoint(), kNone, kNone);
+    add({RoughPoint(), 0}, kNone, kNone);
     for (std::size_t i = 0; i < rough_.size(); ++i) {
       if (!far_ && rough_[i].least() > rough_level_ + f_.room_) continue;
       add_feet(i);
       for (std::size_t k = i + 1; k < rough_.size(); ++k) {
         if (!far_ && rough_[k].least() > rough_level_ + f_.room_) continue;
-        for (const RoughPoint& s : rough_meetings(rough_[i], rough_[k])) {
-          if (rough_[i].holds(s, f_.room_) && rough_[k].holds(s, f_.room_)) add(s, i, k);
+        if (never_cross(i, k)) continue;
+        for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], kError * f_.room_)) {
+          const double room = f_.room_ + m.off;
+          if (rough_[i].holds(m.at, room) && rough_[k].holds(m.at, room)) add(m, i, k);
         }
       }
     }
@@ -90,36 +92,52 @@ class TurnedFree::Look {
               [](const Candidate& p, const Candidate& q) { return p.distance < q.distance; });
   }
 
-  void add(RoughPoint at, std::size_t first, std::size_t second) {
-    const double d = std::abs(at);
-    if (!far_ && d > rough_level_ + f_.room_) return;
-    candidates_.push_back({at, d, first, second});
+  /// Lines that are parallel, or circles that are one, at every angle.
+  bool never_cross(std::size_t i, std::size_t k) const {
+    const ContactPair &p = pairs_[i], &q = pairs_[k];
+    if (p.kind != q.kind) return false;
+    const ContactFeatures &a = f_.curves_.fixed(), &b = f_.curves_.turning();
+    if (p.kind == Kind::kRounds) {
+      return a.rounds[p.fixed].center == a.rounds[q.fixed].center &&
+             b.rounds[p.turning].center == b.rounds[q.turning].center;
+    }
+    if (std::abs((std::conj(rough_[i].normal) * rough_[k].normal).imag()) > kNormals) return false;
+    const bool fixed = p.kind == Kind::kFixedEdge;
+    const EdgeFeature &e = fixed ? a.edges[p.fixed] : b.edges[p.turning],
+                      &g = fixed ? a.edges[q.fixed] : b.edges[q.turning];
+    return plane::cross(exact_normal(e), exact_normal(g)).sign() == 0;
+  }
+
+  void add(const RoughMeeting& m, std::size_t first, std::size_t second) {
+    const double d = std::abs(m.at);
+    if (!far_ && d > rough_level_ + f_.room_ + m.off) return;
+    candidates_.push_back({m.at, d, m.off, first, second});
   }
 
   void add_feet(std::size_t i) {
     const RoughCurve& c = rough_[i];
     if (c.line) {
       const RoughPoint foot = c.offset() * c.normal;
-      if (c.holds(foot, f_.room_)) add(foot, i, i);
+      if (c.holds(foot, f_.room_)) add({foot, 0}, i, i);
       return;
     }
-    if (std::abs(c.radius) <= f_.room_) return add(c.center, i, i);
+    if (std::abs(c.radius) <= f_.room_) return add({c.center, 0}, i, i);
     if (std::abs(c.center) <= f_.room_) {  // all its points are as far: one of each of its ends
       for (const Cone& k : {c.normals, c.opposed})
         for (double part : {0.0, 0.5, 1.0}) {
           const RoughPoint u = std::polar(1.0, k.from + part * k.width);
-          if (c.allows(u, kNormals)) add(c.center + c.radius * u, i, i);
+          if (c.allows(u, kNormals)) add({c.center + c.radius * u, 0}, i, i);
         }
       return;
     }
     for (double side : {-1.0, 1.0}) {
       const RoughPoint s = c.center + side * std::abs(c.radius) * c.center / std::abs(c.center);
-      if (c.holds(s, f_.room_)) add(s, i, i);
+      if (c.holds(s, f_.room_)) add({s, 0}, i, i);
     }
   }
 
   bool surely_not_free(const Candidate& c) const {
-    return surely_meets(*here_, f_.open_, c.at, f_.keep_ == Keep::kApart, f_.room_);
+    return surely_meets(*here_, f_.open_, c.at, f_.keep_ == Keep::kApart, f_.room_ + c.off);
   }
 
   bool is_free(const RealVector& s) {
@@ -161,17 +179,16 @@ class TurnedFree::Look {
   std::optional<Mark> of_free(const Candidate& c) {
     if (surely_not_free(c)) return std::nullopt;
     const double over = c.distance - rough_level_;
-    if (!exact_) return Mark(over > f_.room_ * 10 ? 1 : over < -f_.room_ * 10 ? -1 : 0);
     const std::optional<RealVector> s = exact_point(c);
     if (!s || !is_free(*s)) return std::nullopt;
-    if (std::abs(over) > f_.room_ * 10) return Mark(over > 0 ? 1 : -1);
+    if (std::abs(over) > f_.room_ * 10 + c.off) return Mark(over > 0 ? 1 : -1);
     return Mark(compare(plane::dot(*s, *s), level_ * level_));
   }
 
   Mark nearest() {
     Mark least = 1;
     for (const Candidate& c : candidates_) {
-      if (least == 0 && c.distance > rough_level_ + f_.room_) break;
+      if (least == 0 && c.distance > rough_level_ + f_.room_ + c.off) continue;
       const std::optional<Mark> m = of_free(c);
       if (m && *m < 0) return -1;
       if (m) least = std::min(least, *m);
@@ -182,7 +199,7 @@ class TurnedFree::Look {
   Mark farthest() {
     std::optional<Mark> most;
     for (auto c = candidates_.rbegin(); c != candidates_.rend(); ++c) {
-      if (most && c->distance < rough_level_ - f_.room_) break;
+      if (most && c->distance < rough_level_ - f_.room_ - c->off) continue;
       const std::optional<Mark> m = of_free(*c);
       if (m && *m > 0) return 1;
       if (m && (!most || *m > *most)) most = m;
@@ -197,43 +214,16 @@ class TurnedFree::Look {
   TurnedContact contact_;
   std::unique_ptr<TurnedContact> back_;
   Turn turn_;
-  bool exact_ = true;
   std::optional<RoughSet> here_;
   std::vector<ContactPair> pairs_;
   std::vector<RoughCurve> rough_;
   std::vector<Candidate> candidates_;
 };
 
-/// Without the roots that the filter cannot tell from a neighbour: a double root is found to half the digits only, and
-/// all that is between it and where it was found looks the same.
-std::vector<FreeEvent> TurnedFree::distinct(const std::vector<FreeEvent>& events, Look& look) {
-  constexpr double kNeighbours = 0.01;  // no sign: degrees, beyond that nothing is compared
-  const auto same = [&](const FreeEvent& p, const FreeEvent& q) {
-    const double gap = std::abs(std::remainder(q.degrees - p.degrees, 360));
-    if ((p.exact && q.exact) || gap > kNeighbours) return false;
-    const Mark middle = look.sign(between(p.turn, q.turn), false);
-    return look.sign(p.turn, false) == middle && look.sign(q.turn, false) == middle;
-  };
-  std::vector<FreeEvent> out;
-  for (const FreeEvent& e : events) {
-    if (out.empty() || !same(out.back(), e))
-      out.push_back(e);
-    else if (e.exact)
-      out.back() = e;
-  }
-  while (out.size() > 1 && same(out.back(), out.front())) {
-    if (out.back().exact) out.front() = out.back();
-    out.pop_back();
-  }
-  std::sort(out.begin(), out.end(), [](const auto& p, const auto& q) { return p.degrees < q.degrees; });
-  return out;
-}
-
 TurnMap TurnedFree::turn_map(const Real& level, bool far) const {
   const FreeQuestion question{curves_, turning_, open_, keep_ == Keep::kApart, level, far, room_};
-  Look first(*this, level, far);
-  const std::vector<FreeEvent> events = distinct(free_events(question), first);
-  if (events.empty()) return TurnMap::uniform(first.sign(Turn{}, true));
+  const std::vector<FreeEvent> events = free_events(question);
+  if (events.empty()) return TurnMap::uniform(Look(*this, level, far).sign(Turn{}));
   const std::size_t n = events.size();
   TurnMap map;
   map.here.resize(n), map.after.resize(n);
@@ -241,8 +231,8 @@ TurnMap TurnedFree::turn_map(const Real& level, bool far) const {
   parallel_for((n + kBlock - 1) / kBlock, [&](std::size_t block) {
     Look look(*this, level, far);
     for (std::size_t k = block * kBlock; k < std::min(n, (block + 1) * kBlock); ++k) {
-      map.here[k] = look.sign(events[k].turn, events[k].exact);
-      map.after[k] = look.sign(between(events[k].turn, events[(k + 1) % n].turn), true);
+      map.here[k] = look.sign(events[k].turn);
+      map.after[k] = look.sign(between(events[k].turn, events[(k + 1) % n].turn));
     }
   });
   for (const FreeEvent& e : events) map.at.push_back({e.turn, Real(0)});

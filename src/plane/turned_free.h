@@ -11,9 +11,7 @@
 // where two of them meet. The signs can change only where such a point is exactly `level` away, or where a part of F
 // comes into being: two curves coincide or touch, three meet in one point. All these angles are found; at each and
 // between them the sign is decided from the curves' points, exactly (a filter in doubles first).
-// Guarantee: exact at angles with a cos + b sin = c: levels against one contact, gaps that a shape exactly fits,
-// corners on edges. The others are roots of degree up to 12; they are given to about 1e-13 of a circle (double ones to
-// half the digits), and what is within 1e-8 of the sizes of being so there counts as being so. Cost: for every angle
+// Guarantee: exact, also where the angle is a root of degree up to 12 (turn_polynomial.h). Cost: for every angle
 // pairs of features, triples of the few that are near. Source: distances.md 3.1 and 7.2; Avnaim, Boissonnat, Faverjon,
 // A practical exact motion planning algorithm for polygonal objects amidst polygonal obstacles (1988). Keywords:
 // rotational penetration depth.
@@ -44,7 +42,6 @@ class TurnedFree {
 
  private:
   class Look;
-  static std::vector<FreeEvent> distinct(const std::vector<FreeEvent>& events, Look& look);
   TurnMap turn_map(const exact::Real& level, bool far) const;
 
   Pair pair_;

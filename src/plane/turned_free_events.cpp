@@ -6,317 +6,28 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
-#include "plane/curve_meetings.h"
 #include "plane/parallel.h"
+#include "plane/turned_free_sector.h"
 
 namespace findspace::plane {
 namespace {
 
-using exact::Real;
-using exact::Turn;
-using Kind = ContactPair::Kind;
-
 constexpr double kPi = std::numbers::pi;
-constexpr double kSame = 1e-9;  // no sign: degrees, between a root and what was found of it otherwise
-constexpr std::size_t kFew = 14, kSectors = 16;
-constexpr double kSlack = 1e-9, kNormals = 1e-6;  // no sign: of sectors and of normals; angles too many do no harm
-constexpr double kNarrow = 0.01;                  // no sign: radians, sectors are not halved below
+constexpr double kNear = 1e-9;  // no sign: degrees, below it the exact comparison takes over
+constexpr std::size_t kSectors = 16;
 
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-
-/// a cos + b sin = c; `back`: of minus the angle.
-struct Equation {
-  Real a, b, c;
-  bool back = false;
-};
-
-/// dot(v, turned w) = c.
-Equation turned_dot(const RealVector& v, const RealVector& w, Real c, bool back = false) {
-  return {plane::dot(v, w), plane::cross(w, v), std::move(c), back};
+int order(const FreeEvent& p, const FreeEvent& q) {
+  if (std::abs(p.degrees - q.degrees) > kNear) return p.degrees < q.degrees ? -1 : 1;
+  return compare(exact::Angle{p.turn, {}}, exact::Angle{q.turn, {}});
 }
 
-/// |v - turned w| = r.
-Equation turned_gap(const RealVector& v, const RealVector& w, const Real& r) {
-  return turned_dot(Real(2) * v, w, plane::dot(v, v) + plane::dot(w, w) - r * r);
-}
-
-class Sector {
- public:
-  Sector(const FreeQuestion& q, double middle, double half)
-      : q_(q), middle_(middle), half_(half), level_(q.level.to_double()) {}
-
-  void run(std::vector<ContactPair> pairs) {
-    const double travel = half_ * q_.turning.reach();
-    if (!q_.far) {
-      std::erase_if(
-          pairs, [&](const ContactPair& k) { return q_.curves.rough(k, middle_).least() > level_ + travel + q_.room; });
-    }
-    if (pairs.size() > kFew && half_ > kNarrow) return halve(pairs);
-    pairs_ = std::move(pairs);
-    for (const ContactPair& k : pairs_) forms_.push_back(q_.curves.sector(k, middle_));
-    find_corners();
-    const std::size_t n = pairs_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      single(i);
-      for (std::size_t k = i + 1; k < n; ++k) {
-        touching(i, k);
-        if (corners_[i * n + k] == 0) continue;
-        corner(i, k);
-        for (std::size_t m = k + 1; m < n; ++m) {
-          if (corners_[i * n + m] != 0 && corners_[k * n + m] != 0) meeting(i, k, m);
-        }
-      }
-    }
-  }
-
-  std::vector<FreeEvent> found;
-
- private:
-  void halve(const std::vector<ContactPair>& pairs) {
-    for (double side : {-0.5, 0.5}) {
-      Sector half(q_, middle_ + side * half_, half_ / 2);
-      half.run(q_.curves.pairs(pairs, half.middle_, half.half_));
-      std::move(half.found.begin(), half.found.end(), std::back_inserter(found));
-    }
-  }
-
-  /// Which two curves may meet in a point of F. Two lines do not where their meeting point in the middle of the
-  /// sector is farther from F, or from where the level matters, than it and B's points can travel until the sector's
-  /// ends.
-  void find_corners() {
-    const std::size_t n = pairs_.size();
-    corners_.assign(n * n, 1);
-    std::vector<RoughCurve> curves;
-    for (const ContactPair& k : pairs_) curves.push_back(q_.curves.rough(k, middle_));
-    const RoughSet there = q_.turning.turned(std::polar(1.0, middle_));
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = i + 1; k < n; ++k) {
-        if (curves[i].line && curves[k].line) corners_[i * n + k] = Mark(may_meet(curves[i], curves[k], there));
-      }
-    }
-  }
-
-  bool may_meet(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const {
-    // On both segments, s is at most B's reach from where each is hinged, so each passes it at that speed.
-    const double sine = std::abs((std::conj(c.normal) * d.normal).imag());
-    if (sine < 4 * half_) return true;
-    const RoughPoint s = rough_meetings(c, d).at(0);
-    const double reach = q_.turning.reach(), travel = 2 * half_ * reach / (sine - 2 * half_) * 1.5;
-    const double room = travel + half_ * reach + q_.room;
-    if (!c.holds(s, 2 * room) || !d.holds(s, 2 * room)) return false;
-    if (!q_.far && std::abs(s) > level_ + room) return false;
-    return !well_inside(there, q_.open, s, room);
-  }
-
-  /// Whether F can have a part at s, at that angle.
-  bool possible(double angle, RoughPoint s) const {
-    if (!q_.far && std::abs(s) > level_ + q_.room) return false;  // far: F may come into being anywhere
-    return !surely_meets(q_.turning.turned(std::polar(1.0, angle)), q_.open, s, q_.either_way, q_.room);
-  }
-
-  bool in_sector(double angle) const { return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + kSlack; }
-
-  /// The turns of the equation in the sector that `witness(angle)` admits.
-  template <class Witness>
-  void solve(const Equation& e, Witness witness) {
-    const double a = rough(e.a), b = rough(e.b), c = rough(e.c), norm = std::hypot(a, b);
-    if (norm == 0 || std::abs(c) > norm * (1 + kSlack)) return;
-    const double spread = std::acos(std::clamp(c / norm, -1.0, 1.0)), to = std::atan2(b, a);
-    bool wanted = false;
-    for (double angle : {to - spread, to + spread}) {
-      const double here = e.back ? -angle : angle;
-      wanted |= in_sector(here) && witness(here);
-    }
-    if (!wanted) return;
-    for (const Turn& t : turns_where(e.a, e.b, e.c)) add_exact(e.back ? -t : t);
-  }
-
-  void add_exact(Turn t) {
-    const double d = exact::Angle{t, Real()}.degrees();
-    if (in_sector(d * kPi / 180)) found.push_back({d, std::move(t), true});
-  }
-
-  Real times_length(const Real& r, const RealVector& n) const {
-    return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n));
-  }
-
-  /// One contact, exactly the level away in the direction in which B goes free (far: against it).
-  void single(std::size_t i) {
-    const ContactPair& k = pairs_[i];
-    const auto witness = [&](double angle) {
-      const RoughCurve c = q_.curves.rough(k, angle);
-      const RoughPoint u = c.line ? c.normal : std::abs(c.center) > q_.room ? c.center / std::abs(c.center) : 1.0;
-      for (double side : {1.0, -1.0}) {
-        const RoughPoint s = side * level_ * u;
-        if (std::abs(c.line ? dot(c.normal, s) - c.offset() : std::abs(s - c.center) - std::abs(c.radius)) <= q_.room &&
-            c.holds(s, q_.room) && possible(angle, s))
-          return true;
-      }
-      return false;
-    };
-    if (k.kind == Kind::kRounds) {
-      const RoundFeature &a = q_.curves.fixed().rounds[k.fixed], &b = q_.curves.turning().rounds[k.turning];
-      const Real rho = a.radius + b.radius;
-      return solve(turned_gap(a.center, b.center, q_.far ? rho + q_.level : rho - q_.level), witness);
-    }
-    if (!q_.far) solve(line_equation(k, q_.level), witness);
-  }
-
-  /// The angles at which the line of a pair is `away` from the origin.
-  Equation line_equation(const ContactPair& k, const Real& away) const {
-    if (k.kind == Kind::kFixedEdge) {
-      const EdgeFeature& a = q_.curves.fixed().edges[k.fixed];
-      const RoundFeature& b = q_.curves.turning().rounds[k.turning];
-      const RealVector n = exact_normal(a);
-      return turned_dot(n, b.center, plane::dot(n, a.p) + times_length(b.radius - away, n));
-    }
-    const RoundFeature& a = q_.curves.fixed().rounds[k.fixed];
-    const EdgeFeature& b = q_.curves.turning().edges[k.turning];
-    const RealVector n = exact_normal(b);
-    return turned_dot(n, a.center, times_length(a.radius - away, n) + plane::dot(n, b.p), true);
-  }
-
-  /// Two curves that touch with opposite normals: a gap with no play, a corner on an edge.
-  void touching(std::size_t i, std::size_t j) {
-    const ContactPair *k = &pairs_[i], *m = &pairs_[j];
-    if (k->kind != Kind::kRounds) std::swap(k, m);
-    const bool lines = k->kind != Kind::kRounds;
-    const auto witness = [&](double angle) {
-      const RoughCurve c = q_.curves.rough(*k, angle), d = q_.curves.rough(*m, angle);
-      if (lines) return opposite(c, d);
-      RoughPoint u = d.line ? -d.normal : d.center - c.center;
-      if (!d.line) {
-        if (std::abs(u) <= q_.room) return true;  // two circles in one
-        u /= std::abs(u);
-        if (!c.allows(u, kNormals) && c.allows(-u, kNormals)) u = -u;
-      }
-      const RoughPoint s = c.center + c.radius * u;
-      return c.allows(u, kNormals) && (d.line ? d.holds(s, q_.room) : d.allows(-u, kNormals)) && possible(angle, s);
-    };
-    if (lines) return parallel_lines(*k, *m, witness);
-    const RoundFeature &a = q_.curves.fixed().rounds[k->fixed], &b = q_.curves.turning().rounds[k->turning];
-    const Real rho = a.radius + b.radius;
-    if (m->kind == Kind::kRounds) {
-      const RoundFeature &c = q_.curves.fixed().rounds[m->fixed], &d = q_.curves.turning().rounds[m->turning];
-      return solve(turned_gap(a.center - c.center, b.center - d.center, rho + c.radius + d.radius), witness);
-    }
-    if (m->kind == Kind::kFixedEdge) {
-      const EdgeFeature& e = q_.curves.fixed().edges[m->fixed];
-      const RoundFeature& r = q_.curves.turning().rounds[m->turning];
-      const RealVector n = exact_normal(e);
-      const Real c = plane::dot(n, a.center - e.p) - times_length(rho + r.radius, n);
-      return solve(turned_dot(n, b.center - r.center, c), witness);
-    }
-    const RoundFeature& r = q_.curves.fixed().rounds[m->fixed];
-    const EdgeFeature& e = q_.curves.turning().edges[m->turning];
-    const RealVector n = exact_normal(e);
-    const Real c = plane::dot(n, b.center - e.p) - times_length(rho + r.radius, n);
-    solve(turned_dot(n, a.center - r.center, c, true), witness);
-  }
-
-  /// Segments of one line, with opposite normals, of which some part may lie in F.
-  bool opposite(const RoughCurve& c, const RoughCurve& d) const {
-    if (dot(c.normal, d.normal) > -1 + kNormals || std::abs(c.offset() + d.offset()) > q_.room * 10) return false;
-    if (!q_.far && std::max(c.least(), d.least()) > level_ + q_.room) return false;
-    const RoughPoint way = (c.q - c.p) / std::abs(c.q - c.p);
-    const double from = dot(way, d.p - c.p), to = dot(way, d.q - c.p), length = std::abs(c.q - c.p);
-    return std::max(from, to) >= -q_.room && std::min(from, to) <= length + q_.room;
-  }
-
-  template <class Witness>
-  void parallel_lines(const ContactPair& k, const ContactPair& m, Witness witness) {
-    if (k.kind != m.kind) return edge_along_edge(k, m, witness);
-    const bool back = k.kind == Kind::kTurningEdge;
-    const auto& edges = back ? q_.curves.turning().edges : q_.curves.fixed().edges;
-    const EdgeFeature &e = edges[back ? k.turning : k.fixed], &f = edges[back ? m.turning : m.fixed];
-    if (e.nx * f.nx + e.ny * f.ny > -1 + kNormals) return;
-    const RealVector n = exact_normal(e), o = exact_normal(f);
-    if (plane::cross(n, o).sign() != 0) return;
-    const auto& rounds = back ? q_.curves.fixed().rounds : q_.curves.turning().rounds;
-    const RoundFeature &r = rounds[back ? k.fixed : k.turning], &t = rounds[back ? m.fixed : m.turning];
-    // Over n: offsets times the length, the second by n / -|o|.
-    const Real ratio = plane::dot(n, o) / plane::dot(o, o);
-    const Real c = plane::dot(n, e.p) - ratio * plane::dot(o, f.p) + times_length(r.radius + t.radius, n);
-    solve(turned_dot(n, r.center - t.center, c, back), witness);
-  }
-
-  template <class Witness>
-  void edge_along_edge(const ContactPair& k, const ContactPair& m, Witness witness) {
-    const bool swap = k.kind == Kind::kTurningEdge;
-    const RealVector n = exact_normal(q_.curves.fixed().edges[(swap ? m : k).fixed]),
-                     o = exact_normal(q_.curves.turning().edges[(swap ? k : m).turning]);
-    const double angle = std::atan2(rough(n.y), rough(n.x)) - std::atan2(rough(o.y), rough(o.x));
-    if (!in_sector(angle) || !witness(angle)) return;
-    const Real length = sqrt(plane::dot(n, n) * plane::dot(o, o));
-    add_exact({plane::dot(o, n) / length, plane::cross(o, n) / length});
-  }
-
-  void add_root(double angle) {
-    const double degrees = exact::Angle{Turn::near(angle * 180 / kPi, 52), Real()}.degrees();
-    found.push_back({degrees, Turn::near(degrees, 52), false});
-  }
-
-  /// Two curves that meet exactly the level away.
-  void corner(std::size_t i, std::size_t k) {
-    const double span = std::tan(half_ / 2) * (1 + kSlack);
-    for (double u : corner_roots(forms_[i], forms_[k], level_, span)) {
-      const double angle = middle_ + 2 * std::atan(u);
-      const RoughCurve c = q_.curves.rough(pairs_[i], angle), d = q_.curves.rough(pairs_[k], angle);
-      for (const RoughPoint& s : rough_meetings(c, d)) {
-        if (std::abs(std::abs(s) - level_) > 10 * q_.room || !c.holds(s, q_.room) || !d.holds(s, q_.room)) continue;
-        if (!possible(angle, s)) continue;
-        add_root(angle);
-        break;
-      }
-    }
-  }
-
-  /// Three curves that meet in one point, B being held there.
-  void meeting(std::size_t i, std::size_t k, std::size_t m) {
-    const double span = std::tan(half_ / 2) * (1 + kSlack);
-    for (double u : meeting_roots(forms_[i], forms_[k], forms_[m], span)) {
-      const double angle = middle_ + 2 * std::atan(u);
-      const std::array<RoughCurve, 3> c{q_.curves.rough(pairs_[i], angle), q_.curves.rough(pairs_[k], angle),
-                                        q_.curves.rough(pairs_[m], angle)};
-      if (const auto s = rough_meeting(c, 100 * q_.room); s && possible(angle, *s)) add_root(angle);
-    }
-  }
-
-  const FreeQuestion& q_;
-  double middle_, half_, level_;
-  std::vector<ContactPair> pairs_;
-  std::vector<SectorCurve> forms_;
-  std::vector<Mark> corners_;  // by pairs of curves: they may meet in F
-};
-
-/// Each once; a root that is also found exactly is given up for that.
+/// Each once.
 std::vector<FreeEvent> merged(std::vector<FreeEvent> all) {
-  std::sort(all.begin(), all.end(), [](const FreeEvent& p, const FreeEvent& q) {
-    if (std::abs(p.degrees - q.degrees) > kSame) return p.degrees < q.degrees;
-    if (p.exact != q.exact) return p.degrees < q.degrees;
-    return p.exact ? compare(exact::Angle{p.turn, Real()}, exact::Angle{q.turn, Real()}) < 0 : p.degrees < q.degrees;
-  });
-  std::vector<double> exact;
-  for (const FreeEvent& e : all)
-    if (e.exact) exact.push_back(e.degrees);
-  const auto near_exact = [&](double d) {
-    for (double turn : {-360.0, 0.0, 360.0}) {
-      const auto next = std::lower_bound(exact.begin(), exact.end(), d + turn - kSame);
-      if (next != exact.end() && *next <= d + turn + kSame) return true;
-    }
-    return false;
-  };
-  std::vector<FreeEvent> out;
-  for (FreeEvent& e : all) {
-    if (!e.exact && near_exact(e.degrees)) continue;
-    const bool again = !out.empty() && (e.exact && out.back().exact
-                                            ? compare(exact::Angle{out.back().turn, Real()}, {e.turn, Real()}) == 0
-                                            : e.degrees - out.back().degrees <= kSame);
-    if (!again) out.push_back(std::move(e));
-  }
-  return out;
+  std::sort(all.begin(), all.end(), [](const auto& p, const auto& q) { return order(p, q) < 0; });
+  all.erase(std::unique(all.begin(), all.end(), [](const auto& p, const auto& q) { return order(p, q) == 0; }),
+            all.end());
+  return all;
 }
 
 }  // namespace
@@ -325,7 +36,7 @@ std::vector<FreeEvent> free_events(const FreeQuestion& question) {
   std::vector<std::vector<FreeEvent>> found(kSectors);
   parallel_for(kSectors, [&](std::size_t k) {
     const double half = kPi / kSectors;
-    Sector sector(question, double(2 * k + 1) * half, half);
+    FreeSector sector(question, double(2 * k + 1) * half, half);
     sector.run(question.curves.pairs(double(2 * k + 1) * half, half));
     found[k] = std::move(sector.found);
   });

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The angles at which the least or greatest distance of a free position can cross a level (turned_free.h). Guarantee:
-// all of them, some too many; ascending, no two within 1e-9 degrees unless both are exact and different. Cost: the
-// circle is cut into sectors until few curves are left in each; there pairs and triples. Keywords: critical
+// The angles at which the least or greatest distance of a free position can cross a level (turned_free.h): where a
+// contact is exactly that far away, where two contact curves touch, where two meet exactly that far away, where three
+// meet in one point. Guarantee: all of them, exact, some too many; ascending, each once. Cost: the circle is cut into
+// sectors until few curves are left in each; there pairs and triples, by a filter in doubles first. Keywords: critical
 // orientation.
 #pragma once
 
@@ -14,7 +15,6 @@ namespace findspace::plane {
 struct FreeEvent {
   double degrees = 0;
   exact::Turn turn;
-  bool exact = true;  // else the turn is near a root of higher degree
 };
 
 struct FreeQuestion {

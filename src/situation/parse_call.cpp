@@ -117,7 +117,7 @@ Atom Reader::predicate() {
 
 void Reader::fail_unknown_word() const {
   const std::string word = peek().text;
-  if (contains(names_, word)) {
+  if (known_.count(word) > 0) {
     fail_syntax("'{}' is a shape; a distance or predicate is meant here, such as gamma1(B, A)", printable(word));
   }
   std::vector<std::string> known{"true", "false", "not", "inf", "sup", "argmin"};
@@ -206,7 +206,7 @@ std::string Reader::shape(std::string_view word) {
     fail_syntax("a shape of '{}' is meant here, found {}", word, found());
   }
   const Token token = peek();
-  const bool known = contains(names_, token.text);
+  const bool known = known_.count(token.text) > 0;
   if (!known && peek(1).kind == K::kOpen &&
       (find_distance(token.text) != nullptr || find_predicate(token.text) != nullptr)) {
     fail_syntax("a shape is meant here, not {}", found());

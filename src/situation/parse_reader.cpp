@@ -28,10 +28,14 @@ bool is_too_long(const std::string& digits) {
 }  // namespace
 
 Reader::Reader(std::string_view text, const Context& context)
-    : source_(text), context_(context), tokens_(tokenize(text)), names_(context.shapes) {
+    : source_(text),
+      context_(context),
+      tokens_(tokenize(text)),
+      names_(context.shapes),
+      known_(names_.begin(), names_.end()) {
   for (const auto* more : {&context.moving, &context.extra}) {
     for (const std::string& name : *more) {
-      if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+      if (known_.insert(name).second) names_.push_back(name);
     }
   }
 }

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -116,7 +117,8 @@ class Reader {
   Source source_;
   const Context& context_;
   std::vector<Token> tokens_;
-  std::vector<std::string> names_;  // all known shapes
+  std::vector<std::string> names_;  // all known shapes, in the order given
+  std::unordered_set<std::string> known_;
   std::size_t at_ = 0;
 };
 

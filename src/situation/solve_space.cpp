@@ -128,9 +128,34 @@ int SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v)
   return compare(v->value, level);
 }
 
+/// Whether p is a minimiser, by the whole set of them where that is known, else by its value.
+SpaceSolver::SignedValue SpaceSolver::minimal(const SignMap& map, const RealVector& p) const {
+  const auto v = value(map.distance, p);
+  const Named n = named(map.distance);
+  if (const auto whole = n.pair->least(n.which)) return {shown(map.distance, v), whole->at.mark(p) == 0 ? 1 : 0};
+  const auto least = n.pair->nearly_least(n.which);
+  const auto order = [&] {
+    if (!v || !least || least->value < v->value) return 1;
+    if (least->proven && v->proven) return 0;
+    throw Error(ErrorCode::kUnsupported, text(map.distance) +
+                                             ": the value is too near the least one, which is known to " +
+                                             "rounding only, to tell whether the position is a minimiser");
+  };
+  return {shown(map.distance, v), order()};
+}
+
+std::optional<distance::SolidLeast> SpaceSolver::nearly_least(const Distance& wanted) const {
+  const Named n = named(wanted);
+  auto found = n.pair->nearly_least(n.which);
+  if (!found) return found;
+  found->value *= world_.step, found->bound *= world_.step;
+  found->at = space::scaled(world_.step, found->at);
+  return found;
+}
+
 /// Where the value is not computed, its sign may be.
 SpaceSolver::SignedValue SpaceSolver::signed_value(const SignMap& map, const RealVector& p) const {
-  if (map.minimum) return {shown(map.distance, value(map.distance, p)), least(map.distance).at.mark(p) == 0 ? 1 : 0};
+  if (map.minimum) return minimal(map, p);
   try {
     const auto v = value(map.distance, p);
     return {shown(map.distance, v), sign(map, v)};
@@ -239,58 +264,6 @@ std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) cons
     return out;
   }
   return std::nullopt;
-}
-
-SpaceOptimum SpaceSolver::optimize(const BoxComplex& region, const Objective& objective, distance::Sense sense) const {
-  const bool greatest = sense == distance::Sense::kMaximum;
-  const std::vector<space::IntervalBox> boxes = region.boxes();
-  SpaceOptimum out;
-  BoxComplex best;
-  if (objective.kind == Objective::Kind::kDistanceToPoint && !greatest) {
-    RealVector p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = objective.point.at(k) / world_.step;
-    const auto q = space::nearest(boxes, p);
-    if (!q) return out;
-    const RealVector off = space::minus(*q, p);
-    const Real square = dot(off, off);
-    out.value = sqrt(square) * world_.step;
-    // Boxes may share the nearest point, or have one each.
-    std::vector<space::IntervalBox> points;
-    for (const space::IntervalBox& box : boxes) {
-      const RealVector r = *space::nearest(std::array<space::IntervalBox, 1>{box}, p), e = space::minus(r, p);
-      if (dot(e, e) != square) continue;
-      points.push_back({{{r[0], r[0], true, true}, {r[1], r[1], true, true}, {r[2], r[2], true, true}}});
-    }
-    best = BoxComplex::of_boxes(points);
-  } else if (objective.kind == Objective::Kind::kX || objective.kind == Objective::Kind::kY ||
-             objective.kind == Objective::Kind::kZ) {
-    const std::size_t k = objective.kind == Objective::Kind::kX ? 0 : objective.kind == Objective::Kind::kY ? 1 : 2;
-    std::optional<Real> end;
-    for (const space::IntervalBox& box : boxes) {
-      const auto& c = greatest ? box[k].to : box[k].from;
-      if (!c) {
-        out.unbounded = true;
-        return out;
-      }
-      if (!end || (greatest ? *end < *c : *c < *end)) end = c;
-    }
-    if (!end) return out;
-    out.value = *end * world_.step;
-    space::IntervalBox slab;
-    slab[k] = {end, end, true, true};
-    best = BoxComplex::of_boxes(std::array<space::IntervalBox, 1>{slab});
-  } else {
-    throw Error(ErrorCode::kUnsupported, "in 3D the objectives are x, y, z and the distance to a point (minimised)");
-  }
-  const auto within = [&](const BoxComplex& set) {
-    return overlay(std::array<const BoxComplex*, 2>{&set, &best},
-                   [](std::span<const Mark> m) { return Mark(m[0] && m[1]); })
-        .simplified();
-  };
-  out.at = within(region);
-  out.attained = !out.at.empty();
-  if (!out.attained) out.at = within(region.closure());
-  return out;
 }
 
 }  // namespace findspace::situation

@@ -18,6 +18,7 @@
 
 #include "distance/box_pair.h"
 #include "distance/extremum.h"
+#include "distance/solid_least.h"
 #include "situation/formula.h"
 #include "space/convex_set.h"
 
@@ -77,6 +78,9 @@ class SpaceSolver {
   Check check(const Formula& formula, const space::RealVector& p) const;
   std::vector<SpaceDistanceAt> measure(const space::RealVector& p) const;
 
+  /// One distance at p, in grid steps; nothing where it is undefined.
+  std::optional<distance::SolidValue> value(const Distance& distance, const space::RealVector& p) const;
+
   /// In grid steps.
   space::BoxComplex feasible(const Formula& formula) const;
   /// The same where the formula has one distance only, whose sublevel set is a convex polytope; nothing where that is
@@ -88,6 +92,9 @@ class SpaceSolver {
   std::optional<ConvexMap> feasible_convex(const Formula& formula) const;
   /// The first `distance -> min` of the formula, if it has one.
   std::optional<SpaceOptimum> minimum_of(const Formula& formula) const;
+  /// The least value of a distance over all positions, as far as it is known; nothing where it is undefined. In the
+  /// scene's unit.
+  std::optional<distance::SolidLeast> nearly_least(const Distance& distance) const;
   /// Of x, y, z or the distance to a point over the region.
   SpaceOptimum optimize(const space::BoxComplex& region, const Objective& objective, distance::Sense sense) const;
 
@@ -110,8 +117,8 @@ class SpaceSolver {
 
   Named named(const Distance& distance) const;
   SignedValue signed_value(const SignMap& map, const space::RealVector& p) const;
-  std::optional<distance::SolidValue> value(const Distance& distance, const space::RealVector& p) const;
   SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
+  SignedValue minimal(const SignMap& map, const space::RealVector& p) const;
   /// The sign of a distance minus its level, given its value.
   int sign(const SignMap& map, const std::optional<distance::SolidValue>& value) const;
   space::BoxComplex sign_map(const SignMap& map) const;

@@ -9,7 +9,6 @@
 #include "findspace/error.h"
 #include "situation/solve_space.h"
 #include "space/deepest.h"
-#include "space/min_ball.h"
 
 namespace findspace::situation {
 
@@ -211,27 +210,27 @@ std::optional<BoxPair::Least> SpacePair::deepest_fit(Which which) const {
 }
 
 std::optional<BoxPair::Least> SpacePair::least(Which which) const {
-  if (which != Which::kGamma2) {
-    auto found = boxes_ ? boxes_->least(which) : std::nullopt;
-    return found ? std::move(found) : deepest_fit(which);
-  }
+  if (auto found = boxes_ ? boxes_->least(which) : std::nullopt) return found;
+  if (auto found = deepest_fit(which)) return found;
+  if (which != Which::kGamma2 && which != Which::kEta2 && which != Which::kDelta2) return std::nullopt;
+  const auto found = nearly_least(which);  // the others are taken by whole sets
+  if (!found) return BoxPair::Least{Real(), BoxComplex()};
+  if (!found->proven) return std::nullopt;
+  const Real scale(scale_);
+  return least_at(space::scaled(scale, found->at), found->value * scale, scale);
+}
+
+std::optional<distance::SolidLeast> SpacePair::nearly_least(Which which) const {
   bodies();
-  const Body &b = *b_, &a = *a_;
-  if (a.outside) return std::nullopt;
-  // The farthest points of A and B + p are vertices: the centre of the smallest ball around their differences is
-  // nearest to all.
-  const Real round = a.parts[0].radius + b.parts[0].radius;
-  std::vector<RealVector> points;
-  for (const space::BodyPart& t : a.parts) {
-    for (const space::BodyPart& s : b.parts) {
-      if (t.radius + s.radius != round) return std::nullopt;
-      for (const space::Point& v : t.vertices()) {
-        for (const space::Point& w : s.vertices()) points.push_back(real(v - w));
-      }
-    }
-  }
-  const space::EnclosingBall ball = space::min_ball(points);
-  return least_at(ball.center, sqrt(ball.square) + round, Real(scale_));
+  const std::lock_guard lock(least_guard_);
+  auto& slot = least_[which];
+  if (!slot) slot = std::make_unique<std::optional<distance::SolidLeast>>(distance::solid_least(which, *b_, *a_));
+  auto found = *slot;
+  if (!found) return found;
+  const Real scale(scale_);
+  found->value /= scale, found->bound /= scale;
+  for (Real& c : found->at) c /= scale;
+  return found;
 }
 
 }  // namespace findspace::situation

@@ -6,12 +6,15 @@
 // Guarantee: as box_pair.h and solid_pair.h.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "distance/box_pair.h"
+#include "distance/solid_least.h"
 #include "space/convex_region.h"
 
 namespace findspace::situation {
@@ -25,6 +28,8 @@ class SpacePair {
   std::optional<distance::SolidValue> value(distance::Which which, const space::RealVector& p) const;
   /// The least value and its positions; nothing where this is not computed.
   std::optional<distance::BoxPair::Least> least(distance::Which which) const;
+  /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.
+  std::optional<distance::SolidLeast> nearly_least(distance::Which which) const;
   /// {distance <= level}, if it is a convex polytope, or one grown by a ball: gamma1 of convex shapes, eta1 in a convex
   /// polytope or of a ball in a ball, delta1 of such, mu to these at levels up to 0, gamma2 of balls. Its coordinates
   /// and radius are in grid steps times `scale`.
@@ -45,6 +50,8 @@ class SpacePair {
   std::unique_ptr<distance::BoxPair> boxes_;
   std::unique_ptr<distance::SolidPair> bodies_;
   std::shared_ptr<const space::Body> b_, a_;
+  mutable std::mutex least_guard_;
+  mutable std::map<distance::Which, std::unique_ptr<std::optional<distance::SolidLeast>>> least_;  // in steps / scale_
   std::int64_t scale_ = 1;  // of the bodies' coordinates
   std::string refused_;
 };

@@ -88,4 +88,23 @@ std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>>
   return frontier;
 }
 
+std::vector<ConvexRegion> uncovered_pieces(const OpenCover& cover, const RealVector& low, const RealVector& high) {
+  std::vector<ConvexRegion> left, next;
+  const ConvexRegion whole(low, high);
+  if (whole.dimension() == 3) left.push_back(whole);
+  for (std::size_t k = 0; k < cover.size() && !left.empty(); ++k) {
+    const Box around{cover.extent(k).low, cover.extent(k).high};
+    next.clear();
+    for (ConvexRegion& piece : left) {
+      if (apart(box_of(piece), around))
+        next.push_back(std::move(piece));
+      else
+        subtract(std::move(piece), cover.planes(k), next);
+    }
+    std::erase_if(next, [](const ConvexRegion& piece) { return piece.dimension() < 3; });
+    left.swap(next);
+  }
+  return left;
+}
+
 }  // namespace findspace::space

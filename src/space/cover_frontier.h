@@ -12,11 +12,16 @@
 #include <vector>
 
 #include "space/convex_region.h"
+#include "space/open_cover.h"
 
 namespace findspace::space {
 
 /// Within the box. Every set is given by its planes, all < 0.
 std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>> sets, const RealVector& low,
                                          const RealVector& high);
+
+/// What of the box the sets leave uncovered, as far as it has an interior: closed convex pieces whose interiors do not
+/// meet. The box has low <= high.
+std::vector<ConvexRegion> uncovered_pieces(const OpenCover& cover, const RealVector& low, const RealVector& high);
 
 }  // namespace findspace::space

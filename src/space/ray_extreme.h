@@ -36,7 +36,6 @@ class RayExtreme {
 
  private:
   void take(const std::array<double, 3>& at, bool in);
-  void take_interval(std::array<double, 3> at, std::size_t axis, double from, bool from_in, double to, bool to_in);
 
   RayAim aim_;
   std::optional<Found> found_;

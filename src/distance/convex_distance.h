@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Distances of points to closed convex sets, in doubles, for searches that confirm exactly what they find.
+// Guarantee: to about 2^-44 of the coordinates. Keywords: point to polytope distance, point to polygon distance.
+#pragma once
+
+#include "distance/solid_peak.h"
+#include "space/convex_region.h"
+
+namespace findspace::distance {
+
+/// {x : every plane <= 0}, bounded or not.
+ConvexDistance distance_to(std::span<const space::HalfSpace> planes);
+/// A polygon, segment or point.
+ConvexDistance distance_to_flat(const space::ConvexRegion& set);
+
+}  // namespace findspace::distance

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/level_extremum.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "distance/extremum_candidates.h"
+#include "distance/point_set.h"
+#include "plane/overlay.h"
+#include "plane/topology.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using plane::CellComplex;
+using plane::Mark;
+using plane::Region;
+
+namespace {
+
+constexpr Mark kOn = 1, kBeyond = 2;  // positions of S at the level; beyond it
+constexpr double kMost = 0x1p44;      // no level lies beyond: coordinates are below 2^40
+
+class LevelSearch {
+ public:
+  LevelSearch(const PositionFunction& f, const Region& s, Sense sense)
+      : f_(f), s_(s), turn_(sense == Sense::kMinimum ? 1 : -1) {}
+
+  Extremum run(bool continuous) {
+    Extremum out;
+    if (plane::is_empty(s_) || !f_.defined()) return out;
+    if (!bracket(out)) return out;
+    while (good_ - bad_ > std::max(0.25, std::abs(good_) * 0x1p-44)) {
+      const double middle = bad_ + (good_ - bad_) / 2;
+      (reaches(middle) ? good_ : bad_) = middle;
+    }
+    out.exists = true;
+    finish(out, continuous);
+    return out;
+  }
+
+ private:
+  /// On the cells of a set: kBeyond where f is better than the level, kOn where it is equal.
+  CellComplex probe(const Real& level, const Region& over) const {
+    const plane::SignMap m = f_.sign_map(level);
+    const std::array<const CellComplex*, 2> both{&m, &over};
+    return plane::overlay(both, [turn = turn_](std::span<const Mark> k) {
+      return Mark(k[1] == 0 || turn * k[0] > 0 ? 0 : k[0] == 0 ? kOn : kBeyond);
+    });
+  }
+  Real level(double number) const { return Real::from_double(turn_ * number); }
+  bool reaches(double number) const { return !plane::is_empty(plane::remark(probe(level(number), s_), any)); }
+  static Mark any(Mark k) { return Mark(k > 0); }
+  static Mark on(Mark k) { return Mark(k == kOn); }
+
+  /// The extremum into (bad, good], less being better; false where there is none.
+  bool bracket(Extremum& out) {
+    good_ = 1, bad_ = -1;
+    for (; good_ < kMost && !reaches(good_); good_ *= 2) bad_ = good_;
+    if (good_ >= kMost) return false;
+    for (; bad_ > -kMost && reaches(bad_); bad_ *= 2) good_ = bad_;
+    out.unbounded = bad_ <= -kMost;
+    return !out.unbounded;
+  }
+
+  void finish(Extremum& out, bool continuous) const {
+    const double whole = std::round(good_);
+    if (whole >= bad_ && whole - good_ <= 0.5) {
+      const CellComplex at = probe(level(whole), s_);
+      const auto has = [&](Mark wanted) {
+        return !plane::is_empty(plane::remark(at, [wanted](Mark k) { return Mark(k == wanted); }));
+      };
+      if (!has(kBeyond) && has(kOn)) {
+        out.level = level(whole), out.proven = out.attained = true;
+        out.at = plane::remark(at, on);
+        return;
+      }
+      // Nothing of S is there, but everything beyond is: an infimum.
+      if (continuous && !has(kBeyond)) {
+        CellComplex limit = plane::remark(probe(level(whole), plane::closure(s_)), on);
+        if (!plane::is_empty(limit) && good_ >= whole) {
+          out.level = level(whole), out.proven = true, out.at = std::move(limit);
+          return;
+        }
+      }
+    }
+    out.level = level(good_), out.attained = true;
+    out.at = point_set(one_point_a_component(probe(level(good_), s_)));
+  }
+
+  const PositionFunction& f_;
+  const Region& s_;
+  int turn_;
+  double bad_ = 0, good_ = 0;
+};
+
+}  // namespace
+
+Extremum level_extremum(const PositionFunction& f, const Region& s, Sense sense, bool continuous) {
+  return LevelSearch(f, s, sense).run(continuous);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/solid_peak.h"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+
+#include "distance/matrix_game.h"
+#include "space/convex_region.h"
+#include "space/polytope.h"
+
+namespace findspace::distance {
+
+using space::Vector;
+
+namespace {
+
+struct Cell {
+  Tetrahedron corner;
+  std::vector<int> sets;  // that can be nearest in the cell
+  std::vector<std::array<double, 4>> distances;
+  double bound = 0;
+  bool operator<(const Cell& other) const { return bound < other.bound; }
+};
+
+class Search {
+ public:
+  Search(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack)
+      : sets_(sets), slack_(slack) {
+    std::vector<int> all(sets.size());
+    std::iota(all.begin(), all.end(), 0);
+    for (const Tetrahedron& t : solid) add(t, all, exact::kInfinity);
+  }
+
+  SolidPeak run() {
+    for (int count = 0; !queue_.empty(); ++count) {
+      const Cell top = queue_.top();
+      if (!worth(top.bound)) break;
+      if (count == kMostCells) {
+        best_.whole = false;
+        best_.bound = top.bound;
+        return best_;
+      }
+      queue_.pop();
+      split(top);
+    }
+    best_.bound = std::max(best_.value * (1 + 0x1p-41), slack_);
+    return best_;
+  }
+
+ private:
+  bool worth(double bound) const { return bound > best_.value * (1 + 0x1p-41) && bound > slack_; }
+
+  double nearest(const Vector& x, const std::vector<int>& sets) const {
+    double least = exact::kInfinity;
+    for (const int i : sets) least = std::min(least, sets_[std::size_t(i)](x));
+    return least;
+  }
+
+  void offer(const Vector& x, double value) {
+    if (value > best_.value) best_.value = value, best_.place = x;
+  }
+
+  void add(const Tetrahedron& corner, const std::vector<int>& sets, double ceiling) {
+    Cell cell;
+    cell.corner = corner;
+    double size = 0, bound = exact::kInfinity;
+    for (const Vector& v : corner) {
+      for (const Vector& w : corner) size = std::max(size, space::length(v - w));
+    }
+    std::vector<std::array<double, 4>> all;
+    std::array<double, 4> least;
+    least.fill(exact::kInfinity);
+    for (const int i : sets) {
+      std::array<double, 4> d{};
+      for (std::size_t v = 0; v < 4; ++v) d[v] = sets_[std::size_t(i)](corner[v]), least[v] = std::min(least[v], d[v]);
+      all.push_back(d);
+      bound = std::min(bound, *std::max_element(d.begin(), d.end()));
+    }
+    for (std::size_t v = 0; v < 4; ++v) offer(corner[v], least[v]);
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+      if (*std::max_element(all[k].begin(), all[k].end()) - size > bound) continue;
+      cell.sets.push_back(sets[k]);
+      cell.distances.push_back(all[k]);
+    }
+    if (!worth(bound)) return;
+    const GameValue game = matrix_game(cell.distances);
+    cell.bound = std::min(ceiling, game.value);
+    if (!worth(cell.bound)) return;
+    Vector x;
+    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
+    offer(x, nearest(x, cell.sets));
+    queue_.push(std::move(cell));
+  }
+
+  /// By how much the distances exceed, half-way between two corners, what their values there make one expect: none
+  /// where they are linear. That is what the bound of a cell loses.
+  double bend(const Cell& cell, std::size_t v, std::size_t w) const {
+    const Vector middle = space::scaled(0.5, space::plus(cell.corner[v], cell.corner[w]));
+    double most = 0;
+    for (std::size_t k = 0; k < cell.sets.size(); ++k) {
+      const double mean = (cell.distances[k][v] + cell.distances[k][w]) / 2;
+      most = std::max(most, mean - sets_[std::size_t(cell.sets[k])](middle));
+    }
+    return most;
+  }
+
+  /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
+  void split(const Cell& cell) {
+    std::size_t a = 0, b = 1;
+    double longest = 0, greatest = 0x1p-46 * best_.value;
+    for (std::size_t v = 0; v < 4; ++v) {
+      for (std::size_t w = v + 1; w < 4; ++w) {
+        const double d = space::length(cell.corner[v] - cell.corner[w]), bent = bend(cell, v, w);
+        if (bent > greatest) {
+          greatest = bent, longest = exact::kInfinity, a = v, b = w;
+        } else if (d > longest) {
+          longest = d, a = v, b = w;
+        }
+      }
+    }
+    const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
+    for (const std::size_t moved : {a, b}) {
+      Tetrahedron corner = cell.corner;
+      corner[moved] = middle;
+      add(corner, cell.sets, cell.bound);
+    }
+  }
+
+  std::span<const ConvexDistance> sets_;
+  double slack_;
+  std::priority_queue<Cell> queue_;
+  SolidPeak best_;
+};
+
+/// A fan over the facet's circuit from corner `apex`.
+template <class At>
+void add_fan(const std::vector<int>& ring, At at, std::vector<Tetrahedron>& out) {
+  if (std::find(ring.begin(), ring.end(), 0) != ring.end()) return;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) out.push_back({at(0), at(ring[0]), at(ring[i]), at(ring[i + 1])});
+}
+
+}  // namespace
+
+std::vector<Tetrahedron> tetrahedra(const space::Polytope& s) {
+  std::vector<Tetrahedron> out;
+  const auto at = [&](int v) { return exact::shadow(s.vertices()[static_cast<std::size_t>(v)]); };
+  for (int f = 0; f < s.facet_count(); ++f) add_fan(s.circuit(f), at, out);
+  return out;
+}
+
+std::vector<Tetrahedron> tetrahedra(const space::ConvexRegion& region) {
+  std::vector<Tetrahedron> out;
+  if (region.dimension() < 3) return out;
+  const auto at = [&](int v) { return region.vertices()[static_cast<std::size_t>(v)].near; };
+  for (const int f : region.facets()) add_fan(region.circuit(f), at, out);
+  return out;
+}
+
+SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack) {
+  return Search(solid, sets, slack).run();
+}
+
+}  // namespace findspace::distance

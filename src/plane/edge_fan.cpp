@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/edge_fan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace findspace::plane {
+namespace {
+
+using exact::int128;
+
+/// Grows with the angle in [0, 360), by 4 in all; off by less than kAngleError.
+double diamond_angle(const GridCorner& c) {
+  double x = double(c.dx), y = double(c.dy), t = y / (std::abs(x) + std::abs(y));
+  return x < 0 ? 2 - t : t < 0 ? 4 + t : t;
+}
+constexpr double kAngleError = 0x1p-46;
+
+/// Order of the directions of two edges by angle in [0, 360).
+int compare(const EdgeFan& p, const EdgeFan::Ray& r, const EdgeFan& q, const EdgeFan::Ray& s) {
+  double gap = r.angle - s.angle;
+  if (std::abs(gap) > kAngleError) return gap > 0 ? 1 : -1;
+  const GridCorner &c = p.corners[r.corner], &d = q.corners[s.corner];
+  int128 cross = int128(c.dx) * d.dy - int128(c.dy) * d.dx;
+  return (cross < 0) - (cross > 0);
+}
+
+bool lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
+
+}  // namespace
+
+EdgeFan::EdgeFan(const GridFace& face, Memory memory) : corners(face.corners), rays(memory), rank(memory) {
+  rays.reserve(corners.size());
+  for (Index k = 0; k < corners.size(); ++k) rays.push_back({diamond_angle(corners[k]), k});
+  std::sort(rays.begin(), rays.end(), [this](const Ray& p, const Ray& q) {
+    int order = compare(*this, p, *this, q);
+    return order != 0 ? order < 0 : p.corner < q.corner;
+  });
+}
+
+void EdgeFan::place(EdgeFan& first, EdgeFan& other) {
+  first.rank.resize(first.rays.size());
+  other.rank.resize(other.rays.size());
+  Index i = 0, j = 0;
+  while (i < first.rays.size() || j < other.rays.size()) {
+    bool take_first =
+        j == other.rays.size() || (i < first.rays.size() && compare(other, other.rays[j], first, first.rays[i]) >= 0);
+    if (take_first)
+      first.rank[first.rays[i].corner] = j, ++i;
+    else
+      other.rank[other.rays[j].corner] = i, ++j;
+  }
+}
+
+EdgeFan::Sweep EdgeFan::sweep(Index corner) const {
+  const GridCorner& c = corners[corner];
+  if (c.turn == 0) return {};
+  Index from = c.turn > 0 ? c.before : corner, to = c.turn > 0 ? corner : c.before;
+  // A turn that sweeps the direction 0 ends below where it starts; so does none else.
+  return {rank[from], rank[to], lower(corners[from]) && !lower(corners[to])};
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The nearest position outside a set of positions, searched near p, against that of the whole map: on lattice squares
+// with holes and slots, where free points and slots count (exact fits), and on stars; for overlaps and for containment.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "distance/at_position.h"
+#include "distance/way_out.h"
+#include "plane/overlay.h"
+#include "plane/primitives.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::GridPoint;
+using plane::Region;
+
+Region ring(const std::vector<GridPoint>& points) {
+  plane::Contour c;
+  for (auto& p : points) c.push_back({.start = p});
+  return plane::region_of_rings(std::array{c});
+}
+
+Region squares(std::mt19937& rng, int cells, int count, std::int64_t side) {
+  std::vector<Region> parts;
+  for (int k = 0; k < count; ++k) {
+    std::int64_t x = side * std::int64_t(rng() % cells), y = side * std::int64_t(rng() % cells);
+    parts.push_back(ring({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}));
+  }
+  std::vector<const Region*> all;
+  for (auto& r : parts) all.push_back(&r);
+  return plane::unite(all);
+}
+
+Region star(std::mt19937& rng, int n, double size) {
+  std::vector<GridPoint> points;
+  for (int k = 0; k < n; ++k) {
+    double r = (k % 2 ? 0.5 + double(rng() % 200) / 1000 : 0.8 + double(rng() % 200) / 1000) * size,
+           angle = 6.283185307179586 * k / n;
+    points.push_back({std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle))});
+  }
+  return ring(points);
+}
+
+struct Count {
+  int found = 0, everything = 0;
+};
+
+/// At some places: is it in the set, and how far out of it?
+void compare(const Region& a, const Region& b, WayOut::Of of, std::int64_t reach, std::mt19937& rng, Count& count) {
+  const SiteTree fixed(a), moving(b);
+  auto way = WayOut::make(moving, fixed, of, WayOut::When::kAlways);
+  ASSERT_TRUE(way);
+  const bool contact = of == WayOut::Of::kContact;
+  const SignedDistance d = contact ? SignedDistance::gamma1(b, a) : SignedDistance::eta1(b, a);
+  for (int k = 0; k < 8; ++k) {
+    auto coordinate = [&] {
+      return Real::ratio(std::int64_t(rng() % std::uint64_t(4 * reach)) - 2 * reach, k % 2 ? 1 : 3);
+    };
+    const RealPoint p{coordinate(), coordinate()};
+    const auto value = d.value(p);
+    const int sign = value ? value->value.sign() : 1;
+    ASSERT_EQ(way->holds(p), contact ? sign < 0 : sign > 0);
+    if (!way->holds(p)) continue;
+    const auto answer = way->nearest(p);
+    ASSERT_TRUE(answer.known);
+    ASSERT_EQ(answer.nearest.has_value(), value.has_value());
+    if (!value) {
+      ++count.everything;
+      continue;
+    }
+    ++count.found;
+    EXPECT_EQ(answer.nearest->distance, abs(value->value));
+    const RealPoint& at = answer.nearest->at;
+    EXPECT_EQ((at.x - p.x) * (at.x - p.x) + (at.y - p.y) * (at.y - p.y), value->value * value->value);
+    EXPECT_FALSE(way->holds(at));
+  }
+}
+
+TEST(WayOut, SquaresWithSlotsAndHoles) {
+  Count count;
+  for (unsigned seed = 0; seed < 250; ++seed) {
+    std::mt19937 rng(seed);
+    const std::int64_t side = seed % 2 ? 4 : 1000;
+    Region a = squares(rng, 5, 3 + int(rng() % 14), side), b = squares(rng, 3, 1 + int(rng() % 6), side);
+    compare(a, b, WayOut::Of::kContact, 4 * side, rng, count);
+    if (plane::LocalSum::containment(a, b)) compare(a, b, WayOut::Of::kContainment, 4 * side, rng, count);
+    if (HasFailure()) FAIL() << "seed " << seed;
+  }
+  EXPECT_GT(count.found, 300);
+  EXPECT_GT(count.everything, 100);
+}
+
+TEST(WayOut, Stars) {
+  Count count;
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    std::mt19937 rng(seed);
+    Region a = star(rng, 8 + 2 * int(rng() % 40), 1 << 20),
+           b = star(rng, 8 + 2 * int(rng() % 40), seed % 2 ? 1 << 20 : 1 << 18);
+    compare(a, b, WayOut::Of::kContact, 1 << 20, rng, count);
+    compare(a, b, WayOut::Of::kContainment, 1 << 20, rng, count);
+    if (HasFailure()) FAIL() << "seed " << seed;
+  }
+  EXPECT_GT(count.found, 100);
+}
+
+/// Chosen by AtPosition where it pays: all distances as from the maps.
+TEST(WayOut, AtAPositionOfLargeShapes) {
+  std::mt19937 rng(3);
+  auto pair = std::make_shared<ShapePair>(star(rng, 280, 1 << 20), star(rng, 300, 1 << 20));
+  for (Which w : {Which::kGamma1, Which::kEta1, Which::kDelta1, Which::kPenetration, Which::kDstar}) {
+    const RealPoint p{1 << 18, 1 << 19};
+    const auto m = AtPosition(pair).measure(w, p);
+    const auto whole = ShapePair(pair->moving(), pair->fixed()).distance(w)->value(p);
+    ASSERT_EQ(m.has_value(), whole.has_value()) << int(w);
+    if (m) {
+      EXPECT_EQ(m->value, whole->value) << int(w);
+    }
+    if (w == Which::kGamma1) {
+      ASSERT_TRUE(m && m->nearest && m->witness.size() == 2);
+      EXPECT_FALSE(pair->has(w)) << "the map was made";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace findspace::distance
