@@ -59,9 +59,10 @@ Outcome run_describe(const Options& options, Talk& talk) {
 }
 
 Outcome run_convert(const Options& options, Talk& talk) {
-  check_outputs(options, {".svg", ".wkt", ".json"});
   const Session session(options, talk);
   const std::string name = chosen_shape(session);
+  if (session.in_space()) return convert_space(session, name);
+  check_outputs(options, {".svg", ".wkt", ".json"});
   const plane::Region region = session.region(name);
   const auto json = [&] {
     if (options.constructive) return io::constructive_scene(region, name, session.scene());

@@ -22,7 +22,8 @@ namespace {
 
 using exact::Real;
 
-constexpr std::array<std::string_view, 4> kDrawings{".svg", ".dxf", ".wkt", ".geojson"};
+constexpr std::array<std::string_view, 9> kDrawings{".svg", ".dxf", ".wkt", ".geojson", ".stl",
+                                                    ".obj", ".off", ".ply", ".3mf"};
 
 /// A scene that holds the one shape of a drawing.
 std::string scene_around(const std::filesystem::path& drawing, const Options& o) {

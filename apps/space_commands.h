@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verbs map, check, measure and describe for 3D scenes: the same options and the same results as in the plane, one
-// dimension higher. Each is called by its verb once the scene is read and known to be 3D.
+// The verbs map, check, measure, describe and convert for 3D scenes: the same options and the same results as in the
+// plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
 #pragma once
 
 #include "session.h"
@@ -19,5 +19,6 @@ Outcome map_rays(const Session& session, int resolution, bool axes);
 Outcome check_space(const Session& session);
 Outcome measure_space(const Session& session);
 Outcome describe_space(const Session& session, const std::string& shape);
+Outcome convert_space(const Session& session, const std::string& shape);
 
 }  // namespace findspace::app

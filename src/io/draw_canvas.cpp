@@ -84,7 +84,13 @@ void PathWriter::add_ring(const Ring& ring) {
 
 void PathWriter::add_curve(const Curve& curve) {
   put('M', net_.at(curve.from));
-  travel(curve, true);
+  if (curve.from != curve.to) return travel(curve, true);
+  const std::vector<Place> stops = net_.extremes(curve);  // lowest, rightmost, highest
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    arc_to(stops[k], curve.radius, true);
+    if (k == 1) put('M', stops[k]);
+  }
+  arc_to(net_.at(curve.to), curve.radius, true);
 }
 
 void PathWriter::add_frame() {

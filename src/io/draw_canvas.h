@@ -42,6 +42,7 @@ class PathWriter {
   void add_face(const plane::Face& face);
   /// All faces with a mark other than 0.
   void add_faces();
+  /// Open: a whole circle is two arcs, so that no reader takes it for a disc.
   void add_curve(const Curve& curve);
   const std::string& data() const { return data_; }
 

@@ -178,20 +178,42 @@ class PictureWriter {
 
 std::string picture_svg(const Picture& picture) { return PictureWriter(picture).run(); }
 
+namespace {
+
+/// The bounds with some width and height, without which SVG shows nothing.
+Bounds drawing_bounds(Bounds b) {
+  const double size = std::max(b.high[0] - b.low[0], b.high[1] - b.low[1]);
+  for (int i : {0, 1}) {
+    if (b.high[i] - b.low[i] > 0) continue;  // no sign: the size of a page
+    const double room = size > 0 ? size / 20 : 1;
+    b.low[i] -= room, b.high[i] += room;
+  }
+  return b;
+}
+
+}  // namespace
+
 DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std::string_view name,
                       std::optional<situation::Unit> unit) {
   if (!plane::is_bounded(region)) throw Error(ErrorCode::kUnsupported, "a drawing cannot hold an unbounded region");
   const NamedRegion named{std::string(name), &region};
   const Drawn shape(named, step);
-  const Bounds b = shape.bounds.value_or(Bounds{});
+  const Bounds b = drawing_bounds(shape.bounds.value_or(Bounds{}));
   const double width = b.high[0] - b.low[0], height = b.high[1] - b.low[1];
   const Frame frame{{{0, 0}, {0, 0}}, 1, 0, 0};  // only turns y down
-  PathWriter path(shape.net, frame, {}, PathWriter::Digits::kAll);
-  path.add_faces();
+  std::string paths;
+  const auto add = [&](auto&& draw, std::string_view attributes) {
+    PathWriter path(shape.net, frame, {}, PathWriter::Digits::kAll);
+    draw(path);
+    paths += fmt::format("<path{} d=\"{}\"/>\n", attributes, path.data());
+  };
+  for (const plane::Face& f : region.faces)
+    if (f.mark != 0) add([&](PathWriter& path) { path.add_face(f); }, "");
   for (const Curve& k : shape.net.curves()) {
     const plane::Index h = k.half_edges.front();
     const auto mark = [&](plane::Index side) { return region.faces[region.face(side)].mark; };
-    if (k.mark != 0 && mark(h) == 0 && mark(plane::CellComplex::twin(h)) == 0) path.add_curve(k);
+    if (k.mark != 0 && mark(h) == 0 && mark(plane::CellComplex::twin(h)) == 0)
+      add([&](PathWriter& path) { path.add_curve(k); }, " fill=\"none\"");
   }
   // SVG knows few units: the size is always in millimetres, where the scene has a unit at all.
   const double size = unit ? situation::factor(*unit, situation::Unit::kMillimetre).to_double() : 1;
@@ -199,10 +221,10 @@ DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std:
   DrawingText out;
   out.text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}{}\" height=\"{}{}\" viewBox=\"{} {} {} {}\">\n"
-      "<path id=\"{}\" fill=\"#2a9d8f\" fill-opacity=\"0.38\" fill-rule=\"evenodd\" stroke=\"#14665c\" "
-      "stroke-width=\"{}\" d=\"{}\"/>\n</svg>\n",
+      "<g id=\"{}\" fill=\"#2a9d8f\" fill-opacity=\"0.38\" fill-rule=\"evenodd\" stroke=\"#14665c\" "
+      "stroke-width=\"{}\">\n{}</g>\n</svg>\n",
       width * size, size_unit, height * size, size_unit, b.low[0], -b.high[1], width, height, xml_escaped(name),
-      std::max(width, height) / 500, path.data());
+      std::max(width, height) / 500, paths);
   const bool points = parts_of(region).points;
   if (points || !plane::is_closed(region)) {
     out.lost = fmt::format("a drawing cannot say {}{}{}: lost", points ? "where isolated points are" : "",

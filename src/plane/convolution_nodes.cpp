@@ -4,6 +4,7 @@
 #include "plane/convolution_nodes.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace findspace::plane {
 
@@ -172,9 +173,12 @@ void ConvolutionNodes::add_still_walks() {
 void ConvolutionNodes::follow(Index from, Index to, Index key, std::int64_t turned) {
   Node &n = nodes[from], &m = nodes[to];
   n.next = to;
-  n.rotation = std::int8_t((turned > 0) - (turned < 0));
-  if (!still_.empty()) n.extra = extra_rounds(n, m, key, turned);
   n.smooth_end = m.smooth_start = n.key_out / 2 == key / 2;
+  n.rotation = std::int8_t((turned > 0) - (turned < 0));
+  // A cusp: the path goes from one end to the other where they are next to each other.
+  const bool cusp = n.forward != m.forward && n.smooth_end && std::abs(turned) <= 1;
+  if (cusp) n.rotation = std::int8_t(bend_sum(n, m));
+  if (!still_.empty()) n.extra = extra_rounds(n, m, key, turned);
 }
 
 const Direction& ConvolutionNodes::direction_of(const Node& n, Index key) const {

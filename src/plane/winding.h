@@ -28,7 +28,8 @@ struct Strand {
 
 /// The path turns from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path runs
 /// from the back direction of `in` to the direction of `out`: clockwise if both lie displaced to the left,
-/// counter-clockwise if both to the right, else as `rotation` says (+1 counter-clockwise, -1 clockwise, 0 not at all).
+/// counter-clockwise if both to the right, else as `rotation` says (+1 counter-clockwise, -1 clockwise, 0 not at all;
+/// at a cusp, whose ends have one tangent, the way on which they are next to each other).
 struct Corner {
   Index in = 0, out = 0;
   std::int8_t rotation = 0;

@@ -77,6 +77,7 @@ class Stand {
   Region hedge(const Real& bound, Certainty certainty) const {
     const Hedged h = hedged(formula_, world_.moving, bound * world_.step, certainty);
     World w = world_;
+    w.worn = true;
     for (const Variant& v : h.variants) {
       const bool moves = std::find(world_.moving.begin(), world_.moving.end(), v.of) != world_.moving.end();
       w.shapes.emplace(v.name, offset(world_.shapes.at(v.of), v.by / world_.step));

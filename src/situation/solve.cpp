@@ -3,6 +3,8 @@
 
 #include "situation/solve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -89,7 +91,11 @@ plane::Region Solver::shape(const std::vector<std::string>& names) const {
     if (found == world_.shapes.end()) throw Error(ErrorCode::kUnknownName, "there is no shape '" + n + "'");
     parts.push_back(&found->second);
   }
-  return parts.size() == 1 ? *parts[0] : plane::unite(parts);
+  plane::Region whole = parts.size() == 1 ? *parts[0] : plane::unite(parts);
+  if (plane::is_empty(whole) && !world_.worn)
+    throw Error(ErrorCode::kGeometry,
+                fmt::format("shape '{}' is empty: there is no distance to it", fmt::join(names, "+")));
+  return whole;
 }
 
 std::shared_ptr<const distance::AtPosition> Solver::pair(const Names& names) const {

@@ -35,6 +35,7 @@ struct World {
   Motion motion;                       // if given, distances are taken over its time
   std::optional<exact::Real> instant;  // of the motion: distances without inf and sup are those of this time
   Parts parts;                         // of the shapes that are collections, for reports
+  bool worn = false;                   // shapes made smaller by the program: nothing may be left of one
 };
 
 /// One distance at one position.

@@ -144,6 +144,41 @@ TEST_F(Program, DescribeAndConvert) {
   EXPECT_EQ(run("convert a.svg").out, "POLYGON ((0 0, 10 0, 10 6, 0 6, 0 0))\n");
 }
 
+TEST_F(Program, DrawingsReadBack) {
+  const std::string
+      flat = R"({"polyline": [[0, 1], [5, 1]]})",
+      circle = R"({"boundary": {"disc": {"center": [0, 0], "radius": 2}}})",
+      touching = R"({"union": [{"box": {"min": [0, 0], "max": [1, 1]}}, {"box": {"min": [1, 1], "max": [2, 2]}}]})";
+  for (const std::string& shape : {flat, circle, touching}) {
+    const std::string scene = R"({"findspace": 1, "unit": "mm", "shapes": {"S": )" + shape + "}}";
+    ASSERT_EQ(run("convert scene.json -o s.svg", scene).status, 0);
+    const json stated = json::parse(run("describe scene.json --json", scene).out);
+    const json drawn = json::parse(
+        run("describe scene.json --json", R"({"findspace": 1, "unit": "mm", "shapes": {"S": {"file": "s.svg"}}})").out);
+    for (const char* key : {"area", "dangling_length", "bbox"}) EXPECT_EQ(drawn[key], stated[key]) << shape;
+  }
+}
+
+TEST_F(Program, MeshesReadBack) {
+  const std::string scene = R"({"findspace": 1, "unit": "mm", "shapes": {
+    "tent": {"polytope": [[0, 0, 0.5], [4, 0, 0.5], [4, 4, 0.5], [0, 4, 0.5], [2, 2, 3]]},
+    "channel": {"prism": {"polygon": [[0,0],[4,0],[4,4],[3,4],[3,1],[1,1],[1,4],[0,4]], "z": [0.5, 2]}},
+    "ball": {"ball": {"center": [0, 0, 0], "radius": 2}}}})";
+  for (const std::string shape : {"tent", "channel"}) {
+    ASSERT_EQ(run("convert scene.json " + shape + " -o c.obj -o c.stl -o c.3mf", scene).status, 0);
+    const json stated = json::parse(run("describe scene.json " + shape + " --json", scene).out);
+    for (const std::string file : {"c.obj", "c.stl", "c.3mf"}) {
+      const json drawn = json::parse(run("describe scene.json --json", run("convert --unit mm " + file).out).out);
+      const double lines = shape == "tent" ? 1e-12 : 0.01;  // what is not convex is described on lines
+      EXPECT_NEAR(drawn["volume"], stated["volume"], lines) << file;
+    }
+  }
+  const Result ball = run("convert scene.json ball -o b.obj", scene);
+  EXPECT_EQ(ball.status, 3);
+  EXPECT_TRUE(contains(ball.err, "flat faces"));
+  EXPECT_FALSE(exists("b.obj"));
+}
+
 TEST_F(Program, SceneFromStandardInput) { EXPECT_EQ(run("map - < scene.json").out, run("map scene.json").out); }
 
 TEST_F(Program, QuietSaysNothingWhereFilesAreWritten) {

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The verb convert for 3D shapes: the boundary of a shape as a mesh, in every format of meshes and as a scene that
+// states it. Guarantee: exact, faces outward. Of what one closed surface bounds (a mesh, a prism, moved or mirrored),
+// of shapes with axis-parallel faces and of convex polytopes; others are refused, describe gives theirs as found on
+// lines.
+
+#include <fmt/format.h>
+
+#include "io/write_json.h"
+#include "io/write_json_space.h"
+#include "io/write_mesh.h"
+#include "space/ray_solids.h"
+#include "space/solid.h"
+#include "space_commands.h"
+
+namespace findspace::app {
+namespace {
+
+using exact::Real;
+
+io::Surface surface(std::span<const space::Point> points, const Real& step) {
+  io::Surface out;
+  for (const space::Point& p : points)
+    out.vertices.push_back(
+        {(Real(p.x) * step).to_double(), (Real(p.y) * step).to_double(), (Real(p.z) * step).to_double()});
+  return out;
+}
+
+io::Surface surface(const space::Polytope& polytope, const Real& step) {
+  io::Surface out = surface(polytope.vertices(), step);
+  for (int f = 0; f < polytope.facet_count(); ++f) out.faces.push_back(polytope.circuit(f));
+  return out;
+}
+
+io::Surface surface(const space::Triangles& triangles, const Real& step) {
+  io::Surface out = surface(triangles.points, step);
+  for (const auto& face : triangles.faces) out.faces.emplace_back(face.begin(), face.end());
+  return out;
+}
+
+/// Where the shape is known by one surface; nothing else.
+std::optional<io::Surface> one_surface(const plane::Shape& shape, const Real& step) {
+  try {
+    const std::vector<space::RaySolid> solids = space::ray_solids(shape);
+    if (solids.size() == 1 && !solids[0].ball()) return surface(solids[0].surface, step);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+  }
+  return std::nullopt;
+}
+
+/// Where the shape is made of boxes or is a convex polytope; nothing else.
+std::optional<io::Surface> simple_surface(const plane::Shape& shape, const Real& step) {
+  try {
+    const situation::SpaceShape made = situation::space_shape(shape);
+    if (made.boxes) return io::box_surface(*made.boxes, step);
+    if (made.body && made.body->convex() && !made.body->round())
+      return surface(*made.body->parts[0].core, step / Real(made.body->scale));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+  }
+  return std::nullopt;
+}
+
+io::Surface boundary_of(const plane::Shape& shape, const Real& step) {
+  const space::Solid* solid = space::solid_of(shape);
+  const bool polytope = solid && solid->form == space::Solid::Form::kPolytope;  // its facets stay whole
+  std::optional<io::Surface> found = polytope ? std::nullopt : one_surface(shape, step);
+  if (!found) found = simple_surface(shape, step);
+  if (found) return *std::move(found);
+  throw Error(ErrorCode::kUnsupported,
+              "this is not bounded by one surface of flat faces; describe -o writes its surface as found on lines",
+              shape.place);
+}
+
+std::string scene_text(const io::Surface& surface, const std::string& name, const std::string& unit) {
+  std::vector<std::string> vertices, faces;
+  for (const auto& v : surface.vertices)
+    vertices.push_back(
+        fmt::format("[{}, {}, {}]", io::json_number(v[0]), io::json_number(v[1]), io::json_number(v[2])));
+  for (const auto& f : surface.faces) faces.push_back(fmt::format("[{}]", fmt::join(f, ", ")));
+  return fmt::format(
+      "{{\"findspace\": 1, {}\"shapes\": {{{}: {{\"mesh\": {{\"vertices\": [{}],\n \"faces\": [{}]}}}}}}}}\n",
+      unit.empty() ? "" : fmt::format("\"unit\": {}, ", io::json_string(unit)), io::json_string(name),
+      fmt::join(vertices, ", "), fmt::join(faces, ", "));
+}
+
+}  // namespace
+
+Outcome convert_space(const Session& session, const std::string& name) {
+  std::vector<std::string> endings{".json"};
+  endings.insert(endings.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+  check_outputs(session.options(), endings);
+  session.talk().stage(fmt::format("shape {}", name));
+  const io::Surface found = boundary_of(*session.scene().shape(name), session.step());
+  const auto json = [&] { return scene_text(found, name, session.unit()); };
+  Writers writers{{".json", json}};
+  for (const char* ending : io::kSurfaceEndings)
+    writers.emplace(ending, [&, ending] { return io::surface_text(found, name, ending, session.unit()); });
+  write_outputs(session.options(), writers);
+  return {session.options().json || session.options().outputs.empty() ? json() : "", kDone};
+}
+
+}  // namespace findspace::app
