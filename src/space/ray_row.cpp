@@ -28,6 +28,9 @@ RayRow RowWork::run() {
   }
   settle_cells();
   RayRow row;
+  row.before.reserve(columns_);
+  row.first.reserve(columns_ + 1);
+  row.events.reserve(groups_.size());
   for (int i = 0; i < columns_; ++i) emit(i, row);
   pair_.counts_.hits += static_cast<std::int64_t>(hits_.size());
   return row;
@@ -35,6 +38,7 @@ RayRow RowWork::run() {
 
 void RowWork::collect() {
   const auto soil = [&](int column) { dirty_[column] = 1; };
+  hits_.reserve(static_cast<std::size_t>(columns_) * 4);
   for (const int k : sheets_.row(j_)) {
     sheets_.mark_row_contacts(k, j_, soil);
     Section section;
