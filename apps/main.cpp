@@ -90,7 +90,11 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
     command.add_option("--resolution", o.resolution, "3D: the map on N x N lines, for solids of any shape")
         ->type_name("N")
         ->check(CLI::Range(1, 16384));
-    command.add_flag("--axes", o.axes, "3D: lines along all three axes: certified components, volume of the surface");
+    auto* axes = command.add_flag("--axes", o.axes,
+                                  "3D: lines along all three axes: certified components, volume of the surface");
+    command.add_option("--side", o.side, "3D: cells about the lines that lie in the region, or hold all of it")
+        ->check(CLI::IsMember({"inner", "outer"}))
+        ->excludes(axes);
   }
   if (is(verb, "map") || is(verb, "describe"))
     command.add_flag("--exact", o.exact, "2D: JSON has the exact cells too, which read back as the same set");

@@ -213,9 +213,12 @@ Outcome run_map(const Options& options, Talk& talk) {
   if (session.in_space()) {
     session.require_positions_in_space();
     require_question(session);
+    if (!options.side.empty() && options.resolution == 0)
+      throw Error(ErrorCode::kUsage, "--side is for maps on lines: it needs --resolution");
     return options.resolution > 0 ? map_rays(session, options.resolution, options.axes) : map_space(session);
   }
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for maps of 3D scenes");
+  if (!options.side.empty()) throw Error(ErrorCode::kUsage, "--side is for maps of 3D scenes");
   if (options.axes) throw Error(ErrorCode::kUsage, "--axes is for maps of 3D scenes");
   const io::Scene& scene = session.scene();
   const bool line = free == io::Free::Kind::kLine, time = free == io::Free::Kind::kTime;

@@ -12,8 +12,9 @@
 #include "io/draw_slices.h"
 #include "io/write_json_rays.h"
 #include "io/write_mesh.h"
-#include "ray_outcome.h"
-#include "situation/optimize_rays.h"
+#include "ray_optimum.h"
+#include "situation/certain_cells.h"
+#include "situation/evaluate.h"
 #include "situation/solve_rays.h"
 #include "space/ray_axes.h"
 #include "space/ray_sources.h"
@@ -26,35 +27,24 @@ namespace {
 constexpr int kLayers = 16;
 
 std::string summary_text(const RaySet& set, const space::RaySummary& summary, double step, const std::string& unit) {
+  using situation::Side;
+  if (summary.empty && !set.unbounded && set.side == Side::kOuter) return set.title + ": proven empty\n";
   if (summary.empty && !set.unbounded)
     return set.title + ": no line meets the region (smaller parts may lie between the lines)\n";
   std::string out = fmt::format("{}: on {} lines, {} intervals\n", set.title, summary.lines, summary.intervals);
   if (set.unbounded) return out + "  the region is unbounded\n";
   const auto certified = std::count_if(summary.components.begin(), summary.components.end(),
                                        [](const space::RayComponent& c) { return c.certified; });
-  return out + fmt::format("  volume about {} {}3, {} components by {}\n", summary.volume * step * step * step, unit,
-                           summary.components.size(),
+  return out + fmt::format("  volume {} {} {}3, {} components by {}\n",
+                           set.side == Side::kInner   ? "at least"
+                           : set.side == Side::kOuter ? "at most"
+                                                      : "about",
+                           summary.volume * step * step * step, unit, summary.components.size(),
                            set.axes ? fmt::format("crossing lines ({} certified)", certified)
                                     : "overlap of neighbouring lines");
 }
 
-std::string optimum_text(const io::RayOptimum& found, bool on_lines) {
-  return fmt::format("  {}{}: {} at ({}, {}, {}){}\n", found.maximum ? "greatest" : "least",
-                     on_lines ? " on the lines" : " over all positions", *found.value, found.at[0], found.at[1],
-                     found.at[2], found.bound ? fmt::format("; none is beyond {}", *found.bound) : "");
-}
-
 bool in_region(std::int8_t sign) { return sign <= 0; }
-
-/// What the lines tell.
-struct Cast {
-  space::RayGrid grid;
-  space::RaySummary summary;
-  std::string lines;
-  space::RaySurface surface;  // of three axes only
-  std::optional<space::RayExtreme::Found> extreme;
-  std::vector<space::RayInterval> intervals;  // where an objective wants them
-};
 
 /// Beyond the box distances grow along the lines, so intervals without end are cut there.
 void keep_intervals(const RaySet& set, const space::RayGrid& grid, int j, const space::RayRow& row,
@@ -108,55 +98,6 @@ Cast cast_axes(const RaySet& set, double step) {
   return out;
 }
 
-space::RayAim aim_of(const Session& session, const Session::Goal& goal) {
-  using Kind = situation::Objective::Kind;
-  space::RayAim aim;
-  aim.greatest = goal.sense == distance::Sense::kMaximum;
-  const Kind kind = goal.objective.kind;
-  if (kind == Kind::kX || kind == Kind::kY || kind == Kind::kZ) {
-    aim.axis = kind == Kind::kX ? 0 : kind == Kind::kY ? 1 : 2;
-  } else if (kind == Kind::kDistanceToPoint && !aim.greatest) {
-    for (std::size_t k = 0; k < 3; ++k) aim.point[k] = (goal.objective.point.at(k) / session.step()).to_double();
-  } else {
-    throw Error(ErrorCode::kUnsupported, "in 3D the distance to a point can be minimised only", session.scene().file);
-  }
-  return aim;
-}
-
-std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step) {
-  io::RayOptimum out;
-  out.maximum = set.objective->greatest != (set.objective->sign < 0);
-  if (set.unbounded && set.objective->greatest) return out;
-  const auto best = situation::best_on_lines(std::move(cast.intervals), set.objective->greatest, set.objective->value);
-  if (!best) return out;
-  out.attained = best->attained;
-  out.value = best->value * step * set.objective->sign;
-  out.bound = best->bound * step * set.objective->sign;
-  for (std::size_t k = 0; k < 3; ++k) out.at[k] = best->at[k] * step;
-  return out;
-}
-
-io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step) {
-  io::RayOptimum out;
-  out.maximum = set.aim->greatest;
-  // Of a coordinate there is no bound where the region goes on for ever.
-  if (!cast.extreme || (set.unbounded && set.aim->axis >= 0)) return out;
-  out.attained = cast.extreme->attained;
-  out.value = cast.extreme->value * step;
-  for (std::size_t k = 0; k < 3; ++k) out.at[k] = cast.extreme->at[k] * step;
-  return out;
-}
-
-io::RayOptimum least_of(const situation::LeastOf& found) {
-  io::RayOptimum out;
-  if (!found.least) return out;
-  out.attained = true;
-  out.value = found.least->value.to_double();
-  if (!found.least->proven) out.bound = found.least->bound.to_double();
-  for (std::size_t k = 0; k < 3; ++k) out.at[k] = found.least->at[k].to_double();
-  return out;
-}
-
 /// What the slices show: the region with a little around it, within the box of the lines.
 std::pair<space::Point, space::Point> shown_box(const RaySet& set, const space::RaySummary& summary) {
   space::Point low = set.low, high = set.high;
@@ -183,24 +124,6 @@ bool has_ray_map(const RaySet& set) {
   }
 }
 
-RayObjective objective_of(const situation::SpaceSolver& solver, const Session::Goal& goal) {
-  RayObjective out;
-  const bool negated = goal.objective.negated;
-  out.sign = negated ? -1 : 1;
-  out.greatest = (goal.sense == distance::Sense::kMaximum) != negated;
-  const auto at = [&solver, wanted = goal.objective.distance](const std::array<double, 3>& place) {
-    space::RealVector p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = exact::Real::from_double(place[k]);
-    return solver.value(wanted, p);
-  };
-  if (!at({})) throw Error(ErrorCode::kUnsupported, "the objective is undefined for these shapes: " + goal.text);
-  out.value = [at](const std::array<double, 3>& place) {
-    const auto v = at(place);
-    return v->lowest ? -exact::kInfinity : v->value.to_double();
-  };
-  return out;
-}
-
 }  // namespace
 
 situation::RayWorld ray_world(const Session& session) {
@@ -214,7 +137,8 @@ situation::RayWorld ray_world(const Session& session) {
 Outcome rays_outcome(const Session& session, const RaySet& set) {
   const Options& options = session.options();
   std::vector<std::string> formats{".json"};
-  formats.insert(formats.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+  const bool cells = set.side != situation::Side::kNone;
+  if (!cells) formats.insert(formats.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   check_outputs(options, formats);
   if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply needs an exact map, not one on rays");
   const double step = session.step().to_double();
@@ -226,9 +150,9 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
                                      : set.least;
   const auto json = [&] {
     const std::string unit = session.unit();
-    return io::rays_json(
-        cast.summary, cast.grid, step,
-        {unit, cast.lines, set.axes, set.unbounded, situation::name(set.on_lines), "none", set.somewhere, optimum});
+    return io::rays_json(cast.summary, cast.grid, step,
+                         {unit, cast.lines, set.axes, set.unbounded, situation::name(set.on_lines),
+                          situation::name(set.side), set.somewhere, optimum});
   };
   const auto surface = [&] {
     if (set.axes) return io::ray_surface_mesh(cast.surface, step);
@@ -249,8 +173,43 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   write_outputs(options, writers);
   std::string text = options.json ? json() : summary_text(set, cast.summary, step, session.unit());
   if (!options.json && optimum && optimum->value) text += optimum_text(*optimum, set.aim || set.objective);
-  return {std::move(text), kDone};
+  const bool proven_empty = set.side == situation::Side::kOuter && cast.summary.empty && !set.unbounded;
+  return {std::move(text), proven_empty ? kEmpty : kDone};
 }
+
+namespace {
+
+/// The formula whose places on the lines have cells on that side of the region.
+situation::Formula for_cells(const RaySet& set, const situation::Formula& formula, const exact::Real& step) {
+  const space::RayGrid grid = space::ray_grid(set.low, set.high, 2, set.resolution);
+  const double half = std::hypot(static_cast<double>(grid.du), static_cast<double>(grid.dv)) / 2;
+  // Rounded up: the farthest place of a cell from its line.
+  const exact::Real radius = exact::Real::from_double(half * (1 + 0x1p-40)) / exact::Real(grid.parts) * step;
+  return set.side == situation::Side::kOuter ? widened(formula, radius) : narrowed(formula, radius);
+}
+
+std::unique_ptr<space::RaySource> region_rays(const situation::RayWorld& world, const situation::Formula& formula,
+                                              const space::RayGrid& grid) {
+  if (formula.sign_maps().empty()) return space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1);
+  return situation::ray_region(world, formula, grid);
+}
+
+void take_minima(const situation::MinimaAsLevels& levels, RaySet& set) {
+  set.on_lines = levels.side;
+  if (levels.minima.empty()) return;
+  set.least = least_of(levels.minima[0]);
+  set.somewhere = levels.formula.atoms().size() == 1 && set.least->value;
+}
+
+void take_side(const Session& session, RaySet& set) {
+  const std::string& side = session.options().side;
+  if (side.empty()) return;
+  if (session.goal())
+    throw Error(ErrorCode::kUnsupported, "cells on one side of the region have no objective", session.scene().file);
+  set.side = side == "inner" ? situation::Side::kInner : situation::Side::kOuter;
+}
+
+}  // namespace
 
 Outcome map_rays(const Session& session, int resolution, bool axes) {
   situation::MinimaAsLevels levels{session.where(), {}, situation::Side::kExact};
@@ -262,7 +221,7 @@ Outcome map_rays(const Session& session, int resolution, bool axes) {
     session.talk().stage("looking for least values");
     levels = situation::minima_as_levels(*solver, levels.formula);
   }
-  const situation::Formula& formula = levels.formula;
+  situation::Formula formula = levels.formula;
   session.talk().stage("building the shapes");
   const situation::RayWorld world = ray_world(session);
   const situation::RayWindow window = situation::window(world, formula);
@@ -272,16 +231,14 @@ Outcome map_rays(const Session& session, int resolution, bool axes) {
   set.axes = axes;
   set.low = window.low, set.high = window.high;
   set.unbounded = situation::holds_far_away(world, formula);
-  set.on_lines = levels.side;
-  if (!levels.minima.empty()) {
-    set.least = least_of(levels.minima[0]);
-    set.somewhere = formula.atoms().size() == 1 && set.least->value;
-  }
+  take_minima(levels, set);
+  take_side(session, set);
+  if (set.side != situation::Side::kNone) formula = for_cells(set, formula, session.step());
   if (by_distance)
     set.objective = objective_of(*solver, *goal);
   else if (goal)
     set.aim = aim_of(session, *goal);
-  set.source = [&](const space::RayGrid& grid) { return situation::ray_region(world, formula, grid); };
+  set.source = [&](const space::RayGrid& grid) { return region_rays(world, formula, grid); };
   if (set.somewhere && !has_ray_map(set)) {
     session.talk().note("the minimisers have no map on lines: one of them is given");
     set.on_lines = situation::Side::kInner;

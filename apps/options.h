@@ -25,6 +25,7 @@ struct Options {
   bool exact = false;         // of map, describe: the exact cells in the JSON
   bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
   bool json = false, quiet = false;
+  std::string side;       // of map in 3D: inner or outer cells about lines, or nothing
   bool axes = false;      // of map in 3D: lines along all three axes
   int resolution = 0;     // of map in 3D: lines each way of a ray map; 0: an exact map
   unsigned threads = 0;   // 0: one for each core

@@ -34,6 +34,7 @@ struct RaySet {
   std::optional<RayObjective> objective;                                           // or this
   bool somewhere = false;                                                          // it is known not to be empty
   situation::Side on_lines = situation::Side::kExact;                              // of the set on the lines
+  situation::Side side = situation::Side::kNone;                                   // of the cells about the lines
   std::optional<io::RayOptimum> least;                                             // of a formula with `-> min`
   std::function<std::unique_ptr<space::RaySource>(const space::RayGrid&)> source;  // at most 0 in the set
 };

@@ -12,6 +12,7 @@
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/minkowski_sum_3.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <cstdio>
@@ -65,11 +66,15 @@ int main(int argc, char** argv) {
   Nef a = nef(spot), b = nef(ray_bench::octahedron(0.2));
   const Nef sum = CGAL::minkowski_sum_3(a, b);
   const double seconds = now() - start;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double processor = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
   Polyhedron surface;
   sum.convert_to_polyhedron(surface);
   CGAL::Polygon_mesh_processing::triangulate_faces(surface);
   const double volume = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(surface));
-  std::printf("CGAL minkowski_sum_3: %zu + 8 triangles: %.2f s, volume %.6f\n", spot.faces.size(), seconds,
-              volume / (ray_bench::kUnit * ray_bench::kUnit * ray_bench::kUnit));
+  std::printf("CGAL minkowski_sum_3: %zu + 8 triangles: %.2f s (processor %.0f), volume %.6f, peak %.0f MiB\n",
+              spot.faces.size(), seconds, processor, volume / (ray_bench::kUnit * ray_bench::kUnit * ray_bench::kUnit),
+              static_cast<double>(usage.ru_maxrss) / 1024);
   return 0;
 }

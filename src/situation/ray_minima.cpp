@@ -28,8 +28,10 @@ std::string_view name(Side side) {
       return "inner";
     case Side::kOuter:
       return "outer";
-    default:
+    case Side::kMixed:
       return "mixed";
+    default:
+      return "none";
   }
 }
 

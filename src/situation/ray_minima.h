@@ -14,8 +14,8 @@
 
 namespace findspace::situation {
 
-/// On which side of the true set a map may lie.
-enum class Side { kExact, kInner, kOuter, kMixed };
+/// On which side of the true set a map may lie; kNone: nothing is claimed.
+enum class Side { kExact, kInner, kOuter, kMixed, kNone };
 std::string_view name(Side side);
 
 struct LeastOf {

@@ -10,17 +10,14 @@
 #include "distance/ray_signs.h"
 #include "situation/evaluate.h"
 #include "situation/solve_space.h"
+#include "situation/surface_rays.h"
 #include "situation/text.h"
 #include "situation/which.h"
-#include "space/ray_ball.h"
-#include "space/ray_pair.h"
 
 namespace findspace::situation {
 namespace {
 
 using exact::Real;
-using space::BallRays;
-using space::PairRays;
 using space::RayGrid;
 using space::RayRow;
 using space::RaySolid;
@@ -54,90 +51,17 @@ space::Body body(const RayWorld& world, const std::vector<std::string>& names) {
   return united(bodies);
 }
 
-/// The sign of gamma1(b + p, a) - level, where surfaces answer it.
-std::unique_ptr<RaySource> gap(const RaySolid& b, const RaySolid& a, const Real& level, const RayGrid& grid) {
-  if (b.ball() && a.ball()) return nullptr;
-  if (!b.ball() && !a.ball())
-    return level.sign() == 0 ? std::make_unique<PairRays>(a.surface, b.surface, grid) : nullptr;
-  const Real radius = (b.ball() ? b.radius : a.radius) + level;
-  // Deeper than the surface the positions are no body grown by a ball.
-  if (level.sign() < 0 || radius.sign() <= 0) return nullptr;
-  // |c + p - x| for x in a, or |c - p - x| for x in b: the distance of p to a - c, or to c - b.
-  return std::make_unique<BallRays>(
-      b.ball() ? space::moved(a.surface, -b.center) : space::moved(space::scaled(b.surface, -1), a.center), radius,
-      grid);
-}
-
-/// The sign of eta1(b + p, a) - level, where surfaces answer it.
-std::unique_ptr<RaySource> containment(const RaySolid& b, const RaySolid& a, const Real& level, const RayGrid& grid) {
-  if (a.ball()) return nullptr;
-  if (!b.ball()) {
-    if (level.sign() != 0) return nullptr;
-    return std::make_unique<PairRays>(a.surface, b.surface, grid, PairRays::Side::kComplement);
-  }
-  if (level.sign() > 0 || (b.radius - level).sign() <= 0) return nullptr;
-  return std::make_unique<BallRays>(space::moved(a.surface, -b.center), b.radius - level, grid,
-                                    BallRays::Side::kComplement);
-}
-
-RaySolid mirrored(RaySolid s) {
-  s.surface = space::scaled(std::move(s.surface), -1);
-  s.center = -s.center;
-  return s;
-}
-
-/// One sign map: the least, or the greatest, of several.
-struct Parts {
-  std::vector<std::unique_ptr<RaySource>> sources;
-  bool least = true;
-
-  RayRow row(int j) const {
-    if (sources.size() == 1) return sources[0]->row(j);
-    std::vector<RayRow> rows;
-    for (const auto& s : sources) rows.push_back(s->row(j));
-    return space::combined(rows, [&](std::span<const std::int8_t> signs) {
-      return least ? *std::min_element(signs.begin(), signs.end()) : *std::max_element(signs.begin(), signs.end());
-    });
-  }
-};
-
-/// By surfaces; no sources where these do not answer.
-Parts surface_parts(const RayWorld& world, const Distance& d, const Real& level, const RayGrid& grid) {
-  Parts result;
-  const auto b = solids(world, d.first), a = solids(world, d.second);
-  if (!b || !a) return result;
-  const auto add = [&](std::unique_ptr<RaySource> source) {
-    if (source) result.sources.push_back(std::move(source));
-  };
-  std::size_t wanted = 0;
-  if (d.kind == Kind::kGamma1) {
-    for (const RaySolid& s : *b) {
-      for (const RaySolid& t : *a) add(gap(s, t, level, grid));
-    }
-    wanted = b->size() * a->size();
-  } else {
-    const bool cover = d.kind == Kind::kDelta1;
-    const std::vector<RaySolid>&inner = cover ? *a : *b, &outer = cover ? *b : *a;
-    if (outer.size() != 1 || level.sign() > 0) return result;
-    result.least = false;
-    for (const RaySolid& s : inner) {
-      add(cover ? containment(mirrored(s), mirrored(outer[0]), level, grid) : containment(s, outer[0], level, grid));
-    }
-    wanted = inner.size();
-  }
-  if (result.sources.size() != wanted) result.sources.clear();
-  return result;
-}
-
-Parts parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   Distance d = moving_first(map.distance, world.moving);
-  if (map.minimum) refuse(map, "-> min is not computed");
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) refuse(map, "only translations in all directions are");
   const bool second = second_moves(d, world.moving);
   const Real level = map.level / world.step;
   const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 || d.kind == Kind::kMu;
-  Parts result;
-  if (known && !second) result = surface_parts(world, d, level, grid);
+  SurfaceRays result;
+  if (known && !second) {
+    const auto b = solids(world, d.first), a = solids(world, d.second);
+    if (b && a) result = surface_rays(which(d.kind, false), *b, *a, level, grid);
+  }
   if (!result.sources.empty()) return result;
   if (second) std::swap(d.first, d.second);
   try {
@@ -163,7 +87,7 @@ class RegionRays : public RaySource {
   const RayGrid& grid() const override { return grid_; }
   RayRow row(int j) const override {
     std::vector<RayRow> rows;
-    for (const Parts& map : maps_) rows.push_back(map.row(j));
+    for (const SurfaceRays& map : maps_) rows.push_back(map.row(j));
     return space::combined(rows, [&](std::span<const std::int8_t> signs) {
       return static_cast<std::int8_t>(evaluate(formula_, signs) ? -1 : 1);
     });
@@ -172,7 +96,7 @@ class RegionRays : public RaySource {
  private:
   const Formula& formula_;
   RayGrid grid_;
-  std::vector<Parts> maps_;
+  std::vector<SurfaceRays> maps_;
 };
 
 }  // namespace

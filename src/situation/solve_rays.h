@@ -3,9 +3,8 @@
 //
 // A formula over solids of any shape, on the lines of a grid: each sign map of the formula on rays, laid over each
 // other line by line, and the formula read off their signs in one pass. Surfaces are taken as they are
-// (space/ray_pair.h, space/ray_ball.h) for gamma1 at level 0 and of a ball at levels from 0, eta1, mu and delta1 in a
-// single solid at level 0 and of a ball up to 0; everything else goes by the convex parts of the shapes
-// (distance/ray_signs.h, which says what is refused). Guarantee: exact on every line. Cost: one convolution a pair of
+// where they answer (surface_rays.h); everything else goes by the convex parts of the shapes (distance/ray_signs.h,
+// which says what is refused). Guarantee: exact on every line. Cost: one convolution a pair of
 // solids and axis, or the pieces of the sets of positions. Keywords: feasible region, configuration space.
 #pragma once
 

@@ -41,6 +41,8 @@ RealVector shortened(const RealVector& v) {
   return common > 1 ? scaled(Real::ratio(1, common), v) : v;
 }
 
+}  // namespace
+
 LinePiece cylinder_piece(const RealVector& p, const RealVector& q, const Real& radius) {
   LinePiece piece;
   piece.round = true;
@@ -66,8 +68,6 @@ LinePiece slab_piece(std::span<const RealVector> ring, const RealVector& long_no
   box_of(ring, piece);
   return piece;
 }
-
-}  // namespace
 
 LinePiece polytope_piece(std::vector<HalfSpace> planes, const Vector& low, const Vector& high) {
   LinePiece piece;

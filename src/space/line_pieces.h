@@ -25,6 +25,9 @@ struct LinePiece {
 /// The open half spaces' intersection; the box is found by cutting `around`, or infinite.
 LinePiece polytope_piece(std::vector<HalfSpace> planes, const Vector& low, const Vector& high);
 LinePiece ball_piece(const RealVector& center, const exact::Real& radius);
+LinePiece cylinder_piece(const RealVector& from, const RealVector& to, const exact::Real& radius);
+/// About a convex polygon, given counter-clockwise about the normal.
+LinePiece slab_piece(std::span<const RealVector> ring, const RealVector& normal, const exact::Real& radius);
 /// Balls, cylinders and slabs of the radius (more than 0) about the vertices, edges and facets of a set of any
 /// dimension.
 void add_round_pieces(const ConvexRegion& set, const exact::Real& radius, std::vector<LinePiece>& pieces);

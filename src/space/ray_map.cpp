@@ -13,7 +13,7 @@ namespace findspace::space {
 namespace {
 
 /// Rows in flight: enough work for many threads, little memory, and independent of their number.
-constexpr int kRowsAtOnce = 64;
+constexpr int kRowsAtOnce = 32;
 constexpr int kMostLines = 1 << 14;
 /// Cells are even to one part in this.
 constexpr std::int64_t kEven = 1 << 20;

@@ -4,6 +4,8 @@
 
 #include <findspace/error.h>
 
+#include <mutex>
+
 #include "space/ray_row.h"
 
 namespace findspace::space {
@@ -22,6 +24,23 @@ Triangles prepared(const Triangles& t, const RayGrid& grid) {
 
 }  // namespace
 
+struct PairRays::Spare {
+  std::mutex guard;
+  std::vector<std::unique_ptr<RowWork>> works;
+
+  std::unique_ptr<RowWork> take(const PairRays& pair) {
+    const std::lock_guard lock(guard);
+    if (works.empty()) return std::make_unique<RowWork>(pair);
+    auto work = std::move(works.back());
+    works.pop_back();
+    return work;
+  }
+  void give(std::unique_ptr<RowWork> work) {
+    const std::lock_guard lock(guard);
+    works.push_back(std::move(work));
+  }
+};
+
 PairRays::PairRays(const Triangles& a, const Triangles& b, const RayGrid& grid, Side side_of_a)
     : complement_(side_of_a == Side::kComplement),
       a_(complement_ ? turned_inside_out(prepared(a, grid)) : prepared(a, grid)),
@@ -30,8 +49,16 @@ PairRays::PairRays(const Triangles& a, const Triangles& b, const RayGrid& grid, 
       overlap_(a_, b_, complement_) {
   const RayBody mirrored(scaled(prepared(b, grid), -1));
   sheets_ = std::make_unique<Sheets>(convolution(a_, mirrored), grid);
+  spare_ = std::make_unique<Spare>();
 }
 
-RayRow PairRays::row(int j) const { return RowWork(*this, j).run(); }
+PairRays::~PairRays() = default;
+
+RayRow PairRays::row(int j) const {
+  std::unique_ptr<RowWork> work = spare_->take(*this);
+  RayRow row = work->run(j);
+  spare_->give(std::move(work));
+  return row;
+}
 
 }  // namespace findspace::space

@@ -35,6 +35,8 @@ class PairRays : public RaySource {
   /// Coordinates in grid steps. Throws Error(kOutOfRange) when coordinates times grid.parts exceed 2^38.
   PairRays(const Triangles& a, const Triangles& b, const RayGrid& grid, Side side_of_a = Side::kSolid);
 
+  ~PairRays() override;
+
   const RayGrid& grid() const override { return sheets_->grid(); }
   RayRow row(int j) const override;
   const RayCounts& counts() const { return counts_; }
@@ -42,12 +44,16 @@ class PairRays : public RaySource {
  private:
   friend class RowWork;
 
+  /// Rows' working memory that no thread uses just now.
+  struct Spare;
+
   bool complement_;
   RayBody a_, b_;
   int base_winding_;
   std::unique_ptr<Sheets> sheets_;
   RayOverlap overlap_;
   mutable RayCounts counts_;
+  std::unique_ptr<Spare> spare_;
 };
 
 }  // namespace findspace::space

@@ -10,17 +10,19 @@ namespace findspace::space {
 
 using exact::Fraction;
 
-RowWork::RowWork(const PairRays& pair, int j)
-    : pair_(pair), sheets_(*pair.sheets_), j_(j), columns_(pair.grid().nu), y_(pair.grid().v_at(j)) {
-  dirty_.assign(columns_, 0);
-}
+RowWork::RowWork(const PairRays& pair) : pair_(pair), sheets_(*pair.sheets_), columns_(pair.grid().nu) {}
 
-RayRow RowWork::run() {
+RayRow RowWork::run(int j) {
+  j_ = j, y_ = sheets_.grid().v_at(j);
+  dirty_.assign(columns_, 0);
+  hits_.clear();
+  exacts_.clear();
+  walls_.clear();
+  groups_.clear();
+  cells_.clear();
   collect();
   sort_columns();
   group_first_.assign(1, 0);
-  groups_.reserve(sorted_.size());
-  cells_.reserve(sorted_.size() + columns_);
   for (int i = 0; i < columns_; ++i) {
     group_column(i);
     group_first_.push_back(static_cast<int>(groups_.size()));
@@ -28,6 +30,9 @@ RayRow RowWork::run() {
   }
   settle_cells();
   RayRow row;
+  row.before.reserve(columns_);
+  row.first.reserve(columns_ + 1);
+  row.events.reserve(groups_.size());
   for (int i = 0; i < columns_; ++i) emit(i, row);
   pair_.counts_.hits += static_cast<std::int64_t>(hits_.size());
   return row;
@@ -228,9 +233,10 @@ void RowWork::emit(int column, RayRow& row) {
     const std::int8_t here = sign_here(column, k), after = cells_[cells + k + 1].sign;
     if (here == before && after == before) continue;
     RayEvent event;
-    event.at.exact = place(column, k);
-    event.at.value = groups_[group_first_[column] + k].at;
-    event.at.radius = groups_[group_first_[column] + k].error;
+    const RayGroup& g = groups_[group_first_[column] + k];
+    event.at.exact = g.exact >= 0 ? exacts_[g.exact] : place(sorted_[g.first]);
+    event.at.value = g.at;
+    event.at.radius = g.error;
     event.here = static_cast<std::int8_t>(sense * here);
     event.after = static_cast<std::int8_t>(sense * after);
     row.events.push_back(std::move(event));

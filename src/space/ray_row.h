@@ -29,8 +29,9 @@ struct RayCell {
 
 class RowWork {
  public:
-  RowWork(const PairRays& pair, int j);
-  RayRow run();
+  explicit RowWork(const PairRays& pair);
+  /// May be called again: its memory is used again.
+  RayRow run(int j);
 
  private:
   struct Hit {
@@ -68,8 +69,8 @@ class RowWork {
 
   const PairRays& pair_;
   const Sheets& sheets_;
-  int j_, columns_;
-  std::int64_t y_;
+  int j_ = 0, columns_;
+  std::int64_t y_ = 0;
   std::vector<Hit> hits_, sorted_;
   std::vector<exact::Fraction> exacts_;
   RayOverlap::Recent recent_;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What `minimize`, `maximize` and `-> min` come to on the lines of a map.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/write_json_rays.h"
+#include "ray_outcome.h"
+#include "space/ray_intervals.h"
+#include "space/ray_summary.h"
+#include "space/ray_surface.h"
+
+namespace findspace::app {
+
+/// What the lines tell.
+struct Cast {
+  space::RayGrid grid;
+  space::RaySummary summary;
+  std::string lines;
+  space::RaySurface surface;  // of three axes only
+  std::optional<space::RayExtreme::Found> extreme;
+  std::vector<space::RayInterval> intervals;  // where an objective wants them
+};
+
+/// Of a coordinate or the distance to a point.
+space::RayAim aim_of(const Session& session, const Session::Goal& goal);
+io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step);
+/// Of a distance. Refers to the solver.
+RayObjective objective_of(const situation::SpaceSolver& solver, const Session::Goal& goal);
+std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step);
+/// Of an atom with `-> min`.
+io::RayOptimum least_of(const situation::LeastOf& found);
+std::string optimum_text(const io::RayOptimum& found, bool on_lines);
+
+}  // namespace findspace::app

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "situation/surface_rays.h"
+
+#include <algorithm>
+
+#include "space/facet_rays.h"
+#include "space/ray_ball.h"
+#include "space/ray_pair.h"
+
+namespace findspace::situation {
+
+using exact::Real;
+using space::BallRays;
+using space::PairRays;
+using space::RayGrid;
+using space::RayRow;
+using space::RaySolid;
+using space::RaySource;
+
+namespace {
+
+/// Pairs of triangles up to which the convex parts are quicker.
+constexpr std::size_t kFewPairs = 1500;
+
+bool large(const std::vector<RaySolid>& a, const std::vector<RaySolid>& b) {
+  const auto faces = [](const std::vector<RaySolid>& all) {
+    std::size_t sum = 0;
+    for (const RaySolid& s : all) sum += s.surface.faces.size();
+    return sum;
+  };
+  return faces(a) * faces(b) > kFewPairs;
+}
+
+/// The sign of gamma1(b + p, a) - level, where surfaces answer it.
+std::unique_ptr<RaySource> gap(const RaySolid& b, const RaySolid& a, const Real& level, bool many,
+                               const RayGrid& grid) {
+  if (b.ball() && a.ball()) return nullptr;
+  if (!b.ball() && !a.ball()) {
+    if (level.sign() == 0) return std::make_unique<PairRays>(a.surface, b.surface, grid);
+    return level.sign() > 0 && many ? space::clearance_rays(a.surface, b.surface, level, grid) : nullptr;
+  }
+  const Real radius = (b.ball() ? b.radius : a.radius) + level;
+  // Deeper than the surface the positions are no body grown by a ball.
+  if (level.sign() < 0 || radius.sign() <= 0) return nullptr;
+  // |c + p - x| for x in a, or |c - p - x| for x in b: the distance of p to a - c, or to c - b.
+  return std::make_unique<BallRays>(
+      b.ball() ? space::moved(a.surface, -b.center) : space::moved(space::scaled(b.surface, -1), a.center), radius,
+      grid);
+}
+
+/// The sign of eta1(b + p, a) - level, where surfaces answer it.
+std::unique_ptr<RaySource> containment(const RaySolid& b, const RaySolid& a, const Real& level, bool many,
+                                       const RayGrid& grid) {
+  if (a.ball()) return nullptr;
+  if (!b.ball()) {
+    if (level.sign() == 0) return std::make_unique<PairRays>(a.surface, b.surface, grid, PairRays::Side::kComplement);
+    if (level.sign() > 0 || !many) return nullptr;
+    return space::clearance_rays(a.surface, b.surface, -level, grid, PairRays::Side::kComplement);
+  }
+  if (level.sign() > 0 || (b.radius - level).sign() <= 0) return nullptr;
+  return std::make_unique<BallRays>(space::moved(a.surface, -b.center), b.radius - level, grid,
+                                    BallRays::Side::kComplement);
+}
+
+RaySolid mirrored(RaySolid s) {
+  s.surface = space::scaled(std::move(s.surface), -1);
+  s.center = -s.center;
+  return s;
+}
+
+}  // namespace
+
+RayRow SurfaceRays::row(int j) const {
+  if (sources.size() == 1) return sources[0]->row(j);
+  std::vector<RayRow> rows;
+  for (const auto& s : sources) rows.push_back(s->row(j));
+  return space::combined(rows, [&](std::span<const std::int8_t> signs) {
+    return least ? *std::min_element(signs.begin(), signs.end()) : *std::max_element(signs.begin(), signs.end());
+  });
+}
+
+SurfaceRays surface_rays(distance::Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
+                         const Real& level, const RayGrid& grid) {
+  SurfaceRays result;
+  const auto add = [&](std::unique_ptr<RaySource> source) {
+    if (source) result.sources.push_back(std::move(source));
+  };
+  const bool many = large(a, b);
+  std::size_t wanted = 0;
+  if (which == distance::Which::kGamma1) {
+    for (const RaySolid& s : b) {
+      for (const RaySolid& t : a) add(gap(s, t, level, many, grid));
+    }
+    wanted = b.size() * a.size();
+  } else {
+    const bool cover = which == distance::Which::kDelta1;
+    const std::vector<RaySolid>&inner = cover ? a : b, &outer = cover ? b : a;
+    if (outer.size() != 1 || level.sign() > 0) return result;
+    result.least = false;
+    for (const RaySolid& s : inner) {
+      add(cover ? containment(mirrored(s), mirrored(outer[0]), level, many, grid)
+                : containment(s, outer[0], level, many, grid));
+    }
+    wanted = inner.size();
+  }
+  if (result.sources.size() != wanted) result.sources.clear();
+  return result;
+}
+
+}  // namespace findspace::situation

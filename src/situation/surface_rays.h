@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sign maps on rays of solids taken by their surfaces, without convex parts: gamma1 at level 0, above 0 of large ones
+// (space/facet_rays.h), and from 0 of a ball; eta1, mu and delta1 in a single solid at level 0, below 0 of large ones,
+// and up to 0 of a ball. Guarantee: exact on every line. Cost: one convolution a pair of solids.
+#pragma once
+
+#include <vector>
+
+#include "distance/shape_pair.h"
+#include "space/ray_solids.h"
+#include "space/ray_sources.h"
+
+namespace findspace::situation {
+
+/// One sign map: the least, or the greatest, of several. No sources: surfaces do not answer.
+struct SurfaceRays {
+  std::vector<space::RaySourcePointer> sources;
+  bool least = true;
+
+  space::RayRow row(int j) const;
+};
+
+/// `which` is kGamma1, kEta1, kMu or kDelta1; the level in grid steps.
+SurfaceRays surface_rays(distance::Which which, const std::vector<space::RaySolid>& b,
+                         const std::vector<space::RaySolid>& a, const exact::Real& level, const space::RayGrid& grid);
+
+}  // namespace findspace::situation
