@@ -48,18 +48,10 @@ Which signed_base(Kind kind) {
   return gamma ? Which::kGamma1 : eta ? Which::kEta1 : Which::kDelta1;
 }
 
-bool is_directional(const Distance& d) { return d.mode == Mode::kAlong || d.mode == Mode::kToward; }
-
 bool is_farthest(Kind kind) { return kind == Kind::kGamma2 || kind == Kind::kEta2 || kind == Kind::kDelta2; }
 
 [[noreturn]] void refuse(const Distance& d, const char* what) {
   throw Error(ErrorCode::kUnsupported, text(d) + ": " + what);
-}
-
-distance::Track track(const Distance& d) {
-  const auto direction = plane::primitive_direction({d.vector.at(0), d.vector.at(1)});
-  if (!direction) refuse(d, "the direction is no ratio of integers below 2^53; use fewer digits");
-  return {direction->x, direction->y, d.mode == Mode::kAlong};
 }
 
 }  // namespace
