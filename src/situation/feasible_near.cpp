@@ -86,19 +86,26 @@ class Near {
   Region run() {
     const Node& root = formula_.root();
     if (root.op != Node::Op::kAnd) return solver_.feasible(formula_);
-    std::vector<Formula> bounding, others;
+    std::vector<Formula> bounding, near;
+    std::vector<const Node*> others;
     for (const Node& operand : root.operands) {
-      std::vector<Atom> atoms;
-      Node copy = taken(operand, formula_, atoms);
-      (bounds(operand) ? bounding : others).push_back(Formula(std::move(copy), std::move(atoms)));
+      if (bounds(operand))
+        bounding.push_back(alone(operand));
+      else
+        others.push_back(&operand);
     }
     if (bounding.empty() || others.empty()) return solver_.feasible(formula_);
     Region room = solver_.feasible(conjunction(bounding));
     if (plane::is_empty(room)) return room;
     if (!plane::is_bounded(room)) return solver_.feasible(formula_);
     box_ = *plane::extent(room);
-    std::vector<std::optional<Region>> sets(others.size());
-    plane::parallel_for(others.size(), [&](std::size_t k) { sets[k] = set(others[k]); });
+    for (const Node* n : others) {
+      const std::optional<bool> all_over = where_all_is_far(*n);
+      if (!all_over) near.push_back(alone(*n));
+      if (all_over && !*all_over) return CellComplex::uniform(0);
+    }
+    std::vector<std::optional<Region>> sets(near.size());
+    plane::parallel_for(near.size(), [&](std::size_t k) { sets[k] = set(near[k]); });
     std::vector<const Region*> all{&room};
     for (const auto& s : sets)
       if (s) all.push_back(&*s);
@@ -106,6 +113,31 @@ class Near {
   }
 
  private:
+  Formula alone(const Node& node) const {
+    std::vector<Atom> atoms;
+    Node copy = taken(node, formula_, atoms);
+    return Formula(std::move(copy), std::move(atoms));
+  }
+
+  /// The truth of an atom of gamma1 whose shapes are too far away to touch, everywhere in the box.
+  std::optional<bool> where_all_is_far(const Node& node) {
+    if (node.op != Node::Op::kAtom) return std::nullopt;
+    const Atom& atom = formula_.atoms()[node.atom];
+    const Distance& d = atom.distance;
+    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || atom.level.sign() < 0) return std::nullopt;
+    const bool first = moves(d.first[0]);
+    if (!first && !moves(d.second[0])) return std::nullopt;
+    if (const auto& b = first ? d.first : d.second; b != reaching_) reaching_ = b, reach_ = plane::extent(united(b));
+    if (!reach_) return std::nullopt;
+    const PieceBox window = window_of(*reach_, atom.level / solver_.world().step);
+    for (const std::string& name : first ? d.second : d.first) {
+      const Region& a = solver_.world().shapes.at(name);
+      const auto box = plane::extent(a);
+      if (!plane::is_bounded(a) || (box && box->meets(window))) return std::nullopt;
+    }
+    return holds(atom, 1);
+  }
+
   bool moves(const std::string& name) const {
     const auto& moving = solver_.world().moving;
     return std::find(moving.begin(), moving.end(), name) != moving.end();
@@ -148,8 +180,7 @@ class Near {
     const Region b = united(d.first);
     const auto reach = plane::extent(b);
     if (!reach) return solver_.function(wanted.distance)->sign_map(level);
-    const PieceBox window =
-        grown({box_.x0 + reach->x0, box_.y0 + reach->y0, box_.x1 + reach->x1, box_.y1 + reach->y1}, level);
+    const PieceBox window = window_of(*reach, level);
     std::vector<Region> parts;
     for (const std::string& name : d.second) {
       const Region& a = solver_.world().shapes.at(name);
@@ -171,6 +202,11 @@ class Near {
     return all.size() == 1 ? *all[0] : plane::unite(all);
   }
 
+  /// Where a shape with that extent can come within the level of something, from the positions of the box.
+  PieceBox window_of(const PieceBox& reach, const Real& level) const {
+    return grown({box_.x0 + reach.x0, box_.y0 + reach.y0, box_.x1 + reach.x1, box_.y1 + reach.y1}, level);
+  }
+
   /// By the level and by more than all rounding.
   static PieceBox grown(const PieceBox& b, const Real& level) {
     const double size = std::max({std::abs(b.x0), std::abs(b.y0), std::abs(b.x1), std::abs(b.y1)});
@@ -181,6 +217,8 @@ class Near {
   const Solver& solver_;
   const Formula& formula_;
   PieceBox box_{};
+  std::vector<std::string> reaching_;  // shapes, and what they extend over
+  std::optional<PieceBox> reach_;
 };
 
 }  // namespace
