@@ -131,10 +131,15 @@ SignMap DirectionalFarthest::far_map(const Real& level, bool forward) const {
   });
 }
 
-SignMap DirectionalFarthest::sign_map(const Real& level) const {
-  if (!defined_ || level.sign() < 0) return CellComplex::uniform(1);
+std::vector<SignMap> DirectionalFarthest::parts(const Real& level) const {
   std::vector<SignMap> maps{near_map(level), far_map(level, true)};
   if (track_.both_ways) maps.push_back(far_map(level, false));
+  return maps;
+}
+
+SignMap DirectionalFarthest::sign_map(const Real& level) const {
+  if (!defined_ || level.sign() < 0) return CellComplex::uniform(1);
+  const std::vector<SignMap> maps = parts(level);
   std::vector<const CellComplex*> all;
   for (const SignMap& m : maps) all.push_back(&m);
   // Nothing of C within reach, or something beyond: +. All of it nearer: -.

@@ -33,12 +33,12 @@ class LevelSearch {
     Extremum out;
     if (plane::is_empty(s_) || !f_.defined()) return out;
     if (!bracket(out)) return out;
-    while (good_ - bad_ > std::max(0.25, std::abs(good_) * 0x1p-44)) {
-      const double middle = bad_ + (good_ - bad_) / 2;
-      (reaches(middle) ? good_ : bad_) = middle;
-    }
     out.exists = true;
-    finish(out, continuous);
+    narrow(0.25);
+    if (whole_number(out, continuous)) return out;
+    narrow(0x1p-20);
+    out.level = level(good_), out.attained = true;
+    out.at = point_set(one_point_a_component(probe(level(good_), s_)));
     return out;
   }
 
@@ -52,9 +52,11 @@ class LevelSearch {
     });
   }
   Real level(double number) const { return Real::from_double(turn_ * number); }
-  bool reaches(double number) const { return !plane::is_empty(plane::remark(probe(level(number), s_), any)); }
-  static Mark any(Mark k) { return Mark(k > 0); }
+  bool reaches(double number) const { return !plane::is_empty(probe(level(number), s_)); }
   static Mark on(Mark k) { return Mark(k == kOn); }
+  static bool has(const CellComplex& c, Mark wanted) {
+    return !plane::is_empty(plane::remark(c, [wanted](Mark k) { return Mark(k == wanted); }));
+  }
 
   /// The extremum into (bad, good], less being better; false where there is none.
   bool bracket(Extremum& out) {
@@ -66,29 +68,27 @@ class LevelSearch {
     return !out.unbounded;
   }
 
-  void finish(Extremum& out, bool continuous) const {
-    const double whole = std::round(good_);
-    if (whole >= bad_ && whole - good_ <= 0.5) {
-      const CellComplex at = probe(level(whole), s_);
-      const auto has = [&](Mark wanted) {
-        return !plane::is_empty(plane::remark(at, [wanted](Mark k) { return Mark(k == wanted); }));
-      };
-      if (!has(kBeyond) && has(kOn)) {
-        out.level = level(whole), out.proven = out.attained = true;
-        out.at = plane::remark(at, on);
-        return;
-      }
-      // Nothing of S is there, but everything beyond is: an infimum.
-      if (continuous && !has(kBeyond)) {
-        CellComplex limit = plane::remark(probe(level(whole), plane::closure(s_)), on);
-        if (!plane::is_empty(limit) && good_ >= whole) {
-          out.level = level(whole), out.proven = true, out.at = std::move(limit);
-          return;
-        }
-      }
+  /// Bisects to a width of so many steps, or 2^-48 of the value.
+  void narrow(double width) {
+    while (good_ - bad_ > std::max(width, std::abs(good_) * 0x1p-48)) {
+      const double middle = bad_ + (good_ - bad_) / 2;
+      (reaches(middle) ? good_ : bad_) = middle;
     }
-    out.level = level(good_), out.attained = true;
-    out.at = point_set(one_point_a_component(probe(level(good_), s_)));
+  }
+
+  /// Whether the extremum is the whole number in the bracket, with proof.
+  bool whole_number(Extremum& out, bool continuous) const {
+    const double whole = std::round(good_);
+    if (whole < bad_ || whole > good_) return false;
+    const CellComplex at = probe(level(whole), s_);
+    if (has(at, kBeyond)) return false;
+    out.attained = has(at, kOn);
+    // Where S has nothing there, its closure may: an infimum, of which all that is beyond is reached.
+    if (!out.attained && !continuous) return false;
+    out.at = plane::remark(out.attained ? at : probe(level(whole), plane::closure(s_)), on);
+    out.level = level(whole);
+    out.proven = out.attained || !plane::is_empty(out.at);
+    return out.proven;
   }
 
   const PositionFunction& f_;

@@ -3,11 +3,11 @@
 //
 // The least or greatest value over a set S of positions of any function that has exact sign maps: distances over time,
 // which are T-distances no more, and distances along a direction, which jump (extremum.h serves the others, and proves
-// more). Method: bisection on the level, each step one exact answer to "does S meet {f <= level}?". Guarantee: the value
-// is taken or approached on S and right to a quarter of a grid step or 2^-44 of itself, whichever is more; where it is a
-// whole number of grid steps, that is proven, and the positions are exact. A function that jumps may have an infimum
-// that nothing takes: then there are no positions. Cost: about 50 sign maps and overlays. Keywords: argmin, bisection,
-// constrained minimum.
+// more). Method: bisection on the level, each step one exact answer to "does S meet {f <= level}?". Guarantee: where
+// the value is a whole number of grid steps, that is proven, and the positions are exact; else it is given from the
+// side of S, right to 2^-20 of a grid step or 2^-48 of itself, whichever is more. A function that jumps may have an
+// infimum that nothing takes; its value is then approached. Cost: 50 to 80 sign maps and overlays. Keywords: argmin,
+// bisection, constrained minimum.
 #pragma once
 
 #include "distance/extremum.h"

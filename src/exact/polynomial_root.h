@@ -8,8 +8,8 @@
 // them and at the ends tell where it has roots; where the derivative has none, as seen in intervals, at once. A root of
 // P that is one of P' as well is found as that, where it is simple or a root of P'' in turn. A root is kept as a square
 // root where the degree is 2, else as a leaf of the expression graph with its polynomial (real_node.h).
-// Guarantee: all roots in the interval, each once, exact. Cost: a few signs; where P and P' nearly have a common root, a
-// few signs of P at roots of P'. Source: the method of Rolle; Mignotte, Mathematics for Computer Algebra (1992).
+// Guarantee: all roots in the interval, each once, exact. Cost: a few signs; where P and P' nearly have a common root,
+// a few signs of P at roots of P'. Source: the method of Rolle; Mignotte, Mathematics for Computer Algebra (1992).
 // Keywords: real root isolation, algebraic number, RootOf.
 #pragma once
 

@@ -81,8 +81,8 @@ class Ball {
 
   void set(mpz_srcptr value);
   void set(std::int64_t value);
-  void set(const Ball& a);            // of any precision
-  void set_middle(const Ball& a);     // radius 0
+  void set(const Ball& a);                           // of any precision
+  void set_middle(const Ball& a);                    // radius 0
   void set_between(const Ball& lo, const Ball& hi);  // contains both and all between
   void negate(const Ball& a);
   void add(const Ball& a, const Ball& b);

@@ -64,7 +64,6 @@ Bound bound_of(const Step& step, const std::vector<Bound>& bounds) {
   return {};
 }
 
-
 /// Of the square roots.
 double log2_degree(const Plan& plan) {
   // Products of the independent n found so far, modulo squares; past kMostProducts new ones are taken as independent.

@@ -3,7 +3,8 @@
 //
 // A plan is the expression graph below one Real as a flat list of steps, operands before their users, in which equal
 // subexpressions are one step (value numbering). So evaluation is a loop, a root written twice counts once, and a graph
-// of any depth needs no stack. Its value's root separation bound: real_bound.h. Internal to src/exact. Keywords: common subexpression elimination, root bound.
+// of any depth needs no stack. Its value's root separation bound: real_bound.h. Internal to src/exact. Keywords: common
+// subexpression elimination, root bound.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +22,9 @@ struct Step {
   int a = -1, b = -1;            // operands; of a quadratic leaf, a is the step of its sqrt(n)
   const Closed* leaf = nullptr;  // of kLeaf, and of kPlainRoot the leaf whose n it is
   const RootNode* polynomial = nullptr;
-  Interval interval;             // the known enclosure
-  Small small;                   // of kSmall
-  int first = 0;                 // of kPolynomialRoot: where its coefficients begin in Plan::coefficients()
+  Interval interval;  // the known enclosure
+  Small small;        // of kSmall
+  int first = 0;      // of kPolynomialRoot: where its coefficients begin in Plan::coefficients()
 };
 
 /// From 64-bit keys to step numbers: open addressing, no deletion.

@@ -99,8 +99,7 @@ const Ball& RootBalls::at(const std::vector<Real>& polynomial, mpfr_prec_t preci
   while ((mpfr_prec_t(128) << level) < precision) ++level;
   while (levels_.size() <= level) {
     const Ball* start = levels_.empty() ? nullptr : &levels_.back()->ball;
-    levels_.push_back(
-        std::make_unique<OwnBall>(refined(polynomial, mpfr_prec_t(128) << levels_.size(), start)));
+    levels_.push_back(std::make_unique<OwnBall>(refined(polynomial, mpfr_prec_t(128) << levels_.size(), start)));
   }
   return levels_[level]->ball;
 }

@@ -152,8 +152,8 @@ bool World::holds(std::string_view formula, const Point& p) const {
 
 Optimum World::minimize(std::string_view objective, std::string_view formula) const {
   const situation::Objective wanted = situation::parse_objective(objective, data_->context);
-  situation::Optimum best = situation::optimize(situation::feasible_near(data_->solver, data_->formula(formula)), wanted,
-                                                distance::Sense::kMinimum, data_->solver);
+  situation::Optimum best = situation::optimize(situation::feasible_near(data_->solver, data_->formula(formula)),
+                                                wanted, distance::Sense::kMinimum, data_->solver);
   return {best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
           data_->region(std::move(best.at))};
 }

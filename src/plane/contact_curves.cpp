@@ -112,9 +112,7 @@ RealVector exact_normal(const EdgeFeature& e) { return e.side > 0 ? turned_left(
 
 namespace {
 
-Real times_length(const Real& r, const RealVector& n) {
-  return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n));
-}
+Real times_length(const Real& r, const RealVector& n) { return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n)); }
 
 }  // namespace
 
@@ -162,15 +160,21 @@ ExactSectorCurve ContactCurves::exact_sector(const ContactPair& k, int quarters)
     const RoundFeature& b = turning_.rounds[k.turning];
     const RealVector n = exact_normal(a);
     const Real own = plane::dot(n, a.p) + times_length(b.radius, n);
-    return {true, TurnPolynomial::constant(n.x), TurnPolynomial::constant(n.y),
-            TurnPolynomial::constant(own) - dot_turned(n, b.center), {}};
+    return {true,
+            TurnPolynomial::constant(n.x),
+            TurnPolynomial::constant(n.y),
+            TurnPolynomial::constant(own) - dot_turned(n, b.center),
+            {}};
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
   const EdgeFeature& b = turning_.edges[k.turning];
   const RealVector n = exact_normal(b), back = -n;
   const Real own = times_length(a.radius, n) + plane::dot(n, b.p);
-  return {true, linear(0, back.x, -back.y), linear(0, back.y, back.x),
-          dot_turned(a.center, back) + TurnPolynomial::constant(own), {}};
+  return {true,
+          linear(0, back.x, -back.y),
+          linear(0, back.y, back.x),
+          dot_turned(a.center, back) + TurnPolynomial::constant(own),
+          {}};
 }
 
 SectorCurve ContactCurves::sector(const ContactPair& k, double middle) const {

@@ -4,9 +4,10 @@
 // The positions s in which a set B, turned by an angle and moved by s, touches a set A: curves, one for each pair of
 // features with opposite normals (contact_features.h). An edge and a round give a segment, two rounds a part of a
 // circle, or a point where the radii cancel. Each curve as numbers at an angle, exactly at an exact turn, and for a
-// sector as polynomials of the half angle, in doubles or exact. With u the normal at the contact, pointing from A to B, B goes free of A
-// by moving along u: a round pair touches at s = center + radius * u, a segment has one u. Guarantee: rough numbers and
-// polynomials to about 1e-14 of the sizes, exact curves exact. Keywords: c-space obstacle boundary, moving convolution.
+// sector as polynomials of the half angle, in doubles or exact. With u the normal at the contact, pointing from A to B,
+// B goes free of A by moving along u: a round pair touches at s = center + radius * u, a segment has one u. Guarantee:
+// rough numbers and polynomials to about 1e-14 of the sizes, exact curves exact. Keywords: c-space obstacle boundary,
+// moving convolution.
 #pragma once
 
 #include "plane/contact_features.h"

@@ -116,8 +116,8 @@ std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& c, doub
     const RoughCurve &a = c[std::size_t(k)], &b = c[std::size_t((k + 1) % 3)], &d = c[std::size_t((k + 2) % 3)];
     for (const RoughMeeting& m : rough_meetings(a, b, room / 1000)) {
       const RoughPoint s = m.at;
-      const double reach = room + m.off, off =
-          d.line ? std::abs(dot(d.normal, s) - d.offset()) : std::abs(std::abs(s - d.center) - std::abs(d.radius));
+      const double reach = room + m.off, off = d.line ? std::abs(dot(d.normal, s) - d.offset())
+                                                      : std::abs(std::abs(s - d.center) - std::abs(d.radius));
       if (off > reach || !a.holds(s, reach) || !b.holds(s, reach) || !d.holds(s, reach)) continue;
       // Some direction has a positive part along all three normals exactly if they lie in an open half plane.
       std::array<RoughPoint, 3> u{a.normal_at(s), b.normal_at(s), d.normal_at(s)};

@@ -26,9 +26,7 @@ constexpr double kWide = 1e-4;                    // no sign: of places; in wide
 
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
 
-Real times_length(const Real& r, const RealVector& n) {
-  return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n));
-}
+Real times_length(const Real& r, const RealVector& n) { return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n)); }
 
 }  // namespace
 
@@ -43,10 +41,14 @@ FreeSector::Equation FreeSector::turned_gap(const RealVector& v, const RealVecto
 }
 
 FreeSector::FreeSector(const FreeQuestion& question, double middle, double half)
-    : q_(question), middle_(middle), half_(half), level_(question.level.to_double()) {}
+    : q_(question),
+      middle_(middle),
+      half_(half),
+      level_(question.level.to_double()),
+      reach_(question.turning.reach()) {}
 
 void FreeSector::run(std::vector<ContactPair> pairs) {
-  const double travel = half_ * q_.turning.reach();
+  const double travel = half_ * reach_;
   if (!q_.far) {
     std::erase_if(
         pairs, [&](const ContactPair& k) { return q_.curves.rough(k, middle_).least() > level_ + travel + q_.room; });
@@ -54,16 +56,16 @@ void FreeSector::run(std::vector<ContactPair> pairs) {
   if (pairs.size() > kFew && half_ > kNarrow) return halve(pairs);
   pairs_ = std::move(pairs);
   for (const ContactPair& k : pairs_) forms_.push_back(q_.curves.sector(k, middle_));
-  find_corners();
+  find_spots();
   const std::size_t n = pairs_.size();
   for (std::size_t i = 0; i < n; ++i) {
     single(i);
     for (std::size_t k = i + 1; k < n; ++k) {
       touching(i, k);
-      if (corners_[i * n + k] == 0) continue;
-      corner(i, k);
+      if (!spot(i, k).possible) continue;
+      if (may_be_at_level(spot(i, k))) corner(i, k);
       for (std::size_t m = k + 1; m < n; ++m) {
-        if (corners_[i * n + m] != 0 && corners_[k * n + m] != 0) meeting(i, k, m);
+        if (may_meet(i, k, m) && may_meet(i, m, k) && may_meet(k, m, i)) meeting(i, k, m);
       }
     }
   }
@@ -77,32 +79,45 @@ void FreeSector::halve(const std::vector<ContactPair>& pairs) {
   }
 }
 
-/// Which two curves may meet in a point of F. Two lines do not where their meeting point in the middle of the
-/// sector is farther from F, or from where the level matters, than it and B's points can travel until the sector's
-/// ends.
-void FreeSector::find_corners() {
+/// Where two curves may meet in a point of F.
+void FreeSector::find_spots() {
   const std::size_t n = pairs_.size();
-  corners_.assign(n * n, 1);
-  std::vector<RoughCurve> curves;
-  for (const ContactPair& k : pairs_) curves.push_back(q_.curves.rough(k, middle_));
+  spots_.resize(n * n);
+  for (const ContactPair& k : pairs_) curves_.push_back(q_.curves.rough(k, middle_));
   const RoughSet there = q_.turning.turned(std::polar(1.0, middle_));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = i + 1; k < n; ++k) {
-      if (curves[i].line && curves[k].line) corners_[i * n + k] = Mark(may_meet(curves[i], curves[k], there));
+      if (curves_[i].line && curves_[k].line) spots_[i * n + k] = spot_of(curves_[i], curves_[k], there);
     }
   }
 }
 
-bool FreeSector::may_meet(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const {
+/// Two lines meet in no point of F where their meeting point in the middle of the sector is farther from F, or from
+/// where the level matters, than it and B's points can travel until the sector's ends.
+FreeSector::Spot FreeSector::spot_of(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const {
   // On both segments, s is at most B's reach from where each is hinged, so each passes it at that speed.
   const double sine = std::abs((std::conj(c.normal) * d.normal).imag());
-  if (sine < 4 * half_) return true;
-  const RoughPoint s = rough_meetings(c, d, q_.room).at(0).at;
-  const double reach = q_.turning.reach(), travel = 2 * half_ * reach / (sine - 2 * half_) * 1.5;
-  const double room = travel + half_ * reach + q_.room;
-  if (!c.holds(s, 2 * room) || !d.holds(s, 2 * room)) return false;
-  if (!q_.far && std::abs(s) > level_ + room) return false;
-  return !well_inside(there, q_.open, s, room);
+  if (sine < 4 * half_) return {};
+  Spot out;
+  out.at = rough_meetings(c, d, q_.room).at(0).at;
+  out.travel = 2 * half_ * reach_ / (sine - 2 * half_) * 1.5;
+  const double room = out.travel + half_ * reach_ + q_.room;
+  out.possible = c.holds(out.at, 2 * room) && d.holds(out.at, 2 * room) &&
+                 (q_.far || std::abs(out.at) <= level_ + room) && !well_inside(there, q_.open, out.at, room);
+  return out;
+}
+
+bool FreeSector::may_be_at_level(const Spot& spot) const {
+  return std::abs(std::abs(spot.at) - level_) <= spot.travel + q_.room;
+}
+
+/// Whether the third curve, which passes its points at the speed of B's reach as well, comes to the spot of two.
+bool FreeSector::may_meet(std::size_t i, std::size_t k, std::size_t third) const {
+  const Spot& s = spot(i, k);
+  if (!s.possible) return false;
+  const RoughCurve& c = curves_[third];
+  const double off = c.line ? dot(c.normal, s.at) - c.offset() : std::abs(s.at - c.center) - std::abs(c.radius);
+  return std::abs(off) <= s.travel + half_ * reach_ * 1.01 + q_.room;
 }
 
 /// Whether F can have a part within `room` of s, at that angle.
@@ -111,7 +126,9 @@ bool FreeSector::possible(double angle, RoughPoint s, double room) const {
   return !surely_meets(q_.turning.turned(std::polar(1.0, angle)), q_.open, s, q_.either_way, room);
 }
 
-bool FreeSector::in_sector(double angle) const { return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + kSlack; }
+bool FreeSector::in_sector(double angle) const {
+  return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + kSlack;
+}
 
 /// The turns of the equation in the sector that `witness(angle)` admits.
 template <class Witness>
@@ -184,7 +201,8 @@ void FreeSector::touching(std::size_t i, std::size_t j) {
       if (!c.allows(u, kNormals) && c.allows(-u, kNormals)) u = -u;
     }
     const RoughPoint s = c.center + c.radius * u;
-    return c.allows(u, kNormals) && (d.line ? d.holds(s, q_.room) : d.allows(-u, kNormals)) && possible(angle, s, q_.room);
+    return c.allows(u, kNormals) && (d.line ? d.holds(s, q_.room) : d.allows(-u, kNormals)) &&
+           possible(angle, s, q_.room);
   };
   if (lines) return parallel_lines(*k, *m, witness);
   const RoundFeature &a = q_.curves.fixed().rounds[k->fixed], &b = q_.curves.turning().rounds[k->turning];
@@ -262,7 +280,7 @@ void FreeSector::add_roots(const RootPlace& place, Make polynomial) {
 
 /// Two curves that meet exactly the level away.
 void FreeSector::corner(std::size_t i, std::size_t k) {
-  const double span = std::tan(half_ / 2) * (1 + kSlack), reach = 4 * q_.turning.reach();
+  const double span = std::tan(half_ / 2) * (1 + kSlack), reach = 4 * reach_;
   const auto polynomial = [&](int quarters) {
     const auto [f, g] = corner_lines(exact_form(i, quarters), exact_form(k, quarters), q_.level);
     const auto m = plane::meeting(f, g);
@@ -283,7 +301,7 @@ void FreeSector::corner(std::size_t i, std::size_t k) {
 
 /// Three curves that meet in one point, B being held there.
 void FreeSector::meeting(std::size_t i, std::size_t k, std::size_t m) {
-  const double span = std::tan(half_ / 2) * (1 + kSlack), reach = 4 * q_.turning.reach();
+  const double span = std::tan(half_ / 2) * (1 + kSlack), reach = 4 * reach_;
   const auto polynomial = [&](int quarters) {
     const auto all = ordered(exact_form(i, quarters), exact_form(k, quarters), exact_form(m, quarters));
     const auto [f, g] = meeting_lines(all);

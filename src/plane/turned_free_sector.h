@@ -5,6 +5,7 @@
 // many.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,8 +31,17 @@ class FreeSector {
   static Equation turned_gap(const RealVector& v, const RealVector& w, const exact::Real& r);
 
   void halve(const std::vector<ContactPair>& pairs);
-  void find_corners();
-  bool may_meet(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const;
+  /// Where two curves meet in the middle of the sector, and how far that point can travel until its ends.
+  struct Spot {
+    bool possible = true;
+    RoughPoint at;
+    double travel = std::numeric_limits<double>::infinity();
+  };
+  const Spot& spot(std::size_t i, std::size_t k) const { return spots_[i * pairs_.size() + k]; }  // i < k
+  void find_spots();
+  Spot spot_of(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const;
+  bool may_be_at_level(const Spot& spot) const;
+  bool may_meet(std::size_t i, std::size_t k, std::size_t third) const;
   bool possible(double angle, RoughPoint s, double room) const;
   bool in_sector(double angle) const;
 
@@ -56,11 +66,12 @@ class FreeSector {
   void add(exact::Turn t);
 
   const FreeQuestion& q_;
-  double middle_, half_, level_;
+  double middle_, half_, level_, reach_;
   std::vector<ContactPair> pairs_;
   std::vector<SectorCurve> forms_;
   std::vector<std::optional<ExactSectorCurve>> exact_forms_;  // by quarters and curve, where they were needed
-  std::vector<Mark> corners_;                                 // by pairs of curves: they may meet in F
+  std::vector<RoughCurve> curves_;                            // in the middle
+  std::vector<Spot> spots_;                                   // by pairs of curves
 };
 
 }  // namespace findspace::plane

@@ -5,6 +5,7 @@
 
 #include "distance/coordinate.h"
 #include "distance/farthest.h"
+#include "distance/level_extremum.h"
 #include "findspace/error.h"
 
 namespace findspace::situation {
@@ -47,7 +48,12 @@ Optimum optimize(const plane::Region& region, const Objective& objective, Sense 
     case Objective::Kind::kDistance:
       break;
   }
-  Sense of_distance = objective.negated ? opposite(sense) : sense;
+  const Sense of_distance = objective.negated ? opposite(sense) : sense;
+  if (solver.world().motion.given() || objective.distance.mode != Mode::kPlain) {
+    const bool continuous = objective.distance.mode == Mode::kPlain;
+    return optimum(level_extremum(*solver.function(objective.distance), region, of_distance, continuous), step,
+                   objective.negated);
+  }
   return optimum(extremum(*solver.distance(objective.distance), region, of_distance), step, objective.negated);
 }
 

@@ -218,8 +218,9 @@ std::string Reader::shape(std::string_view word) {
 }
 
 void Reader::fail_unknown_shape(const Token& token) const {
-  std::string hint = question(token.text, names_);
-  if (hint.empty()) hint = names_.empty() ? "; the scene has no shapes" : "; the shapes are " + listed(names_);
+  const std::vector<std::string> known = names();
+  std::string hint = question(token.text, known);
+  if (hint.empty()) hint = known.empty() ? "; the scene has no shapes" : "; the shapes are " + listed(known);
   if (token.text == "self" || token.text == "other") {
     hint = token.text == "self"
                ? "; it is the shape being placed, in a placement's \"each\", \"pairs\" and \"minimize\""

@@ -31,13 +31,18 @@ Reader::Reader(std::string_view text, const Context& context)
     : source_(text),
       context_(context),
       tokens_(tokenize(text)),
-      names_(context.shapes),
-      known_(names_.begin(), names_.end()) {
-  for (const auto* more : {&context.moving, &context.extra}) {
+      known_(context.shapes.begin(), context.shapes.end(), 2 * context.shapes.size()) {
+  for (const auto* more : {&context.moving, &context.extra}) known_.insert(more->begin(), more->end());
+}
+
+std::vector<std::string> Reader::names() const {
+  std::vector<std::string> out = context_.shapes;
+  for (const auto* more : {&context_.moving, &context_.extra}) {
     for (const std::string& name : *more) {
-      if (known_.insert(name).second) names_.push_back(name);
+      if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
     }
   }
+  return out;
 }
 
 const Token& Reader::peek(std::size_t ahead) const {

@@ -112,6 +112,7 @@ class Reader {
   void direction(Call& call, std::string_view word, bool is_predicate);
   std::vector<std::string> shapes(std::string_view word);
   std::string shape(std::string_view word);
+  std::vector<std::string> names() const;  // all known shapes, in the order given
   [[noreturn]] void fail_unknown_shape(const Token& token) const;
   bool moves(const std::string& name) const;
   bool moves(const std::vector<std::string>& names, Span span) const;
@@ -120,8 +121,7 @@ class Reader {
   Source source_;
   const Context& context_;
   std::vector<Token> tokens_;
-  std::vector<std::string> names_;  // all known shapes, in the order given
-  std::unordered_set<std::string> known_;
+  std::unordered_set<std::string_view> known_;  // shapes, by names in the context
   std::size_t at_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include "distance/directional.h"
 #include "distance/directional_least.h"
 #include "distance/extremum.h"
+#include "distance/level_extremum.h"
 #include "distance/over_time.h"
 #include "distance/turning_positions.h"
 #include "findspace/error.h"
@@ -49,18 +50,10 @@ Which signed_base(Kind kind) {
   return gamma ? Which::kGamma1 : eta ? Which::kEta1 : Which::kDelta1;
 }
 
-bool is_directional(const Distance& d) { return d.mode == Mode::kAlong || d.mode == Mode::kToward; }
-
 bool is_farthest(Kind kind) { return kind == Kind::kGamma2 || kind == Kind::kEta2 || kind == Kind::kDelta2; }
 
 [[noreturn]] void refuse(const Distance& d, const char* what) {
   throw Error(ErrorCode::kUnsupported, text(d) + ": " + what);
-}
-
-distance::Track track(const Distance& d) {
-  const auto direction = plane::primitive_direction({d.vector.at(0), d.vector.at(1)});
-  if (!direction) refuse(d, "the direction is no ratio of integers below 2^53; use fewer digits");
-  return {direction->x, direction->y, d.mode == Mode::kAlong};
 }
 
 }  // namespace
@@ -174,12 +167,15 @@ plane::SignMap Solver::sign_map(const SignMap& wanted) const {
 }
 
 distance::Extremum Solver::least_directional(const Distance& wanted) const {
-  if (world_.motion.given())
-    refuse(wanted, "the least and greatest values over positions are not computed with a motion");
   const Roles r = roles(wanted);
   auto base = pair(r.names)->pair().distance(signed_base(r.wanted.kind));
   return distance::least_directional(static_cast<const distance::SignedDistance&>(*base).base(), track(r.wanted),
                                      is_farthest(r.wanted.kind));
+}
+
+distance::Extremum Solver::least_over_time(const Distance& wanted) const {
+  return level_extremum(*function(wanted), CellComplex::uniform(1), distance::Sense::kMinimum,
+                        wanted.mode == Mode::kPlain);
 }
 
 distance::Extremum Solver::least(const Distance& wanted) const {
@@ -189,7 +185,9 @@ distance::Extremum Solver::least(const Distance& wanted) const {
     auto found = cache_->least.find(key);
     if (found != cache_->least.end()) return found->second;
   }
-  distance::Extremum e = is_directional(wanted) ? least_directional(wanted) : distance::least(*distance(wanted));
+  distance::Extremum e = world_.motion.given()    ? least_over_time(wanted)
+                         : is_directional(wanted) ? least_directional(wanted)
+                                                  : distance::least(*distance(wanted));
   std::lock_guard lock(cache_->guard);
   return cache_->least.emplace(key, std::move(e)).first->second;
 }

@@ -148,6 +148,7 @@ class Solver {
                                                  const exact::RealPoint& p) const;
   std::vector<Distance> all_distances() const;
   distance::Extremum least_directional(const Distance& wanted) const;
+  distance::Extremum least_over_time(const Distance& wanted) const;
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
   DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;
   std::int8_t sign(const SignMap& wanted, const exact::RealPoint& p) const;

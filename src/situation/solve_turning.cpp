@@ -5,11 +5,13 @@
 
 #include <algorithm>
 
+#include "distance/turned_directional.h"
 #include "distance/turning.h"
 #include "findspace/error.h"
 #include "plane/real_vector.h"
 #include "situation/evaluate.h"
 #include "situation/text.h"
+#include "situation/which.h"
 
 namespace findspace::situation {
 
@@ -74,8 +76,6 @@ bool truth(const Node& node, const std::vector<AtomAt>& atoms) {
 }
 
 void require_static(const Distance& d) {
-  if (d.mode == Mode::kAlong || d.mode == Mode::kToward)
-    refuse(d, "a distance along a direction is not computed over all angles");
   if (d.prefix != Extremum::kNone) refuse(d, "a distance over time is not computed over all angles, nor at an angle");
 }
 
@@ -143,6 +143,20 @@ TurnSolver::Circle TurnSolver::circle(const Distance& d) const {
   return there.circle(d);
 }
 
+TurnMap TurnSolver::directional_map(const Distance& wanted, const Real& level) const {
+  const RealPoint to = about_ + in_steps(pose_.at, solver_.world().step);
+  const Distance d = moving_first(wanted, solver_.world().moving);
+  const Which which = solver_.which(d);
+  bool farthest = false;
+  const Which base = base_of(which, farthest);
+  if (level.sign() == 0 && !farthest) return turned(d, about_, to).pair.sign_map(base, level);
+  const plane::Region b = solver_.shape(d.first), a = solver_.shape(d.second);
+  if (auto map = distance::turned_directional({b, a, about_, to}, which, track(d), level)) return *std::move(map);
+  refuse(wanted,
+         "of distances along a direction, computed over all angles are gamma1 from 0 up, eta1 up to 0, gamma2, and "
+         "delta1 at 0");
+}
+
 TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
   const Distance& d = wanted.distance;
   require_static(d);
@@ -157,6 +171,7 @@ TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
     const Circle c = circle(d);
     return c.farthest ? farthest_turning_sign_map(c.base, wanted.level) : turning_sign_map(c.base, wanted.level);
   }
+  if (is_directional(d)) return directional_map(d, wanted.level / step);
   const Turned t = turned(d, about_, about_ + in_steps(pose_.at, step));
   try {
     return t.pair.sign_map(t.which, wanted.level / step);
@@ -195,7 +210,7 @@ TurnMap TurnSolver::feasible(const Formula& formula) const {
 AtomAt TurnSolver::check_plain(const Formula& whole, std::size_t index) const {
   const Atom& atom = whole.atoms()[index];
   AtomAt out = turned_solver().check(Formula(atom), pose_.at).atoms.at(0);
-  if (is_quarters(pose_.degrees) || atom.minimum || atom.distance.mode != Mode::kPlain) return out;
+  if (is_quarters(pose_.degrees) || atom.minimum || atom.distance.mode == Mode::kTurning) return out;
   // The truth from the exact circle, where there is one: rounding must not decide a contact.
   try {
     const TurnMap map = sign_map(whole.sign_maps()[whole.sign_map_of(index)]);

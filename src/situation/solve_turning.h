@@ -3,7 +3,8 @@
 //
 // A formula over all angles of the moving shape, and at one pose. The moving shape B is turned about a point of its
 // own, then moved by a position: { at + about + turned(b - about) : b in B }. Plain distances are functions of the
-// angle (turned_pair.h); those with turning=(x, y) count degrees to the next contact (turning.h). All sign maps of a
+// angle (turned_pair.h), those along a direction as well (turned_directional.h); those with turning=(x, y) count
+// degrees to the next contact (turning.h). All sign maps of a
 // formula are laid over each other on the circle. Guarantee: the exact set of angles, single ones and sliding contacts
 // included. Throws Error(kUnsupported) for distances that are not computed over all angles. Keywords: angular interval,
 // orientation map, rotational configuration space.
@@ -54,6 +55,7 @@ class TurnSolver {
     distance::Which which;
   };
   plane::TurnMap sign_map(const SignMap& wanted) const;
+  plane::TurnMap directional_map(const Distance& wanted, const exact::Real& level) const;
   /// The map of -, 0, + that a turning distance is measured in, and where on it the pose is.
   struct Circle {
     plane::TurnMap base;

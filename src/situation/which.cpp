@@ -3,6 +3,10 @@
 
 #include "situation/which.h"
 
+#include "findspace/error.h"
+#include "plane/swept.h"
+#include "situation/text.h"
+
 namespace findspace::situation {
 
 using distance::Which;
@@ -39,6 +43,17 @@ Which which(Kind kind, bool second_moves) {
       return Which::kPenetration;
   }
   return Which::kGamma1;
+}
+
+bool is_directional(const Distance& d) { return d.mode == Mode::kAlong || d.mode == Mode::kToward; }
+
+distance::Track track(const Distance& d) {
+  const auto direction = plane::primitive_direction({d.vector.at(0), d.vector.at(1)});
+  if (!direction) {
+    throw Error(ErrorCode::kUnsupported,
+                text(d) + ": the direction is no ratio of integers below 2^53; use fewer digits");
+  }
+  return {direction->x, direction->y, d.mode == Mode::kAlong};
 }
 
 }  // namespace findspace::situation

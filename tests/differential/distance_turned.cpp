@@ -8,9 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <random>
 
 #include "../unit/distance_shapes.h"
+#include "distance/turned_directional.h"
 #include "distance/turned_pair.h"
 #include "plane/transform.h"
 
@@ -175,6 +177,86 @@ TEST(TurnedPair, FreePositionsAgreeWithTurnedShapes) {
   }
   EXPECT_GT(seen[0], 20);
   EXPECT_GT(seen[1], 4);
+}
+
+PositionFunctionPointer directional(const Figure& b, const Figure& a, Which which, const Track& track) {
+  const ShapePair pair(b.region(), a.region());
+  plane::SignMap base = pair.distance(which == Which::kEta1 ? Which::kEta1 : Which::kGamma1)->sign_map(Real());
+  if (which == Which::kGamma2) return std::make_shared<DirectionalFarthest>(std::move(base), track);
+  return std::make_shared<DirectionalSigned>(std::move(base), track);
+}
+
+/// Along a direction, both ways and one way: the sign maps of turned shapes at the same position. The level is the
+/// value at one of the angles, where there is one.
+TEST(TurnedPair, DirectionalAgreesWithTurnedShapes) {
+  Figures figures(23);
+  constexpr std::array kinds{Which::kGamma1, Which::kGamma2, Which::kEta1};
+  constexpr std::array<GridPoint, 5> kWays{{{1, 0}, {0, 1}, {3, 4}, {-2, 1}, {-1, -3}}};
+  std::array<int, 3> seen{};
+  for (int trial = 0; trial < 45; ++trial) {
+    const Figure b = figures.figure(), a = figures.figure();
+    const Which which = kinds[std::size_t(trial) % kinds.size()];
+    const GridPoint way = kWays[std::size_t(trial) % kWays.size()];
+    const Track track{way.x, way.y, trial % 2 == 0};
+    const Real side(which == Which::kEta1 ? -1 : 1);
+    Real level = side * Real(figures.number(1, 3) * kUnit);
+    const Pythagorean one = angles()[std::size_t(trial) % angles().size()];
+    const auto value = directional(b.turned(one.c, one.s, one.n), a, which, track)->value({});
+    if (value && !value->minus_infinity && (side * value->value).sign() > 0) level = value->value;
+    const Region turning = b.region(), fixed = a.region();
+    const auto map = turned_directional({turning, fixed, {}, {}}, which, track, level);
+    ASSERT_TRUE(map.has_value());
+    for (const Pythagorean& p : angles()) {
+      const plane::Mark sign =
+          testing::sign_at(directional(b.turned(p.c, p.s, p.n), a, which, track)->sign_map(level), testing::at(0, 0));
+      ++seen[std::size_t(sign + 1)];
+      EXPECT_EQ(mark_at(*map, p.angle()), sign) << "trial " << trial << " which " << int(which) << " level "
+                                                << level.text() << " angle " << p.c << "," << p.s;
+    }
+  }
+  EXPECT_GT(seen[0], 20);
+  EXPECT_GT(seen[1], 4);
+  EXPECT_GT(seen[2], 20);
+  const Region square = figures.figure().region();
+  for (const Which which : {Which::kDelta1, Which::kDelta2, Which::kEta2})
+    EXPECT_FALSE(turned_directional({square, square, {}, {}}, which, {1, 0, true}, Real(1)).has_value());
+}
+
+/// An end that is a root of high degree lies between angles a thousandth apart at which turned shapes, on a lattice
+/// fine enough for these angles, have the signs of its two sides.
+TEST(TurnedPair, EndsAreWhereTheSignChanges) {
+  Figures figures(29);
+  constexpr std::array kinds{Which::kGamma1, Which::kEta1, Which::kDelta1, Which::kEta2};
+  int ends = 0;
+  for (int trial = 0; trial < 24; ++trial) {
+    const Figure b = figures.figure(), a = figures.figure();
+    if (b.radius > 0 || a.radius > 0) continue;
+    const Which which = kinds[std::size_t(trial) % kinds.size()];
+    const std::int64_t steps = figures.number(2, 4) * kUnit * (which == Which::kGamma1 ? -1 : 1);
+    const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, Real(steps));
+    for (std::size_t k = 0; k < map.at.size(); ++k) {
+      for (const int side : {-1, 1}) {
+        // tan of half the angle is p / q; beyond its neighbours nothing is said.
+        constexpr std::int64_t q = 1009;
+        const double t = std::tan(map.at[k].degrees() * M_PI / 360);
+        if (std::abs(t) > 1) continue;
+        const auto p = std::int64_t(side < 0 ? std::floor(t * q - 0.01) : std::ceil(t * q + 0.01));
+        const Pythagorean near{q * q - p * p, 2 * p * q, q * q + p * p};
+        const std::size_t next = side < 0 ? (k + map.at.size() - 1) % map.at.size() : (k + 1) % map.at.size();
+        if (map.at.size() > 1 && std::abs(std::remainder(map.at[next].degrees() - map.at[k].degrees(), 360)) < 0.3)
+          continue;
+        Figure fine = b, other = a;
+        for (Figure* f : {&fine, &other}) {
+          for (auto* list : {&f->corners, &f->hole})
+            for (GridPoint& g : *list) g = {g.x * near.n, g.y * near.n};
+        }
+        ++ends;
+        EXPECT_EQ(mark_at(map, near.angle()), expected(fine, other, near, which, Real(steps) * Real(near.n)))
+            << "trial " << trial << " which " << int(which) << " end " << map.at[k].degrees() << " side " << side;
+      }
+    }
+  }
+  EXPECT_GT(ends, 12);
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "exact/polynomial_root.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "exact/polynomial_root.h"
 #include "exact/stages.h"
 #include "exact/turn_polynomial.h"
 
