@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-//
-// Best first: the boxes of least bound are divided in eight, a fixed number at a time whatever the number of threads.
+#include "distance/least_in_box.h"
+
 #include <algorithm>
 #include <queue>
 
-#include "distance/solid_least.h"
 #include "plane/parallel.h"
 
 namespace findspace::distance {

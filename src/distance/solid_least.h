@@ -15,26 +15,12 @@
 // ball, penetration depth, Lipschitz optimisation, branch and bound.
 #pragma once
 
-#include <functional>
-
+#include "distance/least_in_box.h"
 #include "distance/solid_pair.h"
 
 namespace findspace::distance {
 
-struct SolidLeast {
-  exact::Real value, bound;
-  bool proven = false;
-  space::RealVector at;
-};
-
 /// Both of one scale, B not `outside`; nothing where the distance is undefined.
 std::optional<SolidLeast> solid_least(Which which, const space::Body& b, const space::Body& a);
-
-inline constexpr int kMostValues = 20000;
-
-/// The least of a function that changes by at most the length of a step, over a box; `floor`: a bound that is known.
-/// `value` is called from many threads.
-SolidLeast least_in_box(const std::function<exact::Real(const space::RealVector&)>& value, const space::Vector& low,
-                        const space::Vector& high, double floor);
 
 }  // namespace findspace::distance
