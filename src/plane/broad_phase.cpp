@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "plane/small_sort.h"
 
@@ -48,11 +47,17 @@ CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std:
 void CellGrid::enter_sorted() {
   column_scale_ = 1 / std::max(box_.x1 - box_.x0, 1e-300);  // no sign: keeps the scale of a flat box finite
   row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);     // no sign: keeps the scale of a flat box finite
-  items_.resize(boxes_.size());
-  std::iota(items_.begin(), items_.end(), Index(0));
-  small_sort(items_.begin(), items_.end(), [&](Index i, Index j) {
-    return boxes_[i].x0 != boxes_[j].x0 ? boxes_[i].x0 < boxes_[j].x0 : i < j;
-  });
+  struct Left {
+    double x0;
+    Index piece;
+  };
+  std::pmr::vector<Left> order(boxes_.get_allocator());
+  order.reserve(boxes_.size());
+  for (Index i = 0; i < boxes_.size(); ++i) order.push_back({boxes_[i].x0, i});
+  small_sort(order.begin(), order.end(),
+             [](const Left& p, const Left& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.piece < q.piece; });
+  items_.reserve(order.size());
+  for (const Left& left : order) items_.push_back(left.piece);
   start_.assign({0, Index(items_.size())});
 }
 
