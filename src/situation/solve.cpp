@@ -6,9 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <mutex>
 
 #include "distance/directional.h"
@@ -16,12 +13,9 @@
 #include "distance/extremum.h"
 #include "distance/level_extremum.h"
 #include "distance/over_time.h"
-#include "distance/turning_positions.h"
 #include "findspace/error.h"
-#include "plane/nearest.h"
 #include "plane/overlay.h"
 #include "plane/parallel.h"
-#include "plane/swept.h"
 #include "plane/topology.h"
 #include "situation/evaluate.h"
 #include "situation/text.h"
@@ -48,12 +42,6 @@ Which signed_base(Kind kind) {
   const bool gamma = kind == Kind::kGamma1 || kind == Kind::kGamma2;
   const bool eta = kind == Kind::kEta1 || kind == Kind::kEta2;
   return gamma ? Which::kGamma1 : eta ? Which::kEta1 : Which::kDelta1;
-}
-
-bool is_farthest(Kind kind) { return kind == Kind::kGamma2 || kind == Kind::kEta2 || kind == Kind::kDelta2; }
-
-[[noreturn]] void refuse(const Distance& d, const char* what) {
-  throw Error(ErrorCode::kUnsupported, text(d) + ": " + what);
 }
 
 }  // namespace
@@ -145,15 +133,6 @@ TDistancePointer Solver::distance(const Distance& wanted) const {
   return plain(roles(wanted));
 }
 
-namespace {
-
-/// A rotational distance is on the same side of 0 as the plain one (and of the second kind nothing is known so simply).
-bool is_plain_level(const SignMap& wanted) {
-  return wanted.distance.mode == Mode::kTurning && wanted.level.sign() == 0 && !is_farthest(wanted.distance.kind);
-}
-
-}  // namespace
-
 plane::SignMap Solver::sign_map(const SignMap& wanted) const {
   if (is_plain_level(wanted) && !wanted.minimum) {
     SignMap plain = wanted;
@@ -204,158 +183,6 @@ plane::Region Solver::feasible(const Formula& formula) const {
   for (const auto& m : maps) operands.push_back(&m);
   if (operands.empty()) return CellComplex::uniform(evaluate(formula, {}));
   return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
-}
-
-DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
-  DistanceAt out;
-  out.text = text(wanted);
-  const Roles r = roles(wanted);
-  if (r.turning) {
-    const auto v = turning_value(r, p);
-    if (v) out.value = v->value * world_.step.to_double(), out.bound = v->bound * world_.step.to_double();
-    return out;
-  }
-  if (!world_.motion.given() && r.wanted.mode == Mode::kPlain) {
-    auto pair = this->pair(r.names);
-    if (auto m = pair->measure(situation::which(r.wanted.kind, r.second_moves), p))
-      add_witness(out, wanted, r.names, *pair, *m, p);
-    return out;
-  }
-  auto v = function(wanted)->value(p);
-  if (v && v->minus_infinity)
-    out.value = -std::numeric_limits<double>::infinity();
-  else if (v)
-    out.value = (v->value * world_.step).to_double(), out.nearest = v->nearest;
-  return out;
-}
-
-void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
-                         const distance::Measured& m, const RealPoint& p) const {
-  out.value = (m.value * world_.step).to_double();
-  out.nearest = m.nearest, out.farthest = m.farthest;
-  for (const distance::Feature& f : m.witness)
-    out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
-                                        f.of_moving ? names.first : names.second, world_.shapes, world_.parts, p));
-  bool turned =
-      wanted.first == names.second && !out.witness.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
-  if (turned) std::swap(out.witness[0], out.witness[1]);
-}
-
-std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, const RealPoint& position) const {
-  RealPoint p = steps(position);
-  plane::Region region = feasible(formula), closed = plane::closure(region);
-  auto in = [](Mark m) { return m > 0; };
-  auto here = mark_of(closed, locate(closed, p)) > 0;
-  auto n = here ? std::optional(plane::Nearest{Real(), p, {}}) : plane::nearest(closed, in, p);
-  if (!n) return std::nullopt;
-  return NearestFeasible{n->at, n->distance * world_.step, mark_of(region, locate(region, n->at)) > 0};
-}
-
-std::vector<distance::TurningPose> Solver::turning_poses(const Roles& r, bool instant) const {
-  const Motion& motion = world_.motion;
-  const Trajectory b = common_trajectory(motion, r.names.first), a = common_trajectory(motion, r.names.second);
-  std::vector<distance::TurningPose> poses;
-  for (const Real& t : instant ? std::vector{*world_.instant} : common_times(motion, b, a)) {
-    const RealPoint q = position_at(a, t), o = position_at(b, t);
-    poses.push_back({{o.x - q.x, o.y - q.y}, angle_at(b, t), angle_at(a, t)});
-  }
-  return poses;
-}
-
-bool Solver::turns_in(const Formula& formula) const {
-  const auto& maps = formula.sign_maps();
-  return !world_.instant && std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) {
-    return roles(m.distance).turning || (m.distance.mode == Mode::kTurning && !is_plain_level(m));
-  });
-}
-
-distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
-  const Roles r = roles(wanted.distance);
-  const bool in_rotation = r.wanted.mode == Mode::kTurning && !is_plain_level(wanted);
-  if (!r.turning && !in_rotation) {
-    plane::SignMap exact = sign_map(wanted);
-    return {exact, exact};
-  }
-  if (in_rotation && !world_.motion.given() && !wanted.minimum)
-    return distance::turning_position_maps(shape(r.names.first), shape(r.names.second),
-                                           situation::which(r.wanted.kind, r.second_moves),
-                                           steps({r.wanted.vector.at(0), r.wanted.vector.at(1)}), wanted.level);
-  if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
-  if (r.wanted.mode != Mode::kPlain)
-    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
-  Which kind = situation::which(r.wanted.kind, r.second_moves);
-  // Containment down from level 0 is the directed Hausdorff distance, which changes no faster than the shapes do.
-  if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
-    kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
-  const auto sense =
-      natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
-  const auto bounds = [&](Which of, const Real& level) {
-    return distance::turning_maps(shape(r.names.first), shape(r.names.second), of, turning_poses(r, false), sense,
-                                  level / world_.step);
-  };
-  const bool eta = kind == Which::kEta1 || kind == Which::kEta2, first = kind == Which::kEta1 || kind == Which::kDelta1;
-  if (!eta && !first && kind != Which::kDelta2) return bounds(kind, wanted.level);
-  // The places where a shape fits come and go with its angle. But eta is at least mu, and eta1 not above 0 where mu is
-  // not.
-  const Which mu = eta ? Which::kMu : Which::kMuBack;
-  distance::BoundedMaps out{bounds(mu, wanted.level).low, plane::SignMap::uniform(1)};
-  if (first) out.high = plane::remark(bounds(mu, Real()).high, [](Mark k) { return Mark(k <= 0 ? -1 : 1); });
-  return out;
-}
-
-Solver::Bounds Solver::feasible_bounds(const Formula& formula) const {
-  const std::size_t n = formula.sign_maps().size();
-  std::vector<distance::BoundedMaps> maps(n);
-  for (std::size_t k = 0; k < n; ++k) maps[k] = bounded_maps(formula.sign_maps()[k]);
-  std::vector<const CellComplex*> operands;
-  for (const auto& m : maps) operands.insert(operands.end(), {&m.low, &m.high});
-  // 2 where every choice of signs between the bounds satisfies the formula, 1 where some does.
-  const CellComplex both =
-      plane::overlay(operands, [&](std::span<const Mark> marks) { return certainty(formula, marks); });
-  return {plane::remark(both, [](Mark m) { return Mark(m == 2); }),
-          plane::remark(both, [](Mark m) { return Mark(m > 0); })};
-}
-
-std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
-  if (r.wanted.mode != Mode::kPlain)
-    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
-  const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
-  const distance::TurningMotion f(shape(r.names.first), shape(r.names.second),
-                                  situation::which(r.wanted.kind, r.second_moves), turning_poses(r, one));
-  if (one) return f.instant(p, 0, Real());
-  const bool least = natural_extremum(r.wanted) == Extremum::kInf;
-  return f.extremum(p, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);
-}
-
-std::int8_t Solver::sign(const SignMap& wanted, const RealPoint& p) const {
-  const Roles r = roles(wanted.distance);
-  if (!r.turning) {
-    const plane::SignMap m = sign_map(wanted);
-    return mark_of(m, locate(m, p));
-  }
-  if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
-  const auto v = turning_value(r, p);
-  if (!v) return 1;
-  const double over = v->value - (wanted.level / world_.step).to_double();
-  if (std::abs(over) <= v->bound)
-    refuse(wanted.distance, "of shapes that turn in time, too near to the level for its bound to decide");
-  return over > 0 ? 1 : -1;
-}
-
-Solver::Check Solver::check(const Formula& formula, const RealPoint& position) const {
-  RealPoint p = steps(position);
-  std::vector<std::int8_t> signs(formula.sign_maps().size());
-  plane::parallel_for(signs.size(), [&](std::size_t k) { signs[k] = sign(formula.sign_maps()[k], p); });
-  Check out;
-  out.holds = evaluate(formula, signs);
-  for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
-    const Atom& atom = formula.atoms()[k];
-    AtomAt a{atom, value(atom.distance, p), holds(atom, signs[formula.sign_map_of(k)]), std::nullopt};
-    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum)
-      a.lacks = std::abs(*a.distance.value - atom.level.to_double());
-    out.atoms.push_back(std::move(a));
-  }
-  return out;
 }
 
 plane::Section Solver::instants(const Formula& formula, const RealPoint& position) const {

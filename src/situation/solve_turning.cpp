@@ -71,10 +71,6 @@ bool truth(const Node& node, const std::vector<AtomAt>& atoms) {
   return false;
 }
 
-[[noreturn]] void refuse(const Distance& d, const std::string& why) {
-  throw Error(ErrorCode::kUnsupported, text(d) + ": " + why);
-}
-
 void require_static(const Distance& d) {
   if (d.prefix != Extremum::kNone) refuse(d, "a distance over time is not computed over all angles, nor at an angle");
 }

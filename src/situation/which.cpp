@@ -45,6 +45,16 @@ Which which(Kind kind, bool second_moves) {
   return Which::kGamma1;
 }
 
+bool is_farthest(Kind kind) { return kind == Kind::kGamma2 || kind == Kind::kEta2 || kind == Kind::kDelta2; }
+
+bool is_plain_level(const SignMap& wanted) {
+  return wanted.distance.mode == Mode::kTurning && wanted.level.sign() == 0 && !is_farthest(wanted.distance.kind);
+}
+
+void refuse(const Distance& distance, const std::string& what) {
+  throw Error(ErrorCode::kUnsupported, text(distance) + ": " + what);
+}
+
 bool is_directional(const Distance& d) { return d.mode == Mode::kAlong || d.mode == Mode::kToward; }
 
 distance::Track track(const Distance& d) {

@@ -13,6 +13,14 @@ namespace findspace::situation {
 /// For a distance whose first shape moves, unless `second_moves`.
 distance::Which which(Kind kind, bool second_moves);
 
+/// gamma2, eta2 and delta2.
+bool is_farthest(Kind kind);
+/// A distance in rotation at level 0, where it is on the same side as the plain one (and of those of the second kind
+/// nothing is known so simply).
+bool is_plain_level(const SignMap& wanted);
+/// Throws Error(kUnsupported) that names the distance.
+[[noreturn]] void refuse(const Distance& distance, const std::string& what);
+
 /// With along= or toward=.
 bool is_directional(const Distance& d);
 /// Their direction; throws Error(kUnsupported) where it is no ratio of integers below 2^53.

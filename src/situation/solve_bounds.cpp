@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Solver where regions are known between bounds only: shapes that turn in time, and distances in rotation at levels
+// other than 0.
+
+#include <algorithm>
+
+#include "distance/turning_positions.h"
+#include "plane/overlay.h"
+#include "situation/evaluate.h"
+#include "situation/solve.h"
+#include "situation/which.h"
+
+namespace findspace::situation {
+
+using distance::Which;
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Mark;
+
+std::vector<distance::TurningPose> Solver::turning_poses(const Roles& r, bool instant) const {
+  const Motion& motion = world_.motion;
+  const Trajectory b = common_trajectory(motion, r.names.first), a = common_trajectory(motion, r.names.second);
+  std::vector<distance::TurningPose> poses;
+  for (const Real& t : instant ? std::vector{*world_.instant} : common_times(motion, b, a)) {
+    const RealPoint q = position_at(a, t), o = position_at(b, t);
+    poses.push_back({{o.x - q.x, o.y - q.y}, angle_at(b, t), angle_at(a, t)});
+  }
+  return poses;
+}
+
+bool Solver::turns_in(const Formula& formula) const {
+  const auto& maps = formula.sign_maps();
+  return !world_.instant && std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) {
+    return roles(m.distance).turning || (m.distance.mode == Mode::kTurning && !is_plain_level(m));
+  });
+}
+
+distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
+  const Roles r = roles(wanted.distance);
+  const bool in_rotation = r.wanted.mode == Mode::kTurning && !is_plain_level(wanted);
+  if (!r.turning && !in_rotation) {
+    plane::SignMap exact = sign_map(wanted);
+    return {exact, exact};
+  }
+  if (in_rotation && !world_.motion.given() && !wanted.minimum)
+    return distance::turning_position_maps(shape(r.names.first), shape(r.names.second),
+                                           situation::which(r.wanted.kind, r.second_moves),
+                                           steps({r.wanted.vector.at(0), r.wanted.vector.at(1)}), wanted.level);
+  if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
+  if (r.wanted.mode != Mode::kPlain)
+    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  Which kind = situation::which(r.wanted.kind, r.second_moves);
+  // Containment down from level 0 is the directed Hausdorff distance, which changes no faster than the shapes do.
+  if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
+    kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
+  const auto sense =
+      natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+  const auto bounds = [&](Which of, const Real& level) {
+    return distance::turning_maps(shape(r.names.first), shape(r.names.second), of, turning_poses(r, false), sense,
+                                  level / world_.step);
+  };
+  const bool eta = kind == Which::kEta1 || kind == Which::kEta2, first = kind == Which::kEta1 || kind == Which::kDelta1;
+  if (!eta && !first && kind != Which::kDelta2) return bounds(kind, wanted.level);
+  // The places where a shape fits come and go with its angle. But eta is at least mu, and eta1 not above 0 where mu is
+  // not.
+  const Which mu = eta ? Which::kMu : Which::kMuBack;
+  distance::BoundedMaps out{bounds(mu, wanted.level).low, plane::SignMap::uniform(1)};
+  if (first) out.high = plane::remark(bounds(mu, Real()).high, [](Mark k) { return Mark(k <= 0 ? -1 : 1); });
+  return out;
+}
+
+Solver::Bounds Solver::feasible_bounds(const Formula& formula) const {
+  const std::size_t n = formula.sign_maps().size();
+  std::vector<distance::BoundedMaps> maps(n);
+  for (std::size_t k = 0; k < n; ++k) maps[k] = bounded_maps(formula.sign_maps()[k]);
+  std::vector<const CellComplex*> operands;
+  for (const auto& m : maps) operands.insert(operands.end(), {&m.low, &m.high});
+  // 2 where every choice of signs between the bounds satisfies the formula, 1 where some does.
+  const CellComplex both =
+      plane::overlay(operands, [&](std::span<const Mark> marks) { return certainty(formula, marks); });
+  return {plane::remark(both, [](Mark m) { return Mark(m == 2); }),
+          plane::remark(both, [](Mark m) { return Mark(m > 0); })};
+}
+
+std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
+  if (r.wanted.mode != Mode::kPlain)
+    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
+  const distance::TurningMotion f(shape(r.names.first), shape(r.names.second),
+                                  situation::which(r.wanted.kind, r.second_moves), turning_poses(r, one));
+  if (one) return f.instant(p, 0, Real());
+  const bool least = natural_extremum(r.wanted) == Extremum::kInf;
+  return f.extremum(p, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);
+}
+
+}  // namespace findspace::situation

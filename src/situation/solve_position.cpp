@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Solver at one position: values with their witnesses, signs, check, the nearest feasible position.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "findspace/error.h"
+#include "plane/nearest.h"
+#include "plane/parallel.h"
+#include "plane/topology.h"
+#include "situation/evaluate.h"
+#include "situation/solve.h"
+#include "situation/text.h"
+#include "situation/which.h"
+
+namespace findspace::situation {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::Mark;
+
+DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
+  DistanceAt out;
+  out.text = text(wanted);
+  const Roles r = roles(wanted);
+  if (r.turning) {
+    const auto v = turning_value(r, p);
+    if (v) out.value = v->value * world_.step.to_double(), out.bound = v->bound * world_.step.to_double();
+    return out;
+  }
+  if (!world_.motion.given() && r.wanted.mode == Mode::kPlain) {
+    auto pair = this->pair(r.names);
+    if (auto m = pair->measure(situation::which(r.wanted.kind, r.second_moves), p))
+      add_witness(out, wanted, r.names, *pair, *m, p);
+    return out;
+  }
+  auto v = function(wanted)->value(p);
+  if (v && v->minus_infinity)
+    out.value = -std::numeric_limits<double>::infinity();
+  else if (v)
+    out.value = (v->value * world_.step).to_double(), out.nearest = v->nearest;
+  return out;
+}
+
+void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
+                         const distance::Measured& m, const RealPoint& p) const {
+  out.value = (m.value * world_.step).to_double();
+  out.nearest = m.nearest, out.farthest = m.farthest;
+  for (const distance::Feature& f : m.witness)
+    out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
+                                        f.of_moving ? names.first : names.second, world_.shapes, world_.parts, p));
+  bool turned =
+      wanted.first == names.second && !out.witness.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
+  if (turned) std::swap(out.witness[0], out.witness[1]);
+}
+
+std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, const RealPoint& position) const {
+  RealPoint p = steps(position);
+  plane::Region region = feasible(formula), closed = plane::closure(region);
+  auto in = [](Mark m) { return m > 0; };
+  auto here = mark_of(closed, locate(closed, p)) > 0;
+  auto n = here ? std::optional(plane::Nearest{Real(), p, {}}) : plane::nearest(closed, in, p);
+  if (!n) return std::nullopt;
+  return NearestFeasible{n->at, n->distance * world_.step, mark_of(region, locate(region, n->at)) > 0};
+}
+
+std::int8_t Solver::sign(const SignMap& wanted, const RealPoint& p) const {
+  const Roles r = roles(wanted.distance);
+  if (!r.turning) {
+    const plane::SignMap m = sign_map(wanted);
+    return mark_of(m, locate(m, p));
+  }
+  if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
+  const auto v = turning_value(r, p);
+  if (!v) return 1;
+  const double over = v->value - (wanted.level / world_.step).to_double();
+  if (std::abs(over) <= v->bound)
+    refuse(wanted.distance, "of shapes that turn in time, too near to the level for its bound to decide");
+  return over > 0 ? 1 : -1;
+}
+
+Solver::Check Solver::check(const Formula& formula, const RealPoint& position) const {
+  RealPoint p = steps(position);
+  std::vector<std::int8_t> signs(formula.sign_maps().size());
+  plane::parallel_for(signs.size(), [&](std::size_t k) { signs[k] = sign(formula.sign_maps()[k], p); });
+  Check out;
+  out.holds = evaluate(formula, signs);
+  for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
+    const Atom& atom = formula.atoms()[k];
+    AtomAt a{atom, value(atom.distance, p), holds(atom, signs[formula.sign_map_of(k)]), std::nullopt};
+    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum)
+      a.lacks = std::abs(*a.distance.value - atom.level.to_double());
+    out.atoms.push_back(std::move(a));
+  }
+  return out;
+}
+
+}  // namespace findspace::situation
