@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Where two edges of contours meet. Used by contour.cpp only.
+// Edges of contours, and where two of them meet. Used by contour.cpp and contour_side.cpp only.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "plane/shape.h"
@@ -25,6 +26,14 @@ struct Span {
   GridPoint first() const { return arc && !arc->ccw ? to : from; }
   GridPoint last() const { return arc && !arc->ccw ? from : to; }
 };
+
+inline Span span_of(const Contour& ring, std::size_t i) {
+  return {ring[i].start, ring[i + 1 == ring.size() ? 0 : i + 1].start, ring[i].arc ? &ring[i] : nullptr};
+}
+
+inline bool straight(const Contour& ring) {
+  return std::none_of(ring.begin(), ring.end(), [](const ContourEdge& e) { return e.arc; });
+}
 
 struct Meeting {
   double x = 0, y = 0;  // a common point, rounded, in grid steps
