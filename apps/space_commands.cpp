@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/draw_bodies.h"
 #include "io/draw_space.h"
 #include "io/write_json_space.h"
 #include "plane/parallel.h"
@@ -61,10 +60,6 @@ std::string picture(const Session& session, const situation::SpaceWorld& world, 
     }
   }
   return io::space_svg(p);
-}
-
-std::string where_text(const space::RealVector& at) {
-  return fmt::format("({}, {}, {})", at[0].to_double(), at[1].to_double(), at[2].to_double());
 }
 
 std::string title_of(const Session& session) {
@@ -226,76 +221,6 @@ Outcome map_space(const Session& session) {
   write_outputs(options, all);
   return {options.json ? json() : space_summary_text(title, summary, session.unit(), shown),
           summary.empty ? kEmpty : kDone};
-}
-
-namespace {
-
-/// The bodies with the moving ones at `at`, and pairs of points that take a distance.
-std::string picture_at(const Session& session, const situation::SpaceSolver& solver, const space::RealVector& at,
-                       std::string title, std::vector<std::string> lines,
-                       const std::vector<situation::SpaceDistanceAt>& distances) {
-  const situation::SpaceWorld& world = solver.world();
-  io::BodiesPicture picture{std::move(title), session.unit(), std::move(lines), {}, {}, world.step.to_double()};
-  for (const bool moving : {false, true}) {
-    for (const auto& [name, shape] : world.shapes) {
-      const bool moves = std::find(world.moving.begin(), world.moving.end(), name) != world.moving.end();
-      if (moves != moving || !shape.body) continue;
-      picture.bodies.push_back({shape.body.get(), {}, moving});
-      if (moving) picture.bodies.back().by = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
-    }
-  }
-  for (const auto& d : distances) {
-    if (d.points) picture.pairs.push_back(*d.points);
-    if (d.nearest) picture.pairs.push_back({{{at[0].to_double(), at[1].to_double(), at[2].to_double()}, *d.nearest}});
-  }
-  return io::bodies_svg(picture);
-}
-
-}  // namespace
-
-Outcome check_space(const Session& session) {
-  const Options& options = session.options();
-  check_outputs(options, {".json", ".svg"});
-  const space::RealVector at = session.position_in_space();
-  const situation::Formula formula = session.where();
-  const situation::SpaceSolver solver(space_world(session));
-  session.talk().stage("checking");
-  const situation::SpaceSolver::Check check = solver.check(formula, at);
-  const auto json = [&] { return io::space_check_json(check, at, session.unit()); };
-  const auto svg = [&] {
-    std::vector<std::string> lines;
-    std::vector<situation::SpaceDistanceAt> distances;
-    for (const situation::SpaceAtomAt& a : check.atoms) {
-      lines.push_back(fmt::format("{}: {}", a.atom.text, a.holds ? "true" : "false"));
-      distances.push_back(a.distance);
-    }
-    return picture_at(session, solver, at,
-                      fmt::format("{} at {}: {}", fmt::join(session.scene().moving, ", "), where_text(at),
-                                  check.holds ? "feasible" : "not feasible"),
-                      std::move(lines), distances);
-  };
-  write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : space_check_text(check, where_text(at), session.unit()),
-          check.holds ? kDone : kEmpty};
-}
-
-Outcome measure_space(const Session& session) {
-  const Options& options = session.options();
-  check_outputs(options, {".json", ".svg"});
-  const space::RealVector at = session.position_in_space();
-  const situation::SpaceSolver solver(space_world(session));
-  session.talk().stage("measuring");
-  const std::vector<situation::SpaceDistanceAt> distances = solver.measure(at);
-  for (const auto& d : distances) {
-    if (!d.refused.empty()) session.talk().note(d.text + ": " + d.refused);
-  }
-  const auto json = [&] { return io::space_measure_json(distances, at, session.unit()); };
-  const auto svg = [&] {
-    return picture_at(session, solver, at,
-                      fmt::format("{} at {}", fmt::join(session.scene().moving, ", "), where_text(at)), {}, {});
-  };
-  write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : space_measure_text(distances, where_text(at), session.unit()), kDone};
 }
 
 namespace {
