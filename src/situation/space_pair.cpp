@@ -131,6 +131,7 @@ SpacePair::Sublevel SpacePair::none() const {
 
 std::optional<SpacePair::Sublevel> SpacePair::sublevel(Which which, const Real& level) const {
   if (!bodies_ || a_->outside) return std::nullopt;
+  if (which == Which::kD1 && level.sign() > 0) which = Which::kGamma1;  // above 0 they are the same
   const Real scale(scale_), at = level * scale;
   const bool eta = which == Which::kEta1 || (which == Which::kMu && level.sign() <= 0),
              delta = which == Which::kDelta1 || (which == Which::kMuBack && level.sign() <= 0);
