@@ -89,9 +89,12 @@ void in_process(const std::string& name, std::size_t threads, const std::functio
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto time = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-  std::printf("  %s, %zu threads: %.3f s (processor %.3f), volume %.6f, peak %.0f MiB\n", name.c_str(), threads, seconds,
-              time(usage.ru_utime) + time(usage.ru_stime), volume, static_cast<double>(usage.ru_maxrss) / 1024);
+  const auto time = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  std::printf("  %s, %zu threads: %.3f s (processor %.3f), volume %.6f, peak %.0f MiB\n", name.c_str(), threads,
+              seconds, time(usage.ru_utime) + time(usage.ru_stime), volume,
+              static_cast<double>(usage.ru_maxrss) / 1024);
   std::fflush(stdout);
   _exit(0);
 }
