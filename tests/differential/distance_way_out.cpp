@@ -76,8 +76,8 @@ void compare(const Region& a, const Region& b, WayOut::Of of, std::int64_t reach
       ASSERT_TRUE(far.known);
       ASSERT_EQ(far.nearest.has_value(), most.defined());
       if (far.nearest) {
- EXPECT_EQ(far.nearest->distance, most.value(p)->value);
-}
+        EXPECT_EQ(far.nearest->distance, most.value(p)->value);
+      }
     }
     if (!way->holds(p)) {
       const auto in = way->nearest_inside(p);
