@@ -19,9 +19,10 @@ namespace {
 using namespace findspace::plane;
 
 Region region(const Polygon& polygon) {
-  Contour ring;
-  for (const Point& p : polygon) ring.push_back({.start = {p.x, p.y}});
-  return region_of_rings(make_rings({std::move(ring)}, 1).contours);
+  std::vector<Contour> rings(1);
+  rings[0].reserve(polygon.size());
+  for (const Point& p : polygon) rings[0].push_back({.start = {p.x, p.y}});
+  return region_of_rings(make_rings(std::move(rings), 1).contours);
 }
 
 std::size_t sum(const Polygon& a, const Polygon& b) { return contact_map(region(a), region(b)).vertices.size(); }

@@ -30,7 +30,7 @@ Shape make(Shape::Kind kind, const std::string& place) {
 
 ShapePtr share(Shape shape) { return std::make_shared<const Shape>(std::move(shape)); }
 
-ContourEdge segment(GridPoint from) { return {from, false, true, {}, {}, {}}; }
+ContourEdge segment(GridPoint from) { return {.start = from}; }
 
 ShapePtr rings_shape(std::vector<Contour> contours, const std::string& place) {
   Shape shape = make(Shape::Kind::kRings, place);
@@ -69,7 +69,7 @@ void Outline::add(ContourEdge edge, GridPoint to) {
     if (flat) {
       edge = segment(edge.start);
       context_.rounding.add(0.5, 0);
-    } else if (edge.r.to_double() > static_cast<double>(Grid::kLimit)) {
+    } else if (edge.arc->r.to_double() > static_cast<double>(Grid::kLimit)) {
       throw Error(ErrorCode::kOutOfRange, "an arc's radius is more than 2^40 grid steps");
     }
   }
@@ -89,7 +89,7 @@ void Outline::arc_to(const Real& radius, bool large, bool ccw, const Real& x, co
   Real r = context_.grid.steps(radius * scale_);
   bool grown = false;
   ContourEdge edge = plane::radius_arc(at_, to, r, large, ccw, &grown);
-  if (grown && edge.r.to_double() > r.to_double() + 1) ++context_.grown_arcs;  // less than that is rounding
+  if (grown && edge.arc->r.to_double() > r.to_double() + 1) ++context_.grown_arcs;  // less than that is rounding
   add(std::move(edge), to);
 }
 

@@ -28,7 +28,7 @@ Contour read_contour(ShapeReader& reader, const JsonValue& value, const Label& l
   Contour contour;
   contour.reserve(value.size());
   for (std::size_t i = 0; i < value.size(); ++i) {
-    contour.push_back({reader.json().point(value.items[i], label.part("vertex", i)), false, true, {}, {}, {}});
+    contour.push_back({.start = reader.json().point(value.items[i], label.part("vertex", i))});
   }
   return contour;
 }
@@ -89,7 +89,7 @@ ShapePtr build_box(ShapeReader& reader, const JsonValue& object, const JsonValue
   }
   Shape shape = reader.node(Shape::Kind::kRings, label, object);
   Contour& ring = shape.contours.emplace_back();
-  for (GridPoint p : {a, GridPoint{b.x, a.y}, b, GridPoint{a.x, b.y}}) ring.push_back({p, false, true, {}, {}, {}});
+  for (GridPoint p : {a, GridPoint{b.x, a.y}, b, GridPoint{a.x, b.y}}) ring.push_back({.start = p});
   return share(std::move(shape));
 }
 

@@ -64,7 +64,7 @@ plane::Contour ring(const SceneReader& json, const JsonValue& value, const Label
   json.expect(value, JsonValue::Kind::kArray, "a list of points [x, y]", label);
   plane::Contour contour;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    contour.push_back({json.point(value.items[i], label.part("vertex", i)), false, true, {}, {}, {}});
+    contour.push_back({.start = json.point(value.items[i], label.part("vertex", i))});
   }
   if (contour.size() > 1 && contour.front().start == contour.back().start) contour.pop_back();
   return contour;

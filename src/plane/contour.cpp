@@ -21,11 +21,12 @@ namespace {
 /// A ring without its repeated points, and where its edges stood in the input.
 struct Ring {
   Contour edges;
-  std::vector<std::size_t> source;
+  std::vector<std::size_t> source;  // empty where nothing was dropped
   std::string label;
 
   GridPoint end(std::size_t i) const { return edges[i + 1 == edges.size() ? 0 : i + 1].start; }
   Span span(std::size_t i) const { return span_of(edges, i); }
+  std::size_t given(std::size_t i) const { return source.empty() ? i : source[i]; }
 };
 
 [[noreturn]] void fail(const std::string& message, double x, double y, double step) {
@@ -34,24 +35,34 @@ struct Ring {
 
 std::string show(double x, double y, double step) { return fmt::format("({:.10g}, {:.10g})", x * step, y * step); }
 
-Ring clean(const Contour& input, std::string label, std::int64_t& repeated, double step) {
-  Ring ring;
-  ring.label = std::move(label);
-  ring.edges.reserve(input.size());
-  ring.source.reserve(input.size());
-  std::size_t arcs = 0;
-  for (std::size_t i = 0; i < input.size(); ++i) {
-    if (input[i].start == input[i + 1 == input.size() ? 0 : i + 1].start) {
-      ++repeated;
-      continue;
-    }
-    ring.edges.push_back(input[i]);
+void drop_repeated(Ring& ring) {
+  Contour kept;
+  kept.reserve(ring.edges.size());
+  for (std::size_t i = 0; i < ring.edges.size(); ++i) {
+    if (ring.edges[i].start == ring.end(i)) continue;
+    kept.push_back(ring.edges[i]);
     ring.source.push_back(i);
-    arcs += input[i].arc ? 1 : 0;
   }
-  if (ring.edges.size() < (arcs > 0 ? 2u : 3u)) {
-    GridPoint p = input.empty() ? GridPoint{} : input[0].start;
-    fail(fmt::format("{} has no area: fewer than three different points", ring.label), double(p.x), double(p.y), step);
+  ring.edges = std::move(kept);
+}
+
+Ring clean(Contour input, std::string label, std::int64_t& repeated, double step) {
+  const GridPoint first = input.empty() ? GridPoint{} : input[0].start;
+  Ring ring{std::move(input), {}, std::move(label)};
+  std::int64_t same = 0;
+  bool arcs = false;
+  for (std::size_t i = 0; i < ring.edges.size(); ++i) {
+    if (ring.edges[i].start == ring.end(i)) {
+      ++same;
+    } else {
+      arcs |= bool(ring.edges[i].arc);
+    }
+  }
+  if (same > 0) drop_repeated(ring);
+  repeated += same;
+  if (ring.edges.size() < (arcs ? 2u : 3u)) {
+    fail(fmt::format("{} has no area: fewer than three different points", ring.label), double(first.x), double(first.y),
+         step);
   }
   return ring;
 }
@@ -65,7 +76,7 @@ bool flat(const Ring& ring) {
 
 std::string edge_label(const Ring& ring, std::size_t i, double step) {
   GridPoint p = ring.edges[i].start, q = ring.end(i);
-  return fmt::format("{} {} from {} to {}", ring.edges[i].arc ? "arc" : "edge", ring.source[i],
+  return fmt::format("{} {} from {} to {}", ring.edges[i].arc ? "arc" : "edge", ring.given(i),
                      show(double(p.x), double(p.y), step), show(double(q.x), double(q.y), step));
 }
 
@@ -97,40 +108,44 @@ void check_pair(const std::vector<Ring>& rings, EdgeId f, EdgeId g, double step)
   if (auto m = meet(s, t, joined, next && wrap)) fail_meeting(a, f.edge, b, g.edge, *m, step);
 }
 
-Box box_of(const Span& s) {
-  Box box{std::min(s.from.x, s.to.x), std::min(s.from.y, s.to.y), std::max(s.from.x, s.to.x),
-          std::max(s.from.y, s.to.y)};
-  if (!s.arc) return box;
+Box box_of(const ContourEdge& edge, GridPoint to) {
+  const GridPoint from = edge.start;
+  Box box{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x), std::max(from.y, to.y)};
+  if (!edge.arc) return box;
   // Near a half circle the apothem is the root of a difference of rounded squares: off by up to sqrt(2^-51) * r.
   constexpr double kSlack = 0x1p-24;
-  auto reach = std::int64_t(sagitta(*s.arc, s.to) + s.arc->r.to_double() * kSlack) + 2;
+  auto reach = std::int64_t(sagitta(edge, to) + edge.arc->r.to_double() * kSlack) + 2;
   return {box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
 }
 
 void check_edges(const std::vector<Ring>& rings, double step) {
-  std::vector<EdgeId> ids;
+  std::size_t count = 0;
+  for (const Ring& ring : rings) count += ring.edges.size();
   std::vector<Box> boxes;
-  if (rings.size() == 1) ids.reserve(rings[0].edges.size()), boxes.reserve(rings[0].edges.size());
-  for (std::uint32_t r = 0; r < rings.size(); ++r) {
-    for (std::uint32_t e = 0; e < rings[r].edges.size(); ++e) {
-      ids.push_back({r, e});
-      boxes.push_back(box_of(rings[r].span(e)));
-    }
+  boxes.reserve(count);
+  std::vector<std::size_t> first;  // of each ring
+  for (const Ring& ring : rings) {
+    first.push_back(boxes.size());
+    for (std::size_t e = 0; e < ring.edges.size(); ++e) boxes.push_back(box_of(ring.edges[e], ring.end(e)));
   }
-  for_meeting_boxes(boxes, [&](std::size_t i, std::size_t j) { check_pair(rings, ids[i], ids[j], step); });
+  auto edge = [&](std::size_t i) -> EdgeId {
+    const std::size_t r = std::size_t(std::upper_bound(first.begin(), first.end(), i) - first.begin()) - 1;
+    return {std::uint32_t(r), std::uint32_t(i - first[r])};
+  };
+  for_meeting_boxes(boxes, [&](std::size_t i, std::size_t j) { check_pair(rings, edge(i), edge(j), step); });
 }
 
 Box box_of(const Ring& ring) {
-  Box all = box_of(ring.span(0));
-  for (std::size_t i = 1; i < ring.edges.size(); ++i) all = all.joined(box_of(ring.span(i)));
+  Box all = box_of(ring.edges[0], ring.end(0));
+  for (std::size_t i = 1; i < ring.edges.size(); ++i) all = all.joined(box_of(ring.edges[i], ring.end(i)));
   return all;
 }
 
-std::vector<Ring> clean_and_check(const std::vector<Contour>& rings, const std::vector<std::string>& labels,
+std::vector<Ring> clean_and_check(std::vector<Contour> rings, const std::vector<std::string>& labels,
                                   std::int64_t& repeated, double step) {
   std::vector<Ring> clean_rings;
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    clean_rings.push_back(clean(rings[i], labels[i], repeated, step));
+    clean_rings.push_back(clean(std::move(rings[i]), labels[i], repeated, step));
     const Ring& ring = clean_rings.back();
     GridPoint p = ring.edges[0].start;
     if (flat(ring)) {
@@ -148,6 +163,7 @@ Contour directed(Contour ring, int wanted, std::int64_t& turned) {
 }
 
 void check_holes(const std::vector<Ring>& rings, double step) {
+  if (rings.size() == 1) return;
   std::vector<Box> boxes;
   for (const Ring& ring : rings) boxes.push_back(box_of(ring));
   for (std::size_t i = 1; i < rings.size(); ++i) {
@@ -168,9 +184,10 @@ void check_holes(const std::vector<Ring>& rings, double step) {
 
 RingSet make_rings(std::vector<Contour> input, double step) {
   std::vector<std::string> labels;
+  labels.reserve(input.size());
   for (std::size_t i = 0; i < input.size(); ++i) labels.push_back(i == 0 ? "the ring" : fmt::format("hole {}", i - 1));
   RingSet set;
-  std::vector<Ring> rings = clean_and_check(input, labels, set.repeated_points, step);
+  std::vector<Ring> rings = clean_and_check(std::move(input), labels, set.repeated_points, step);
   check_holes(rings, step);
   for (std::size_t i = 0; i < rings.size(); ++i) {
     std::int64_t ignored = 0;  // either direction of a hole is usual
@@ -183,7 +200,7 @@ std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   std::vector<std::string> labels;
   for (std::size_t i = 0; i < input.size(); ++i) labels.push_back(fmt::format("ring {}", i));
   std::int64_t repeated = 0, ignored = 0;
-  std::vector<Ring> rings = clean_and_check(input, labels, repeated, step);
+  std::vector<Ring> rings = clean_and_check(std::move(input), labels, repeated, step);
   std::vector<Box> boxes;
   for (const Ring& ring : rings) boxes.push_back(box_of(ring));
   std::vector<std::vector<std::size_t>> around(rings.size());

@@ -40,8 +40,8 @@ ContourEdge three_point_arc(GridPoint from, GridPoint through, GridPoint to, boo
 /// A ring of two half circles about `center` with radius `radius` grid steps, counter-clockwise.
 Contour circle_ring(GridPoint center, std::int64_t radius);
 
-/// Distance from the middle of an arc edge to its chord, in grid steps; `to` is its end.
-double sagitta(const ContourEdge& arc, GridPoint to);
+/// Distance from the middle of an arc to its chord, in grid steps; `to` is its end.
+double sagitta(const ContourEdge& edge, GridPoint to);
 
 struct RingSet {
   std::vector<Contour> contours;     // the outer ring, then the holes

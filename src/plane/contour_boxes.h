@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// All pairs of boxes that meet, by a tree of boxes descended against itself: O(n log n + pairs) for boxes that are
-// small beside the whole, whatever their order; a little faster where neighbours in the list are neighbours in the
-// plane, as the edges of a ring are. Used by contour.cpp only.
+// All pairs of boxes that meet. The edges of a ring are neighbours in the plane where they are neighbours in the list,
+// so runs of the list are joined in pairs and this tree is descended against itself without any sorting: O(n) for
+// curves that do not come back to themselves. Where that would take too long (long spirals, edges in no order) a tree
+// of median splits takes over: O(n log n + pairs) for boxes that are small beside the whole, whatever their order; a
+// pair may then be visited twice. Used by contour.cpp only.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +21,9 @@ struct Box {
   Box joined(const Box& b) const {
     return {std::min(x0, b.x0), std::min(y0, b.y0), std::max(x1, b.x1), std::max(y1, b.y1)};
   }
-  bool meets(const Box& b) const { return x0 <= b.x1 && b.x0 <= x1 && y0 <= b.y1 && b.y0 <= y1; }
+  bool meets(const Box& b) const {  // all four at once: which one fails cannot be foreseen
+    return (x0 <= b.x1) & (b.x0 <= x1) & (y0 <= b.y1) & (b.y0 <= y1);
+  }
   bool holds(std::int64_t x, std::int64_t y) const { return x0 <= x && x <= x1 && y0 <= y && y <= y1; }
 };
 
@@ -111,10 +115,90 @@ class BoxTree {
   std::vector<Node> nodes_;
 };
 
+/// The tree over the runs of the list as it is; level 0 holds the runs, each level above the joined pairs of the last.
+class RunTree {
+ public:
+  explicit RunTree(const std::vector<Box>& boxes) : boxes_(boxes) {
+    for (std::size_t i = 0; i < boxes.size(); i += kRun) {
+      Box run = boxes[i];
+      for (std::size_t k = i + 1; k < end_of(i / kRun); ++k) run = run.joined(boxes[k]);
+      nodes_.push_back(run);
+    }
+    runs_ = nodes_.size();
+    for (std::size_t first = 0, count = runs_; count > 1; count = nodes_.size() - first) {
+      levels_.push_back({first, count});
+      first += count;
+      for (std::size_t i = first - count; i < first; i += 2)
+        nodes_.push_back(i + 1 < first ? nodes_[i].joined(nodes_[i + 1]) : nodes_[i]);
+    }
+    levels_.push_back({nodes_.size() - 1, 1});
+  }
+
+  /// False where it gave up: more pairs of nodes met than a tree of median splits costs.
+  template <class Visit>
+  bool meeting_pairs(Visit visit) {
+    left_ = kNodesPerRun * runs_;
+    within(levels_.size() - 1, 0, visit);
+    return left_ > 0;
+  }
+
+ private:
+  static constexpr std::size_t kRun = 8, kNodesPerRun = 256;
+
+  struct Level {
+    std::size_t first, count;
+  };
+
+  std::size_t end_of(std::size_t run) const { return std::min((run + 1) * kRun, boxes_.size()); }
+  const Box& node(std::size_t level, std::size_t i) const { return nodes_[levels_[level].first + i]; }
+
+  template <class Visit>
+  void within(std::size_t level, std::size_t i, Visit& visit) {
+    if (level == 0) {
+      for (std::size_t p = i * kRun; p < end_of(i); ++p)
+        for (std::size_t q = p + 1; q < end_of(i); ++q)
+          if (boxes_[p].meets(boxes_[q])) visit(p, q);
+      return;
+    }
+    within(level - 1, 2 * i, visit);
+    if (2 * i + 1 == levels_[level - 1].count) return;
+    within(level - 1, 2 * i + 1, visit);
+    between(level - 1, 2 * i, 2 * i + 1, visit);
+  }
+
+  template <class Visit>
+  void between(std::size_t level, std::size_t i, std::size_t j, Visit& visit) {
+    if (left_ == 0 || !node(level, i).meets(node(level, j))) return;
+    --left_;
+    if (level == 0) return runs(i, j, visit);
+    const std::size_t count = levels_[level - 1].count;
+    for (std::size_t p = 2 * i; p < std::min(2 * i + 2, count); ++p)
+      for (std::size_t q = 2 * j; q < std::min(2 * j + 2, count); ++q) between(level - 1, p, q, visit);
+  }
+
+  template <class Visit>
+  void runs(std::size_t i, std::size_t j, Visit& visit) {
+    const Box& other = nodes_[j];
+    for (std::size_t p = i * kRun; p < end_of(i); ++p) {
+      if (!boxes_[p].meets(other)) continue;
+      for (std::size_t q = j * kRun; q < end_of(j); ++q)
+        if (boxes_[p].meets(boxes_[q])) visit(p, q);
+    }
+  }
+
+  const std::vector<Box>& boxes_;
+  std::vector<Box> nodes_;
+  std::vector<Level> levels_;
+  std::size_t runs_ = 0, left_ = 0;
+};
+
 template <class Visit>
 void for_meeting_boxes(const std::vector<Box>& boxes, Visit visit) {
-  constexpr std::size_t kFew = 24;  // up to here the tree costs more than it saves
-  if (boxes.size() > kFew) return BoxTree(boxes).meeting_pairs(visit);
+  constexpr std::size_t kFew = 16;  // up to here the tree costs more than it saves
+  if (boxes.size() > kFew) {
+    if (!RunTree(boxes).meeting_pairs(visit)) BoxTree(boxes).meeting_pairs(visit);
+    return;
+  }
   for (std::size_t j = 1; j < boxes.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (boxes[i].meets(boxes[j])) visit(i, j);

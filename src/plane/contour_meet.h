@@ -17,22 +17,23 @@ inline int128 cross(GridPoint o, GridPoint a, GridPoint b) {
   return int128(a.x - o.x) * (b.y - o.y) - int128(a.y - o.y) * (b.x - o.x);
 }
 
-/// An edge with both ends; `arc` is null for a segment.
+/// An edge with both ends; `arc` is the circle, null for a segment.
 struct Span {
   GridPoint from, to;
-  const ContourEdge* arc = nullptr;
+  const ArcCircle* arc = nullptr;
+  bool ccw = true;
 
   /// Ends in counter-clockwise order of the arc: it is the part of its circle not to the left of first -> last.
-  GridPoint first() const { return arc && !arc->ccw ? to : from; }
-  GridPoint last() const { return arc && !arc->ccw ? from : to; }
+  GridPoint first() const { return arc && !ccw ? to : from; }
+  GridPoint last() const { return arc && !ccw ? from : to; }
 };
 
 inline Span span_of(const Contour& ring, std::size_t i) {
-  return {ring[i].start, ring[i + 1 == ring.size() ? 0 : i + 1].start, ring[i].arc ? &ring[i] : nullptr};
+  return {ring[i].start, ring[i + 1 == ring.size() ? 0 : i + 1].start, ring[i].arc.get(), ring[i].ccw};
 }
 
 inline bool straight(const Contour& ring) {
-  return std::none_of(ring.begin(), ring.end(), [](const ContourEdge& e) { return e.arc; });
+  return std::none_of(ring.begin(), ring.end(), [](const ContourEdge& e) { return bool(e.arc); });
 }
 
 struct Meeting {

@@ -59,29 +59,30 @@ Contour reversed(const Contour& ring) {
 }
 
 int orientation(const Contour& ring) {
-  if (straight(ring)) {
-    int128 area = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += cross(ring[0].start, ring[i].start, ring[i + 1].start);
-    return area > 0 ? 1 : -1;
-  }
-  std::size_t low = 0;
-  for (std::size_t i = 1; i < ring.size(); ++i) {
+  std::size_t low = 0, n = ring.size();
+  for (std::size_t i = 1; i < n; ++i) {
     if (ring[i].start < ring[low].start) low = i;
+  }
+  // The ring is convex at its leftmost vertex, the lowest of them.
+  if (straight(ring)) {
+    return cross(ring[low == 0 ? n - 1 : low - 1].start, ring[low].start, ring[low + 1 == n ? 0 : low + 1].start) > 0
+               ? 1
+               : -1;
   }
   Real left(ring[low].start.x);
   int answer = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (!ring[i].arc) continue;
-    Real x = ring[i].cx - ring[i].r;
+    Real x = ring[i].arc->cx - ring[i].arc->r;
     if (compare(x, left) >= 0) continue;
     GridPoint a = span_of(ring, i).first(), b = span_of(ring, i).last();
-    Real side = Real(b.x - a.x) * (ring[i].cy - Real(a.y)) - Real(b.y - a.y) * (x - Real(a.x));
+    Real side = Real(b.x - a.x) * (ring[i].arc->cy - Real(a.y)) - Real(b.y - a.y) * (x - Real(a.x));
     if (side.sign() >= 0) continue;  // the circle's leftmost point is not on this arc
     left = x;
     answer = ring[i].ccw ? 1 : -1;
   }
   if (answer != 0) return answer;
-  return orientation_at(span_of(ring, low == 0 ? ring.size() - 1 : low - 1), span_of(ring, low));
+  return orientation_at(span_of(ring, low == 0 ? n - 1 : low - 1), span_of(ring, low));
 }
 
 bool encloses(const Contour& ring, GridPoint p) {
@@ -93,8 +94,8 @@ bool encloses(const Contour& ring, GridPoint p) {
     if (side == 0) side = b.y != a.y ? a.y - b.y : b.x - a.x;
     if ((a.y > p.y) != (b.y > p.y) && (side > 0) == (b.y > a.y)) inside = !inside;
     if (!ring[i].arc || (side < 0) != ring[i].ccw) continue;
-    Real dx = Real(p.x) - ring[i].cx, dy = Real(p.y) - ring[i].cy;
-    if (compare(dx * dx + dy * dy, ring[i].r * ring[i].r) < 0) inside = !inside;  // between chord and arc
+    Real dx = Real(p.x) - ring[i].arc->cx, dy = Real(p.y) - ring[i].arc->cy;
+    if (compare(dx * dx + dy * dy, ring[i].arc->r * ring[i].arc->r) < 0) inside = !inside;  // between chord and arc
   }
   return inside;
 }

@@ -17,7 +17,7 @@ void add_edge(PieceBuilder& b, const ContourEdge& e, const GridPoint& to) {
   if (!e.arc) return b.segment(e.start, to);
   Index from = b.geometry.add_grid_point(e.start.x, e.start.y);
   Index end = e.start == to ? from : b.geometry.add_grid_point(to.x, to.y);
-  b.arc(b.geometry.add(exact::Carrier::circle_at(e.cx, e.cy, e.r)), from, end, e.ccw);
+  b.arc(b.geometry.add(exact::Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, end, e.ccw);
 }
 
 /// Valid rings need no arrangement: their pieces are the edges, in order.
@@ -49,7 +49,8 @@ class RingBuilder {
       Index next = k + 1 == n ? 0 : k + 1;
       const ContourEdge& e = ring[k];
       if (e.arc)
-        builder_.arc(builder_.geometry.add(exact::Carrier::circle_at(e.cx, e.cy, e.r)), corner[k], corner[next], e.ccw);
+        builder_.arc(builder_.geometry.add(exact::Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), corner[k],
+                     corner[next], e.ccw);
       else
         builder_.segment(builder_.line(e.start, ring[next].start), corner[k], corner[next], e.start < ring[next].start);
     }

@@ -22,13 +22,17 @@ struct GridPoint {
   friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
 };
 
-/// One edge of a contour, from `start` to the start of the next edge: a segment, or the circular arc about
-/// (cx, cy) with radius r, counter-clockwise if `ccw`. Both ends of an arc lie exactly on its circle.
+/// The circle of an arc: its centre (cx, cy) and its radius r > 0.
+struct ArcCircle {
+  exact::Real cx, cy, r;
+};
+
+/// One edge of a contour, from `start` to the start of the next edge: a segment, or the arc of a circle,
+/// counter-clockwise if `ccw`. Both ends of an arc lie exactly on its circle.
 struct ContourEdge {
   GridPoint start;
-  bool arc = false;
+  std::shared_ptr<const ArcCircle> arc{};  // null: a segment
   bool ccw = true;
-  exact::Real cx{}, cy{}, r{};
 };
 
 /// A closed ring (or, as a polyline, an open chain whose last edge is only its end point).

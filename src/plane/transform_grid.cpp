@@ -213,7 +213,7 @@ class GridRotation {
       Index end = i + 1 == k.points.size() ? point_[same_.find(k.to)] : to_.curves.geometry.add_grid_point(q.x, q.y);
       if (k.arc) {
         ContourEdge e = radius_arc(p, q, c_.geometry.carriers[k.carrier].w, false, true);
-        to_.curves.arc(to_.curves.geometry.add(Carrier::circle_at(e.cx, e.cy, e.r)), at, end, true);
+        to_.curves.arc(to_.curves.geometry.add(Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), at, end, true);
       } else {
         to_.curves.segment(to_.curves.line(p, q), at, end, p < q);
       }

@@ -72,9 +72,8 @@ class Rotator {
         const Point at = rounded(r({Real(edge.start.x), Real(edge.start.y), Real(0)}));
         edge.start = {at.x, at.y};
         if (!edge.arc) continue;
-        const RealVector center = r({edge.cx, edge.cy, Real(0)});
-        edge.cx = center[0];
-        edge.cy = center[1];
+        const RealVector center = r({edge.arc->cx, edge.arc->cy, Real(0)});
+        edge.arc = std::make_shared<const plane::ArcCircle>(center[0], center[1], edge.arc->r);
       }
     }
     const Point low = rounded(r({Real(0), Real(0), Real(s.low)})), high = rounded(r({Real(0), Real(0), Real(s.high)}));

@@ -75,8 +75,8 @@ TEST(ReadSvg, StandsAsThePictureShows) {
     if (!e.arc) continue;
     found = true;
     EXPECT_TRUE(e.ccw);  // the ring has been turned, the arc still bulges away from the centre
-    EXPECT_EQ(e.cx.sign(), 0);
-    EXPECT_EQ(e.cy.sign(), 0);
+    EXPECT_EQ(e.arc->cx.sign(), 0);
+    EXPECT_EQ(e.arc->cy.sign(), 0);
   }
   EXPECT_TRUE(found);
 }
@@ -218,8 +218,8 @@ TEST(ReadDxf, OutlinesNestAndUnits) {
 TEST(ReadDxf, BulgesAndArcs) {
   ShapePtr stadium = dxf("0 LWPOLYLINE|70 1|10 0|20 0|10 10|20 0|42 1|10 10|20 10|10 0|20 10|42 1|");
   ASSERT_EQ(stadium->contours[0].size(), 4u);
-  EXPECT_EQ(stadium->contours[0][1].cx.integer(), exact::int128(10));
-  EXPECT_EQ(stadium->contours[0][1].cy.integer(), exact::int128(5));
+  EXPECT_EQ(stadium->contours[0][1].arc->cx.integer(), exact::int128(10));
+  EXPECT_EQ(stadium->contours[0][1].arc->cy.integer(), exact::int128(5));
   ShapePtr pieces =
       dxf("0 LINE|10 0|20 0|11 10|21 0|0 ARC|10 10|20 5|40 5|50 270|51 90|0 LINE|10 0|20 10|11 10|21 10|0 LINE|10 0|20 "
           "10|11 0|21 0|");

@@ -93,7 +93,7 @@ TEST(ReadWkt, Curves) {
   ShapePtr arc = read(read_wkt, "CIRCULARSTRING(5 0, 3 4, -5 0)");
   EXPECT_EQ(arc->kind, Shape::Kind::kPolyline);
   EXPECT_TRUE(arc->contours[0][0].arc);
-  EXPECT_EQ(arc->contours[0][0].r.integer(), exact::int128(5));
+  EXPECT_EQ(arc->contours[0][0].arc->r.integer(), exact::int128(5));
   ShapePtr half = read(read_wkt, "CURVEPOLYGON(COMPOUNDCURVE(CIRCULARSTRING(5 0, 0 5, -5 0), (-5 0, 5 0)))");
   EXPECT_EQ(half->kind, Shape::Kind::kRings);
   EXPECT_EQ(half->contours[0].size(), 2u);

@@ -147,13 +147,13 @@ TEST(Outline, CircleOfTwoArcsAndHoles) {
   ASSERT_EQ(ring.shape->contours.size(), 2u);
   EXPECT_TRUE(ring.shape->contours[0][0].ccw);
   EXPECT_FALSE(ring.shape->contours[1][0].ccw);
-  EXPECT_EQ(ring.shape->contours[1][0].r.integer(), exact::int128(2));
+  EXPECT_EQ(ring.shape->contours[1][0].arc->r.integer(), exact::int128(2));
 }
 
 TEST(Outline, ArcsThatAreTooSmallGrowAndFlatOnesAreLines) {
   Drawn grown("M0 0A3 3 0 0 1 10 0Z");
   EXPECT_EQ(grown.context.grown_arcs, 1);
-  EXPECT_EQ(grown.shape->contours[0][0].r.integer(), exact::int128(5));
+  EXPECT_EQ(grown.shape->contours[0][0].arc->r.integer(), exact::int128(5));
   Drawn flat("M0 0A100000 100000 0 0 1 10 0V10Z");
   EXPECT_FALSE(flat.shape->contours[0][0].arc);
   EXPECT_EQ(flat.context.rounding.points, 1);
@@ -167,8 +167,8 @@ TEST(Outline, RoundedEndsStayOnTheirCircle) {
     if (!ring[i].arc) continue;
     ++arcs;
     for (GridPoint p : {ring[i].start, ring[(i + 1) % ring.size()].start}) {
-      Real dx = Real(p.x) - ring[i].cx, dy = Real(p.y) - ring[i].cy;
-      EXPECT_EQ(compare(dx * dx + dy * dy, ring[i].r * ring[i].r), 0);
+      Real dx = Real(p.x) - ring[i].arc->cx, dy = Real(p.y) - ring[i].arc->cy;
+      EXPECT_EQ(compare(dx * dx + dy * dy, ring[i].arc->r * ring[i].arc->r), 0);
     }
   }
   EXPECT_EQ(arcs, 1);

@@ -201,7 +201,7 @@ TEST(Scene, PathShapes) {
   ASSERT_EQ(key->contours[0].size(), 4u);
   EXPECT_TRUE(key->contours[0][1].arc);
   EXPECT_TRUE(key->contours[0][1].ccw);
-  EXPECT_EQ(key->contours[0][1].cy.integer(), exact::int128(5000000));
+  EXPECT_EQ(key->contours[0][1].arc->cy.integer(), exact::int128(5000000));
 }
 
 TEST(Scene, FilesCanBeSwitchedOff) {

@@ -18,7 +18,7 @@ using exact::Real;
 
 Contour ring(std::initializer_list<GridPoint> points) {
   Contour contour;
-  for (GridPoint p : points) contour.push_back({p, false, true, {}, {}, {}});
+  for (GridPoint p : points) contour.push_back({.start = p});
   return contour;
 }
 
@@ -146,8 +146,7 @@ Contour star(std::size_t n, std::int64_t cx, std::int64_t cy, double size, std::
   Contour contour;
   for (std::size_t i = 0; i < n; ++i) {
     double angle = 2 * 3.14159265358979 * double(i) / double(n), r = radius(random);
-    contour.push_back(
-        {{cx + std::llround(r * std::cos(angle)), cy + std::llround(r * std::sin(angle))}, false, true, {}, {}, {}});
+    contour.push_back({.start = {cx + std::llround(r * std::cos(angle)), cy + std::llround(r * std::sin(angle))}});
   }
   return contour;
 }

@@ -19,33 +19,33 @@ namespace {
 
 using exact::Real;
 
-ContourEdge line(GridPoint from) { return {from, false, true, {}, {}, {}}; }
+ContourEdge line(GridPoint from) { return {.start = from}; }
 
 /// Both ends exactly on the circle.
-void expect_on_circle(const ContourEdge& arc, GridPoint to) {
-  for (GridPoint p : {arc.start, to}) {
-    Real dx = Real(p.x) - arc.cx, dy = Real(p.y) - arc.cy;
-    EXPECT_EQ(compare(dx * dx + dy * dy, arc.r * arc.r), 0);
+void expect_on_circle(const ContourEdge& edge, GridPoint to) {
+  for (GridPoint p : {edge.start, to}) {
+    Real dx = Real(p.x) - edge.arc->cx, dy = Real(p.y) - edge.arc->cy;
+    EXPECT_EQ(compare(dx * dx + dy * dy, edge.arc->r * edge.arc->r), 0);
   }
 }
 
 TEST(ContourArcs, RadiusArcHasAnExactCentre) {
-  ContourEdge arc = radius_arc({10, 0}, {10, 10}, 5, false, true);
-  EXPECT_EQ(arc.cx.integer(), exact::int128(10));
-  EXPECT_EQ(arc.cy.integer(), exact::int128(5));
-  arc = radius_arc({5, 0}, {0, 5}, 5, false, true);  // a quarter, centre rational
-  EXPECT_EQ(arc.cx.integer(), exact::int128(0));
-  EXPECT_EQ(arc.cy.integer(), exact::int128(0));
-  arc = radius_arc({5, 0}, {0, 5}, 5, true, true);
-  EXPECT_EQ(arc.cx.integer(), exact::int128(5));
-  arc = radius_arc({5, 0}, {0, 5}, 5, false, false);
-  EXPECT_EQ(arc.cx.integer(), exact::int128(5));
+  ContourEdge edge = radius_arc({10, 0}, {10, 10}, 5, false, true);
+  EXPECT_EQ(edge.arc->cx.integer(), exact::int128(10));
+  EXPECT_EQ(edge.arc->cy.integer(), exact::int128(5));
+  edge = radius_arc({5, 0}, {0, 5}, 5, false, true);  // a quarter, centre rational
+  EXPECT_EQ(edge.arc->cx.integer(), exact::int128(0));
+  EXPECT_EQ(edge.arc->cy.integer(), exact::int128(0));
+  edge = radius_arc({5, 0}, {0, 5}, 5, true, true);
+  EXPECT_EQ(edge.arc->cx.integer(), exact::int128(5));
+  edge = radius_arc({5, 0}, {0, 5}, 5, false, false);
+  EXPECT_EQ(edge.arc->cx.integer(), exact::int128(5));
   for (bool large : {false, true}) {
     for (bool ccw : {false, true}) {
-      arc = radius_arc({0, 0}, {3, 1}, 7, large, ccw);  // centre irrational
-      EXPECT_FALSE(arc.cx.is_rational());
-      expect_on_circle(arc, {3, 1});
-      double side = 3 * arc.cy.to_double() - 1 * arc.cx.to_double();
+      edge = radius_arc({0, 0}, {3, 1}, 7, large, ccw);  // centre irrational
+      EXPECT_FALSE(edge.arc->cx.is_rational());
+      expect_on_circle(edge, {3, 1});
+      double side = 3 * edge.arc->cy.to_double() - 1 * edge.arc->cx.to_double();
       EXPECT_EQ(side > 0, ccw != large);
     }
   }
@@ -53,44 +53,44 @@ TEST(ContourArcs, RadiusArcHasAnExactCentre) {
 
 TEST(ContourArcs, RadiusGrowsToReachBothEnds) {
   bool grown = false;
-  ContourEdge arc = radius_arc({0, 0}, {8, 0}, 3, true, true, &grown);
+  ContourEdge edge = radius_arc({0, 0}, {8, 0}, 3, true, true, &grown);
   EXPECT_TRUE(grown);
-  EXPECT_EQ(arc.r.integer(), exact::int128(4));
-  EXPECT_EQ(arc.cx.integer(), exact::int128(4));
+  EXPECT_EQ(edge.arc->r.integer(), exact::int128(4));
+  EXPECT_EQ(edge.arc->cx.integer(), exact::int128(4));
   grown = false;
   radius_arc({0, 0}, {8, 0}, 4, true, true, &grown);
   EXPECT_FALSE(grown);
-  arc = radius_arc({0, 0}, {1, 1}, Real::ratio(1, 10), false, true);
-  expect_on_circle(arc, {1, 1});
+  edge = radius_arc({0, 0}, {1, 1}, Real::ratio(1, 10), false, true);
+  expect_on_circle(edge, {1, 1});
 }
 
 TEST(ContourArcs, BulgeArc) {
-  ContourEdge arc = bulge_arc({4, 0}, {-4, 0}, 1);
-  EXPECT_EQ(arc.cx.integer(), exact::int128(0));
-  EXPECT_EQ(arc.r.integer(), exact::int128(4));
-  EXPECT_TRUE(arc.ccw);
-  arc = bulge_arc({4, 0}, {-4, 0}, Real::ratio(-1, 2));
-  EXPECT_FALSE(arc.ccw);
-  EXPECT_EQ(arc.r.integer(), exact::int128(5));
-  EXPECT_EQ(arc.cy.integer(), exact::int128(3));
+  ContourEdge edge = bulge_arc({4, 0}, {-4, 0}, 1);
+  EXPECT_EQ(edge.arc->cx.integer(), exact::int128(0));
+  EXPECT_EQ(edge.arc->r.integer(), exact::int128(4));
+  EXPECT_TRUE(edge.ccw);
+  edge = bulge_arc({4, 0}, {-4, 0}, Real::ratio(-1, 2));
+  EXPECT_FALSE(edge.ccw);
+  EXPECT_EQ(edge.arc->r.integer(), exact::int128(5));
+  EXPECT_EQ(edge.arc->cy.integer(), exact::int128(3));
   bool moved = false;
-  arc = bulge_arc({1000, 0}, {0, 1000}, Real::parse_decimal("0.41421356"), &moved);  // tan(22.5 degrees), cut off
+  edge = bulge_arc({1000, 0}, {0, 1000}, Real::parse_decimal("0.41421356"), &moved);  // tan(22.5 degrees), cut off
   EXPECT_TRUE(moved);
-  EXPECT_EQ(arc.cx.integer(), exact::int128(0));
-  EXPECT_EQ(arc.r.integer(), exact::int128(1000));
-  arc = bulge_arc({0, 0}, {7, 3}, Real::ratio(1, 3));
-  expect_on_circle(arc, {7, 3});
+  EXPECT_EQ(edge.arc->cx.integer(), exact::int128(0));
+  EXPECT_EQ(edge.arc->r.integer(), exact::int128(1000));
+  edge = bulge_arc({0, 0}, {7, 3}, Real::ratio(1, 3));
+  expect_on_circle(edge, {7, 3});
 }
 
 TEST(ContourArcs, ThreePointArc) {
-  ContourEdge arc = three_point_arc({5, 0}, {3, 4}, {-5, 0});
-  EXPECT_TRUE(arc.ccw);
-  EXPECT_EQ(arc.cx.integer(), exact::int128(0));
-  EXPECT_EQ(arc.r.integer(), exact::int128(5));
+  ContourEdge edge = three_point_arc({5, 0}, {3, 4}, {-5, 0});
+  EXPECT_TRUE(edge.ccw);
+  EXPECT_EQ(edge.arc->cx.integer(), exact::int128(0));
+  EXPECT_EQ(edge.arc->r.integer(), exact::int128(5));
   EXPECT_FALSE(three_point_arc({-5, 0}, {3, 4}, {5, 0}).ccw);
   EXPECT_FALSE(three_point_arc({0, 0}, {1, 1}, {2, 2}).arc);
-  arc = three_point_arc({0, 0}, {100, 37}, {211, 5});
-  expect_on_circle(arc, {211, 5});
+  edge = three_point_arc({0, 0}, {100, 37}, {211, 5});
+  expect_on_circle(edge, {211, 5});
 }
 
 TEST(ContourArcs, OrientationAndCircles) {
@@ -239,7 +239,7 @@ TEST(ContourArcs, MeetAgreesWithDistances) {
       if (a == b) b.x += 1;
       bool arc = kind(random) > 0;
       edges[i] = arc ? radius_arc(a, b, radius(random), kind(random) == 0, kind(random) == 0) : line(a);
-      spans[i] = {a, b, arc ? &edges[i] : nullptr};
+      spans[i] = {a, b, edges[i].arc.get(), edges[i].ccw};
     }
     std::optional<Meeting> m = meet(spans[0], spans[1], nullptr, false);
     Oracle f = oracle_of(spans[0]), g = oracle_of(spans[1]);
