@@ -22,6 +22,11 @@ struct PieceBox {
   bool meets(const PieceBox& o) const { return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1; }
 };
 
+/// How far off a box of pieces may be, from the largest error and the largest coordinate of their ends.
+double box_slack(double error, double largest);
+/// Holds the piece.
+PieceBox box_of(const exact::Geometry& g, const Piece& piece, double slack);
+
 class CellGrid {
  public:
   /// All points that will ever be asked about must be ends of the pieces or `extra`.

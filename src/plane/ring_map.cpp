@@ -3,6 +3,7 @@
 
 #include "plane/ring_map.h"
 
+#include "plane/around_vertex.h"
 #include "plane/scratch.h"
 
 namespace findspace::plane {
@@ -27,6 +28,10 @@ class UsedGeometry {
     for (const RingEdge& e : edges) {
       exact::Point& p = to.points.emplace_back(from.points[e.point]);
       if (p.kind == exact::Point::Kind::kCross) p.i = carrier_[p.i], p.j = carrier_[p.j];
+      if (p.kind == exact::Point::Kind::kReal) {
+        to.reals.push_back(from.reals[p.i]);
+        p.i = Index(to.reals.size() - 1);
+      }
     }
   }
 
@@ -36,51 +41,51 @@ class UsedGeometry {
   std::pmr::vector<Index> carrier_;
 };
 
-/// +1 where the second of two successive edges turns left.
-int turn(const exact::Geometry& g, const RingEdge& e, const RingEdge& f) {
-  const exact::Carrier &k = g.carriers[e.carrier], &l = g.carriers[f.carrier];
-  exact::int128 cross = exact::int128(k.a) * l.b - exact::int128(k.b) * l.a;
-  int sign = (cross > 0) - (cross < 0);
-  return ((k.b > 0) == e.right) == ((l.b > 0) == f.right) ? sign : -sign;
+/// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.
+bool is_first(const SignMap& map, Index vertex, Index h, Index k) {
+  if ((h & 1u) != (k & 1u)) return !(h & 1u);
+  return comes_before(map.geometry, map.vertices[vertex].point, h & 1u, map.heading(h), map.edges[h / 2].half,
+                      map.heading(k));
 }
 
 }  // namespace
 
-SignMap ring_map(const exact::Geometry& geometry, std::span<const RingEdge> edges, std::span<const Index> starts) {
+SignMap ring_map(const exact::Geometry& geometry, std::span<const RingEdge> edges, std::span<const Index> starts,
+                 bool unbounded) {
   Scratch scratch(geometry.carriers.size() / 4);
   SignMap map;
   UsedGeometry used(geometry, edges, map.geometry, scratch.memory());
-  Index n = Index(edges.size());
+  const Index n = Index(edges.size()), inside = unbounded ? 0 : 1;
   map.vertices.resize(n);
   map.edges.reserve(n);
   map.half_edges.resize(2 * n);
   map.faces.reserve(starts.size() + 1);
-  map.faces = {Face{.mark = 1, .outer = kNone, .inner = {}, .isolated = {}},
-               Face{.mark = -1, .outer = kNone, .inner = {}, .isolated = {}}};
+  auto add_face = [&](Mark mark, Index outer) {
+    map.faces.push_back(Face{.mark = mark, .outer = outer, .inner = {}, .isolated = {}});
+  };
+  if (!unbounded) add_face(1, kNone);
+  add_face(-1, kNone);
+  auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
+  for (const RingEdge& e : edges) map.edges.push_back({.carrier = used.carrier(e.carrier), .half = e.half, .mark = 0});
   for (std::size_t r = 0; r < starts.size(); ++r) {
     Index first = starts[r], end = r + 1 < starts.size() ? starts[r + 1] : n;
-    Index outside = r == 0 ? 0 : Index(map.faces.size());
-    auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
+    const bool is_outer = r == 0 && !unbounded;
+    const Index outside = is_outer ? 0 : Index(map.faces.size());
     for (Index k = first; k < end; ++k) {
       Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
-      bool right = edges[k].right;
-      map.edges.push_back({.v0 = right ? k : next,
-                           .v1 = right ? next : k,
-                           .carrier = used.carrier(edges[k].carrier),
-                           .half = 0,
-                           .mark = 0});
-      map.half_edges[h] = {.next = g, .face = 1};
+      map.edges[k].v0 = edges[k].right ? k : next;
+      map.edges[k].v1 = edges[k].right ? next : k;
+      map.half_edges[h] = {.next = g, .face = inside};
       map.half_edges[g ^ 1u] = {.next = back, .face = outside};
-      // Edges to the right come first; of two on the same side, at a left turn the one that leaves.
-      bool leaving = (g & 1u) != (back & 1u) ? !(g & 1u) : turn(geometry, edges[k], edges[next]) > 0;
-      map.vertices[next] = {.point = next, .mark = 0, .out = leaving ? g : back};
+      map.vertices[next] = {.point = next, .mark = 0};
+      map.vertices[next].out = is_first(map, next, g, back) ? g : back;
     }
-    if (r == 0) {
-      map.faces[1].outer = along(first);
+    if (is_outer) {
+      map.faces[inside].outer = along(first);
       map.faces[0].inner.push_back(along(first) ^ 1u);
     } else {
-      map.faces[1].inner.push_back(along(first));
-      map.faces.push_back(Face{.mark = 1, .outer = along(first) ^ 1u, .inner = {}, .isolated = {}});
+      map.faces[inside].inner.push_back(along(first));
+      add_face(1, along(first) ^ 1u);
     }
   }
   return map;
