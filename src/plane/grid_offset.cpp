@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "plane/boundary_box.h"
 #include "plane/offset_meetings.h"
 #include "plane/ring_map.h"
 
@@ -69,8 +70,7 @@ class Offset {
         if (auto walk = walks.walk({i, k}); !walk.empty()) add_ring(walk);
     drop_inner_rings(unbounded);
     if (starts_.empty()) return unbounded ? std::optional(CellComplex::uniform(-1)) : std::nullopt;
-    if (!unbounded) put_outer_ring_first();
-    return ring_map(c_.geometry, edges_, starts_, unbounded);
+    return ring_map(c_.geometry, edges_, nested_rings(c_.geometry, edges_, starts_), unbounded);
   }
 
  private:
@@ -105,23 +105,6 @@ class Offset {
     edges_ = std::move(edges), starts_ = std::move(starts);
   }
 
-  void put_outer_ring_first() {
-    std::size_t outer = 0;
-    Index best = edges_[0].point;
-    for (std::size_t r = 0; r < starts_.size(); ++r)
-      for (const RingEdge& e : ring(r))
-        if (e.point != best && c_.geometry.compare_xy(e.point, best) < 0) best = e.point, outer = r;
-    if (outer == 0) return;
-    std::vector<RingEdge> edges(ring(outer).begin(), ring(outer).end());
-    std::vector<Index> starts{0};
-    for (std::size_t r = 0; r < starts_.size(); ++r) {
-      if (r == outer) continue;
-      starts.push_back(Index(edges.size()));
-      edges.insert(edges.end(), ring(r).begin(), ring(r).end());
-    }
-    edges_ = std::move(edges), starts_ = std::move(starts);
-  }
-
   OffsetCurves c_;
   OffsetMeetings meetings_;
   std::vector<RingEdge> edges_;
@@ -129,16 +112,23 @@ class Offset {
   std::vector<std::array<Index, 2>> first_;  // ring -> the pieces at its first corner
 };
 
+/// Faces on both sides of one edge: then that is no boundary of the set.
+bool shares_edges(const CellComplex& set, bool (*wanted)(Mark)) {
+  for (Index e = 0; e < set.edges.size(); ++e)
+    if (wanted(set.faces[set.face(2 * e)].mark) && wanted(set.faces[set.face(2 * e + 1)].mark)) return true;
+  return false;
+}
+
 }  // namespace
 
 std::optional<SignMap> grid_offset(const CellComplex& set, bool (*wanted)(Mark), const exact::Real& radius) {
   const auto faces = grid_faces(set, wanted, false);
-  if (!faces || faces->size() != 1) return std::nullopt;
+  if (!faces || (faces->size() > 1 && shares_edges(set, wanted))) return std::nullopt;
   const std::vector<GridCorner> corners = all_corners(*faces);
-  if (corners.empty()) return CellComplex::uniform(-1);
+  if (corners.empty()) return CellComplex::uniform(faces->empty() ? 1 : -1);
   if (std::any_of(corners.begin(), corners.end(), [](const GridCorner& c) { return c.turn == 0; })) return std::nullopt;
   const OffsetEdges edges(corners, radius);
-  return Offset(offset_curves(corners, set.geometry, radius, edges), edges).run((*faces)[0].unbounded);
+  return Offset(offset_curves(corners, set.geometry, radius, edges), edges).run(has_unbounded(*faces));
 }
 
 }  // namespace findspace::plane

@@ -39,12 +39,12 @@ SignMap level_map(const SignMap& base, const exact::Real& level) {
     if (auto map = grid_offset(
             base, [](Mark m) { return m <= 0; }, level))
       return *std::move(map);
-    return disc_contact(remark(base, [](Mark m) { return Mark(m <= 0); }), level);
+    return distance_map(remark(base, [](Mark m) { return Mark(m <= 0); }), level);
   }
   if (auto map = grid_offset(
           base, [](Mark m) { return m >= 0; }, -level))
     return opposite(*std::move(map));
-  return opposite(disc_contact(remark(base, [](Mark m) { return Mark(m >= 0); }), -level));
+  return opposite(distance_map(remark(base, [](Mark m) { return Mark(m >= 0); }), -level));
 }
 
 }  // namespace findspace::plane

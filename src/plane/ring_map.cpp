@@ -3,6 +3,8 @@
 
 #include "plane/ring_map.h"
 
+#include <algorithm>
+
 #include "plane/around_vertex.h"
 #include "plane/scratch.h"
 
@@ -48,45 +50,50 @@ bool is_first(const SignMap& map, Index vertex, Index h, Index k) {
                       map.heading(k));
 }
 
+Index face_count(std::span<const NestedRing> rings) {
+  Index last = 0;
+  for (const NestedRing& r : rings) last = std::max({last, r.inside, r.outside});
+  return last + 1;
+}
+
 }  // namespace
 
-SignMap ring_map(const exact::Geometry& geometry, std::span<const RingEdge> edges, std::span<const Index> starts,
+std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts) {
+  std::vector<NestedRing> rings;
+  rings.reserve(starts.size());
+  for (Index r = 0; r < starts.size(); ++r) rings.push_back({starts[r], 1, r == 0 ? 0 : r + 1, r == 0});
+  return rings;
+}
+
+SignMap ring_map(const exact::Geometry& geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                  bool unbounded) {
   Scratch scratch(geometry.carriers.size() / 4);
   SignMap map;
   UsedGeometry used(geometry, edges, map.geometry, scratch.memory());
-  const Index n = Index(edges.size()), inside = unbounded ? 0 : 1;
+  const Index n = Index(edges.size());
   map.vertices.resize(n);
   map.edges.reserve(n);
   map.half_edges.resize(2 * n);
-  map.faces.reserve(starts.size() + 1);
-  auto add_face = [&](Mark mark, Index outer) {
-    map.faces.push_back(Face{.mark = mark, .outer = outer, .inner = {}, .isolated = {}});
-  };
-  if (!unbounded) add_face(1, kNone);
-  add_face(-1, kNone);
+  map.faces.assign(face_count(rings), Face{.mark = 1, .outer = kNone, .inner = {}, .isolated = {}});
+  if (unbounded) map.faces[0].mark = -1;
   auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
   for (const RingEdge& e : edges) map.edges.push_back({.carrier = used.carrier(e.carrier), .half = e.half, .mark = 0});
-  for (std::size_t r = 0; r < starts.size(); ++r) {
-    Index first = starts[r], end = r + 1 < starts.size() ? starts[r + 1] : n;
-    const bool is_outer = r == 0 && !unbounded;
-    const Index outside = is_outer ? 0 : Index(map.faces.size());
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const NestedRing& ring = rings[r];
+    const Index first = ring.start, end = r + 1 < rings.size() ? rings[r + 1].start : n;
     for (Index k = first; k < end; ++k) {
-      Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
+      const Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
       map.edges[k].v0 = edges[k].right ? k : next;
       map.edges[k].v1 = edges[k].right ? next : k;
-      map.half_edges[h] = {.next = g, .face = inside};
-      map.half_edges[g ^ 1u] = {.next = back, .face = outside};
+      map.half_edges[h] = {.next = g, .face = ring.inside};
+      map.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
       map.vertices[next] = {.point = next, .mark = 0};
       map.vertices[next].out = is_first(map, next, g, back) ? g : back;
     }
-    if (is_outer) {
-      map.faces[inside].outer = along(first);
-      map.faces[0].inner.push_back(along(first) ^ 1u);
-    } else {
-      map.faces[inside].inner.push_back(along(first));
-      add_face(1, along(first) ^ 1u);
-    }
+    map.faces[ring.inside].mark = -1;
+    const Index within = along(first), without = within ^ 1u;
+    map.faces[ring.outer ? ring.inside : ring.outside].outer = ring.outer ? within : without;
+    map.faces[ring.outer ? ring.outside : ring.inside].inner.push_back(ring.outer ? without : within);
   }
   return map;
 }

@@ -87,7 +87,7 @@ class TransversalSum {
       c_.geometry.points.resize(known);
       return std::nullopt;
     }
-    return ring_map(c_.geometry, rings_, starts_);
+    return ring_map(c_.geometry, rings_, rings_of_one_face(starts_));
   }
 
  private:
