@@ -4,6 +4,7 @@
 #include "plane/grid_offset.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "plane/boundary_box.h"
 #include "plane/offset_meetings.h"
@@ -60,9 +61,10 @@ class OuterWalks {
 
 class Offset {
  public:
-  Offset(OffsetCurves curves, const OffsetEdges& edges) : c_(std::move(curves)), meetings_(c_, edges) {}
+  Offset(OffsetCurves curves, OffsetEdges& edges) : c_(std::move(curves)), meetings_(c_, edges) {}
 
-  std::optional<SignMap> run(bool unbounded) {
+  /// `connected`: the set has one face, so D has.
+  std::optional<SignMap> run(bool unbounded, bool connected) {
     if (!meetings_.find()) return std::nullopt;
     OuterWalks walks(c_, meetings_);
     for (Index i = 0; i < c_.pieces.size(); ++i)
@@ -70,7 +72,9 @@ class Offset {
         if (auto walk = walks.walk({i, k}); !walk.empty()) add_ring(walk);
     drop_inner_rings(unbounded);
     if (starts_.empty()) return unbounded ? std::optional(CellComplex::uniform(-1)) : std::nullopt;
-    return ring_map(c_.geometry, edges_, nested_rings(c_.geometry, edges_, starts_), unbounded);
+    const bool one_face = connected && (unbounded || starts_.size() == 1);
+    const auto rings = one_face ? rings_of_one_face(starts_, unbounded) : nested_rings(c_.geometry, edges_, starts_);
+    return ring_map(std::move(c_.geometry), edges_, rings, unbounded);
   }
 
  private:
@@ -122,13 +126,15 @@ bool shares_edges(const CellComplex& set, bool (*wanted)(Mark)) {
 }  // namespace
 
 std::optional<SignMap> grid_offset(const CellComplex& set, bool (*wanted)(Mark), const exact::Real& radius) {
-  const auto faces = grid_faces(set, wanted, false);
+  auto faces = grid_faces(set, wanted, false);
   if (!faces || (faces->size() > 1 && shares_edges(set, wanted))) return std::nullopt;
-  const std::vector<GridCorner> corners = all_corners(*faces);
-  if (corners.empty()) return CellComplex::uniform(faces->empty() ? 1 : -1);
+  if (faces->empty()) return CellComplex::uniform(1);
+  const bool unbounded = has_unbounded(*faces), connected = faces->size() == 1;
+  const std::vector<GridCorner> corners = all_corners(*std::move(faces));
+  if (corners.empty()) return CellComplex::uniform(-1);
   if (std::any_of(corners.begin(), corners.end(), [](const GridCorner& c) { return c.turn == 0; })) return std::nullopt;
-  const OffsetEdges edges(corners, radius);
-  return Offset(offset_curves(corners, set.geometry, radius, edges), edges).run(has_unbounded(*faces));
+  OffsetEdges edges(corners, radius);
+  return Offset(offset_curves(corners, set.geometry, radius, edges), edges).run(unbounded, connected);
 }
 
 }  // namespace findspace::plane

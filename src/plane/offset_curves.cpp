@@ -24,7 +24,8 @@ bool covering_pays(std::span<const GridCorner> corners, double r) {
   for (const GridCorner& c : corners) {
     const GridPoint q = corners[c.next].at;
     const double x = double(c.at.x), y = double(c.at.y);
-    length += std::hypot(double(q.x) - x, double(q.y) - y);
+    const double dx = double(q.x) - x, dy = double(q.y) - y;
+    length += std::sqrt(dx * dx + dy * dy);
     x0 = std::min(x0, x), y0 = std::min(y0, y), x1 = std::max(x1, x), y1 = std::max(y1, y);
   }
   const double area = (x1 - x0 + 2 * r) * (y1 - y0 + 2 * r);
@@ -36,12 +37,12 @@ bool is_level(const GridCorner& c) { return c.dx == 0 || c.dy == 0; }
 
 class Builder {
  public:
-  Builder(std::span<const GridCorner> corners, const exact::Geometry& source, const Real& radius,
-          const OffsetEdges& edges)
-      : corners_(corners), source_(source), radius_(radius), g_(out_.geometry) {
+  Builder(std::span<const GridCorner> corners, const exact::Geometry& source, const Real& radius, OffsetEdges& edges)
+      : corners_(corners), source_(source), radius_(radius), opposite_(-radius), g_(out_.geometry) {
     const std::size_t n = corners.size();
     const bool covering = covering_pays(corners, radius.to_double());
     line_.assign(n, kNone), circle_.assign(n, kNone), from_.assign(n, kNone), to_.assign(n, kNone);
+    arc_from_.assign(n, kNone), arc_to_.assign(n, kNone);
     g_.carriers.reserve(2 * n), g_.points.reserve(2 * n);
     for (Index k = 0; k < n; ++k) {
       if (corners[k].turn > 0 && !(covering && edges.covers_arc(k)))
@@ -69,7 +70,7 @@ class Builder {
     const Carrier& l = source_.carriers[c.carrier];
     // The normal of the line points to the right of the way (-b, a), to the left of (b, -a).
     const bool outwards = c.dx == -l.b && c.dy == l.a;
-    return g_.add(Carrier::displaced_line(l.a, l.b, l.c, outwards ? radius_ : -radius_));
+    return g_.add_displaced(l, outwards ? radius_ : opposite_);
   }
 
   /// The corner, r to the right of a way parallel to an axis.
@@ -98,7 +99,6 @@ class Builder {
   void add_ends(Index k) {
     const Index before = corners_[k].before;
     if (corners_[k].turn > 0 && circle_[k] != kNone) {
-      arc_from_.resize(corners_.size(), kNone), arc_to_.resize(corners_.size(), kNone);
       arc_from_[k] = line_[before] != kNone ? touching_point(k, before) : arc_end(k, before);
       arc_to_[k] = line_[k] != kNone ? touching_point(k, k) : arc_end(k, k);
       if (line_[before] != kNone) to_[before] = arc_from_[k];
@@ -141,7 +141,7 @@ class Builder {
       const bool upper = in.dx != 0 ? in.dx < 0 : out.dx < 0;
       return add_piece(circle_[k], arc_from_[k], arc_to_[k], upper ? 1 : -1, !upper, true, k);
     }
-    const Index extreme = g_.add_real_point(Real(out.at.x) + (passes_right ? radius_ : -radius_), Real(out.at.y));
+    const Index extreme = g_.add_real_point(Real(out.at.x) + (passes_right ? radius_ : opposite_), Real(out.at.y));
     add_piece(circle_[k], arc_from_[k], extreme, passes_right ? -1 : 1, passes_right, true, k);
     add_piece(circle_[k], extreme, arc_to_[k], passes_right ? 1 : -1, !passes_right, true, k);
   }
@@ -161,6 +161,7 @@ class Builder {
   std::span<const GridCorner> corners_;
   const exact::Geometry& source_;
   const Real& radius_;
+  Real opposite_;
   OffsetCurves out_;
   exact::Geometry& g_;
   std::vector<Index> line_, circle_;      // of the displaced edge and of the arc of a corner; kNone: left out
@@ -171,7 +172,7 @@ class Builder {
 }  // namespace
 
 OffsetCurves offset_curves(std::span<const GridCorner> corners, const exact::Geometry& geometry, const Real& radius,
-                           const OffsetEdges& edges) {
+                           OffsetEdges& edges) {
   return Builder(corners, geometry, radius, edges).run();
 }
 

@@ -40,6 +40,6 @@ struct OffsetCurves {
 
 /// `geometry`: of the corners, none of them straight.
 OffsetCurves offset_curves(std::span<const GridCorner> corners, const exact::Geometry& geometry,
-                           const exact::Real& radius, const OffsetEdges& edges);
+                           const exact::Real& radius, OffsetEdges& edges);
 
 }  // namespace findspace::plane

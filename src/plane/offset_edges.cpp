@@ -4,6 +4,7 @@
 #include "plane/offset_edges.h"
 
 #include <cmath>
+#include <utility>
 
 namespace findspace::plane {
 namespace {
@@ -30,10 +31,14 @@ PieceBox grown(const PieceBox& b, double by) { return {b.x0 - by, b.y0 - by, b.x
 
 }  // namespace
 
-std::vector<GridCorner> all_corners(std::span<const GridFace> faces) {
+std::vector<GridCorner> all_corners(std::vector<GridFace> faces) {
   std::vector<GridCorner> all;
-  for (const GridFace& f : faces) {
+  for (GridFace& f : faces) {
     const Index base = Index(all.size());
+    if (base == 0) {
+      all = std::move(f.corners);
+      continue;
+    }
     for (GridCorner c : f.corners) {
       c.next += base, c.before += base;
       all.push_back(c);
@@ -43,24 +48,28 @@ std::vector<GridCorner> all_corners(std::span<const GridFace> faces) {
 }
 
 OffsetEdges::OffsetEdges(std::span<const GridCorner> corners, const exact::Real& radius)
-    : corners_(corners), radius_(radius), boxes_(boxes_of(corners)) {
+    : corners_(corners), radius_(radius), r_(radius.to_double()) {}
+
+void OffsetEdges::prepare() {
+  if (boxes_) return;
+  boxes_.emplace(boxes_of(corners_));
   double largest = 0;
-  edges_.reserve(corners.size());
-  for (const GridCorner& c : corners) {
-    const GridPoint q = corners[c.next].at;
+  edges_.reserve(corners_.size());
+  for (const GridCorner& c : corners_) {
+    const GridPoint q = corners_[c.next].at;
     const Vector from{double(c.at.x), double(c.at.y)}, way = Vector{double(q.x), double(q.y)} - from;
     const double length = std::sqrt(dot(way, way));
     largest = std::max({largest, std::abs(from.x), std::abs(from.y)});
     edges_.push_back({from, way, {way.y / length, -way.x / length}, 1 / dot(way, way)});
   }
-  r_ = radius.to_double();
   certain_ = r_ - (largest + r_) * kSlack;
 }
 
-bool OffsetEdges::holds(const exact::Geometry& g, Index point, std::span<const Index> own) const {
+bool OffsetEdges::holds(const exact::Geometry& g, Index point, std::span<const Index> own) {
+  prepare();
   const exact::Point& p = g.points[point];
   const double reach = (r_ + p.error) * (1 + kSlack) + (std::abs(p.x) + std::abs(p.y)) * kSlack;
-  return boxes_.any_meeting(grown({p.x, p.y, p.x, p.y}, reach), [&](Index k) {
+  return boxes_->any_meeting(grown({p.x, p.y, p.x, p.y}, reach), [&](Index k) {
     if (std::find(own.begin(), own.end(), k) != own.end()) return false;
     const GridPoint a = corners_[k].at, b = corners_[corners_[k].next].at;
     return exact::is_nearer(g, point, {a.x, a.y, b.x, b.y}, radius_);
@@ -112,20 +121,22 @@ bool OffsetEdges::covered(const Part& p, const Vector* center, Index k) const {
                std::max({p.from.x, p.top.x, p.to.x}), std::max({p.from.y, p.top.y, p.to.y})};
   if (center) box = grown({center->x, center->y, center->x, center->y}, r_);
   std::vector<Index> near_by;
-  boxes_.any_meeting(grown(box, r_), [&](Index e) {
+  boxes_->any_meeting(grown(box, r_), [&](Index e) {
     near_by.push_back(e);
     return false;
   });
   return covered(p, center, near_by, kHalvings);
 }
 
-bool OffsetEdges::covers_displaced(Index k) const {
+bool OffsetEdges::covers_displaced(Index k) {
+  prepare();
   const Edge& e = edges_[k];
   const Vector from = e.from + r_ * e.normal;
   return covered(part(from, from + e.way, nullptr), nullptr, k);
 }
 
-bool OffsetEdges::covers_arc(Index k) const {
+bool OffsetEdges::covers_arc(Index k) {
+  prepare();
   const Edge &in = edges_[corners_[k].before], &out = edges_[k];
   return covered(part(out.from + r_ * in.normal, out.from + r_ * out.normal, &out.from), &out.from, k);
 }

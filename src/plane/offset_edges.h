@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,22 +20,22 @@
 namespace findspace::plane {
 
 /// The corners of all faces in one list, with `next` and `before` as places in it.
-std::vector<GridCorner> all_corners(std::span<const GridFace> faces);
+std::vector<GridCorner> all_corners(std::vector<GridFace> faces);
 
 class OffsetEdges {
  public:
-  /// Keeps references.
+  /// Keeps references; looks at the corners when first asked.
   OffsetEdges(std::span<const GridCorner> corners, const exact::Real& radius);
 
   Index before(Index corner) const { return corners_[corner].before; }
 
   /// Is an edge other than `own` less than r away from the point?
-  bool holds(const exact::Geometry& g, Index point, std::span<const Index> own) const;
+  bool holds(const exact::Geometry& g, Index point, std::span<const Index> own);
 
   /// Edge k displaced to the right by r lies in D.
-  bool covers_displaced(Index k) const;
+  bool covers_displaced(Index k);
   /// The arc of radius r about convex corner k, between the normals of its edges, lies in D.
-  bool covers_arc(Index k) const;
+  bool covers_arc(Index k);
 
  private:
   struct Vector {
@@ -59,12 +60,14 @@ class OffsetEdges {
   Part part(Vector from, Vector to, const Vector* center) const;
   bool covered(const Part& p, const Vector* center, std::span<const Index> by, int halvings) const;
   bool covered(const Part& p, const Vector* center, Index k) const;
+  void prepare();
 
   std::span<const GridCorner> corners_;
   const exact::Real& radius_;
-  double r_, certain_;  // r, and a little less
+  double r_;
+  double certain_ = 0;  // a little less than r
   std::vector<Edge> edges_;
-  SequenceBoxes boxes_;
+  std::optional<SequenceBoxes> boxes_;
 };
 
 }  // namespace findspace::plane

@@ -11,7 +11,7 @@
 
 namespace findspace::plane {
 
-bool OffsetMeetings::is_inside(Index point, std::initializer_list<Index> pieces) const {
+bool OffsetMeetings::is_inside(Index point, std::initializer_list<Index> pieces) {
   std::array<Index, 8> own;
   std::size_t n = 0;
   for (Index i : pieces) {

@@ -21,7 +21,7 @@ class OffsetMeetings {
   };
 
   /// Keeps references; adds the crossings to the curves' geometry.
-  OffsetMeetings(OffsetCurves& curves, const OffsetEdges& edges) : c_(curves), edges_(edges) {}
+  OffsetMeetings(OffsetCurves& curves, OffsetEdges& edges) : c_(curves), edges_(edges) {}
 
   /// False where curves touch, overlap, or meet three at a point, and that is not inside D.
   bool find();
@@ -32,7 +32,7 @@ class OffsetMeetings {
   Index part(Index i, Index k) const { return first_[i] + i + k; }
   Index part_count() const { return Index(stops_.size() + c_.pieces.size()); }
   /// Is the point in D, although it lies on these pieces?
-  bool is_inside(Index point, std::initializer_list<Index> pieces) const;
+  bool is_inside(Index point, std::initializer_list<Index> pieces);
 
  private:
   std::vector<PieceBox> boxes() const;
@@ -41,7 +41,7 @@ class OffsetMeetings {
   bool sort_stops();
 
   OffsetCurves& c_;
-  const OffsetEdges& edges_;
+  OffsetEdges& edges_;
   std::vector<Stop> stops_;
   std::vector<Index> first_;  // piece -> its first stop
   bool good_ = true;

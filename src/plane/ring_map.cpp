@@ -4,6 +4,7 @@
 #include "plane/ring_map.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "plane/around_vertex.h"
 #include "plane/scratch.h"
@@ -11,10 +12,10 @@
 namespace findspace::plane {
 namespace {
 
-/// Copies what the rings use; carriers keep their order, as crossings need.
+/// What the rings use; carriers keep their order, as crossings need.
 class UsedGeometry {
  public:
-  UsedGeometry(const exact::Geometry& from, std::span<const RingEdge> edges, exact::Geometry& to, Memory memory)
+  UsedGeometry(exact::Geometry from, std::span<const RingEdge> edges, Memory memory)
       : carrier_(from.carriers.size(), 0, memory) {
     for (const RingEdge& e : edges) {
       carrier_[e.carrier] = 1;
@@ -23,24 +24,34 @@ class UsedGeometry {
     }
     Index count = 0;
     for (Index& k : carrier_) k = k ? count++ : kNone;
-    to.carriers.reserve(count);
+    all_ = count == from.carriers.size() && edges.size() == from.points.size();
+    all_ ? void(geometry_ = std::move(from)) : copy(from, edges, count);
+  }
+
+  exact::Geometry take() { return std::move(geometry_); }
+  Index carrier(Index old) const { return carrier_[old]; }
+  /// Of edge k, in the order of the edges unless all are used.
+  Index point(std::span<const RingEdge> edges, Index k) const { return all_ ? edges[k].point : k; }
+
+ private:
+  void copy(const exact::Geometry& from, std::span<const RingEdge> edges, Index carriers) {
+    geometry_.carriers.reserve(carriers);
     for (Index k = 0; k < carrier_.size(); ++k)
-      if (carrier_[k] != kNone) to.carriers.push_back(from.carriers[k]);
-    to.points.reserve(edges.size());
+      if (carrier_[k] != kNone) geometry_.carriers.push_back(from.carriers[k]);
+    geometry_.points.reserve(edges.size());
     for (const RingEdge& e : edges) {
-      exact::Point& p = to.points.emplace_back(from.points[e.point]);
+      exact::Point& p = geometry_.points.emplace_back(from.points[e.point]);
       if (p.kind == exact::Point::Kind::kCross) p.i = carrier_[p.i], p.j = carrier_[p.j];
       if (p.kind == exact::Point::Kind::kReal) {
-        to.reals.push_back(from.reals[p.i]);
-        p.i = Index(to.reals.size() - 1);
+        geometry_.reals.push_back(from.reals[p.i]);
+        p.i = Index(geometry_.reals.size() - 1);
       }
     }
   }
 
-  Index carrier(Index old) const { return carrier_[old]; }
-
- private:
   std::pmr::vector<Index> carrier_;
+  bool all_;
+  exact::Geometry geometry_;
 };
 
 /// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.
@@ -58,18 +69,22 @@ Index face_count(std::span<const NestedRing> rings) {
 
 }  // namespace
 
-std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts) {
+std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts, bool unbounded) {
   std::vector<NestedRing> rings;
   rings.reserve(starts.size());
-  for (Index r = 0; r < starts.size(); ++r) rings.push_back({starts[r], 1, r == 0 ? 0 : r + 1, r == 0});
+  for (Index r = 0; r < starts.size(); ++r) {
+    const bool outer = r == 0 && !unbounded;
+    rings.push_back({starts[r], unbounded ? 0u : 1u, outer ? 0 : r + 1, outer});
+  }
   return rings;
 }
 
-SignMap ring_map(const exact::Geometry& geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                  bool unbounded) {
   Scratch scratch(geometry.carriers.size() / 4);
   SignMap map;
-  UsedGeometry used(geometry, edges, map.geometry, scratch.memory());
+  UsedGeometry used(std::move(geometry), edges, scratch.memory());
+  map.geometry = used.take();
   const Index n = Index(edges.size());
   map.vertices.resize(n);
   map.edges.reserve(n);
@@ -87,7 +102,7 @@ SignMap ring_map(const exact::Geometry& geometry, std::span<const RingEdge> edge
       map.edges[k].v1 = edges[k].right ? next : k;
       map.half_edges[h] = {.next = g, .face = ring.inside};
       map.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
-      map.vertices[next] = {.point = next, .mark = 0};
+      map.vertices[next] = {.point = used.point(edges, next), .mark = 0};
       map.vertices[next].out = is_first(map, next, g, back) ? g : back;
     }
     map.faces[ring.inside].mark = -1;

@@ -26,14 +26,14 @@ struct NestedRing {
   bool outer;             // it runs counter-clockwise, round its inside
 };
 
-/// The rings that bound one bounded face, its outer ring first.
-std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts);
+/// The rings that bound one face: bounded, its outer ring first, or unbounded.
+std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts, bool unbounded = false);
 /// Of any number of faces.
 std::vector<NestedRing> nested_rings(const exact::Geometry& geometry, std::span<const RingEdge> edges,
                                      std::span<const Index> starts);
 
 /// Points and carriers that no ring uses are left out. `unbounded`: the unbounded face is inside.
-SignMap ring_map(const exact::Geometry& geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                  bool unbounded = false);
 
 }  // namespace findspace::plane

@@ -30,8 +30,9 @@ class SequenceBoxes {
   /// Calls visit(i, j), i < j, for all pairs whose boxes meet.
   template <class Visit>
   void meeting_pairs(Visit&& visit) const {
-    for (std::size_t level = 1; level < levels_.size(); ++level)
-      for (std::size_t k = 0; k + 1 < levels_[level - 1].size(); k += 2) between(level - 1, k, k + 1, visit);
+    for (std::size_t level = 0; level < levels_.size(); ++level)
+      for (std::size_t k = 0; k + 1 < levels_[level].size(); k += 2)
+        if (levels_[level][k].meets(levels_[level][k + 1])) between(level, k, k + 1, visit);
   }
 
   /// Calls visit(i) for the boxes that meet the given one, until it returns true.
@@ -45,13 +46,15 @@ class SequenceBoxes {
     return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
   }
 
+  /// Of two different boxes of a level that meet.
   template <class Visit>
   void between(std::size_t level, std::size_t i, std::size_t j, Visit& visit) const {
-    if (!levels_[level][i].meets(levels_[level][j])) return;
     if (level == 0) return visit(Index(i), Index(j));
-    const std::size_t n = levels_[level - 1].size();
-    for (std::size_t k = 2 * i; k <= 2 * i + 1 && k < n; ++k)
-      for (std::size_t l = 2 * j; l <= 2 * j + 1 && l < n; ++l) between(level - 1, k, l, visit);
+    const std::vector<PieceBox>& below = levels_[level - 1];
+    const std::size_t i_end = std::min(2 * i + 2, below.size()), j_end = std::min(2 * j + 2, below.size());
+    for (std::size_t k = 2 * i; k < i_end; ++k)
+      for (std::size_t l = 2 * j; l < j_end; ++l)
+        if (below[k].meets(below[l])) between(level - 1, k, l, visit);
   }
 
   template <class Visit>
