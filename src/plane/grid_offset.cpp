@@ -17,7 +17,9 @@ namespace {
 class OuterWalks {
  public:
   OuterWalks(const OffsetCurves& curves, const OffsetMeetings& meetings)
-      : c_(curves), m_(meetings), state_(meetings.part_count(), kNew) {}
+      : c_(curves), m_(meetings), state_(meetings.part_count(), kNew) {
+    parts_.reserve(state_.size());
+  }
 
   struct Part {
     Index piece, slot;
@@ -67,6 +69,7 @@ class Offset {
   std::optional<SignMap> run(bool unbounded, bool connected) {
     if (!meetings_.find()) return std::nullopt;
     OuterWalks walks(c_, meetings_);
+    edges_.reserve(meetings_.part_count());
     for (Index i = 0; i < c_.pieces.size(); ++i)
       for (Index k = 0; k <= meetings_.stop_count(i); ++k)
         if (auto walk = walks.walk({i, k}); !walk.empty()) add_ring(walk);

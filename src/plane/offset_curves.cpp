@@ -16,7 +16,7 @@ using exact::int128;
 using exact::Real;
 
 /// Crossings of randomly placed curves (Buffon), a curve: from there on it pays to look for covered ones.
-constexpr double kManyCrossings = 0.125;
+constexpr double kManyCrossings = 0.5;
 
 /// Whether so many crossings are to be expected: squared total length over pi times the area.
 bool covering_pays(std::span<const GridCorner> corners, double r) {

@@ -74,6 +74,7 @@ bool OffsetMeetings::sort_stops() {
   std::vector<Index> order(stops_.size()), at(first_.begin(), first_.end() - 1), place(stops_.size());
   for (Index s = 0; s < stops_.size(); ++s) order[at[stops_[s].piece]++] = s;
   for (Index i = 0; i < n; ++i) {
+    if (first_[i] == first_[i + 1]) continue;
     const auto along = [&](Index s, Index t) {
       return s == t ? 0 : compare_along(c_.geometry, c_.pieces[i], stops_[s].point, stops_[t].point);
     };

@@ -284,7 +284,8 @@ CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule) {
   for (Vertex& v : complex.vertices) change(v.mark);
   for (Edge& e : complex.edges) change(e.mark);
   for (Face& f : complex.faces) change(f.mark);
-  return all_differ ? complex : simplify(complex);  // what differed still differs
+  if (all_differ) return complex;  // what differed still differs
+  return simplify(complex);
 }
 
 }  // namespace findspace::plane

@@ -12,46 +12,47 @@
 namespace findspace::plane {
 namespace {
 
-/// What the rings use; carriers keep their order, as crossings need.
+/// Numbers what is used (not 0) in its order, the rest kNone, and drops the rest of the things.
+template <class Thing>
+void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
+  Index count = 0;
+  for (Index k = 0; k < used.size(); ++k) {
+    if (used[k] == 0) {
+      used[k] = kNone;
+      continue;
+    }
+    if (count != k) things[count] = std::move(things[k]);
+    used[k] = count++;
+  }
+  things.resize(count);
+  if (2 * things.size() < things.capacity()) things.shrink_to_fit();
+}
+
+/// What the rings use of a geometry; carriers keep their order, as crossings need.
 class UsedGeometry {
  public:
-  UsedGeometry(exact::Geometry from, std::span<const RingEdge> edges, Memory memory)
-      : carrier_(from.carriers.size(), 0, memory) {
+  UsedGeometry(exact::Geometry& g, std::span<const RingEdge> edges, Memory memory)
+      : carrier_(g.carriers.size(), 0, memory), point_(g.points.size(), 0, memory), real_(g.reals.size(), 0, memory) {
     for (const RingEdge& e : edges) {
-      carrier_[e.carrier] = 1;
-      const exact::Point& p = from.points[e.point];
+      carrier_[e.carrier] = point_[e.point] = 1;
+      const exact::Point& p = g.points[e.point];
       if (p.kind == exact::Point::Kind::kCross) carrier_[p.i] = carrier_[p.j] = 1;
+      if (p.kind == exact::Point::Kind::kReal) real_[p.i] = 1;
     }
-    Index count = 0;
-    for (Index& k : carrier_) k = k ? count++ : kNone;
-    all_ = count == from.carriers.size() && edges.size() == from.points.size();
-    all_ ? void(geometry_ = std::move(from)) : copy(from, edges, count);
+    keep_used(carrier_, g.carriers);
+    keep_used(point_, g.points);
+    keep_used(real_, g.reals);
+    for (exact::Point& p : g.points) {
+      if (p.kind == exact::Point::Kind::kCross) p.i = carrier_[p.i], p.j = carrier_[p.j];
+      if (p.kind == exact::Point::Kind::kReal) p.i = real_[p.i];
+    }
   }
 
-  exact::Geometry take() { return std::move(geometry_); }
   Index carrier(Index old) const { return carrier_[old]; }
-  /// Of edge k, in the order of the edges unless all are used.
-  Index point(std::span<const RingEdge> edges, Index k) const { return all_ ? edges[k].point : k; }
+  Index point(Index old) const { return point_[old]; }
 
  private:
-  void copy(const exact::Geometry& from, std::span<const RingEdge> edges, Index carriers) {
-    geometry_.carriers.reserve(carriers);
-    for (Index k = 0; k < carrier_.size(); ++k)
-      if (carrier_[k] != kNone) geometry_.carriers.push_back(from.carriers[k]);
-    geometry_.points.reserve(edges.size());
-    for (const RingEdge& e : edges) {
-      exact::Point& p = geometry_.points.emplace_back(from.points[e.point]);
-      if (p.kind == exact::Point::Kind::kCross) p.i = carrier_[p.i], p.j = carrier_[p.j];
-      if (p.kind == exact::Point::Kind::kReal) {
-        geometry_.reals.push_back(from.reals[p.i]);
-        p.i = Index(geometry_.reals.size() - 1);
-      }
-    }
-  }
-
-  std::pmr::vector<Index> carrier_;
-  bool all_;
-  exact::Geometry geometry_;
+  std::pmr::vector<Index> carrier_, point_, real_;
 };
 
 /// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.
@@ -83,8 +84,8 @@ SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std:
                  bool unbounded) {
   Scratch scratch(geometry.carriers.size() / 4);
   SignMap map;
-  UsedGeometry used(std::move(geometry), edges, scratch.memory());
-  map.geometry = used.take();
+  const UsedGeometry used(geometry, edges, scratch.memory());
+  map.geometry = std::move(geometry);
   const Index n = Index(edges.size());
   map.vertices.resize(n);
   map.edges.reserve(n);
@@ -102,7 +103,7 @@ SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std:
       map.edges[k].v1 = edges[k].right ? next : k;
       map.half_edges[h] = {.next = g, .face = ring.inside};
       map.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
-      map.vertices[next] = {.point = used.point(edges, next), .mark = 0};
+      map.vertices[next] = {.point = used.point(edges[next].point), .mark = 0};
       map.vertices[next].out = is_first(map, next, g, back) ? g : back;
     }
     map.faces[ring.inside].mark = -1;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "plane/broad_phase.h"
@@ -16,56 +17,60 @@ namespace findspace::plane {
 
 class SequenceBoxes {
  public:
-  explicit SequenceBoxes(std::vector<PieceBox> boxes) {
-    levels_.push_back(std::move(boxes));
-    while (levels_.back().size() > 1) {
-      const std::vector<PieceBox>& low = levels_.back();
-      std::vector<PieceBox> high((low.size() + 1) / 2);
-      for (std::size_t k = 0; k < high.size(); ++k)
-        high[k] = 2 * k + 1 < low.size() ? joined(low[2 * k], low[2 * k + 1]) : low[2 * k];
-      levels_.push_back(std::move(high));
+  explicit SequenceBoxes(std::vector<PieceBox> boxes) : boxes_(std::move(boxes)) {
+    first_[0] = 0, count_[0] = boxes_.size();
+    boxes_.reserve(2 * boxes_.size() + kMostLevels);
+    for (levels_ = 1; count_[levels_ - 1] > 1; ++levels_) {
+      const std::size_t low = first_[levels_ - 1], n = count_[levels_ - 1];
+      first_[levels_] = boxes_.size(), count_[levels_] = (n + 1) / 2;
+      for (std::size_t k = 0; k < n; k += 2)
+        boxes_.push_back(k + 1 < n ? joined(boxes_[low + k], boxes_[low + k + 1]) : boxes_[low + k]);
     }
   }
 
   /// Calls visit(i, j), i < j, for all pairs whose boxes meet.
   template <class Visit>
   void meeting_pairs(Visit&& visit) const {
-    for (std::size_t level = 0; level < levels_.size(); ++level)
-      for (std::size_t k = 0; k + 1 < levels_[level].size(); k += 2)
-        if (levels_[level][k].meets(levels_[level][k + 1])) between(level, k, k + 1, visit);
+    for (std::size_t level = 0; level < levels_; ++level)
+      for (std::size_t k = 0; k + 1 < count_[level]; k += 2)
+        if (box(level, k).meets(box(level, k + 1))) between(level, k, k + 1, visit);
   }
 
   /// Calls visit(i) for the boxes that meet the given one, until it returns true.
   template <class Visit>
-  bool any_meeting(const PieceBox& box, Visit&& visit) const {
-    return !levels_[0].empty() && any_under(levels_.size() - 1, 0, box, visit);
+  bool any_meeting(const PieceBox& with, Visit&& visit) const {
+    return count_[0] > 0 && box(levels_ - 1, 0).meets(with) && any_under(levels_ - 1, 0, with, visit);
   }
 
  private:
+  static constexpr std::size_t kMostLevels = 34;  // of a number of boxes that an Index can count
+
   static PieceBox joined(const PieceBox& a, const PieceBox& b) {
     return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
   }
+  const PieceBox& box(std::size_t level, std::size_t k) const { return boxes_[first_[level] + k]; }
 
   /// Of two different boxes of a level that meet.
   template <class Visit>
   void between(std::size_t level, std::size_t i, std::size_t j, Visit& visit) const {
-    if (level == 0) return visit(Index(i), Index(j));
-    const std::vector<PieceBox>& below = levels_[level - 1];
-    const std::size_t i_end = std::min(2 * i + 2, below.size()), j_end = std::min(2 * j + 2, below.size());
+    if (level-- == 0) return visit(Index(i), Index(j));
+    const std::size_t i_end = std::min(2 * i + 2, count_[level]), j_end = std::min(2 * j + 2, count_[level]);
     for (std::size_t k = 2 * i; k < i_end; ++k)
       for (std::size_t l = 2 * j; l < j_end; ++l)
-        if (below[k].meets(below[l])) between(level - 1, k, l, visit);
+        if (box(level, k).meets(box(level, l))) between(level, k, l, visit);
   }
 
   template <class Visit>
-  bool any_under(std::size_t level, std::size_t i, const PieceBox& box, Visit& visit) const {
-    if (!levels_[level][i].meets(box)) return false;
-    if (level == 0) return visit(Index(i));
-    const std::size_t n = levels_[level - 1].size();
-    return any_under(level - 1, 2 * i, box, visit) || (2 * i + 1 < n && any_under(level - 1, 2 * i + 1, box, visit));
+  bool any_under(std::size_t level, std::size_t i, const PieceBox& with, Visit& visit) const {
+    if (level-- == 0) return visit(Index(i));
+    for (std::size_t k = 2 * i; k < std::min(2 * i + 2, count_[level]); ++k)
+      if (box(level, k).meets(with) && any_under(level, k, with, visit)) return true;
+    return false;
   }
 
-  std::vector<std::vector<PieceBox>> levels_;  // of one, of two, of four ...
+  std::vector<PieceBox> boxes_;                         // of one, then of two, of four ...
+  std::array<std::size_t, kMostLevels> first_, count_;  // of a level
+  std::size_t levels_ = 0;
 };
 
 }  // namespace findspace::plane
