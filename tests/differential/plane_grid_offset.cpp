@@ -16,6 +16,7 @@
 #include <string>
 
 #include "findspace/error.h"
+#include "law/plane_invariants.h"
 #include "plane/contour.h"
 #include "plane/grid_offset.h"
 #include "plane/minkowski.h"
@@ -55,6 +56,7 @@ void compare(const Region& set, const Real& radius, const std::string& what, Cou
         shape, [](Mark m) { return m > 0; }, radius);
     ++(found ? count.walked : count.declined);
     if (!found) continue;
+    ASSERT_EQ(fault(*found), "") << what;
     const SignMap expected = contact_map(shape, region_of_disc(0, 0, radius));
     std::array<const CellComplex*, 2> both{&*found, &expected};
     const Region difference = overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
