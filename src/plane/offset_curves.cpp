@@ -3,6 +3,7 @@
 
 #include "plane/offset_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -43,7 +44,10 @@ class Builder {
     const bool covering = covering_pays(corners, radius.to_double());
     line_.assign(n, kNone), circle_.assign(n, kNone), from_.assign(n, kNone), to_.assign(n, kNone);
     arc_from_.assign(n, kNone), arc_to_.assign(n, kNone);
-    g_.carriers.reserve(2 * n), g_.points.reserve(2 * n);
+    const auto turns_left = [](const GridCorner& c) { return c.turn > 0; };
+    const std::size_t arcs = std::size_t(std::count_if(corners.begin(), corners.end(), turns_left));
+    room_ = n + arcs + n / 8 + 4;  // a few arcs are cut in two, a few edges get loose ends
+    g_.carriers.reserve(room_), g_.points.reserve(room_ + n / 8);
     for (Index k = 0; k < n; ++k) {
       if (corners[k].turn > 0 && !(covering && edges.covers_arc(k)))
         circle_[k] = g_.add(Carrier::circle_at(corners[k].at.x, corners[k].at.y, radius));
@@ -56,7 +60,7 @@ class Builder {
     for (Index k = 0; k < n; ++k) add_ends(k);
     for (Index k = 0; k < n; ++k)
       if (line_[k] != kNone && is_cut(k) && !runs_forward(k)) undo_crossing(k), undo_crossing(corners_[k].next);
-    out_.pieces.reserve(2 * n), out_.tracks.reserve(2 * n);
+    out_.pieces.reserve(room_), out_.tracks.reserve(room_);
     for (Index k = 0; k < n; ++k) {
       if (circle_[k] != kNone) add_arc(k);
       if (line_[k] != kNone) add_piece(line_[k], from_[k], to_[k], 0, points_right(corners_[k]), false, k);
@@ -164,6 +168,7 @@ class Builder {
   Real opposite_;
   OffsetCurves out_;
   exact::Geometry& g_;
+  std::size_t room_ = 0;
   std::vector<Index> line_, circle_;      // of the displaced edge and of the arc of a corner; kNone: left out
   std::vector<Index> from_, to_;          // ends of the displaced edges
   std::vector<Index> arc_from_, arc_to_;  // ends of the arcs
