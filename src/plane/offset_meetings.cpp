@@ -39,21 +39,22 @@ bool OffsetMeetings::find() {
   PieceMeetings found(c_.geometry, c_.pieces, std::pmr::new_delete_resource());
   SequenceBoxes(boxes()).meeting_pairs([&](Index i, Index j) {
     if (!good_ || c_.tracks[i].next == j || c_.tracks[j].next == i) return;
-    const std::size_t splits = found.splits.size(), ties = found.ties.size(), points = c_.geometry.points.size();
+    const Index known = Index(c_.geometry.points.size());
     found.add_pair(i, j);
-    if (found.splits.size() + found.ties.size() > splits + ties) note(found, splits, ties, points, i, j);
+    if (found.splits.empty() && found.ties.empty()) return;
+    note(found, known, i, j);
+    found.splits.clear(), found.ties.clear();
   });
   return good_ && sort_stops();
 }
 
-void OffsetMeetings::note(const PieceMeetings& found, std::size_t splits, std::size_t ties, std::size_t points, Index i,
-                          Index j) {
+void OffsetMeetings::note(const PieceMeetings& found, Index known, Index i, Index j) {
   const exact::Geometry& g = c_.geometry;
   if (same_carrier(g.carriers[c_.pieces[i].carrier], g.carriers[c_.pieces[j].carrier])) good_ = false;
-  for (std::size_t k = ties; k < found.ties.size(); ++k) give_up_unless_inside(found.ties[k].p, i, j);
-  for (std::size_t k = splits; k < found.splits.size(); ++k) {
+  for (const PieceMeetings::Tie& tie : found.ties) give_up_unless_inside(tie.p, i, j);
+  for (std::size_t k = 0; k < found.splits.size(); ++k) {
     const Index point = found.splits[k].point;
-    const bool crossing = point >= points && !g.touch_at(point, c_.pieces[i].carrier, c_.pieces[j].carrier) &&
+    const bool crossing = point >= known && !g.touch_at(point, c_.pieces[i].carrier, c_.pieces[j].carrier) &&
                           k + 1 < found.splits.size() && found.splits[k + 1].point == point;
     if (!crossing) {
       give_up_unless_inside(point, i, j);

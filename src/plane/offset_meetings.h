@@ -36,7 +36,8 @@ class OffsetMeetings {
 
  private:
   std::vector<PieceBox> boxes() const;
-  void note(const PieceMeetings& found, std::size_t splits, std::size_t ties, std::size_t points, Index i, Index j);
+  /// What a pair of pieces has in common; points from `known` on are new.
+  void note(const PieceMeetings& found, Index known, Index i, Index j);
   void give_up_unless_inside(Index point, Index i, Index j) { good_ = good_ && is_inside(point, {i, j}); }
   bool sort_stops();
 
