@@ -45,9 +45,6 @@ class SequenceBoxes {
  private:
   static constexpr std::size_t kMostLevels = 34;  // of a number of boxes that an Index can count
 
-  static PieceBox joined(const PieceBox& a, const PieceBox& b) {
-    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-  }
   const PieceBox& box(std::size_t level, std::size_t k) const { return boxes_[first_[level] + k]; }
 
   /// Of two different boxes of a level that meet.
