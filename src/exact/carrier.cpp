@@ -43,8 +43,7 @@ Carrier Carrier::line(std::int64_t a, std::int64_t b, const Real& c) {
 Carrier Carrier::displaced_line(std::int64_t a, std::int64_t b, int128 c, const Real& shift) {
   if (shift.sign() == 0) return line(a, b, c);
   // An integer length gives a rational offset.
-  int128 square = int128(a) * a + int128(b) * b, root = int128(std::llround(std::sqrt(double(square))));
-  if (root * root == square) return line(a, b, Real(c) + shift * Real(root));
+  if (auto length = integer_length(a, b)) return line(a, b, Real(c) + shift * Real(*length));
   Carrier l;
   l.grid = false;
   l.a = a, l.b = b, l.c = c, l.w = shift;

@@ -34,6 +34,15 @@ std::uint32_t Geometry::add_parallel(const Carrier& line, std::int64_t x, std::i
   return std::uint32_t(carriers.size() - 1);
 }
 
+std::uint32_t Geometry::add_displaced(const Carrier& line, const Real& shift) {
+  if (integer_length(line.a, line.b)) return add(Carrier::displaced_line(line.a, line.b, line.c, shift));
+  Carrier& l = carriers.emplace_back();
+  l.grid = false;
+  l.a = line.a, l.b = line.b, l.c = line.c, l.w = shift;
+  l.x = line.x, l.y = line.y, l.z = line.z + from_real(shift);
+  return std::uint32_t(carriers.size() - 1);
+}
+
 std::uint32_t Geometry::add_grid_point(std::int64_t x, std::int64_t y) {
   Point& p = points.emplace_back();
   p.gx = x, p.gy = y, p.x = double(x), p.y = double(y);
@@ -85,9 +94,14 @@ void Geometry::set_approx(Point& p) const {
       y = (from_int(s->a) * c2 - from_int(t->a) * c1) / det;
     } else if (!s->circle) {
       Approx h = s->x * t->x + s->y * t->y - s->z;
-      Approx half = root * sqrt((t->z - h) * (t->z + h));
-      x = t->x - h * s->x + half * s->y;
-      y = t->y - h * s->y - half * s->x;
+      if (p.root == 0 && h.sign() != 0) {  // the line touches the circle: |h| is the radius
+        Approx r = h.sign() > 0 ? t->z : -t->z;
+        x = t->x - r * s->x, y = t->y - r * s->y;
+      } else {
+        Approx half = root * sqrt((t->z - h) * (t->z + h));
+        x = t->x - h * s->x + half * s->y;
+        y = t->y - h * s->y - half * s->x;
+      }
     } else {
       Approx dx = t->x - s->x, dy = t->y - s->y, l2 = dx * dx + dy * dy;
       Approx k = (l2 + (s->z - t->z) * (s->z + t->z)) / (l2 + l2);

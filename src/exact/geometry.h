@@ -84,6 +84,8 @@ class Geometry {
   std::uint32_t add_line(std::int64_t a, std::int64_t b, int128 c);
   /// The line through the grid point (x, y) parallel to a grid line, whose filter it shares.
   std::uint32_t add_parallel(const Carrier& line, std::int64_t x, std::int64_t y);
+  /// A grid line moved along its unit normal by `shift`, not 0; it shares the filter of its direction.
+  std::uint32_t add_displaced(const Carrier& line, const Real& shift);
   std::uint32_t add_grid_point(std::int64_t x, std::int64_t y);
   std::uint32_t add_real_point(const Real& x, const Real& y);
   /// The point where carriers i and j meet; `root` as in `Meeting`. The carriers must meet there.

@@ -55,6 +55,12 @@ inline Approx normal_length(const Carrier& l) {
   return {n, n * (3 * Approx::kUnit)};
 }
 
+/// The length of (a, b) if it is an integer.
+inline std::optional<int128> integer_length(std::int64_t a, std::int64_t b) {
+  int128 square = int128(a) * a + int128(b) * b, root = int128(std::llround(std::sqrt(double(square))));
+  return root * root == square ? std::optional(root) : std::nullopt;
+}
+
 inline Approx line_offset(const Carrier& l) {
   if (l.real) return from_real(l.real->x);
   return l.grid ? from_int(l.c) : from_int(l.c) + from_real(l.w) * normal_length(l);

@@ -33,6 +33,22 @@ double y_at(const exact::Geometry& g, const Piece& p, double x) {
 
 }  // namespace
 
+double box_slack(double error, double largest) { return error * 2 + largest * kRelativeSlack; }
+
+PieceBox box_of(const exact::Geometry& g, const Piece& p, double slack) {
+  const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
+  PieceBox box{a.x - slack, std::min(a.y, b.y) - slack, b.x + slack, std::max(a.y, b.y) + slack};
+  if (p.half == 0) return box;
+  const exact::Carrier& k = g.carriers[p.carrier];
+  if (k.x.value > box.x1 || k.x.value < box.x0) return box;  // monotone on this part: the ends bound it
+  double e = slack + k.z.error + k.y.error + std::abs(k.z.value) * kRelativeSlack;
+  if (p.half > 0)
+    box.y1 = std::max(box.y1, k.y.value + k.z.value + e);
+  else
+    box.y0 = std::min(box.y0, k.y.value - k.z.value - e);
+  return box;
+}
+
 CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra, Memory memory)
     : boxes_(memory), first_column_(memory), rows_start_(memory), piece_rows_(memory), start_(memory), items_(memory) {
   set_boxes(g, pieces, extra);
@@ -70,27 +86,14 @@ void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces
   };
   for (const Piece& p : pieces) take(g.points[p.p0]), take(g.points[p.p1]);
   for (Index p : extra) take(g.points[p]);
-  slack_ = slack_ * 2 + largest * kRelativeSlack;
+  slack_ = box_slack(slack_, largest);
   auto grow = [&](const PieceBox& b) {
     box_ = {std::min(box_.x0, b.x0), std::min(box_.y0, b.y0), std::max(box_.x1, b.x1), std::max(box_.y1, b.y1)};
   };
   boxes_.reserve(pieces.size());
   for (const Piece& p : pieces) {
-    const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
-    PieceBox box{a.x - slack_, std::min(a.y, b.y) - slack_, b.x + slack_, std::max(a.y, b.y) + slack_};
-    if (p.half != 0) {
-      const exact::Carrier& k = g.carriers[p.carrier];
-      double e = slack_ + k.z.error + k.y.error + std::abs(k.z.value) * kRelativeSlack;
-      if (p.half > 0)
-        box.y1 = std::max(box.y1, k.y.value + k.z.value + e);
-      else
-        box.y0 = std::min(box.y0, k.y.value - k.z.value - e);
-      if (k.x.value > box.x1 || k.x.value < box.x0) {  // monotone on this part: the ends bound it
-        box.y0 = std::min(a.y, b.y) - slack_, box.y1 = std::max(a.y, b.y) + slack_;
-      }
-    }
-    boxes_.push_back(box);
-    grow(box);
+    boxes_.push_back(box_of(g, p, slack_));
+    grow(boxes_.back());
   }
   for (Index p : extra) {
     const exact::Point& q = g.points[p];

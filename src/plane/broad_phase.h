@@ -22,6 +22,10 @@ struct PieceBox {
   bool meets(const PieceBox& o) const { return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1; }
 };
 
+inline PieceBox joined(const PieceBox& a, const PieceBox& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 class CellGrid {
  public:
   /// All points that will ever be asked about must be ends of the pieces or `extra`.
@@ -64,6 +68,11 @@ class CellGrid {
   std::pmr::vector<Rows> piece_rows_;                  // per piece and column
   std::pmr::vector<Index> start_, items_;              // cell -> pieces
 };
+
+/// How far off a box of pieces may be, from the largest error and the largest coordinate of their ends.
+double box_slack(double error, double largest);
+/// Holds the piece.
+PieceBox box_of(const exact::Geometry& g, const Piece& piece, double slack);
 
 template <class F>
 void CellGrid::pairs(F&& f) const {

@@ -5,8 +5,8 @@
 // (distances.md 3.1): the base map carries - on the open set O, 0 on C \ O, + elsewhere.
 //   level > 0: the sign of d(p, C) - level;  level < 0: the sign of |level| - d(p, O^c), never of an erosion of C.
 // Guarantee: exact for every level, also at critical ones (mid-lines of gaps, centres of holes); boundary arcs are
-// arcs. Cost: one convolution with a disc. Source: distances.md 3.5, 3.6. Keywords: offset, buffer, parallel curve,
-// clearance.
+// arcs. Cost: that of grid_offset.h for grid polygons, else one convolution with a disc. Source: distances.md 3.5, 3.6.
+// Keywords: offset, buffer, parallel curve, clearance.
 #pragma once
 
 #include "plane/cell_complex.h"

@@ -12,24 +12,6 @@ namespace findspace::plane {
 namespace {
 
 using exact::Geometry;
-using exact::Real;
-
-/// Exact y of a non-vertical piece at the x of a point.
-Real exact_y_at(const Geometry& g, const Piece& p, Index point) {
-  const exact::Carrier& k = g.carriers[p.carrier];
-  Real x = g.exact_x(point);
-  if (!k.circle) return (k.offset() - Real(k.a) * x) / Real(k.b);
-  Real dx = x - k.center_x(), root = sqrt(k.w * k.w - dx * dx);
-  return p.half > 0 ? k.center_y() + root : k.center_y() - root;
-}
-
-exact::Approx approx_y_at(const Geometry& g, const Piece& p, Index point) {
-  const exact::Carrier& k = g.carriers[p.carrier];
-  exact::Approx x{g.points[point].x, g.points[point].error};
-  if (!k.circle) return (k.z - k.x * x) / k.y;
-  exact::Approx dx = x - k.x, root = sqrt((k.z - dx) * (k.z + dx));
-  return p.half > 0 ? k.y + root : k.y - root;
-}
 
 /// The vertical ray downwards from just left of a vertex.
 class DownwardRay {
@@ -56,14 +38,9 @@ class DownwardRay {
     if (i == best_ || (p.half == 0 && g_.carriers[p.carrier].b == 0)) return;  // vertical: never left of the vertex
     if (g_.compare_x(p.p0, from_) >= 0 || g_.compare_x(p.p1, from_) < 0) return;
     if (height(g_, p, from_) <= 0) return;
-    exact::Approx y = approx_y_at(g_, p, from_);
-    if (best_ != kNone) {
-      int s = (y - best_y_).sign();
-      if (s == 0) s = compare(exact_y_at(g_, p, from_), exact_y_at(g_, a_.pieces[best_], from_));
-      if (s <= 0) return;
-    }
+    if (best_ != kNone && compare_heights(g_, p, a_.pieces[best_], from_) <= 0) return;
     best_ = i;
-    best_y_ = y;
+    best_y_ = approx_y_at(g_, p, from_);
   }
 
   Index side_of_hit() const {

@@ -9,6 +9,7 @@
 
 #include "plane/arrangement.h"
 #include "plane/face_walk.h"
+#include "plane/scratch.h"
 #include "plane/simplify.h"
 
 namespace findspace::plane {
@@ -42,8 +43,20 @@ Index append(Geometry& to, const Geometry& from) {
   return points;
 }
 
+void make_room(Input& in, std::span<const CellComplex* const> operands) {
+  std::size_t carriers = 0, points = 0, edges = 0;
+  for (const CellComplex* c : operands)
+    carriers += c->geometry.carriers.size(), points += c->geometry.points.size(), edges += c->edges.size();
+  in.geometry.carriers.reserve(carriers);
+  in.geometry.points.reserve(points + points / 4);  // and some crossings
+  in.pieces.reserve(edges);
+  in.source.reserve(edges);
+  in.point_offset.reserve(operands.size());
+}
+
 Input gather(std::span<const CellComplex* const> operands) {
   Input in;
+  make_room(in, operands);
   for (Index k = 0; k < operands.size(); ++k) {
     const CellComplex& c = *operands[k];
     Index carrier = Index(in.geometry.carriers.size()), point = append(in.geometry, c.geometry);
@@ -238,7 +251,8 @@ class Weights {
 template <class Rule>
 Region combine(std::span<const Region* const> regions, std::span<const std::int32_t> weight, Rule&& rule) {
   Input in = gather(regions);
-  Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated);
+  Scratch scratch(in.pieces.size());
+  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, scratch.memory());
   return extract(a, Weights(a, in, regions, weight).evaluate(rule));
 }
 
@@ -247,7 +261,8 @@ Region combine(std::span<const Region* const> regions, std::span<const std::int3
 CellComplex overlay(std::span<const CellComplex* const> operands,
                     const std::function<Mark(std::span<const Mark>)>& rule) {
   Input in = gather(operands);
-  Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated);
+  Scratch scratch(in.pieces.size());
+  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, scratch.memory());
   return extract(a, Labels(a, in, operands).evaluate(rule));
 }
 
@@ -284,7 +299,8 @@ CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule) {
   for (Vertex& v : complex.vertices) change(v.mark);
   for (Edge& e : complex.edges) change(e.mark);
   for (Face& f : complex.faces) change(f.mark);
-  return all_differ ? complex : simplify(complex);  // what differed still differs
+  if (all_differ) return complex;  // what differed still differs
+  return simplify(complex);
 }
 
 }  // namespace findspace::plane

@@ -8,6 +8,33 @@
 namespace findspace::plane {
 
 using exact::Geometry;
+using exact::Real;
+
+namespace {
+
+/// Exact y of a non-vertical piece at the x of a point.
+Real exact_y_at(const Geometry& g, const Piece& p, Index point) {
+  const exact::Carrier& k = g.carriers[p.carrier];
+  Real x = g.exact_x(point);
+  if (!k.circle) return (k.offset() - Real(k.a) * x) / Real(k.b);
+  Real dx = x - k.center_x(), root = sqrt(k.w * k.w - dx * dx);
+  return p.half > 0 ? k.center_y() + root : k.center_y() - root;
+}
+
+}  // namespace
+
+exact::Approx approx_y_at(const Geometry& g, const Piece& p, Index point) {
+  const exact::Carrier& k = g.carriers[p.carrier];
+  exact::Approx x{g.points[point].x, g.points[point].error};
+  if (!k.circle) return (k.z - k.x * x) / k.y;
+  exact::Approx dx = x - k.x, root = sqrt((k.z - dx) * (k.z + dx));
+  return p.half > 0 ? k.y + root : k.y - root;
+}
+
+int compare_heights(const Geometry& g, const Piece& p, const Piece& q, Index point) {
+  const int s = (approx_y_at(g, p, point) - approx_y_at(g, q, point)).sign();
+  return s != 0 ? s : compare(exact_y_at(g, p, point), exact_y_at(g, q, point));
+}
 
 int compare_along(const Geometry& g, const Piece& piece, Index p, Index q) {
   if (piece.half != 0) return g.compare_x(p, q);

@@ -25,6 +25,10 @@ int compare_along(const exact::Geometry& g, const Piece& piece, Index p, Index q
 /// Sign of the point's height over the piece (a non-vertical one whose x-range contains the point): +1 above, 0 on it.
 int height(const exact::Geometry& g, const Piece& piece, Index point);
 
+/// y of a non-vertical piece at the x of a point, which is in its range; the order of two there.
+exact::Approx approx_y_at(const exact::Geometry& g, const Piece& piece, Index point);
+int compare_heights(const exact::Geometry& g, const Piece& p, const Piece& q, Index point);
+
 class PieceMeetings {
  public:
   struct Split {

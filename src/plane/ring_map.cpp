@@ -3,85 +3,113 @@
 
 #include "plane/ring_map.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "plane/around_vertex.h"
 #include "plane/scratch.h"
 
 namespace findspace::plane {
 namespace {
 
-/// Copies what the rings use; carriers keep their order, as crossings need.
+/// Numbers what is used (not 0) in its order, the rest kNone, and drops the rest of the things.
+template <class Thing>
+void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
+  Index count = 0;
+  for (Index k = 0; k < used.size(); ++k) {
+    if (used[k] == 0) {
+      used[k] = kNone;
+      continue;
+    }
+    if (count != k) things[count] = std::move(things[k]);
+    used[k] = count++;
+  }
+  things.resize(count);
+  if (2 * things.size() < things.capacity()) things.shrink_to_fit();
+}
+
+/// What the rings use of a geometry; carriers keep their order, as crossings need.
 class UsedGeometry {
  public:
-  UsedGeometry(const exact::Geometry& from, std::span<const RingEdge> edges, exact::Geometry& to, Memory memory)
-      : carrier_(from.carriers.size(), 0, memory) {
+  UsedGeometry(exact::Geometry& g, std::span<const RingEdge> edges, Memory memory)
+      : carrier_(g.carriers.size(), 0, memory), point_(g.points.size(), 0, memory), real_(g.reals.size(), 0, memory) {
     for (const RingEdge& e : edges) {
-      carrier_[e.carrier] = 1;
-      const exact::Point& p = from.points[e.point];
+      carrier_[e.carrier] = point_[e.point] = 1;
+      const exact::Point& p = g.points[e.point];
       if (p.kind == exact::Point::Kind::kCross) carrier_[p.i] = carrier_[p.j] = 1;
+      if (p.kind == exact::Point::Kind::kReal) real_[p.i] = 1;
     }
-    Index count = 0;
-    for (Index& k : carrier_) k = k ? count++ : kNone;
-    to.carriers.reserve(count);
-    for (Index k = 0; k < carrier_.size(); ++k)
-      if (carrier_[k] != kNone) to.carriers.push_back(from.carriers[k]);
-    to.points.reserve(edges.size());
-    for (const RingEdge& e : edges) {
-      exact::Point& p = to.points.emplace_back(from.points[e.point]);
+    keep_used(carrier_, g.carriers);
+    keep_used(point_, g.points);
+    keep_used(real_, g.reals);
+    for (exact::Point& p : g.points) {
       if (p.kind == exact::Point::Kind::kCross) p.i = carrier_[p.i], p.j = carrier_[p.j];
+      if (p.kind == exact::Point::Kind::kReal) p.i = real_[p.i];
     }
   }
 
   Index carrier(Index old) const { return carrier_[old]; }
+  Index point(Index old) const { return point_[old]; }
 
  private:
-  std::pmr::vector<Index> carrier_;
+  std::pmr::vector<Index> carrier_, point_, real_;
 };
 
-/// +1 where the second of two successive edges turns left.
-int turn(const exact::Geometry& g, const RingEdge& e, const RingEdge& f) {
-  const exact::Carrier &k = g.carriers[e.carrier], &l = g.carriers[f.carrier];
-  exact::int128 cross = exact::int128(k.a) * l.b - exact::int128(k.b) * l.a;
-  int sign = (cross > 0) - (cross < 0);
-  return ((k.b > 0) == e.right) == ((l.b > 0) == f.right) ? sign : -sign;
+/// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.
+bool is_first(const SignMap& map, Index vertex, Index h, Index k) {
+  if ((h & 1u) != (k & 1u)) return !(h & 1u);
+  return comes_before(map.geometry, map.vertices[vertex].point, h & 1u, map.heading(h), map.edges[h / 2].half,
+                      map.heading(k));
+}
+
+Index face_count(std::span<const NestedRing> rings) {
+  Index last = 0;
+  for (const NestedRing& r : rings) last = std::max({last, r.inside, r.outside});
+  return last + 1;
 }
 
 }  // namespace
 
-SignMap ring_map(const exact::Geometry& geometry, std::span<const RingEdge> edges, std::span<const Index> starts) {
+std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts, bool unbounded) {
+  std::vector<NestedRing> rings;
+  rings.reserve(starts.size());
+  for (Index r = 0; r < starts.size(); ++r) {
+    const bool outer = r == 0 && !unbounded;
+    rings.push_back({starts[r], unbounded ? 0u : 1u, outer ? 0 : r + 1, outer});
+  }
+  return rings;
+}
+
+SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+                 bool unbounded) {
   Scratch scratch(geometry.carriers.size() / 4);
   SignMap map;
-  UsedGeometry used(geometry, edges, map.geometry, scratch.memory());
-  Index n = Index(edges.size());
+  const UsedGeometry used(geometry, edges, scratch.memory());
+  map.geometry = std::move(geometry);
+  const Index n = Index(edges.size());
   map.vertices.resize(n);
   map.edges.reserve(n);
   map.half_edges.resize(2 * n);
-  map.faces.reserve(starts.size() + 1);
-  map.faces = {Face{.mark = 1, .outer = kNone, .inner = {}, .isolated = {}},
-               Face{.mark = -1, .outer = kNone, .inner = {}, .isolated = {}}};
-  for (std::size_t r = 0; r < starts.size(); ++r) {
-    Index first = starts[r], end = r + 1 < starts.size() ? starts[r + 1] : n;
-    Index outside = r == 0 ? 0 : Index(map.faces.size());
-    auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
+  map.faces.assign(face_count(rings), Face{.mark = 1, .outer = kNone, .inner = {}, .isolated = {}});
+  if (unbounded) map.faces[0].mark = -1;
+  auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
+  for (const RingEdge& e : edges) map.edges.push_back({.carrier = used.carrier(e.carrier), .half = e.half, .mark = 0});
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const NestedRing& ring = rings[r];
+    const Index first = ring.start, end = r + 1 < rings.size() ? rings[r + 1].start : n;
     for (Index k = first; k < end; ++k) {
-      Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
-      bool right = edges[k].right;
-      map.edges.push_back({.v0 = right ? k : next,
-                           .v1 = right ? next : k,
-                           .carrier = used.carrier(edges[k].carrier),
-                           .half = 0,
-                           .mark = 0});
-      map.half_edges[h] = {.next = g, .face = 1};
-      map.half_edges[g ^ 1u] = {.next = back, .face = outside};
-      // Edges to the right come first; of two on the same side, at a left turn the one that leaves.
-      bool leaving = (g & 1u) != (back & 1u) ? !(g & 1u) : turn(geometry, edges[k], edges[next]) > 0;
-      map.vertices[next] = {.point = next, .mark = 0, .out = leaving ? g : back};
+      const Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
+      map.edges[k].v0 = edges[k].right ? k : next;
+      map.edges[k].v1 = edges[k].right ? next : k;
+      map.half_edges[h] = {.next = g, .face = ring.inside};
+      map.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
+      map.vertices[next] = {.point = used.point(edges[next].point), .mark = 0};
+      map.vertices[next].out = is_first(map, next, g, back) ? g : back;
     }
-    if (r == 0) {
-      map.faces[1].outer = along(first);
-      map.faces[0].inner.push_back(along(first) ^ 1u);
-    } else {
-      map.faces[1].inner.push_back(along(first));
-      map.faces.push_back(Face{.mark = 1, .outer = along(first) ^ 1u, .inner = {}, .isolated = {}});
-    }
+    map.faces[ring.inside].mark = -1;
+    const Index within = along(first), without = within ^ 1u;
+    map.faces[ring.outer ? ring.inside : ring.outside].outer = ring.outer ? within : without;
+    map.faces[ring.outer ? ring.outside : ring.inside].inner.push_back(ring.outer ? without : within);
   }
   return map;
 }

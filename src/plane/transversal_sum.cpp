@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "plane/meeting_curves.h"
 #include "plane/ring_map.h"
@@ -87,7 +88,7 @@ class TransversalSum {
       c_.geometry.points.resize(known);
       return std::nullopt;
     }
-    return ring_map(c_.geometry, rings_, starts_);
+    return ring_map(std::move(c_.geometry), rings_, rings_of_one_face(starts_));
   }
 
  private:
