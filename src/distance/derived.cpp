@@ -57,6 +57,11 @@ class CutOff : public TDistance {
     return out;
   }
 
+  std::optional<Lowest> lowest() const override {
+    auto l = negated_ ? std::nullopt : f_->lowest();
+    return l && l->level > floor_ ? l : std::nullopt;
+  }
+
   std::vector<Real> special_levels() const override {
     auto out = f_->special_levels();
     if (negated_)
@@ -130,6 +135,12 @@ class Reflected : public TDistance {
     auto out = f_->fronts({-p.x, -p.y}, room);
     for (NearFront& n : out) n.front.a = -n.front.a, n.front.b = -n.front.b;
     return out;
+  }
+
+  std::optional<Lowest> lowest() const override {
+    auto l = f_->lowest();
+    if (l) l->at = {-l->at.x, -l->at.y};
+    return l;
   }
 
   std::vector<Real> special_levels() const override { return f_->special_levels(); }

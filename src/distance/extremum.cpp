@@ -10,6 +10,7 @@
 
 #include "distance/extremum_candidates.h"
 #include "distance/point_set.h"
+#include "plane/locate.h"
 #include "plane/overlay.h"
 #include "plane/topology.h"
 
@@ -65,6 +66,7 @@ class Search {
   bool take(const Bracket& known);
   bool try_near(const std::vector<Real>& all, double number);
   bool try_candidates();
+  bool take_lowest(Extremum& out) const;
   Extremum finished(const Real& level, bool proven) const;
 
   const TDistance& f_;
@@ -190,6 +192,16 @@ Extremum Search::finished(const Real& level, bool proven) const {
   return e;
 }
 
+/// The family knows its least value, and a position of the closure of S has it.
+bool Search::take_lowest(Extremum& out) const {
+  const auto lowest = turn_ > 0 ? f_.lowest() : std::nullopt;
+  if (!lowest || (!whole_ && plane::mark_of(closure_, plane::locate(closure_, lowest->at)) <= 0)) return false;
+  out.exists = out.proven = true;
+  out.level = lowest->level, out.at = point_set({&lowest->at, 1});
+  out.attained = whole_ || plane::mark_of(s_, plane::locate(s_, lowest->at)) > 0;
+  return true;
+}
+
 Extremum Search::run(const std::optional<Bracket>& known) {
   value_only_ = known && known->value_only;
   if (plane::is_empty(s_) || !f_.defined()) return {};
@@ -198,6 +210,7 @@ Extremum Search::run(const std::optional<Bracket>& known) {
     e.unbounded = true;
     return e;
   }
+  if (Extremum out; take_lowest(out)) return out;
   for (const Real& l : f_.special_levels())
     if (accept(l)) return finished(level_, true);
   scale_ = extent();

@@ -13,7 +13,7 @@ using plane::Index;
 
 namespace {
 
-constexpr double kFlat = 1e-9;  // radians; no sign: a vertex dropped here is no nearer than the ends of its edges
+constexpr double kFlat = 0x1p-30;  // radians; a vertex dropped here is no nearer than the ends of its edges
 
 }  // namespace
 
