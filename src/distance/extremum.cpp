@@ -28,6 +28,7 @@ namespace {
 
 constexpr Mark kOn = 1, kBeyond = 2;  // positions of S at the level; beyond it
 constexpr int kMostProbes = 120;
+constexpr double kMost = 0x1p44;  // no level lies beyond: coordinates are below 2^40
 
 bool has_mark(const CellComplex& c, Mark wanted) {
   auto is = [wanted](const auto& cell) { return cell.mark == wanted; };
@@ -62,7 +63,8 @@ class Search {
   bool reaches(const Real& level);
   bool accept(const Real& level);
   double extent() const;
-  void bracket();
+  Extremum infinite(bool below) const;
+  bool bracket(const Real& value);
   bool take(const Bracket& known);
   bool try_near(const std::vector<Real>& all, double number);
   bool try_candidates();
@@ -125,15 +127,28 @@ double Search::extent() const {
   return most;
 }
 
-void Search::bracket() {
-  auto value = f_.value(start());
-  good_ = turn_ * value->value.to_double();
+/// f is +infinity or, `below`, -infinity everywhere: it changes no faster than the position.
+Extremum Search::infinite(bool below) const {
+  Extremum e;
+  if (!below) return e;
+  e.exists = e.unbounded = e.attained = e.proven = true;
+  e.at = s_;
+  return e;
+}
+
+/// Around the extremum, from the value at some position; false where there is no bound.
+bool Search::bracket(const Real& value) {
+  good_ = turn_ * value.to_double();
   scale_ = std::max(scale_, std::abs(good_));
   good_ += scale_ * 0x1p-30;
   double step = std::max(1.0, scale_ / 8);
-  for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) bad_ = good_ - step;
-  scale_ =
-      std::max({scale_, std::abs(bad_), std::abs(good_)});  // over the whole plane nothing else says how large all is
+  for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) {
+    bad_ = good_ - step;
+    if (bad_ < -kMost) return false;
+  }
+  // Over the whole plane nothing else says how large all is.
+  scale_ = std::max({scale_, std::abs(bad_), std::abs(good_)});
+  return true;
 }
 
 /// Begins with what is known, if the level that is said to be reached is.
@@ -214,7 +229,11 @@ Extremum Search::run(const std::optional<Bracket>& known) {
   for (const Real& l : f_.special_levels())
     if (accept(l)) return finished(level_, true);
   scale_ = extent();
-  if (!known || !take(*known)) bracket();
+  if (!known || !take(*known)) {
+    const auto value = f_.value(start());
+    if (!value || value->minus_infinity) return infinite(value.has_value());
+    if (Extremum out; !bracket(value->value)) return out.unbounded = true, out;
+  }
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;
     if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return finished(level_, true);

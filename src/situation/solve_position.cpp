@@ -47,7 +47,7 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
 
 void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
                          const distance::Measured& m, const RealPoint& p) const {
-  out.value = (m.value * world_.step).to_double();
+  out.value = m.minus_infinity ? -std::numeric_limits<double>::infinity() : (m.value * world_.step).to_double();
   out.nearest = m.nearest, out.farthest = m.farthest;
   for (const distance::Feature& f : m.witness)
     out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
