@@ -49,6 +49,8 @@ class AtPosition {
   explicit AtPosition(std::shared_ptr<const ShapePair> pair);
 
   const ShapePair& pair() const { return *pair_; }
+  /// The size of the shapes' coordinates.
+  double scale() const { return moving_.scale() + fixed_.scale(); }
   /// f(p); nothing if undefined.
   std::optional<Measured> measure(Which which, const exact::RealPoint& p) const;
 
