@@ -4,14 +4,13 @@
 #include "distance/extremum.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "distance/extremum_candidates.h"
+#include "distance/level_probe.h"
 #include "distance/point_set.h"
 #include "plane/locate.h"
-#include "plane/overlay.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
@@ -19,22 +18,12 @@ namespace findspace::distance {
 using exact::Real;
 using exact::RealPoint;
 using plane::CellComplex;
-using plane::Index;
-using plane::Mark;
 using plane::Region;
-using plane::SignMap;
 
 namespace {
 
-constexpr Mark kOn = 1, kBeyond = 2;  // positions of S at the level; beyond it
 constexpr int kMostProbes = 120;
 constexpr double kMost = 0x1p44;  // no level lies beyond: coordinates are below 2^40
-
-bool has_mark(const CellComplex& c, Mark wanted) {
-  auto is = [wanted](const auto& cell) { return cell.mark == wanted; };
-  return std::any_of(c.faces.begin(), c.faces.end(), is) || std::any_of(c.edges.begin(), c.edges.end(), is) ||
-         std::any_of(c.vertices.begin(), c.vertices.end(), is);
-}
 
 /// A number between the two with few digits.
 double simple_between(double low, double high) {
@@ -55,7 +44,7 @@ class Search {
   Extremum run(const std::optional<Bracket>& known);
 
  private:
-  CellComplex probe(const Real& level, const Region& over) const;
+  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, turn_); }
   RealPoint start() const {
     return whole_ || closure_.vertices.empty() ? f_.seed() : closure_.geometry.exact(closure_.vertices[0].point);
   }
@@ -83,16 +72,6 @@ class Search {
   Real level_;
   bool value_only_ = false;
 };
-
-/// On the cells of S: kBeyond where f is better than the level, kOn where it is equal.
-CellComplex Search::probe(const Real& level, const Region& over) const {
-  SignMap m = f_.sign_map(level);
-  int turn = turn_;
-  auto rule = [turn](Mark k) { return Mark(turn * k < 0 ? kBeyond : k == 0 ? kOn : 0); };
-  if (whole_) return plane::remark(std::move(m), rule);
-  std::array<const CellComplex*, 2> both{&m, &over};
-  return plane::overlay(both, [&](std::span<const Mark> k) { return k[1] > 0 ? rule(k[0]) : Mark(0); });
-}
 
 bool Search::reaches(const Real& level) {
   CellComplex c = probe(level, closure_);
@@ -196,10 +175,9 @@ Extremum Search::finished(const Real& level, bool proven) const {
   e.exists = true, e.level = level, e.proven = proven;
   if (value_only_) return e;
   if (proven) {
-    auto on = [](Mark k) { return Mark(k == kOn); };
-    e.at = plane::remark(probe(level, s_), on);
+    e.at = on_level(probe(level, s_));
     e.attained = !plane::is_empty(e.at);
-    if (!e.attained) e.at = plane::remark(probe(level, closure_), on);
+    if (!e.attained) e.at = on_level(probe(level, closure_));
     return e;
   }
   e.at = point_set(one_point_a_component(reached_));
