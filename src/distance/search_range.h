@@ -13,7 +13,7 @@
 namespace findspace::distance {
 
 struct Spot {
-  double x, y;
+  double x = 0, y = 0;
 };
 
 /// With what can matter in it.
