@@ -21,7 +21,7 @@ using plane::SignMap;
 namespace {
 
 constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;  // of the scale
-constexpr long kMostRanges = 20000;                            // in search of fronts
+constexpr long kMostRanges = 3000;                             // in search of fronts
 
 }  // namespace
 
