@@ -6,8 +6,8 @@
 // equally near, or one part is equally far, is not halved on and on: with one part left (or several that agree) the
 // places come from a formula, and only the neighbourhoods of places between two parts of A on an edge, and of places
 // equally far from four and more, are halved down to the precision of doubles. (So are, needlessly, boxes along the
-// common normal of four and more edges that touch in one vertex; `most_ranges` ends that.) Guarantee: bounds hold up to rounding
-// (about 1e-14 of the coordinates).
+// common normal of four and more edges that touch in one vertex; `most_ranges` ends that.) Guarantee: bounds hold up to
+// rounding (about 1e-14 of the coordinates).
 #pragma once
 
 #include <queue>
