@@ -156,6 +156,7 @@ std::optional<Measured> AtPosition::diameter(const RealPoint& p) const {
 /// max(0, f), or max(0, -f); what attains f attains it where it is not cut off.
 std::optional<Measured> AtPosition::cut(std::optional<Measured> m, bool negated) const {
   if (!m) return negated ? std::optional(Measured{}) : std::nullopt;
+  if (m->minus_infinity) return negated ? std::nullopt : std::optional(Measured{});
   if (negated) m->value = -m->value;
   if (m->value.sign() < 0) return Measured{};
   return m;
@@ -165,7 +166,7 @@ std::optional<Measured> AtPosition::measure(Which which, const RealPoint& p) con
   using Kind = Standing::Kind;
   if (moving_.empty() || fixed_.empty()) {
     auto v = pair_->distance(which)->value(p);
-    return v ? std::optional(Measured{v->value, v->nearest, std::nullopt, {}}) : std::nullopt;
+    return v ? std::optional(Measured{v->value, v->nearest, std::nullopt, {}, v->minus_infinity}) : std::nullopt;
   }
   switch (which) {
     case Which::kGamma1:

@@ -43,6 +43,7 @@ class CutOff : public TDistance {
   std::optional<Value> value(const RealPoint& p) const override {
     auto v = f_->value(p);
     if (!v) return negated_ ? std::optional(Value{floor_, std::nullopt}) : std::nullopt;
+    if (v->minus_infinity) return negated_ ? std::nullopt : std::optional(Value{floor_, std::nullopt});
     if (negated_) v->value = -v->value;
     if (v->value < floor_) v->value = floor_;
     return v;
@@ -55,6 +56,11 @@ class CutOff : public TDistance {
     if (negated_)
       for (NearFront& n : out) n.front = turned_round(std::move(n.front));
     return out;
+  }
+
+  std::optional<Lowest> lowest() const override {
+    auto l = negated_ ? std::nullopt : f_->lowest();
+    return l && l->level > floor_ ? l : std::nullopt;
   }
 
   std::vector<Real> special_levels() const override {
@@ -87,6 +93,7 @@ class Greater : public TDistance {
   std::optional<Value> value(const RealPoint& p) const override {
     auto f = f_->value(p), g = g_->value(p);
     if (!f || !g) return std::nullopt;
+    if (f->minus_infinity || g->minus_infinity) return f->minus_infinity ? g : f;
     return f->value < g->value ? g : f;
   }
 
@@ -130,6 +137,12 @@ class Reflected : public TDistance {
     auto out = f_->fronts({-p.x, -p.y}, room);
     for (NearFront& n : out) n.front.a = -n.front.a, n.front.b = -n.front.b;
     return out;
+  }
+
+  std::optional<Lowest> lowest() const override {
+    auto l = f_->lowest();
+    if (l) l->at = {-l->at.x, -l->at.y};
+    return l;
   }
 
   std::vector<Real> special_levels() const override { return f_->special_levels(); }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "distance/level_probe.h"
 #include "plane/overlay.h"
 
 namespace findspace::distance {
@@ -92,12 +93,6 @@ class Lengths {
   const Real square_;
   std::vector<Real> found_;
 };
-
-bool has_mark(const SignMap& m, Mark wanted) {
-  auto is = [wanted](const auto& cell) { return cell.mark == wanted; };
-  return std::any_of(m.faces.begin(), m.faces.end(), is) || std::any_of(m.edges.begin(), m.edges.end(), is) ||
-         std::any_of(m.vertices.begin(), m.vertices.end(), is);
-}
 
 }  // namespace
 

@@ -4,13 +4,13 @@
 #include "distance/extremum.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "distance/extremum_candidates.h"
+#include "distance/level_probe.h"
 #include "distance/point_set.h"
-#include "plane/overlay.h"
+#include "plane/locate.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
@@ -18,21 +18,12 @@ namespace findspace::distance {
 using exact::Real;
 using exact::RealPoint;
 using plane::CellComplex;
-using plane::Index;
-using plane::Mark;
 using plane::Region;
-using plane::SignMap;
 
 namespace {
 
-constexpr Mark kOn = 1, kBeyond = 2;  // positions of S at the level; beyond it
 constexpr int kMostProbes = 120;
-
-bool has_mark(const CellComplex& c, Mark wanted) {
-  auto is = [wanted](const auto& cell) { return cell.mark == wanted; };
-  return std::any_of(c.faces.begin(), c.faces.end(), is) || std::any_of(c.edges.begin(), c.edges.end(), is) ||
-         std::any_of(c.vertices.begin(), c.vertices.end(), is);
-}
+constexpr double kMost = 0x1p44;  // no level lies beyond: coordinates are below 2^40
 
 /// A number between the two with few digits.
 double simple_between(double low, double high) {
@@ -53,7 +44,7 @@ class Search {
   Extremum run(const std::optional<Bracket>& known);
 
  private:
-  CellComplex probe(const Real& level, const Region& over) const;
+  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, turn_); }
   RealPoint start() const {
     return whole_ || closure_.vertices.empty() ? f_.seed() : closure_.geometry.exact(closure_.vertices[0].point);
   }
@@ -61,10 +52,12 @@ class Search {
   bool reaches(const Real& level);
   bool accept(const Real& level);
   double extent() const;
-  void bracket();
+  Extremum infinite(bool below) const;
+  bool bracket(const Real& value);
   bool take(const Bracket& known);
   bool try_near(const std::vector<Real>& all, double number);
   bool try_candidates();
+  bool take_lowest(Extremum& out) const;
   Extremum finished(const Real& level, bool proven) const;
 
   const TDistance& f_;
@@ -79,16 +72,6 @@ class Search {
   Real level_;
   bool value_only_ = false;
 };
-
-/// On the cells of S: kBeyond where f is better than the level, kOn where it is equal.
-CellComplex Search::probe(const Real& level, const Region& over) const {
-  SignMap m = f_.sign_map(level);
-  int turn = turn_;
-  auto rule = [turn](Mark k) { return Mark(turn * k < 0 ? kBeyond : k == 0 ? kOn : 0); };
-  if (whole_) return plane::remark(std::move(m), rule);
-  std::array<const CellComplex*, 2> both{&m, &over};
-  return plane::overlay(both, [&](std::span<const Mark> k) { return k[1] > 0 ? rule(k[0]) : Mark(0); });
-}
 
 bool Search::reaches(const Real& level) {
   CellComplex c = probe(level, closure_);
@@ -123,15 +106,28 @@ double Search::extent() const {
   return most;
 }
 
-void Search::bracket() {
-  auto value = f_.value(start());
-  good_ = turn_ * value->value.to_double();
+/// f is +infinity or, `below`, -infinity everywhere: it changes no faster than the position.
+Extremum Search::infinite(bool below) const {
+  Extremum e;
+  if (!below) return e;
+  e.exists = e.unbounded = e.attained = e.proven = true;
+  e.at = s_;
+  return e;
+}
+
+/// Around the extremum, from the value at some position; false where there is no bound.
+bool Search::bracket(const Real& value) {
+  good_ = turn_ * value.to_double();
   scale_ = std::max(scale_, std::abs(good_));
   good_ += scale_ * 0x1p-30;
   double step = std::max(1.0, scale_ / 8);
-  for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) bad_ = good_ - step;
-  scale_ =
-      std::max({scale_, std::abs(bad_), std::abs(good_)});  // over the whole plane nothing else says how large all is
+  for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) {
+    bad_ = good_ - step;
+    if (bad_ < -kMost) return false;
+  }
+  // Over the whole plane nothing else says how large all is.
+  scale_ = std::max({scale_, std::abs(bad_), std::abs(good_)});
+  return true;
 }
 
 /// Begins with what is known, if the level that is said to be reached is.
@@ -179,15 +175,24 @@ Extremum Search::finished(const Real& level, bool proven) const {
   e.exists = true, e.level = level, e.proven = proven;
   if (value_only_) return e;
   if (proven) {
-    auto on = [](Mark k) { return Mark(k == kOn); };
-    e.at = plane::remark(probe(level, s_), on);
+    e.at = on_level(probe(level, s_));
     e.attained = !plane::is_empty(e.at);
-    if (!e.attained) e.at = plane::remark(probe(level, closure_), on);
+    if (!e.attained) e.at = on_level(probe(level, closure_));
     return e;
   }
   e.at = point_set(one_point_a_component(reached_));
   e.attained = true;
   return e;
+}
+
+/// The family knows its least value, and a position of the closure of S has it.
+bool Search::take_lowest(Extremum& out) const {
+  const auto lowest = turn_ > 0 ? f_.lowest() : std::nullopt;
+  if (!lowest || (!whole_ && plane::mark_of(closure_, plane::locate(closure_, lowest->at)) <= 0)) return false;
+  out.exists = out.proven = true;
+  out.level = lowest->level, out.at = point_set({&lowest->at, 1});
+  out.attained = whole_ || plane::mark_of(s_, plane::locate(s_, lowest->at)) > 0;
+  return true;
 }
 
 Extremum Search::run(const std::optional<Bracket>& known) {
@@ -198,10 +203,15 @@ Extremum Search::run(const std::optional<Bracket>& known) {
     e.unbounded = true;
     return e;
   }
+  if (Extremum out; take_lowest(out)) return out;
   for (const Real& l : f_.special_levels())
     if (accept(l)) return finished(level_, true);
   scale_ = extent();
-  if (!known || !take(*known)) bracket();
+  if (!known || !take(*known)) {
+    const auto value = f_.value(start());
+    if (!value || value->minus_infinity) return infinite(value.has_value());
+    if (Extremum out; !bracket(value->value)) return out.unbounded = true, out;
+  }
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;
     if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return finished(level_, true);

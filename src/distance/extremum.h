@@ -20,7 +20,7 @@ enum class Sense { kMinimum, kMaximum };
 
 struct Extremum {
   bool exists = false;     // S is not empty, f is defined and bounded on S in this sense
-  bool unbounded = false;  // the maximum over an unbounded set
+  bool unbounded = false;  // over an unbounded set; or f is -infinity everywhere, and S is `at`
   exact::Real level;       // in grid steps
   bool attained = false;   // by a position of S
   bool proven = false;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "distance/point_set.h"
+#include "distance/smallest_circle.h"
 #include "findspace/error.h"
 #include "plane/hull.h"
 #include "plane/minkowski.h"
@@ -87,6 +88,12 @@ std::optional<Value> Farthest::value(const RealPoint& p) const {
 }
 
 RealPoint Farthest::farthest_point(const RealPoint& p) const { return best(p).at; }
+
+std::optional<TDistance::Lowest> Farthest::lowest() const {
+  if (!defined_) return std::nullopt;
+  const auto c = smallest_circle(set_, sites_);
+  return c ? std::optional(Lowest{c->radius, c->center}) : std::nullopt;
+}
 
 RealPoint Farthest::seed() const {
   const Site& s = sites_.front();

@@ -6,8 +6,8 @@
 //   gamma2: C = X (the shapes meet);  eta2: C = E (B+p in A);  delta2: C = D (A in B+p);
 // with all dangling parts and isolated points of C. Undefined (+infinity) if C is empty or unbounded.
 // {f <= l} is an intersection of equal discs, convex; the least level is the radius of the smallest circle around C.
-// Guarantee: exact. Cost: sign map: a hull and one convolution with a disc; value: linear. Keywords: farthest point,
-// reach, diameter.
+// Guarantee: exact. Cost: sign map: a hull and one convolution with a disc; value: linear; the circle:
+// smallest_circle.h. Keywords: farthest point, reach, diameter.
 #pragma once
 
 #include "distance/sites.h"
@@ -27,6 +27,7 @@ class Farthest : public TDistance {
   std::optional<Value> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
   std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const override;
+  std::optional<Lowest> lowest() const override;
 
   /// A point of C farthest from p.
   exact::RealPoint farthest_point(const exact::RealPoint& p) const;

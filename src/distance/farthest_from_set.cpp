@@ -52,7 +52,7 @@ std::vector<Front> hollow_fronts(const Front& edge, const Front& circle) {
 }  // namespace
 
 FarthestFromSet::FarthestFromSet(const Region& b, const Region& a)
-    : b_(b), a_(a), a_sites_(sites(a, inside)), b_sites_(sites(b, inside)) {
+    : b_(b), a_(a), a_sites_(sites(a, inside)), b_sites_(sites(b, inside)), a_reach_(a, a_sites_) {
   for (const auto* list : {&a_sites_, &b_sites_})
     for (const Site& s : *list)
       scale_ = std::max({scale_, std::abs(s.x0), std::abs(s.y0), std::abs(s.x1), std::abs(s.y1), std::abs(s.r)});
@@ -69,10 +69,12 @@ std::vector<Index> FarthestFromSet::near_sites(double x, double y, double room) 
 
 double FarthestFromSet::scale(double px, double py) const { return scale_ + std::abs(px) + std::abs(py); }
 
-std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, double least_value) const {
+std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, double least_value,
+                                         long most_ranges) const {
   double scale = this->scale(px, py);
   std::vector<Peak> out;
-  for (const Peak& k : PeakSearch(a_, b_, a_sites_, b_sites_, px, py, scale, room, least_value).run()) {
+  const PeakSets sets{a_, b_, a_sites_, b_sites_, a_reach_};
+  for (const Peak& k : PeakSearch(sets, px, py, {scale, room, least_value, most_ranges}).run()) {
     bool known = std::any_of(out.begin(), out.end(), [&](const Peak& u) {
       return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * kSamePlace;
     });

@@ -12,10 +12,11 @@
 // Blömer 1995 for where the maximum can lie. Keywords: directed Hausdorff distance, lower envelope, branch and bound.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "distance/farthest_place.h"
-#include "distance/sites.h"
+#include "distance/site_reach.h"
 #include "plane/locate.h"
 
 namespace findspace::distance {
@@ -31,8 +32,10 @@ class FarthestFromSet {
   /// Keeps references; both closed, B bounded.
   FarthestFromSet(const plane::Region& b, const plane::Region& a);
 
-  /// Peaks of value at least greatest - room and more than `least_value`, the greatest first, one for each place.
-  std::vector<Peak> peaks(double px, double py, double room, double least_value) const;
+  /// Peaks of value at least greatest - room and more than `least_value`, the greatest first, one for each place, as
+  /// far as so many ranges go.
+  std::vector<Peak> peaks(double px, double py, double room, double least_value,
+                          long most_ranges = std::numeric_limits<long>::max()) const;
   /// The exact distance to A in the place of the peak.
   FarthestPlace exact_place(const Peak& peak, const exact::RealPoint& p) const;
   /// The farthest place if its value is more than `least_value`.
@@ -44,12 +47,12 @@ class FarthestFromSet {
   double scale(double px, double py) const;
 
  private:
-  friend class PeakSearch;
   bool is_distance(const Event& e) const;
   std::vector<plane::Index> near_sites(double x, double y, double room) const;
 
   const plane::Region &b_, &a_;
   std::vector<Site> a_sites_, b_sites_;
+  SiteReach a_reach_;
   double scale_ = 1;
 };
 

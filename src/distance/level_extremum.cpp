@@ -4,25 +4,22 @@
 #include "distance/level_extremum.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "distance/extremum_candidates.h"
+#include "distance/level_probe.h"
 #include "distance/point_set.h"
-#include "plane/overlay.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
 
 using exact::Real;
 using plane::CellComplex;
-using plane::Mark;
 using plane::Region;
 
 namespace {
 
-constexpr Mark kOn = 1, kBeyond = 2;  // positions of S at the level; beyond it
-constexpr double kMost = 0x1p44;      // no level lies beyond: coordinates are below 2^40
+constexpr double kMost = 0x1p44;  // no level lies beyond: coordinates are below 2^40
 
 class LevelSearch {
  public:
@@ -43,20 +40,9 @@ class LevelSearch {
   }
 
  private:
-  /// On the cells of a set: kBeyond where f is better than the level, kOn where it is equal.
-  CellComplex probe(const Real& level, const Region& over) const {
-    const plane::SignMap m = f_.sign_map(level);
-    const std::array<const CellComplex*, 2> both{&m, &over};
-    return plane::overlay(both, [turn = turn_](std::span<const Mark> k) {
-      return Mark(k[1] == 0 || turn * k[0] > 0 ? 0 : k[0] == 0 ? kOn : kBeyond);
-    });
-  }
+  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, turn_); }
   Real level(double number) const { return Real::from_double(turn_ * number); }
   bool reaches(double number) const { return !plane::is_empty(probe(level(number), s_)); }
-  static Mark on(Mark k) { return Mark(k == kOn); }
-  static bool has(const CellComplex& c, Mark wanted) {
-    return !plane::is_empty(plane::remark(c, [wanted](Mark k) { return Mark(k == wanted); }));
-  }
 
   /// The extremum into (bad, good], less being better; false where there is none.
   bool bracket(Extremum& out) {
@@ -81,11 +67,11 @@ class LevelSearch {
     const double whole = std::round(good_);
     if (whole < bad_ || whole > good_) return false;
     const CellComplex at = probe(level(whole), s_);
-    if (has(at, kBeyond)) return false;
-    out.attained = has(at, kOn);
+    if (has_mark(at, kBeyond)) return false;
+    out.attained = has_mark(at, kOn);
     // Where S has nothing there, its closure may: an infimum, of which all that is beyond is reached.
     if (!out.attained && !continuous) return false;
-    out.at = plane::remark(out.attained ? at : probe(level(whole), plane::closure(s_)), on);
+    out.at = on_level(out.attained ? at : probe(level(whole), plane::closure(s_)));
     out.level = level(whole);
     out.proven = out.attained || !plane::is_empty(out.at);
     return out.proven;

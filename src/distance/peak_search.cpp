@@ -14,112 +14,24 @@ using plane::Index;
 
 namespace {
 
-constexpr std::size_t kFewSites = 6;
+constexpr std::size_t kFewSites = 3;
 // Of the scale. Peaks on edges are smooth or sharp; a part this small is left to the exact computation in its place.
 constexpr double kSmallBox = 0x1p-30, kSmallPart = 0x1p-24, kRounding = 0x1p-47;
 
-double box_distance(double x0, double y0, double x1, double y1, double x, double y) {
-  return std::hypot(std::max({x0 - x, 0.0, x - x1}), std::max({y0 - y, 0.0, y - y1}));
-}
+double half_diagonal(const SearchRange& box) { return std::hypot(box.x1 - box.x0, box.y1 - box.y0) / 2; }
 
 }  // namespace
 
-PeakSearch::PeakSearch(const plane::Region& a, const plane::Region& b, std::span<const Site> a_sites,
-                       std::span<const Site> b_sites, double px, double py, double scale, double room,
-                       double least_value)
-    : a_region_(a),
-      a_(a_sites),
-      b_(b_sites),
+PeakSearch::PeakSearch(const PeakSets& sets, double px, double py, const PeakWish& wish)
+    : sets_(sets),
+      a_(sets.a_sites),
+      b_(sets.b_sites, px, py),
       px_(px),
       py_(py),
-      scale_(scale),
-      room_(room),
-      least_value_(least_value),
-      locate_a_(a),
-      locate_b_(b),
-      arc_done_(b_sites.size(), 0) {}
-
-PeakSearch::Spot PeakSearch::on_edge(int edge, double t) const {
-  const Site& s = b_[edge];
-  if (!s.arc) return {px_ + s.x0 + t * (s.x1 - s.x0), py_ + s.y0 + t * (s.y1 - s.y0)};
-  double from = std::atan2(s.y0 - s.cy, s.x0 - s.cx), to = std::atan2(s.y1 - s.cy, s.x1 - s.cx);
-  // Ends on the horizontal diameter belong to either half.
-  if (s.half > 0 ? from < 0 : from > 0) from = -from;
-  if (s.half > 0 ? to < 0 : to > 0) to = -to;
-  double angle = from + t * (to - from);
-  return {px_ + s.cx + s.r * std::cos(angle), py_ + s.cy + s.r * std::sin(angle)};
-}
-
-/// A convex polygon around the range.
-std::vector<PeakSearch::Spot> PeakSearch::hull(const Range& r) const {
-  if (r.edge < 0) return {{r.x0, r.y0}, {r.x1, r.y0}, {r.x0, r.y1}, {r.x1, r.y1}};
-  Spot p = on_edge(r.edge, r.t0), q = on_edge(r.edge, r.t1);
-  const Site& s = b_[r.edge];
-  if (!s.arc) return {p, q};
-  // The end tangents bound the arc: for less than a half circle they meet over its middle.
-  Spot m = on_edge(r.edge, (r.t0 + r.t1) / 2);
-  double cx = px_ + s.cx, cy = py_ + s.cy;
-  double half = std::hypot(p.x - q.x, p.y - q.y) / 2 / s.r, cosine = std::sqrt(std::max(0.0, 1 - half * half));
-  if (cosine < 0.5) {
-    double h = s.r;
-    return {{cx - h, cy - h}, {cx + h, cy - h}, {cx - h, cy + h}, {cx + h, cy + h}};
-  }
-  return {p, q, {cx + (m.x - cx) / cosine, cy + (m.y - cy) / cosine}};
-}
-
-/// The greatest distance of a point of the range from (x, y).
-double PeakSearch::farthest(const Range& r, std::span<const Spot> hull, double x, double y) const {
-  double far = 0;
-  if (r.edge < 0 || !b_[r.edge].arc) {
-    for (const Spot& h : hull) far = std::max(far, std::hypot(h.x - x, h.y - y));
-    return far;
-  }
-  // On an arc: an end, or the point opposite to (x, y).
-  const Site& e = b_[r.edge];
-  Spot p = on_edge(r.edge, r.t0), q = on_edge(r.edge, r.t1);
-  far = std::max(std::hypot(p.x - x, p.y - y), std::hypot(q.x - x, q.y - y));
-  double dx = px_ + e.cx - x, dy = py_ + e.cy - y, d = std::hypot(dx, dy);
-  Site part = e;
-  part.x0 = std::min(p.x, q.x) - px_, part.x1 = std::max(p.x, q.x) - px_;
-  return d == 0 || part.has_direction(dx, dy) ? std::max(far, d + e.r) : far;
-}
-
-/// The least distance of a point around the range from (x, y); never more than that of the range itself.
-double PeakSearch::nearest(const Range& r, std::span<const Spot> hull, double x, double y) const {
-  if (hull.size() == 2) {
-    Site part;
-    part.cell = {1, 0};
-    part.x0 = hull[0].x, part.y0 = hull[0].y, part.x1 = hull[1].x, part.y1 = hull[1].y;
-    return part.distance(x, y);
-  }
-  double x0 = hull[0].x, x1 = x0, y0 = hull[0].y, y1 = y0;
-  for (const Spot& h : hull)
-    x0 = std::min(x0, h.x), x1 = std::max(x1, h.x), y0 = std::min(y0, h.y), y1 = std::max(y1, h.y);
-  double near = box_distance(x0, y0, x1, y1, x, y);
-  if (r.edge < 0) return near;
-  const Site& e = b_[r.edge];
-  return std::max(near, e.r - std::hypot(px_ + e.cx - x, py_ + e.cy - y));
-}
-
-/// At least the greatest distance from a point of the range to the site.
-double PeakSearch::most(const Site& s, const Range& r, std::span<const Spot> hull) const {
-  if (s.is_vertex()) return farthest(r, hull, s.x0, s.y0);
-  if (!s.arc) {
-    double far = 0;
-    for (const Spot& h : hull) far = std::max(far, s.distance(h.x, h.y));
-    return far;
-  }
-  for (const Spot& h : hull)
-    if (!s.has_direction(h.x - s.cx, h.y - s.cy)) return std::numeric_limits<double>::infinity();
-  return std::max(farthest(r, hull, s.cx, s.cy) - s.r, s.r - nearest(r, hull, s.cx, s.cy));
-}
-
-double PeakSearch::bound(const Range& r) const {
-  auto around = hull(r);
-  double least = std::numeric_limits<double>::infinity();
-  for (Index k : r.a) least = std::min(least, most(a_[k], r, around));
-  return least;
-}
+      wish_(wish),
+      locate_a_(sets.a),
+      locate_b_(sets.b),
+      arc_done_(b_.size(), 0) {}
 
 double PeakSearch::least(const List& list, Spot at) const {
   double d = std::numeric_limits<double>::infinity();
@@ -127,12 +39,21 @@ double PeakSearch::least(const List& list, Spot at) const {
   return d;
 }
 
+/// Those that can be the nearest within the radius.
 PeakSearch::List PeakSearch::close_to(const List& list, Spot at, double radius) const {
-  double d = least(list, at);
+  const double most = (least(list, at) + 2 * radius) * (1 + 0x1p-40) + wish_.scale * kRounding;
+  const double reach = radius + wish_.scale * kRounding;
   List out;
   for (Index k : list)
-    if (a_[k].distance(at.x, at.y) <= (d + 2 * radius) * (1 + 0x1p-40) + scale_ * kRounding) out.push_back(k);
+    if (a_[k].distance(at.x, at.y) <= most && !sets_.a_reach.out_of_reach(k, at.x, at.y, reach)) out.push_back(k);
   return out;
+}
+
+bool PeakSearch::agree(const List& list, Spot at) const {
+  const double least = this->least(list, at);
+  return std::all_of(list.begin(), list.end(), [&](Index k) {
+    return a_[k].distance(at.x, at.y) <= least + wish_.scale * 0x1p-44;  // no sign: both parts make fronts later
+  });
 }
 
 bool PeakSearch::in_a(Spot at) { return locate_a_.mark({Real::from_double(at.x), Real::from_double(at.y)}) > 0; }
@@ -141,43 +62,42 @@ bool PeakSearch::in_b(Spot at) {
 }
 
 double PeakSearch::height(const List& list, Spot at) {
-  double d = least(list, at);
-  return d > best_ - room_ && in_a(at) ? 0 : d;
+  const double d = least(list, at);
+  return d > best_ - wish_.room && in_a(at) ? 0 : d;
 }
 
 void PeakSearch::record(const Peak& peak) {
-  if (peak.value <= least_value_ || peak.value < best_ - room_) return;
+  if (peak.value <= wish_.least_value || peak.value < best_ - wish_.room) return;
   best_ = std::max(best_, peak.value);
   peaks_.push_back(peak);
 }
 
-void PeakSearch::visit_vertices(const Range& box) {
+void PeakSearch::visit_vertices(const SearchRange& box) {
   for (Index k : box.b) {
     const Site& s = b_[k];
-    Spot at{px_ + s.x0, py_ + s.y0};
+    const Spot at{px_ + s.x0, py_ + s.y0};
     if (!s.is_vertex() || at.x < box.x0 || at.x > box.x1 || at.y < box.y0 || at.y > box.y1) continue;
     record({height(box.a, at), at.x, at.y, s.cell});
   }
 }
 
-/// Peaks below the best, by up to `room`, are wanted from boxes only: along an edge they could be a whole interval.
-bool PeakSearch::matters(const Range& r) const {
-  return r.bound > std::max(least_value_, best_ - (r.edge < 0 ? room_ : 0)) + scale_ * kRounding;
+bool PeakSearch::matters(const SearchRange& r) const {
+  return r.bound > std::max(wish_.least_value, best_ - wish_.room) + wish_.scale * kRounding;
 }
 
-void PeakSearch::push(Range r) {
-  r.bound = bound(r);
+void PeakSearch::push(SearchRange r) {
+  r.bound = b_.bound(r, a_);
   if (matters(r)) todo_.push(std::move(r));
 }
 
-void PeakSearch::split_box(const Range& box) {
-  double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2;
+void PeakSearch::split_box(const SearchRange& box) {
+  const double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2;
   for (int k = 0; k < 4; ++k) {
-    Range part;
+    SearchRange part;
     part.x0 = k & 1 ? cx : box.x0, part.x1 = k & 1 ? box.x1 : cx;
     part.y0 = k & 2 ? cy : box.y0, part.y1 = k & 2 ? box.y1 : cy;
-    Spot middle{(part.x0 + part.x1) / 2, (part.y0 + part.y1) / 2};
-    double radius = std::hypot(part.x1 - part.x0, part.y1 - part.y0) / 2 * (1 + 0x1p-30) + scale_ * kRounding;
+    const Spot middle{(part.x0 + part.x1) / 2, (part.y0 + part.y1) / 2};
+    const double radius = half_diagonal(part) * (1 + 0x1p-30) + wish_.scale * kRounding;
     part.a = close_to(box.a, middle, radius);
     if (least(part.a, middle) > radius && in_a(middle)) continue;
     for (Index e : box.b)
@@ -187,19 +107,25 @@ void PeakSearch::split_box(const Range& box) {
   }
 }
 
-void PeakSearch::split_edge(const Range& part) {
-  double middle = (part.t0 + part.t1) / 2;
-  Spot at = on_edge(part.edge, middle), from = on_edge(part.edge, part.t0), to = on_edge(part.edge, part.t1);
-  const Site& s = b_[part.edge];
-  double length = std::hypot(to.x - from.x, to.y - from.y);
-  if (s.arc) length = std::max(length, s.r * 3.2 * (part.t1 - part.t0));
-  record({height(part.a, at), at.x, at.y, s.cell});
-  if (length < scale_ * kSmallPart) return;
+void PeakSearch::split_edge(SearchRange& part) {
+  const double middle = (part.t0 + part.t1) / 2, length = b_.length(part);
+  const Spot at = b_.on_edge(part.edge, middle);
+  const plane::Cell cell = b_[std::size_t(part.edge)].cell;
+  part.a = close_to(part.a, at, length);
+  const double h = height(part.a, at);
+  if (length < wish_.scale * kSmallPart) return record({h, at.x, at.y, cell});
+  best_ = std::max(best_, h);
+  if (agree(part.a, at) && agree(part.a, b_.on_edge(part.edge, part.t0)) &&
+      agree(part.a, b_.on_edge(part.edge, part.t1))) {
+    for (Index k : part.a)
+      for (const Spot& s : b_.peaks(part, a_[k])) record({height(part.a, s), s.x, s.y, cell});
+    return;
+  }
   for (int k = 0; k < 2; ++k) {
-    Range half;
+    SearchRange half;
     half.edge = part.edge;
     half.t0 = k ? middle : part.t0, half.t1 = k ? part.t1 : middle;
-    Spot m = on_edge(part.edge, (half.t0 + half.t1) / 2);
+    const Spot m = b_.on_edge(part.edge, (half.t0 + half.t1) / 2);
     half.a = close_to(part.a, m, length / 2);
     if (least(half.a, m) > length / 2 && in_a(m)) continue;
     push(std::move(half));
@@ -208,14 +134,14 @@ void PeakSearch::split_edge(const Range& part) {
 
 /// Equally far from three parts, or the centre of an arc: the only places inside B where the distance has a strict
 /// maximum.
-void PeakSearch::inner_candidates(const Range& box) {
-  List list(box.a.begin(), box.a.begin() + std::ptrdiff_t(std::min(box.a.size(), kFewSites + 2)));
-  double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2, slack = scale_ * 0x1p-40;
+void PeakSearch::inner_candidates(const SearchRange& box) {
+  const List list(box.a.begin(), box.a.begin() + std::ptrdiff_t(std::min<std::size_t>(box.a.size(), 8)));
+  const double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2, slack = wish_.scale * 0x1p-40;
   std::vector<Front> fronts;
-  for (Index k : list) fronts.push_back(near_front(a_region_, a_[k], cx, cy, 1));
-  auto try_at = [&](const Event& e) {
+  for (Index k : list) fronts.push_back(near_front(sets_.a, a_[k], cx, cy, 1));
+  const auto try_at = [&](const Event& e) {
     if (!e.at) return;
-    Spot at{near_value(e.at->x), near_value(e.at->y)};
+    const Spot at{near_value(e.at->x), near_value(e.at->y)};
     if (!(at.x >= box.x0 - slack && at.x <= box.x1 + slack && at.y >= box.y0 - slack && at.y <= box.y1 + slack)) return;
     if (in_b(at)) record({height(box.a, at), at.x, at.y, {2, 0}});
   };
@@ -230,25 +156,25 @@ void PeakSearch::inner_candidates(const Range& box) {
   }
 }
 
-void PeakSearch::leaf(const Range& box) {
+void PeakSearch::leaf(const SearchRange& box) {
   inner_candidates(box);
   for (Index e : box.b) {
     if (b_[e].is_vertex() || (b_[e].arc && arc_done_[e])) continue;
-    Range part;
+    SearchRange part;
     part.edge = int(e);
     if (!b_[e].arc) {
       // The part of the segment in the box.
-      Spot p = on_edge(part.edge, 0), q = on_edge(part.edge, 1);
-      auto clip = [&](double from, double to, double low, double high) {
+      const Spot p = b_.on_edge(part.edge, 0), q = b_.on_edge(part.edge, 1);
+      const auto clip = [&](double from, double to, double low, double high) {
         if (from == to) return;
-        double a = (low - from) / (to - from), b = (high - from) / (to - from);
+        const double a = (low - from) / (to - from), b = (high - from) / (to - from);
         part.t0 = std::max(part.t0, std::min(a, b)), part.t1 = std::min(part.t1, std::max(a, b));
       };
       clip(p.x, q.x, box.x0, box.x1);
       clip(p.y, q.y, box.y0, box.y1);
       if (part.t0 > part.t1) continue;
     }
-    Spot m = on_edge(part.edge, (part.t0 + part.t1) / 2);
+    const Spot m = b_.on_edge(part.edge, (part.t0 + part.t1) / 2);
     if (b_[e].arc) {
       arc_done_[e] = 1;  // whole, so once
       part.a.resize(a_.size());
@@ -261,13 +187,13 @@ void PeakSearch::leaf(const Range& box) {
   }
 }
 
-std::vector<Peak> PeakSearch::run() {
-  if (b_.empty() || a_.empty()) return {};
-  Range root;
+/// A box around B + p.
+SearchRange PeakSearch::root() const {
+  SearchRange root;
   root.x0 = root.y0 = std::numeric_limits<double>::infinity(), root.x1 = root.y1 = -root.x0;
   for (Index k = 0; k < b_.size(); ++k) {
     const Site& s = b_[k];
-    auto take = [&](double x, double y) {
+    const auto take = [&](double x, double y) {
       root.x0 = std::min(root.x0, px_ + x), root.x1 = std::max(root.x1, px_ + x);
       root.y0 = std::min(root.y0, py_ + y), root.y1 = std::max(root.y1, py_ + y);
     };
@@ -275,24 +201,30 @@ std::vector<Peak> PeakSearch::run() {
     if (s.arc) take(s.cx, s.cy + s.half * s.r);
     root.b.push_back(k);
   }
-  for (Index k = 0; k < a_.size(); ++k) root.a.push_back(k);
-  push(std::move(root));
-  while (!todo_.empty()) {
-    Range r = todo_.top();
+  for (Index k = 0; k < a_.size(); ++k)
+    if (!sets_.a_reach.nowhere(k)) root.a.push_back(k);
+  return root;
+}
+
+void PeakSearch::look(SearchRange& r) {
+  if (r.edge >= 0) return split_edge(r);
+  visit_vertices(r);
+  const bool small = std::max(r.x1 - r.x0, r.y1 - r.y0) < wish_.scale * kSmallBox;
+  if (r.a.size() <= kFewSites || small)
+    leaf(r);
+  else
+    split_box(r);
+}
+
+std::vector<Peak> PeakSearch::run() {
+  if (b_.size() == 0 || a_.empty()) return {};
+  push(root());
+  for (long left = wish_.most_ranges; !todo_.empty() && left > 0; --left) {
+    SearchRange r = todo_.top();
     todo_.pop();
-    if (!matters(r)) continue;
-    if (r.edge >= 0) {
-      split_edge(r);
-      continue;
-    }
-    visit_vertices(r);
-    bool small = std::max(r.x1 - r.x0, r.y1 - r.y0) < scale_ * kSmallBox;
-    if (r.a.size() <= kFewSites || small)
-      leaf(r);
-    else
-      split_box(r);
+    if (matters(r)) look(r);
   }
-  std::erase_if(peaks_, [&](const Peak& p) { return p.value < best_ - room_; });
+  std::erase_if(peaks_, [&](const Peak& p) { return p.value < best_ - wish_.room; });
   std::sort(peaks_.begin(), peaks_.end(), [](const Peak& p, const Peak& q) { return p.value > q.value; });
   return std::move(peaks_);
 }

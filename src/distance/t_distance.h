@@ -45,6 +45,12 @@ class TDistance : public PositionFunction {
   virtual exact::RealPoint seed() const = 0;
   /// The fronts with a gap of at most `room` at p.
   virtual std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const = 0;
+  /// The least value and the only position that has it, where the family can tell by itself.
+  struct Lowest {
+    exact::Real level;
+    exact::RealPoint at;
+  };
+  virtual std::optional<Lowest> lowest() const { return std::nullopt; }
   /// Levels at which f may have a minimum or a plateau that no fronts explain.
   virtual std::vector<exact::Real> special_levels() const { return {}; }
 };

@@ -152,6 +152,7 @@ class Solver {
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
   DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;
   std::int8_t sign(const SignMap& wanted, const exact::RealPoint& p) const;
+  std::optional<std::int8_t> clear_sign(const SignMap& wanted, const Roles& roles, const exact::RealPoint& p) const;
   std::vector<distance::TurningPose> turning_poses(const Roles& roles, bool instant) const;
   distance::BoundedMaps bounded_maps(const SignMap& wanted) const;
   /// In grid steps; nothing where undefined.

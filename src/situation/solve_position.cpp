@@ -22,6 +22,12 @@ using exact::Real;
 using exact::RealPoint;
 using plane::Mark;
 
+namespace {
+
+constexpr double kClear = 0x1p-34;  // of the sizes; values at a position are right to far less
+
+}  // namespace
+
 DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
   DistanceAt out;
   out.text = text(wanted);
@@ -47,7 +53,7 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
 
 void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
                          const distance::Measured& m, const RealPoint& p) const {
-  out.value = (m.value * world_.step).to_double();
+  out.value = m.minus_infinity ? -std::numeric_limits<double>::infinity() : (m.value * world_.step).to_double();
   out.nearest = m.nearest, out.farthest = m.farthest;
   for (const distance::Feature& f : m.witness)
     out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
@@ -67,9 +73,23 @@ std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, 
   return NearestFeasible{n->at, n->distance * world_.step, mark_of(region, locate(region, n->at)) > 0};
 }
 
+/// From the value, where it is clearly not the level: no map of all positions is made then.
+std::optional<std::int8_t> Solver::clear_sign(const SignMap& wanted, const Roles& r, const RealPoint& p) const {
+  if (wanted.minimum || world_.motion.given() || r.wanted.mode != Mode::kPlain) return std::nullopt;
+  const auto m = pair(r.names)->measure(situation::which(r.wanted.kind, r.second_moves), p);
+  if (!m) return std::int8_t(1);
+  if (m->minus_infinity) return std::int8_t(-1);
+  const double value = m->value.to_double(), level = (wanted.level / world_.step).to_double();
+  const double size = std::abs(value) + std::abs(level) + std::abs(p.x.to_double()) + std::abs(p.y.to_double()) +
+                      pair(r.names)->scale();
+  if (std::abs(value - level) <= size * kClear) return std::nullopt;
+  return std::int8_t(value > level ? 1 : -1);
+}
+
 std::int8_t Solver::sign(const SignMap& wanted, const RealPoint& p) const {
   const Roles r = roles(wanted.distance);
   if (!r.turning) {
+    if (const auto clear = clear_sign(wanted, r, p)) return *clear;
     const plane::SignMap m = sign_map(wanted);
     return mark_of(m, locate(m, p));
   }

@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <random>
 
@@ -162,6 +164,27 @@ TEST(DistanceLaws, LeastLevelsAreLeast) {
       EXPECT_NEAR(there, e.level.to_double(), 1e-11) << int(w);
     }
   }
+}
+
+TEST(DistanceLaws, TheSmallestCircleIsTheOnlyPlaceOfTheLeastLevel) {
+  Shapes random(10);
+  int told = 0, defined = 0;
+  for (int k = 0; k < 5 * kTrials; ++k) {
+    ShapePair pair(random.shape(), random.shape());
+    for (Which w : {Which::kGamma2, Which::kEta2, Which::kDelta2}) {
+      auto f = pair.distance(w);
+      const auto lowest = f->lowest();
+      defined += f->defined(), told += lowest.has_value();
+      if (!lowest) continue;
+      const plane::SignMap map = f->sign_map(lowest->level);
+      const auto above = [](const auto& cell) { return cell.mark > 0; };
+      EXPECT_TRUE(std::all_of(map.faces.begin(), map.faces.end(), above)) << int(w);
+      EXPECT_TRUE(std::all_of(map.edges.begin(), map.edges.end(), above)) << int(w);
+      EXPECT_EQ(std::count_if(map.vertices.begin(), map.vertices.end(), std::not_fn(above)), 1) << int(w);
+      EXPECT_EQ(sign_at(map, lowest->at), 0) << int(w);
+    }
+  }
+  EXPECT_EQ(told, defined);
 }
 
 TEST(DistanceLaws, LeastOfMuIsMinusTheInradiusOrPositive) {
