@@ -58,7 +58,7 @@ SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid
   const Real level = map.level / world.step;
   const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 || d.kind == Kind::kMu;
   SurfaceRays result;
-  if (known && !second) {
+  if (known && !second && !grid.oblique) {
     const auto b = solids(world, d.first), a = solids(world, d.second);
     if (b && a) result = surface_rays(which(d.kind, false), *b, *a, level, grid);
   }
@@ -172,19 +172,36 @@ std::unique_ptr<RaySource> ray_region(const RayWorld& world, const Formula& form
   return std::make_unique<RegionRays>(world, formula, grid);
 }
 
-std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
+plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+  const SurfaceRays source = parts(world, map, grid);
+  const RayRow row = source.row(0);
+  plane::Section out{row.before[0], {}};
+  for (int e = row.first[0]; e < row.first[1]; ++e) {
+    const space::RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    out.stops.push_back({event.at.to_real(), event.here, event.after});
+  }
+  return out;
+}
+
+std::optional<RayGrid> grid_through(const space::RealVector& p, int axis) {
+  const auto across = [&](int k) -> const Real& { return p[static_cast<std::size_t>((axis + k) % 3)]; };
   const auto* fits = std::find_if(kParts.begin(), kParts.end(), [&](std::int64_t parts) {
-    return (p[0] * Real(parts)).integer() && (p[1] * Real(parts)).integer();
+    return (across(1) * Real(parts)).integer() && (across(2) * Real(parts)).integer();
   });
   if (fits == kParts.end()) return std::nullopt;
   std::array<std::int64_t, 2> at{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto whole = *(p[k] * Real(*fits)).integer();
+  for (int k = 0; k < 2; ++k) {
+    const auto whole = *(across(k + 1) * Real(*fits)).integer();
     if (whole > exact::kRayLimit || whole < -exact::kRayLimit) return std::nullopt;
-    at[k] = static_cast<std::int64_t>(whole);
+    at[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(whole);
   }
-  const RayGrid grid{2, *fits, at[0], at[1], 1, 1, 1, 1};
-  return space::sign_at(parts(world, map, grid).row(0), 0, p[2] * Real(*fits));
+  return RayGrid{axis, *fits, at[0], at[1], 1, 1, 1, 1};
+}
+
+std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
+  const auto grid = grid_through(p, 2);
+  if (!grid) return std::nullopt;
+  return space::sign_at(parts(world, map, *grid).row(0), 0, p[2] * Real(grid->parts));
 }
 
 bool holds_far_away(const RayWorld& world, const Formula& formula) {

@@ -51,11 +51,7 @@ SpaceShape space_shape(const plane::Shape& shape) {
 struct SpaceSolver::Cache {
   using Names = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
   std::mutex guard;
-  std::map<Names, std::shared_ptr<const Pair>> pairs;
-};
-
-struct SpaceSolver::Pair : SpacePair {
-  using SpacePair::SpacePair;
+  std::map<Names, std::shared_ptr<const SpacePair>> pairs;
 };
 
 SpaceSolver::SpaceSolver(SpaceWorld world) : world_(std::move(world)), cache_(std::make_unique<Cache>()) {}
@@ -70,8 +66,10 @@ bool SpaceSolver::axis_parallel() const {
 SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
   Distance d = moving_first(wanted, world_.moving);
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) {
-    throw Error(ErrorCode::kUnsupported,
-                text(d) + ": distances along a direction, in rotation or over time are not computed in 3D");
+    throw Error(
+        ErrorCode::kUnsupported,
+        text(d) +
+            ": regions of distances along a direction, and distances in rotation or over time, are not computed in 3D");
   }
   const bool second = std::find(world_.moving.begin(), world_.moving.end(), d.first.at(0)) == world_.moving.end();
   if (second) std::swap(d.first, d.second);
@@ -86,11 +84,12 @@ SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
   };
   const std::lock_guard lock(cache_->guard);
   auto& slot = cache_->pairs[{d.first, d.second}];
-  if (!slot) slot = std::make_shared<const Pair>(shapes(d.first), shapes(d.second));
+  if (!slot) slot = std::make_shared<const SpacePair>(shapes(d.first), shapes(d.second));
   return {slot, which(d.kind, second)};
 }
 
 std::optional<SolidValue> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
+  if (is_directional(wanted)) return directional_value(wanted, p);
   const Named n = named(wanted);
   try {
     return n.pair->value(n.which, p);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "space/oblique_line.h"
+
 namespace findspace::space {
 namespace {
 
@@ -53,34 +55,24 @@ PieceRays::PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, c
   }
 }
 
-PieceRays::Piece PieceRays::turned(const LinePiece& from, std::int64_t scale) const {
-  const int axes[3] = {(grid_.axis + 1) % 3, (grid_.axis + 2) % 3, grid_.axis};
-  const Real unit = Real::ratio(grid_.parts, scale);
-  Piece piece;
-  for (const HalfSpace& h : from.planes) {
-    piece.exact.planes.push_back({h.normal[axes[0]], h.normal[axes[1]], h.normal[axes[2]], h.offset * unit});
-    piece.rise.push_back(static_cast<std::int8_t>(h.normal[axes[2]].sign()));
+/// A vector by its components across the lines and, last, along them.
+std::array<Real, 3> PieceRays::components(const RealVector& v) const {
+  if (grid_.oblique) {
+    const std::array<RealVector, 3>& frame = grid_.oblique->frame;
+    return {dot(frame[0], v), dot(frame[1], v), dot(frame[2], v)};
   }
-  piece.round = from.round;
-  piece.cylinder = from.round && !is_zero(from.direction);
-  const Real radius = from.radius * unit;
-  piece.exact.square = radius * radius;
-  piece.exact.length = dot(from.direction, from.direction);
-  for (int k = 0; k < 3; ++k) {
-    piece.exact.base[k] = from.base[axes[k]] * unit;
-    piece.exact.direction[k] = from.direction[axes[k]];
+  const auto axis = static_cast<std::size_t>(grid_.axis);
+  return {v[(axis + 1) % 3], v[(axis + 2) % 3], v[axis]};
+}
+
+/// False if no line meets it.
+bool PieceRays::find_lines(const LinePiece& from, std::int64_t scale, Piece& piece) const {
+  if (grid_.oblique) {
+    if (!grid_.oblique->may_meet(from.low, from.high, static_cast<double>(scale))) return false;
+    piece.last_column = piece.last_row = 0;
+    return true;
   }
-  piece.upright = piece.exact.direction[0].sign() == 0 && piece.exact.direction[1].sign() == 0;
-  for (const auto& p : piece.exact.planes)
-    piece.near.planes.push_back(
-        {rounded_number(p[0]), rounded_number(p[1]), rounded_number(p[2]), rounded_number(p[3])});
-  for (int k = 0; k < 3; ++k) {
-    piece.near.base[k] = rounded_number(piece.exact.base[k]);
-    piece.near.direction[k] = rounded_number(piece.exact.direction[k]);
-  }
-  piece.near.length = rounded_number(piece.exact.length);
-  piece.near.square = rounded_number(piece.exact.square);
-  const double parts = unit.to_double();
+  const double parts = static_cast<double>(grid_.parts) / static_cast<double>(scale);
   const auto lines = [&](int axis, std::int64_t start, std::int64_t step, int count, int& first, int& last) {
     const auto at = [&](double c) {
       return std::clamp((c * parts - static_cast<double>(start)) / static_cast<double>(step), -1.0,
@@ -89,8 +81,40 @@ PieceRays::Piece PieceRays::turned(const LinePiece& from, std::int64_t scale) co
     first = std::max(0, static_cast<int>(std::floor(at(component(from.low, axis)))));
     last = std::min(count - 1, static_cast<int>(std::ceil(at(component(from.high, axis)))));
   };
-  lines(axes[0], grid_.u, grid_.du, grid_.nu, piece.first_column, piece.last_column);
-  lines(axes[1], grid_.v, grid_.dv, grid_.nv, piece.first_row, piece.last_row);
+  lines((grid_.axis + 1) % 3, grid_.u, grid_.du, grid_.nu, piece.first_column, piece.last_column);
+  lines((grid_.axis + 2) % 3, grid_.v, grid_.dv, grid_.nv, piece.first_row, piece.last_row);
+  return piece.first_column <= piece.last_column && piece.first_row <= piece.last_row;
+}
+
+PieceRays::Piece PieceRays::turned(const LinePiece& from, std::int64_t scale) const {
+  Piece piece;
+  if (!find_lines(from, scale, piece)) return piece;
+  const RealVector origin = grid_.oblique ? scaled(Real(scale), grid_.oblique->origin) : RealVector{};
+  const Real unit = Real::ratio(grid_.parts, scale);
+  for (const HalfSpace& h : from.planes) {
+    const std::array<Real, 3> normal = components(h.normal);
+    piece.exact.planes.push_back(
+        {normal[0], normal[1], normal[2], (grid_.oblique ? h.value(origin) : h.offset) * unit});
+    piece.rise.push_back(static_cast<std::int8_t>(normal[2].sign()));
+  }
+  piece.round = from.round;
+  piece.cylinder = from.round && !is_zero(from.direction);
+  const Real radius = from.radius * unit;
+  piece.exact.square = radius * radius;
+  piece.exact.length = dot(from.direction, from.direction);
+  piece.exact.base = components(grid_.oblique ? minus(from.base, origin) : from.base);
+  for (Real& c : piece.exact.base) c *= unit;
+  piece.exact.direction = components(from.direction);
+  piece.upright = piece.exact.direction[0].sign() == 0 && piece.exact.direction[1].sign() == 0;
+  for (const auto& p : piece.exact.planes)
+    piece.near.planes.push_back(
+        {rounded_number(p[0]), rounded_number(p[1]), rounded_number(p[2]), rounded_number(p[3])});
+  for (std::size_t k = 0; k < 3; ++k) {
+    piece.near.base[k] = rounded_number(piece.exact.base[k]);
+    piece.near.direction[k] = rounded_number(piece.exact.direction[k]);
+  }
+  piece.near.length = rounded_number(piece.exact.length);
+  piece.near.square = rounded_number(piece.exact.square);
   return piece;
 }
 

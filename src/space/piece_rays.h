@@ -74,7 +74,9 @@ class PieceRays : public RaySource, private RayRoots {
   std::vector<Stretch> common(const std::vector<Stretch>& all, bool open, int i, int j) const;
   void put(const std::vector<Stretch>& stretches, bool open, int i, int j, RayRow& row) const;
 
-  Piece turned(const LinePiece& piece, std::int64_t scale) const;
+  std::array<exact::Real, 3> components(const RealVector& v) const;
+  bool find_lines(const LinePiece& from, std::int64_t scale, Piece& piece) const;
+  Piece turned(const LinePiece& from, std::int64_t scale) const;
 
   RayGrid grid_;
   Of of_;

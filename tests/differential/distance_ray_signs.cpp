@@ -8,6 +8,7 @@
 #include "distance/ray_signs.h"
 #include "distance/solid_pair.h"
 #include "findspace/error.h"
+#include "space/oblique_line.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
@@ -34,6 +35,17 @@ Body hull(std::vector<space::Point> points) {
 
 Body octahedron(std::int64_t r) { return hull({{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}}); }
 
+/// Place z on line (i, j).
+RealVector place_of(const RayGrid& grid, int i, int j, const Real& z) {
+  if (grid.oblique) return space::along(grid.oblique->origin, z, grid.oblique->frame[2]);
+  RealVector p;
+  const auto axis = static_cast<std::size_t>(grid.axis);
+  p[(axis + 1) % 3] = Real::ratio(grid.u_at(i), grid.parts);
+  p[(axis + 2) % 3] = Real::ratio(grid.v_at(j), grid.parts);
+  p[axis] = z / Real(grid.parts);
+  return p;
+}
+
 struct Counts {
   int events = 0, places = 0, wrong = 0, unknown = 0;
 };
@@ -43,11 +55,7 @@ void compare(const char* name, const Body& b, const Body& a, Which which, const 
   const auto rays = ray_sign_map(which, level, b, a, grid);
   const SolidPair pair(space::shared(b), space::shared(a));
   const auto ask = [&](int i, int j, const Real& z, int sign, bool event) {
-    RealVector p;
-    const auto axis = static_cast<std::size_t>(grid.axis);
-    p[(axis + 1) % 3] = Real::ratio(grid.u_at(i), grid.parts);
-    p[(axis + 2) % 3] = Real::ratio(grid.v_at(j), grid.parts);
-    p[axis] = z / Real(grid.parts);
+    const RealVector p = place_of(grid, i, j, z);
     std::optional<SolidValue> v;
     try {
       v = pair.value(which, p);
@@ -137,6 +145,33 @@ TEST(RaySigns, Balls) {
     if (level.sign() >= 0) compare("ball, two", ball(0, 0, 0, 1), two, Which::kGamma1, level, grid_of(1, 2, 5), counts);
   }
   EXPECT_GT(counts.events, 100);
+}
+
+/// Lines that are parallel to no axis; some go along faces and through corners.
+TEST(RaySigns, LinesInAnyDirection) {
+  Counts counts;
+  const auto line = [](RealVector through, std::int64_t dx, std::int64_t dy, std::int64_t dz) {
+    RayGrid grid{2, 1, 0, 0, 1, 1, 1, 1};
+    grid.oblique =
+        std::make_shared<const space::ObliqueLine>(std::move(through), RealVector{Real(dx), Real(dy), Real(dz)});
+    return grid;
+  };
+  const std::vector<RayGrid> lines{line({Real(1), Real(0), Real(0)}, 1, 1, 2), line({Real(), Real(), Real()}, 1, 1, -1),
+                                   line({Real::ratio(1, 3), Real(3), Real(-2)}, 0, -1, 1),
+                                   line({Real(6), Real(), Real()}, -1, 1, 0)};
+  for (const RayGrid& grid : lines) {
+    for (const Real& level : {Real::ratio(-1, 2), Real(0), Real(1)}) {
+      for (const Which which : {Which::kGamma1, Which::kEta1, Which::kGamma2}) {
+        compare("channel", kCube, kChannel, which, level, grid, counts);
+        compare("room", octahedron(1), kRoom, which, level, grid, counts);
+        compare("tetrahedron", octahedron(1), kTetrahedron, which, level, grid, counts);
+      }
+      compare("ball", kCube, ball(1, 0, 1, 2), Which::kGamma1, level, grid, counts);
+    }
+  }
+  EXPECT_GT(counts.events, 80);
+  EXPECT_GT(counts.places, 200);
+  EXPECT_EQ(counts.unknown, 0);
 }
 
 /// The ball of radius 1 fits into the corridor of width 2 along its middle only.
