@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "distance/ray_covers.h"
 #include "distance/solid_pair.h"
 #include "space/cover_frontier.h"
 #include "space/piece_rays.h"
@@ -31,32 +32,9 @@ using Signs = std::span<const std::int8_t>;
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
-ConvexRegion cut_from(const RealVector& low, const RealVector& high, std::span<const HalfSpace> planes) {
-  ConvexRegion set(low, high);
-  for (const HalfSpace& h : planes) set.cut(h);
-  return set;
-}
-
 std::vector<HalfSpace> shifted(std::vector<HalfSpace> planes, const Real& inward) {
   for (HalfSpace& h : planes) h = HalfSpace(h.normal, h.offset + inward * sqrt(space::dot(h.normal, h.normal)));
   return planes;
-}
-
-/// A union of open convex sets with the box that its frontier lies in.
-struct Cover {
-  std::vector<std::vector<HalfSpace>> sets;
-  std::vector<space::Extent> extents;
-  RealVector low, high;
-};
-
-Cover cover_of(const space::OpenCover& cover, RealVector low, RealVector high) {
-  Cover out;
-  for (std::size_t k = 0; k < cover.size(); ++k)
-    out.sets.push_back(cover.planes(k)), out.extents.push_back(cover.extent(k));
-  for (Real& c : low) c -= Real(1);
-  for (Real& c : high) c += Real(1);
-  out.low = std::move(low), out.high = std::move(high);
-  return out;
 }
 
 class Maker {
@@ -77,20 +55,16 @@ class Maker {
   }
   Source balls(const std::vector<std::pair<RealVector, Real>>& all) const;
   /// The sign of the signed distance to the cover (negative inside) less a level.
-  Source cover(const Cover& cover, const Real& level) const;
+  Source cover(const RayCover& cover, const Real& level) const;
   Source convex_gap(const BodyPart& b, const BodyPart& a, const Real& grown) const;
   Source mu_of_vertices(const BodyPart& b, const Real& level) const;
-  Cover overlap() const;
-  /// The complement of E, B without its radii unless A is convex.
-  Cover outside(const Body& b) const;
-  bool fits_box(const Body& b) const;
 
   const Body &b_, &a_;
   RayGrid grid_;
   std::int64_t scale_;
 };
 
-Source Maker::cover(const Cover& cover, const Real& level) const {
+Source Maker::cover(const RayCover& cover, const Real& level) const {
   std::vector<LinePiece> sets;
   for (std::size_t k = 0; k < cover.sets.size(); ++k)
     sets.push_back(space::polytope_piece(cover.sets[k], cover.extents[k].low, cover.extents[k].high));
@@ -115,26 +89,6 @@ Source Maker::balls(const std::vector<std::pair<RealVector, Real>>& all) const {
   return rays(std::move(pieces), PieceRays::Of::kIntersection);
 }
 
-Cover Maker::overlap() const {
-  const space::Bounds3 a = bounds(a_), b = bounds(b_);
-  return cover_of(space::overlap_cover(b_, a_), space::minus(a.low, b.high), space::minus(a.high, b.low));
-}
-
-bool Maker::fits_box(const Body& b) const {
-  const space::Bounds3 outer = bounds(a_), inner = bounds(b);
-  for (int k = 0; k < 3; ++k) {
-    if (outer.high[k] - outer.low[k] < inner.high[k] - inner.low[k]) return false;
-  }
-  return true;
-}
-
-Cover Maker::outside(const Body& b) const {
-  const space::Bounds3 outer = bounds(a_), inner = bounds(b);
-  const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
-  return cover_of(space::outside_cover(b, cells), space::minus(outer.low, inner.low),
-                  space::minus(outer.high, inner.high));
-}
-
 /// The difference of two parts, whose radii are in `grown`, grown (or shrunk) by that.
 Source Maker::convex_gap(const BodyPart& b, const BodyPart& a, const Real& grown) const {
   std::vector<HalfSpace> planes = space::difference_planes(a, b);
@@ -155,7 +109,7 @@ Source Maker::gamma1(const Real& level) const {
   }
   if (level.sign() < 0 && !(a_.parts.size() == 1 && b_.parts.size() == 1)) {
     if (a_.round() || b_.round()) fail("the depth in a union of round parts is not computed on rays");
-    return cover(overlap(), level);
+    return cover(overlap_sets(b_, a_), level);
   }
   const space::Bounds3 a = bounds(a_), b = bounds(b_);
   RealVector low = space::minus(a.low, b.high), high = space::minus(a.high, b.low);
@@ -192,8 +146,9 @@ Source Maker::eta1(const Real& level) const {
     }
     fail("containment in a round shape is computed on rays at levels up to 0, in a single part");
   }
-  if (!fits_box(b_)) return constant(1);
-  if (!b_.round() || a_.convex()) return space::negated_rays(cover(outside(b_), -level));
+  const RayCover complement = outside_sets(b_, a_);
+  if (complement.all) return constant(1);
+  if (!b_.round() || a_.convex()) return space::negated_rays(cover(complement, -level));
   if (level.sign() > 0) fail("containment of a round shape in one that is not convex is computed up to level 0");
   // Each part has to fit: its core, deeper than its radius.
   std::vector<Source> all;
@@ -202,7 +157,7 @@ Source Maker::eta1(const Real& level) const {
     core.scale = b_.scale;
     core.parts.push_back(part);
     core.parts[0].radius = Real();
-    all.push_back(space::negated_rays(cover(outside(core), part.radius - level)));
+    all.push_back(space::negated_rays(cover(outside_sets(core, a_), part.radius - level)));
   }
   return space::greatest_rays(std::move(all));
 }
@@ -221,8 +176,8 @@ Source Maker::eta2(const Real& level) const {
   }
   if (b_.round() && !a_.convex())
     fail("the farthest fit of a round shape in one that is not convex is not computed on rays");
-  if (!fits_box(b_)) return constant(1);
-  const Cover complement = outside(b_);
+  const RayCover complement = outside_sets(b_, a_);
+  if (complement.all) return constant(1);
   for (const ConvexRegion& piece : space::cover_frontier(complement.sets, complement.low, complement.high)) {
     for (const ConvexRegion::Vertex& v : piece.vertices()) all.emplace_back(v.at, level);
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "distance/ray_directional.h"
 #include "distance/ray_signs.h"
 #include "situation/evaluate.h"
 #include "situation/solve_space.h"
@@ -22,6 +23,7 @@ using space::RayGrid;
 using space::RayRow;
 using space::RaySolid;
 using space::RaySource;
+using space::RealVector;
 
 /// Denominators of positions that are tried.
 constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 3, 8, 64, 1024};
@@ -51,26 +53,35 @@ space::Body body(const RayWorld& world, const std::vector<std::string>& names) {
   return united(bodies);
 }
 
+RealVector direction_of(const Distance& d) { return {d.vector.at(0), d.vector.at(1), d.vector.at(2)}; }
+
+/// By the convex parts of the shapes.
+space::RaySourcePointer by_parts(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                                 const RayGrid& grid) {
+  space::Body b = body(world, second ? d.second : d.first), a = body(world, second ? d.first : d.second);
+  const std::int64_t scale = std::lcm(b.scale, a.scale);
+  if (b.outside) refuse(map, "a moving shape has to be bounded");
+  b = space::at_scale(b, scale);
+  a = space::at_scale(a, scale);
+  const distance::Which base = which(d.kind, second);
+  const Real level = map.level / world.step * Real(scale);
+  if (!is_directional(d)) return distance::ray_sign_map(base, level, b, a, grid);
+  return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
+}
+
 SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   Distance d = moving_first(map.distance, world.moving);
-  if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) refuse(map, "only translations in all directions are");
+  if (d.mode == Mode::kTurning || d.prefix != Extremum::kNone) refuse(map, "only translations are");
   const bool second = second_moves(d, world.moving);
-  const Real level = map.level / world.step;
   const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 || d.kind == Kind::kMu;
   SurfaceRays result;
-  if (known && !second && !grid.oblique) {
+  if (known && !second && !grid.oblique && (!is_directional(d) || map.level.sign() == 0)) {
     const auto b = solids(world, d.first), a = solids(world, d.second);
-    if (b && a) result = surface_rays(which(d.kind, false), *b, *a, level, grid);
+    if (b && a) result = surface_rays(which(d.kind, false), *b, *a, map.level / world.step, grid);
   }
   if (!result.sources.empty()) return result;
-  if (second) std::swap(d.first, d.second);
   try {
-    space::Body b = body(world, d.first), a = body(world, d.second);
-    const std::int64_t scale = std::lcm(b.scale, a.scale);
-    if (b.outside) refuse(map, "a moving shape has to be bounded");
-    b = space::at_scale(b, scale);
-    a = space::at_scale(a, scale);
-    result.sources.push_back(distance::ray_sign_map(which(d.kind, second), level * Real(scale), b, a, grid));
+    result.sources.push_back(by_parts(world, map, d, second, grid));
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
     throw e.within(text(map.distance));

@@ -58,11 +58,6 @@ SpaceSolver::SpaceSolver(SpaceWorld world) : world_(std::move(world)), cache_(st
 
 SpaceSolver::~SpaceSolver() = default;
 
-bool SpaceSolver::axis_parallel() const {
-  return std::all_of(world_.shapes.begin(), world_.shapes.end(),
-                     [](const auto& s) { return s.second.boxes.has_value(); });
-}
-
 SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
   Distance d = moving_first(wanted, world_.moving);
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) {
@@ -225,6 +220,7 @@ BoxPair::Least SpaceSolver::least(const Distance& wanted) const {
 
 BoxComplex SpaceSolver::sign_map(const SignMap& wanted) const {
   if (wanted.minimum) return least(wanted.distance).at.remarked([](Mark m) { return Mark(m == 0); });
+  if (is_directional(wanted.distance)) return directional_map(wanted);
   const Named n = named(wanted.distance);
   try {
     return n.pair->boxes().sign_map(n.which, wanted.level / world_.step);
@@ -245,6 +241,7 @@ BoxComplex SpaceSolver::feasible(const Formula& formula) const {
 std::optional<SpaceSolver::ConvexMap> SpaceSolver::feasible_convex(const Formula& formula) const {
   if (formula.sign_maps().size() != 1 || formula.sign_maps()[0].minimum) return std::nullopt;
   const SignMap& map = formula.sign_maps()[0];
+  if (is_directional(map.distance)) return std::nullopt;
   const Named n = named(map.distance);
   auto found = n.pair->sublevel(n.which, map.level / world_.step);
   if (!found) return std::nullopt;

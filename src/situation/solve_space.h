@@ -108,8 +108,6 @@ class SpaceSolver {
   SpaceOptimum optimize(const space::BoxComplex& region, const Objective& objective, distance::Sense sense) const;
 
   const SpaceWorld& world() const { return world_; }
-  /// Whether the faces of all shapes are parallel to the axes.
-  bool axis_parallel() const;
 
  private:
   struct Cache;
@@ -131,6 +129,7 @@ class SpaceSolver {
   int sign(const SignMap& map, const std::optional<distance::SolidValue>& value) const;
   space::BoxComplex sign_map(const SignMap& map) const;
   distance::BoxPair::Least least(const Distance& distance) const;
+  space::BoxComplex directional_map(const SignMap& map) const;
   /// The signs of one sign map along a line, as feasible_on().
   plane::Section signs_on(const SignMap& map, const SpaceLine& line) const;
   std::optional<distance::SolidValue> directional_value(const Distance& distance, const space::RealVector& p) const;

@@ -84,19 +84,24 @@ bool is_bounded(const Section& line) { return line.before > 0 && (line.stops.emp
 }  // namespace
 
 Section SpaceSolver::signs_on(const SignMap& map, const SpaceLine& line) const {
-  const Named n = named(map.distance);
-  if (map.minimum) {
-    const auto whole = n.pair->least(n.which);
-    if (!whole)
-      throw Error(ErrorCode::kUnsupported, text(map.distance) + " -> min is not computed on a line for these shapes");
-    return box_signs(whole->at.remarked([](Mark m) { return Mark(m == 0); }), line);
-  }
   try {
-    return box_signs(n.pair->boxes().sign_map(n.which, map.level / world_.step), line);
+    return box_signs(sign_map(map), line);
   } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported || !world_.rays) throw;
+    if (e.code() != ErrorCode::kUnsupported || map.minimum || !world_.rays) throw;
     return ray_signs(*world_.rays, map, line);
   }
+}
+
+space::BoxComplex SpaceSolver::directional_map(const SignMap& map) const {
+  const Distance d = moving_first(map.distance, world_.moving);
+  const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
+  const int axis = axis_of(direction);
+  if (axis < 0) refuse(d, "the exact map needs a direction along an axis");
+  Distance plain = level_zero(d).distance;
+  plain.kind = d.kind;
+  const Named n = named(plain);
+  const int way = d.mode == Mode::kAlong ? 0 : direction[static_cast<std::size_t>(axis)].sign();
+  return n.pair->boxes().directional_map(n.which, map.level / world_.step, axis, way);
 }
 
 Section SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {

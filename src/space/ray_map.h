@@ -59,6 +59,8 @@ struct RayPosition {
   exact::Real to_real() const { return roots ? roots->root(patch, which, i, j) : exact::to_real(exact); }
 };
 
+/// Whether both are one place by their names; others may be the same place, too.
+bool same_root(const RayPosition& p, const RayPosition& q);
 /// The sign of p - q, exactly.
 int compare_positions(const RayPosition& p, const RayPosition& q);
 
