@@ -8,6 +8,7 @@
 
 #include "distance/ray_covers.h"
 #include "distance/solid_pair.h"
+#include "distance/stick_out_rays.h"
 #include "space/cover_frontier.h"
 #include "space/piece_rays.h"
 #include "space/position_covers.h"
@@ -58,6 +59,8 @@ class Maker {
   Source cover(const RayCover& cover, const Real& level) const;
   Source convex_gap(const BodyPart& b, const BodyPart& a, const Real& grown) const;
   Source mu_of_vertices(const BodyPart& b, const Real& level) const;
+  Source vertices_near(const Real& level) const;
+  void add_near(const BodyPart& t, const BodyPart& s, const Real& level, std::vector<LinePiece>& pieces) const;
 
   const Body &b_, &a_;
   RayGrid grid_;
@@ -111,25 +114,30 @@ Source Maker::gamma1(const Real& level) const {
     if (a_.round() || b_.round()) fail("the depth in a union of round parts is not computed on rays");
     return cover(overlap_sets(b_, a_), level);
   }
-  const space::Bounds3 a = bounds(a_), b = bounds(b_);
-  RealVector low = space::minus(a.low, b.high), high = space::minus(a.high, b.low);
-  for (int k = 0; k < 3; ++k) low[k] -= Real(1), high[k] += Real(1);
   std::vector<LinePiece> pieces;
   for (const BodyPart& t : a_.parts) {
-    for (const BodyPart& s : b_.parts) {
-      const std::vector<HalfSpace> planes = space::difference_planes(t, s);
-      const Real grown = t.radius + s.radius + level;
-      const RealVector center = real(t.center - s.center);
-      const bool point = planes.empty();
-      if (!point) {
-        const space::Extent extent = space::difference_extent(t, s);
-        pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
-      }
-      if (grown.sign() == 0) continue;
-      add_round_pieces(point ? ConvexRegion(center, center) : cut_from(low, high, planes), grown, pieces);
-    }
+    for (const BodyPart& s : b_.parts) add_near(t, s, level, pieces);
   }
   return rays(std::move(pieces));
+}
+
+/// What is nearer to the difference of two parts than the level and their radii.
+void Maker::add_near(const BodyPart& t, const BodyPart& s, const Real& level, std::vector<LinePiece>& pieces) const {
+  const std::vector<HalfSpace> planes = space::difference_planes(t, s);
+  const Real grown = t.radius + s.radius + level;
+  if (grown.sign() < 0) return;
+  const RealVector center = real(t.center - s.center);
+  const bool point = planes.empty();
+  const space::Extent extent = space::difference_extent(t, s);
+  if (!point) pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
+  if (grown.sign() == 0) return;
+  if (point) return add_round_pieces(ConvexRegion(center, center), grown, pieces);
+  RealVector low, high;
+  const std::array<double, 6> ends{extent.low.x,  extent.low.y,  extent.low.z,
+                                   extent.high.x, extent.high.y, extent.high.z};
+  for (std::size_t k = 0; k < 3; ++k)
+    low[k] = Real::from_double(std::floor(ends[k]) - 1), high[k] = Real::from_double(std::ceil(ends[k + 3]) + 1);
+  add_round_pieces(cut_from(low, high, planes), grown, pieces);
 }
 
 Source Maker::eta1(const Real& level) const {
@@ -144,7 +152,8 @@ Source Maker::eta1(const Real& level) const {
       const bool never = b_.convex() && !a_.parts[0].core && !b_.parts[0].core && room.sign() < 0;
       return never ? constant(1) : mu(level);
     }
-    fail("containment in a round shape is computed on rays at levels up to 0, in a single part");
+    if (level.sign() == 0 && !a_.convex()) return mu(level);  // of what has no room they have the same sign
+    fail("containment in a round shape is computed on rays at levels up to 0, in a union of such at level 0");
   }
   const RayCover complement = outside_sets(b_, a_);
   if (complement.all) return constant(1);
@@ -218,14 +227,35 @@ Source Maker::mu_of_vertices(const BodyPart& b, const Real& level) const {
   return rays({space::polytope_piece(std::move(planes), space::everywhere().low, space::everywhere().high)});
 }
 
+/// The sign of the greatest distance of a vertex of B to A, less the level.
+Source Maker::vertices_near(const Real& level) const {
+  std::vector<Source> all;
+  BodyPart corner;
+  std::vector<space::Point> seen;
+  for (const BodyPart& part : b_.parts) {
+    for (const space::Point& v : part.vertices()) {
+      if (std::find(seen.begin(), seen.end(), v) != seen.end()) continue;
+      seen.push_back(v);
+      corner.center = v;
+      std::vector<LinePiece> pieces;
+      for (const BodyPart& t : a_.parts) add_near(t, corner, level, pieces);
+      all.push_back(rays(std::move(pieces)));
+    }
+  }
+  return space::greatest_rays(std::move(all));
+}
+
 Source Maker::mu(const Real& level) const {
   if (a_.convex()) {
     std::vector<Source> all;
     for (const BodyPart& part : b_.parts) all.push_back(mu_of_vertices(part, level));
     return space::greatest_rays(std::move(all));
   }
-  if (level.sign() > 0) fail("mu to a shape that is not convex is computed on rays up to level 0");
-  return eta1(level);
+  if (level.sign() < 0 || (level.sign() == 0 && !a_.round())) return eta1(level);
+  if (a_.outside) fail("how far a shape sticks out of a complement is not computed");
+  if (b_.round()) fail("how far a round shape sticks out of one that is not convex is not computed");
+  return std::make_unique<StickOutRays>(
+      b_, a_, level, [&](const Real& l) { return vertices_near(l); }, grid_);
 }
 
 Source Maker::gamma2(const Real& level) const {
@@ -250,7 +280,33 @@ Source cut_off(Source source, bool negated, const Real& level) {
   });
 }
 
+/// Of mu(B, A), or of eta1 where nothing has room.
+bool searched(const Real& level, const Body& a, bool mu) {
+  return !a.convex() && !a.outside && (level.sign() == 0 ? a.round() : mu && level.sign() > 0);
+}
+
 }  // namespace
+
+bool found_by_search(Which which, const Real& level, const Body& b, const Body& a) {
+  switch (which) {
+    case Which::kMu:
+    case Which::kH:
+      return searched(level, a, true);
+    case Which::kMuBack:
+    case Which::kHBack:
+      return searched(level, b, true);
+    case Which::kHausdorff:
+      return searched(level, a, true) || searched(level, b, true);
+    case Which::kEta1:
+    case Which::kDstarBack:
+      return searched(level, a, false);
+    case Which::kDelta1:
+    case Which::kDstar:
+      return searched(level, b, false);
+    default:
+      return false;
+  }
+}
 
 Source ray_sign_map(Which which, const Real& level, const Body& b, const Body& a, const RayGrid& grid) {
   // A in B + p is -A + p in -B.

@@ -212,7 +212,26 @@ std::optional<RayGrid> grid_through(const space::RealVector& p, int axis) {
 std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
   const auto grid = grid_through(p, 2);
   if (!grid) return std::nullopt;
-  return space::sign_at(parts(world, map, *grid).row(0), 0, p[2] * Real(grid->parts));
+  const SurfaceRays source = parts(world, map, *grid);
+  const int sign = space::sign_at(source.row(0), 0, p[2] * Real(grid->parts));
+  if (sign == 0 && found_by_search(world, map)) return std::nullopt;
+  return sign;
+}
+
+bool found_by_search(const RayWorld& world, const SignMap& map) {
+  const Distance d = moving_first(map.distance, world.moving);
+  if (d.mode != Mode::kPlain) return false;
+  const bool second = second_moves(d, world.moving);
+  const distance::Which base = which(d.kind, second);
+  const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
+  // Only these distances need the convex parts for the answer.
+  if (base == distance::Which::kGamma1 || base == distance::Which::kGamma2) return false;
+  try {
+    return distance::found_by_search(base, map.level, body(world, b), body(world, a));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return false;  // by surfaces
+  }
 }
 
 bool holds_far_away(const RayWorld& world, const Formula& formula) {

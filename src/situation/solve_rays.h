@@ -69,8 +69,11 @@ std::optional<space::RayGrid> grid_through(const space::RealVector& p, int axis)
 plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const space::RayGrid& grid);
 
 /// The sign of one sign map at p (grid steps), from the line along z through it; nothing where there is no such
-/// grid.
+/// grid, or where the sign is not certain.
 std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p);
+
+/// Whether the sign map is known only where the value is not very near the level (distance::found_by_search).
+bool found_by_search(const RayWorld& world, const SignMap& map);
 
 /// Whether the formula holds far away.
 bool holds_far_away(const RayWorld& world, const Formula& formula);
