@@ -8,6 +8,7 @@
 #include "io/write_json.h"
 #include "report.h"
 #include "situation/optimize_line.h"
+#include "situation/ray_minima.h"
 #include "space_commands.h"
 
 namespace findspace::app {
@@ -23,6 +24,8 @@ Outcome map_space_line(const Session& session) {
   const situation::Formula formula = session.where();
   const situation::SpaceSolver solver(space_world(session));
   session.talk().stage("solving");
+  if (situation::side_of_search(*solver.world().rays, formula) != situation::Side::kExact)
+    session.talk().note("how far a shape sticks out is found by search: ends may be off by 2^-30 of the sizes");
   auto set = plane::intervals(solver.feasible_on(formula, line), exact::Real(1));
   std::optional<io::ExtremeValue> extreme;
   std::string title = fmt::format("Positions of {} on the line", fmt::join(session.scene().moving, ", "));

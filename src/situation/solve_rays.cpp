@@ -224,8 +224,13 @@ bool found_by_search(const RayWorld& world, const SignMap& map) {
   const bool second = second_moves(d, world.moving);
   const distance::Which base = which(d.kind, second);
   const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
-  // Only these distances need the convex parts for the answer.
   if (base == distance::Which::kGamma1 || base == distance::Which::kGamma2) return false;
+  // Up to level 0 only round parts need a search, and surfaces may have no convex parts in reasonable time.
+  const auto all_flat = [&](const std::vector<std::string>& names) {
+    const auto all = solids(world, names);
+    return all && std::none_of(all->begin(), all->end(), [](const RaySolid& s) { return s.ball(); });
+  };
+  if (map.level.sign() <= 0 && all_flat(b) && all_flat(a)) return false;
   try {
     return distance::found_by_search(base, map.level, body(world, b), body(world, a));
   } catch (const Error& e) {
