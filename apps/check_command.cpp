@@ -44,7 +44,7 @@ Outcome run_check(const Options& options, Talk& talk) {
   if (!options.at && !options.angle) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
   const Session session(options, talk);
   if (session.in_space()) {
-    session.require_positions_in_space();
+    session.require_positions_in_space(true);
     return check_space(session);
   }
   check_outputs(options, {".svg", ".json"});
@@ -73,7 +73,7 @@ Outcome run_check(const Options& options, Talk& talk) {
 Outcome run_measure(const Options& options, Talk& talk) {
   const Session session(options, talk);
   if (session.in_space()) {
-    session.require_positions_in_space();
+    session.require_positions_in_space(true);
     return measure_space(session);
   }
   check_outputs(options, {".svg", ".json"});

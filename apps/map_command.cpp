@@ -211,8 +211,12 @@ Outcome run_map(const Options& options, Talk& talk) {
   if (free == io::Free::Kind::kPose) return map_of_poses(session);
   if (free == io::Free::Kind::kAngle) return map_of_angles(session);
   if (session.in_space()) {
-    session.require_positions_in_space();
+    const bool line = free == io::Free::Kind::kLine;
+    session.require_positions_in_space(line);
     require_question(session);
+    if (line && (options.resolution > 0 || options.axes || !options.side.empty()))
+      throw Error(ErrorCode::kUsage, "--resolution, --axes and --side are for maps of space, not of a line");
+    if (line) return map_space_line(session);
     if (!options.side.empty() && options.resolution == 0)
       throw Error(ErrorCode::kUsage, "--side is for maps on lines: it needs --resolution");
     return options.resolution > 0 ? map_rays(session, options.resolution, options.axes) : map_space(session);

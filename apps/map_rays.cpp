@@ -234,6 +234,7 @@ Outcome map_rays(const Session& session, int resolution, bool axes) {
   take_minima(levels, set);
   take_side(session, set);
   if (set.side != situation::Side::kNone) formula = for_cells(set, formula, session.step());
+  set.on_lines = situation::both(set.on_lines, situation::side_of_search(world, formula));
   if (by_distance)
     set.objective = objective_of(*solver, *goal);
   else if (goal)

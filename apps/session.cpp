@@ -106,14 +106,16 @@ void Session::require_positions(bool line) const {
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
 }
 
-void Session::require_positions_in_space() const {
+void Session::require_positions_in_space(bool line) const {
   auto refuse = [&](const std::string& what) {
     throw Error(ErrorCode::kUnsupported, what + " is not computed in 3D", scene_.file);
   };
   if (scene_.motion.given()) refuse("a scene with \"motion\"");
   if (options_.angle) refuse("--angle");
   instant();  // refuses --time: there is no motion
-  if (scene_.free.kind != io::Free::Kind::kPosition) refuse("this kind of \"free\"");
+  using Kind = io::Free::Kind;
+  if (scene_.free.kind != Kind::kPosition && !(line && scene_.free.kind == Kind::kLine))
+    refuse("this kind of \"free\"");
   if (scene_.moving.empty())
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
 }

@@ -55,8 +55,8 @@ class Session {
   situation::World world() const;
   /// Throws where the scene asks for more than positions in the plane (or on a line of it or instants, if `line`).
   void require_positions(bool line) const;
-  /// Throws where a 3D scene asks for more than positions of one moving shape.
-  void require_positions_in_space() const;
+  /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`).
+  void require_positions_in_space(bool line = false) const;
   bool in_space() const { return scene_.dimension == 3; }
   /// --at, or (0, 0), in the scene's unit.
   exact::RealPoint position() const;

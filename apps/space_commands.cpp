@@ -91,12 +91,6 @@ Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, co
 
 /// The region as boxes; nothing where it has other faces.
 std::optional<space::BoxComplex> box_region(const situation::SpaceSolver& solver, const situation::Formula& formula) {
-  if (!solver.axis_parallel()) {
-    // Only the least gamma2 has an answer of this kind.
-    const bool least = std::any_of(formula.sign_maps().begin(), formula.sign_maps().end(),
-                                   [](const situation::SignMap& m) { return m.minimum; });
-    if (!least) return std::nullopt;
-  }
   try {
     return solver.feasible(formula);
   } catch (const Error& e) {

@@ -16,6 +16,8 @@ situation::SpaceWorld space_world(const Session& session);
 Outcome map_space(const Session& session);
 /// On `resolution` x `resolution` lines, of one axis or of all three.
 Outcome map_rays(const Session& session, int resolution, bool axes);
+/// The positions on the scene's line.
+Outcome map_space_line(const Session& session);
 Outcome check_space(const Session& session);
 Outcome measure_space(const Session& session);
 Outcome describe_space(const Session& session, const std::string& shape);

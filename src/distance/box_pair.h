@@ -27,6 +27,8 @@ class BoxPair {
 
   /// The sign of distance - level at every position; Error(kUnsupported) where that has no axis-parallel form.
   space::BoxComplex sign_map(Which which, const exact::Real& level) const;
+  /// The same of one of the six distances along an axis, both ways (`way` 0) or up or down it (1, -1), at any level.
+  space::BoxComplex directional_map(Which which, const exact::Real& level, int axis, int way) const;
   /// Whether value() answers for it.
   static bool has_value(Which which);
   std::optional<SolidValue> value(Which which, const space::RealVector& p) const;

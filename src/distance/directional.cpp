@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/track_value.h"
 #include "plane/locate.h"
 #include "plane/overlay.h"
 
@@ -35,17 +36,6 @@ Section track_section(const SignMap& map, const Track& track, const RealPoint& p
 Value at_parameter(const Real& t, const Track& track, const RealPoint& p, int sign) {
   const Real dx(track.dx), dy(track.dy);
   return {Real(sign) * abs(t) * sqrt(dx * dx + dy * dy), RealPoint{p.x + t * dx, p.y + t * dy}};
-}
-
-/// The stop nearest to t = 0 whose mark is wanted, among those the track reaches; nullptr if there is none.
-template <class Wanted>
-const Section::Stop* nearest_stop(const Section& s, const Track& track, Wanted&& wanted) {
-  const Section::Stop* best = nullptr;
-  for (const Section::Stop& stop : s.stops) {
-    if (!wanted(stop.at) || (!track.both_ways && stop.t.sign() < 0)) continue;
-    if (best == nullptr || abs(stop.t) < abs(best->t)) best = &stop;
-  }
-  return best;
 }
 
 SignMap negated(SignMap m) {
@@ -92,14 +82,10 @@ SignMap DirectionalSigned::sign_map(const Real& level) const {
 
 std::optional<Value> DirectionalSigned::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
-  const Mark here = mark_of(base_, locate(base_, p));
-  if (here == 0) return Value{Real(), std::nullopt};
-  const Section s = track_section(base_, track_, p);
-  // O is open and C closed, so the first place outside O, or in C, is a stop.
-  const Section::Stop* stop = here > 0 ? nearest_stop(s, track_, [](Mark m) { return m <= 0; })
-                                       : nearest_stop(s, track_, [](Mark m) { return m >= 0; });
-  if (stop != nullptr) return at_parameter(stop->t, track_, p, here);
-  if (here > 0) return std::nullopt;
+  if (mark_of(base_, locate(base_, p)) == 0) return Value{Real(), std::nullopt};
+  const auto found = nearest_change(track_section(base_, track_, p), track_.both_ways);
+  if (!found) return std::nullopt;
+  if (!found->lowest) return at_parameter(found->t, track_, p, found->sign);
   Value least;
   least.minus_infinity = true;
   return least;
@@ -148,14 +134,9 @@ SignMap DirectionalFarthest::sign_map(const Real& level) const {
 
 std::optional<Value> DirectionalFarthest::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
-  const Section::Stop* best = nullptr;
-  const Section s = track_section(base_, track_, p);
-  for (const Section::Stop& stop : s.stops) {
-    if (stop.at > 0 || (!track_.both_ways && stop.t.sign() < 0)) continue;
-    if (best == nullptr || abs(best->t) < abs(stop.t)) best = &stop;
-  }
-  if (best == nullptr) return std::nullopt;
-  return Value{at_parameter(best->t, track_, p, 1).value, std::nullopt};
+  const auto found = farthest_place(track_section(base_, track_, p), track_.both_ways);
+  if (!found) return std::nullopt;
+  return Value{at_parameter(found->t, track_, p, 1).value, std::nullopt};
 }
 
 }  // namespace findspace::distance

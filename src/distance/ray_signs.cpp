@@ -2,289 +2,18 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/ray_signs.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 
+#include "distance/ray_sign_maker.h"
 #include "distance/solid_pair.h"
-#include "space/cover_frontier.h"
-#include "space/piece_rays.h"
-#include "space/position_covers.h"
-#include "space/ray_sources.h"
 
 namespace findspace::distance {
 namespace {
 
 using exact::Real;
 using space::Body;
-using space::BodyPart;
-using space::ConvexRegion;
-using space::HalfSpace;
-using space::LinePiece;
-using space::PieceRays;
 using space::RayGrid;
-using space::RaySource;
-using space::real;
-using space::RealVector;
 using Source = space::RaySourcePointer;
-using Signs = std::span<const std::int8_t>;
-
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
-
-ConvexRegion cut_from(const RealVector& low, const RealVector& high, std::span<const HalfSpace> planes) {
-  ConvexRegion set(low, high);
-  for (const HalfSpace& h : planes) set.cut(h);
-  return set;
-}
-
-std::vector<HalfSpace> shifted(std::vector<HalfSpace> planes, const Real& inward) {
-  for (HalfSpace& h : planes) h = HalfSpace(h.normal, h.offset + inward * sqrt(space::dot(h.normal, h.normal)));
-  return planes;
-}
-
-/// A union of open convex sets with the box that its frontier lies in.
-struct Cover {
-  std::vector<std::vector<HalfSpace>> sets;
-  std::vector<space::Extent> extents;
-  RealVector low, high;
-};
-
-Cover cover_of(const space::OpenCover& cover, RealVector low, RealVector high) {
-  Cover out;
-  for (std::size_t k = 0; k < cover.size(); ++k)
-    out.sets.push_back(cover.planes(k)), out.extents.push_back(cover.extent(k));
-  for (Real& c : low) c -= Real(1);
-  for (Real& c : high) c += Real(1);
-  out.low = std::move(low), out.high = std::move(high);
-  return out;
-}
-
-class Maker {
- public:
-  Maker(const Body& b, const Body& a, const RayGrid& grid) : b_(b), a_(a), grid_(grid), scale_(b.scale) {}
-
-  Source gamma1(const Real& level) const;
-  Source eta1(const Real& level) const;
-  Source eta2(const Real& level) const;
-  Source mu(const Real& level) const;
-  Source gamma2(const Real& level) const;
-
- private:
-  Source constant(int sign) const { return space::constant_rays(grid_, sign); }
-  Source rays(std::vector<LinePiece> pieces, PieceRays::Of of = PieceRays::Of::kUnion) const {
-    space::drop_repeated(pieces);
-    return std::make_unique<PieceRays>(pieces, scale_, grid_, of);
-  }
-  Source balls(const std::vector<std::pair<RealVector, Real>>& all) const;
-  /// The sign of the signed distance to the cover (negative inside) less a level.
-  Source cover(const Cover& cover, const Real& level) const;
-  Source convex_gap(const BodyPart& b, const BodyPart& a, const Real& grown) const;
-  Source mu_of_vertices(const BodyPart& b, const Real& level) const;
-  Cover overlap() const;
-  /// The complement of E, B without its radii unless A is convex.
-  Cover outside(const Body& b) const;
-  bool fits_box(const Body& b) const;
-
-  const Body &b_, &a_;
-  RayGrid grid_;
-  std::int64_t scale_;
-};
-
-Source Maker::cover(const Cover& cover, const Real& level) const {
-  std::vector<LinePiece> sets;
-  for (std::size_t k = 0; k < cover.sets.size(); ++k)
-    sets.push_back(space::polytope_piece(cover.sets[k], cover.extents[k].low, cover.extents[k].high));
-  if (level.sign() == 0) return rays(std::move(sets));
-  std::vector<LinePiece> near;
-  for (const ConvexRegion& piece : space::cover_frontier(cover.sets, cover.low, cover.high))
-    add_round_pieces(piece, abs(level), near);
-  std::vector<Source> both;
-  both.push_back(rays(std::move(sets)));
-  both.push_back(rays(std::move(near)));
-  if (level.sign() > 0)
-    return space::combined_rays(std::move(both), [](Signs s) { return s[0] < 0 ? std::int8_t(-1) : s[1]; });
-  return space::combined_rays(std::move(both), [](Signs s) { return std::int8_t(s[0] < 0 ? -s[1] : 1); });
-}
-
-Source Maker::balls(const std::vector<std::pair<RealVector, Real>>& all) const {
-  std::vector<LinePiece> pieces;
-  for (const auto& [center, radius] : all) {
-    if (radius.sign() < 0) return constant(1);
-    pieces.push_back(space::ball_piece(center, radius));
-  }
-  return rays(std::move(pieces), PieceRays::Of::kIntersection);
-}
-
-Cover Maker::overlap() const {
-  const space::Bounds3 a = bounds(a_), b = bounds(b_);
-  return cover_of(space::overlap_cover(b_, a_), space::minus(a.low, b.high), space::minus(a.high, b.low));
-}
-
-bool Maker::fits_box(const Body& b) const {
-  const space::Bounds3 outer = bounds(a_), inner = bounds(b);
-  for (int k = 0; k < 3; ++k) {
-    if (outer.high[k] - outer.low[k] < inner.high[k] - inner.low[k]) return false;
-  }
-  return true;
-}
-
-Cover Maker::outside(const Body& b) const {
-  const space::Bounds3 outer = bounds(a_), inner = bounds(b);
-  const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
-  return cover_of(space::outside_cover(b, cells), space::minus(outer.low, inner.low),
-                  space::minus(outer.high, inner.high));
-}
-
-/// The difference of two parts, whose radii are in `grown`, grown (or shrunk) by that.
-Source Maker::convex_gap(const BodyPart& b, const BodyPart& a, const Real& grown) const {
-  std::vector<HalfSpace> planes = space::difference_planes(a, b);
-  const space::Extent extent = space::difference_extent(a, b);
-  if (planes.empty()) return balls({{real(a.center - b.center), grown}});
-  return rays({space::polytope_piece(shifted(std::move(planes), -grown), extent.low, extent.high)});
-}
-
-Source Maker::gamma1(const Real& level) const {
-  if (a_.outside) {
-    Body parts = a_;
-    parts.outside = false;
-    return space::negated_rays(Maker(b_, parts, grid_).eta1(-level));
-  }
-  if (a_.parts.size() == 1 && b_.parts.size() == 1) {
-    const Real grown = a_.parts[0].radius + b_.parts[0].radius + level;
-    if (grown.sign() <= 0) return convex_gap(b_.parts[0], a_.parts[0], grown);
-  }
-  if (level.sign() < 0 && !(a_.parts.size() == 1 && b_.parts.size() == 1)) {
-    if (a_.round() || b_.round()) fail("the depth in a union of round parts is not computed on rays");
-    return cover(overlap(), level);
-  }
-  const space::Bounds3 a = bounds(a_), b = bounds(b_);
-  RealVector low = space::minus(a.low, b.high), high = space::minus(a.high, b.low);
-  for (int k = 0; k < 3; ++k) low[k] -= Real(1), high[k] += Real(1);
-  std::vector<LinePiece> pieces;
-  for (const BodyPart& t : a_.parts) {
-    for (const BodyPart& s : b_.parts) {
-      const std::vector<HalfSpace> planes = space::difference_planes(t, s);
-      const Real grown = t.radius + s.radius + level;
-      const RealVector center = real(t.center - s.center);
-      const bool point = planes.empty();
-      if (!point) {
-        const space::Extent extent = space::difference_extent(t, s);
-        pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
-      }
-      if (grown.sign() == 0) continue;
-      add_round_pieces(point ? ConvexRegion(center, center) : cut_from(low, high, planes), grown, pieces);
-    }
-  }
-  return rays(std::move(pieces));
-}
-
-Source Maker::eta1(const Real& level) const {
-  if (a_.outside) {
-    Body parts = a_;
-    parts.outside = false;
-    return space::negated_rays(Maker(b_, parts, grid_).gamma1(-level));
-  }
-  if (a_.round()) {
-    if (a_.convex() && (level.sign() <= 0 || (b_.convex() && !a_.parts[0].core && !b_.parts[0].core))) {
-      const Real room = a_.parts[0].radius - b_.parts[0].radius;
-      const bool never = b_.convex() && !a_.parts[0].core && !b_.parts[0].core && room.sign() < 0;
-      return never ? constant(1) : mu(level);
-    }
-    fail("containment in a round shape is computed on rays at levels up to 0, in a single part");
-  }
-  if (!fits_box(b_)) return constant(1);
-  if (!b_.round() || a_.convex()) return space::negated_rays(cover(outside(b_), -level));
-  if (level.sign() > 0) fail("containment of a round shape in one that is not convex is computed up to level 0");
-  // Each part has to fit: its core, deeper than its radius.
-  std::vector<Source> all;
-  for (const BodyPart& part : b_.parts) {
-    Body core;
-    core.scale = b_.scale;
-    core.parts.push_back(part);
-    core.parts[0].radius = Real();
-    all.push_back(space::negated_rays(cover(outside(core), part.radius - level)));
-  }
-  return space::greatest_rays(std::move(all));
-}
-
-/// The frontier of E holds the vertices of its hull.
-Source Maker::eta2(const Real& level) const {
-  if (a_.outside) return constant(1);
-  std::vector<std::pair<RealVector, Real>> all;
-  if (a_.round()) {
-    if (!a_.convex() || !b_.convex() || a_.parts[0].core || b_.parts[0].core)
-      fail("the farthest fit in a round shape is not computed on rays");
-    const Real room = a_.parts[0].radius - b_.parts[0].radius;
-    if (room.sign() < 0) return constant(1);
-    all.emplace_back(real(a_.parts[0].center - b_.parts[0].center), level - room);
-    return balls(all);
-  }
-  if (b_.round() && !a_.convex())
-    fail("the farthest fit of a round shape in one that is not convex is not computed on rays");
-  if (!fits_box(b_)) return constant(1);
-  const Cover complement = outside(b_);
-  for (const ConvexRegion& piece : space::cover_frontier(complement.sets, complement.low, complement.high)) {
-    for (const ConvexRegion::Vertex& v : piece.vertices()) all.emplace_back(v.at, level);
-  }
-  return all.empty() ? constant(1) : balls(all);
-}
-
-/// Against a convex A: the part's vertices and radius, {p : p + v within `level` of A for all v}.
-Source Maker::mu_of_vertices(const BodyPart& b, const Real& level) const {
-  const BodyPart& a = a_.parts[0];
-  const Real reach = level + a.radius - b.radius;
-  if (!a.core) {
-    std::vector<std::pair<RealVector, Real>> all;
-    for (const space::Point& v : b.vertices()) all.emplace_back(real(a.center - v), reach);
-    return balls(all);
-  }
-  BodyPart point;
-  BodyPart core = a;
-  core.radius = Real();
-  std::vector<Source> all;
-  if (reach.sign() > 0) {
-    const Body convex{{core}, false, a_.scale, 0, 0};
-    for (const space::Point& v : b.vertices()) {
-      Body corner;
-      corner.scale = a_.scale;
-      point.center = v;
-      corner.parts.push_back(point);
-      all.push_back(Maker(corner, convex, grid_).gamma1(reach));
-    }
-    return space::greatest_rays(std::move(all));
-  }
-  std::vector<HalfSpace> planes;
-  for (const space::Plane& p : core.core->planes()) {
-    const RealVector n = real(p.normal);
-    BodyPart plain = b;
-    plain.radius = Real();
-    planes.emplace_back(n, Real(p.offset) + support(plain, n) - reach * sqrt(space::dot(n, n)));
-  }
-  return rays({space::polytope_piece(std::move(planes), space::everywhere().low, space::everywhere().high)});
-}
-
-Source Maker::mu(const Real& level) const {
-  if (a_.convex()) {
-    std::vector<Source> all;
-    for (const BodyPart& part : b_.parts) all.push_back(mu_of_vertices(part, level));
-    return space::greatest_rays(std::move(all));
-  }
-  if (level.sign() > 0) fail("mu to a shape that is not convex is computed on rays up to level 0");
-  return eta1(level);
-}
-
-Source Maker::gamma2(const Real& level) const {
-  if (a_.outside) return constant(1);
-  std::vector<std::pair<RealVector, Real>> all;
-  for (const BodyPart& t : a_.parts) {
-    for (const BodyPart& s : b_.parts) {
-      for (const space::Point& v : t.vertices()) {
-        for (const space::Point& w : s.vertices()) all.emplace_back(real(v - w), level - t.radius - s.radius);
-      }
-    }
-  }
-  return balls(all);
-}
 
 /// max(0, f) or max(0, -f) at a level that is not negative, from the map of f at that level (or its negative).
 Source cut_off(Source source, bool negated, const Real& level) {
@@ -295,12 +24,38 @@ Source cut_off(Source source, bool negated, const Real& level) {
   });
 }
 
+/// Of mu(B, A), or of eta1 where nothing has room.
+bool searched(const Real& level, const Body& a, bool mu) {
+  return !a.convex() && !a.outside && (level.sign() == 0 ? a.round() : mu && level.sign() > 0);
+}
+
 }  // namespace
+
+bool found_by_search(Which which, const Real& level, const Body& b, const Body& a) {
+  switch (which) {
+    case Which::kMu:
+    case Which::kH:
+      return searched(level, a, true);
+    case Which::kMuBack:
+    case Which::kHBack:
+      return searched(level, b, true);
+    case Which::kHausdorff:
+      return searched(level, a, true) || searched(level, b, true);
+    case Which::kEta1:
+    case Which::kDstarBack:
+      return searched(level, a, false);
+    case Which::kDelta1:
+    case Which::kDstar:
+      return searched(level, b, false);
+    default:
+      return false;
+  }
+}
 
 Source ray_sign_map(Which which, const Real& level, const Body& b, const Body& a, const RayGrid& grid) {
   // A in B + p is -A + p in -B.
   const Body back_b = mirrored(a), back_a = mirrored(b);
-  const Maker forth(b, a, grid), back(back_b, back_a, grid);
+  const RaySignMaker forth(b, a, grid), back(back_b, back_a, grid);
   const auto plus = [&] { return space::constant_rays(grid, 1); };
   const bool unsigned_one = which == Which::kD1 || which == Which::kH || which == Which::kHBack ||
                             which == Which::kDstar || which == Which::kDstarBack || which == Which::kPenetration;

@@ -6,12 +6,13 @@
 //   gamma1 - l   l >= 0: the union of the convex differences grown by l;  l < 0: inside U, the distance to its
 //                frontier (cover_frontier.h) against -l;
 //   eta1, delta1 minus the signed distance to the union that is the complement of E, D;
-//   mu           to a convex A: over all vertices of B; not above 0 it is eta1;
+//   mu           to a convex A: over all vertices of B; not above 0 it is eta1; above it, and in unions of round parts
+//                at 0, by search (stick_out_rays.h);
 //   gamma2, eta2, delta2, diameter   intersections of balls about the farthest candidates;  d1, h, dstar, penetration
 //   from these. Guarantee: exact on every line, round fronts included. Error(kUnsupported) where the frontier itself is
-// round and has to be measured from: the depth in a union of round parts, containment in such, levels above 0 of
-// containment of round shapes in shapes that are not convex, of mu to them. Cost: line_pieces.h for each piece of the
-// sets or of their frontier. Keywords: ray map, offset, level set.
+// round and has to be measured from: the depth in a union of round parts, containment in such at other levels than 0,
+// levels above 0 of containment of round shapes in shapes that are not convex, of mu of them. Cost: line_pieces.h for
+// each piece of the sets or of their frontier. Keywords: ray map, offset, level set.
 #pragma once
 
 #include <memory>
@@ -21,6 +22,9 @@
 #include "space/ray_map.h"
 
 namespace findspace::distance {
+
+/// Whether the sign map is found by search (stick_out_rays.h), so that 0 means a value near the level.
+bool found_by_search(Which which, const exact::Real& level, const space::Body& b, const space::Body& a);
 
 /// Both bodies of one scale, B not `outside`; the level in their steps, the grid in grid steps.
 std::unique_ptr<space::RaySource> ray_sign_map(Which which, const exact::Real& level, const space::Body& b,

@@ -48,6 +48,22 @@ struct Corner {
 
 }  // namespace
 
+std::vector<ConvexDistance> distances_to_parts(const Body& a) {
+  std::vector<ConvexDistance> out;
+  for (const BodyPart& part : a.parts) {
+    const double radius = part.radius.to_double();
+    if (!part.core)
+      out.emplace_back([center = space::rounded(real(part.center)), radius](const Vector& x) {
+        return space::length(x - center) - radius;
+      });
+    else if (radius == 0)
+      out.push_back(distance_to(half_spaces(part)));
+    else
+      out.emplace_back([core = distance_to(half_spaces(part)), radius](const Vector& x) { return core(x) - radius; });
+  }
+  return out;
+}
+
 SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
   const std::vector<HalfSpace> planes = a.core ? half_spaces(a) : std::vector<HalfSpace>();
   const RealVector center = real(a.center);
@@ -98,8 +114,7 @@ SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVecto
 }
 
 SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p) {
-  std::vector<ConvexDistance> parts;
-  for (const BodyPart& part : a.parts) parts.push_back(distance_to(half_spaces(part)));
+  const std::vector<ConvexDistance> parts = distances_to_parts(a);
   std::vector<Tetrahedron> cells;
   const Vector by = space::rounded(p);
   for (const BodyPart& part : b.parts) {
@@ -117,12 +132,12 @@ SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p)
         continue;
       std::optional<SolidValue> best;
       for (const BodyPart& t : a.parts) {
-        const RealVector foot = *nearest_in(half_spaces(t), at);
-        const Real d = length(space::minus(at, foot));
+        const RealVector foot = t.core ? *nearest_in(half_spaces(t), at) : real(t.center);
+        const Real core = length(space::minus(at, foot)), d = core - t.radius;
         if (best && !(d < best->value)) continue;
         best = SolidValue{};
         best->value = d;
-        best->points = {at, foot};
+        best->points = {at, space::along(foot, t.radius / core, space::minus(at, foot))};
       }
       return *best;
     }

@@ -9,9 +9,12 @@
 #pragma once
 
 #include "distance/solid_pair.h"
+#include "distance/solid_peak.h"
 
 namespace findspace::distance {
 
+/// To the core of each part of the body, less its radius.
+std::vector<ConvexDistance> distances_to_parts(const space::Body& a);
 /// A convex, of any radius.
 SolidValue stick_out_of_convex(const space::Body& b, const space::BodyPart& a, const space::RealVector& p);
 /// A without radii, B too; B + p is not inside A.

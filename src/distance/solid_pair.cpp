@@ -215,12 +215,15 @@ SolidValue SolidPair::reach(const RealVector& p) const {
 
 SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p) const {
   if (side.fixed->convex()) return stick_out_of_convex(*side.moving, side.fixed->parts[0], p);
-  if (side.fixed->round())
-    fail("the directed Hausdorff distance to a shape that is not convex is not computed for round shapes");
-  const auto inside = contained(side, p);
-  if (inside && inside->value.sign() <= 0) return *inside;
+  if (!side.fixed->round()) {
+    const auto inside = contained(side, p);
+    if (inside && inside->value.sign() <= 0) return *inside;
+  }
   if (side.moving->round()) fail("how far a round shape sticks out of a shape that is not convex is not computed");
-  return stick_out_of_union(*side.moving, *side.fixed, p);
+  SolidValue out = stick_out_of_union(*side.moving, *side.fixed, p);
+  if (side.fixed->round() && out.value.sign() <= 0)
+    fail("the depth of a shape in a union of round parts is not computed");
+  return out;
 }
 
 std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) const {

@@ -26,8 +26,9 @@ struct Cell {
 
 class Search {
  public:
-  Search(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack)
-      : sets_(sets), slack_(slack) {
+  Search(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack, double share)
+      : sets_(sets), slack_(slack), share_(share) {
+    best_.value = std::min(0.0, slack);
     std::vector<int> all(sets.size());
     std::iota(all.begin(), all.end(), 0);
     for (const Tetrahedron& t : solid) add(t, all, exact::kInfinity);
@@ -50,7 +51,10 @@ class Search {
   }
 
  private:
-  bool worth(double bound) const { return bound > best_.value * (1 + 0x1p-41) && bound > slack_; }
+  bool worth(double bound) const {
+    const double surplus = best_.value - slack_;
+    return bound > best_.value * (1 + 0x1p-41) && bound > slack_ && !(surplus > (bound - slack_) * (1 - share_));
+  }
 
   double nearest(const Vector& x, const std::vector<int>& sets) const {
     double least = exact::kInfinity;
@@ -129,7 +133,7 @@ class Search {
   }
 
   std::span<const ConvexDistance> sets_;
-  double slack_;
+  double slack_, share_;
   std::priority_queue<Cell> queue_;
   SolidPeak best_;
 };
@@ -158,8 +162,9 @@ std::vector<Tetrahedron> tetrahedra(const space::ConvexRegion& region) {
   return out;
 }
 
-SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack) {
-  return Search(solid, sets, slack).run();
+SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
+                     double share) {
+  return Search(solid, sets, slack, share).run();
 }
 
 }  // namespace findspace::distance

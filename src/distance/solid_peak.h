@@ -27,7 +27,7 @@ namespace findspace::distance {
 inline constexpr int kMostCells = 200000;
 
 using Tetrahedron = std::array<space::Vector, 4>;
-/// The distance to a closed convex set.
+/// The distance to a closed convex set, or another convex function of which no step changes more than its length.
 using ConvexDistance = std::function<double(const space::Vector&)>;
 
 /// Filling the polytope; empty for sets without interior.
@@ -40,7 +40,9 @@ struct SolidPeak {
   bool whole = true;
 };
 
-/// Greatest distances of at most `slack` need not be told from 0. At least one set.
-SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack);
+/// Greatest distances of at most `slack` need not be told from 0; of one that is more the value may lack `share` of
+/// what it is more than the slack. At least one set.
+SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
+                     double share = 0);
 
 }  // namespace findspace::distance

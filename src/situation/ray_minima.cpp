@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "situation/evaluate.h"
+
 namespace findspace::situation {
 
 namespace {
@@ -16,9 +18,19 @@ void each_atom(const Node& node, bool negated, const Visit& visit) {
   for (const Node& operand : node.operands) each_atom(operand, below, visit);
 }
 
+}  // namespace
+
 Side both(Side a, Side b) { return a == Side::kExact || a == b ? b : b == Side::kExact ? a : Side::kMixed; }
 
-}  // namespace
+Side side_of_search(const RayWorld& world, const Formula& formula) {
+  Side side = Side::kExact;
+  each_atom(formula.root(), false, [&](std::size_t k, bool negated) {
+    const Atom& atom = formula.atoms()[k];
+    if (atom.minimum || !found_by_search(world, formula.sign_maps()[formula.sign_map_of(k)])) return;
+    side = both(side, holds(atom, 0) != negated ? Side::kOuter : Side::kInner);
+  });
+  return side;
+}
 
 std::string_view name(Side side) {
   switch (side) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "situation/solve_rays.h"
 #include "situation/solve_space.h"
 
 namespace findspace::situation {
@@ -30,6 +31,9 @@ struct MinimaAsLevels {
 };
 
 bool has_minima(const Formula& formula);
+Side both(Side a, Side b);
+/// The side on which lines lie whose sign maps are 0 near the levels as well as at them.
+Side side_of_search(const RayWorld& world, const Formula& formula);
 /// Throws Error(kUnsupported) where a least value is not computed.
 MinimaAsLevels minima_as_levels(const SpaceSolver& solver, const Formula& formula);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "distance/ray_directional.h"
 #include "distance/ray_signs.h"
 #include "situation/evaluate.h"
 #include "situation/solve_space.h"
@@ -22,6 +23,7 @@ using space::RayGrid;
 using space::RayRow;
 using space::RaySolid;
 using space::RaySource;
+using space::RealVector;
 
 /// Denominators of positions that are tried.
 constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 3, 8, 64, 1024};
@@ -51,26 +53,35 @@ space::Body body(const RayWorld& world, const std::vector<std::string>& names) {
   return united(bodies);
 }
 
+RealVector direction_of(const Distance& d) { return {d.vector.at(0), d.vector.at(1), d.vector.at(2)}; }
+
+/// By the convex parts of the shapes.
+space::RaySourcePointer by_parts(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                                 const RayGrid& grid) {
+  space::Body b = body(world, second ? d.second : d.first), a = body(world, second ? d.first : d.second);
+  const std::int64_t scale = std::lcm(b.scale, a.scale);
+  if (b.outside) refuse(map, "a moving shape has to be bounded");
+  b = space::at_scale(b, scale);
+  a = space::at_scale(a, scale);
+  const distance::Which base = which(d.kind, second);
+  const Real level = map.level / world.step * Real(scale);
+  if (!is_directional(d)) return distance::ray_sign_map(base, level, b, a, grid);
+  return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
+}
+
 SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   Distance d = moving_first(map.distance, world.moving);
-  if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) refuse(map, "only translations in all directions are");
+  if (d.mode == Mode::kTurning || d.prefix != Extremum::kNone) refuse(map, "only translations are");
   const bool second = second_moves(d, world.moving);
-  const Real level = map.level / world.step;
   const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 || d.kind == Kind::kMu;
   SurfaceRays result;
-  if (known && !second) {
+  if (known && !second && !grid.oblique && (!is_directional(d) || map.level.sign() == 0)) {
     const auto b = solids(world, d.first), a = solids(world, d.second);
-    if (b && a) result = surface_rays(which(d.kind, false), *b, *a, level, grid);
+    if (b && a) result = surface_rays(which(d.kind, false), *b, *a, map.level / world.step, grid);
   }
   if (!result.sources.empty()) return result;
-  if (second) std::swap(d.first, d.second);
   try {
-    space::Body b = body(world, d.first), a = body(world, d.second);
-    const std::int64_t scale = std::lcm(b.scale, a.scale);
-    if (b.outside) refuse(map, "a moving shape has to be bounded");
-    b = space::at_scale(b, scale);
-    a = space::at_scale(a, scale);
-    result.sources.push_back(distance::ray_sign_map(which(d.kind, second), level * Real(scale), b, a, grid));
+    result.sources.push_back(by_parts(world, map, d, second, grid));
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
     throw e.within(text(map.distance));
@@ -172,19 +183,60 @@ std::unique_ptr<RaySource> ray_region(const RayWorld& world, const Formula& form
   return std::make_unique<RegionRays>(world, formula, grid);
 }
 
-std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
+plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+  const SurfaceRays source = parts(world, map, grid);
+  const RayRow row = source.row(0);
+  plane::Section out{row.before[0], {}};
+  for (int e = row.first[0]; e < row.first[1]; ++e) {
+    const space::RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    out.stops.push_back({event.at.to_real(), event.here, event.after});
+  }
+  return out;
+}
+
+std::optional<RayGrid> grid_through(const space::RealVector& p, int axis) {
+  const auto across = [&](int k) -> const Real& { return p[static_cast<std::size_t>((axis + k) % 3)]; };
   const auto* fits = std::find_if(kParts.begin(), kParts.end(), [&](std::int64_t parts) {
-    return (p[0] * Real(parts)).integer() && (p[1] * Real(parts)).integer();
+    return (across(1) * Real(parts)).integer() && (across(2) * Real(parts)).integer();
   });
   if (fits == kParts.end()) return std::nullopt;
   std::array<std::int64_t, 2> at{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto whole = *(p[k] * Real(*fits)).integer();
+  for (int k = 0; k < 2; ++k) {
+    const auto whole = *(across(k + 1) * Real(*fits)).integer();
     if (whole > exact::kRayLimit || whole < -exact::kRayLimit) return std::nullopt;
-    at[k] = static_cast<std::int64_t>(whole);
+    at[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(whole);
   }
-  const RayGrid grid{2, *fits, at[0], at[1], 1, 1, 1, 1};
-  return space::sign_at(parts(world, map, grid).row(0), 0, p[2] * Real(*fits));
+  return RayGrid{axis, *fits, at[0], at[1], 1, 1, 1, 1};
+}
+
+std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
+  const auto grid = grid_through(p, 2);
+  if (!grid) return std::nullopt;
+  const SurfaceRays source = parts(world, map, *grid);
+  const int sign = space::sign_at(source.row(0), 0, p[2] * Real(grid->parts));
+  if (sign == 0 && found_by_search(world, map)) return std::nullopt;
+  return sign;
+}
+
+bool found_by_search(const RayWorld& world, const SignMap& map) {
+  const Distance d = moving_first(map.distance, world.moving);
+  if (d.mode != Mode::kPlain) return false;
+  const bool second = second_moves(d, world.moving);
+  const distance::Which base = which(d.kind, second);
+  const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
+  if (base == distance::Which::kGamma1 || base == distance::Which::kGamma2) return false;
+  // Up to level 0 only round parts need a search, and surfaces may have no convex parts in reasonable time.
+  const auto all_flat = [&](const std::vector<std::string>& names) {
+    const auto all = solids(world, names);
+    return all && std::none_of(all->begin(), all->end(), [](const RaySolid& s) { return s.ball(); });
+  };
+  if (map.level.sign() <= 0 && all_flat(b) && all_flat(a)) return false;
+  try {
+    return distance::found_by_search(base, map.level, body(world, b), body(world, a));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return false;  // by surfaces
+  }
 }
 
 bool holds_far_away(const RayWorld& world, const Formula& formula) {

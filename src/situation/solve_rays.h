@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "plane/section.h"
 #include "situation/formula.h"
 #include "space/body.h"
 #include "space/ray_map.h"
@@ -61,9 +62,18 @@ RayWindow window(const RayWorld& world, const Formula& formula);
 /// -1 where the formula holds, +1 elsewhere. Keeps a reference to the formula.
 std::unique_ptr<space::RaySource> ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
 
-/// The sign of one sign map at p (grid steps), from the line along z through it; nothing where x and y are no fractions
-/// of small denominators.
+/// The one line along an axis through p; nothing where its coordinates are no fractions of small denominators.
+std::optional<space::RayGrid> grid_through(const space::RealVector& p, int axis);
+
+/// The signs of one sign map along line (0, 0) of the grid, in parts of a step.
+plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const space::RayGrid& grid);
+
+/// The sign of one sign map at p (grid steps), from the line along z through it; nothing where there is no such
+/// grid, or where the sign is not certain.
 std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p);
+
+/// Whether the sign map is known only where the value is not very near the level (distance::found_by_search).
+bool found_by_search(const RayWorld& world, const SignMap& map);
 
 /// Whether the formula holds far away.
 bool holds_far_away(const RayWorld& world, const Formula& formula);

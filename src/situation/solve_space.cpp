@@ -51,27 +51,20 @@ SpaceShape space_shape(const plane::Shape& shape) {
 struct SpaceSolver::Cache {
   using Names = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
   std::mutex guard;
-  std::map<Names, std::shared_ptr<const Pair>> pairs;
-};
-
-struct SpaceSolver::Pair : SpacePair {
-  using SpacePair::SpacePair;
+  std::map<Names, std::shared_ptr<const SpacePair>> pairs;
 };
 
 SpaceSolver::SpaceSolver(SpaceWorld world) : world_(std::move(world)), cache_(std::make_unique<Cache>()) {}
 
 SpaceSolver::~SpaceSolver() = default;
 
-bool SpaceSolver::axis_parallel() const {
-  return std::all_of(world_.shapes.begin(), world_.shapes.end(),
-                     [](const auto& s) { return s.second.boxes.has_value(); });
-}
-
 SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
   Distance d = moving_first(wanted, world_.moving);
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) {
-    throw Error(ErrorCode::kUnsupported,
-                text(d) + ": distances along a direction, in rotation or over time are not computed in 3D");
+    throw Error(
+        ErrorCode::kUnsupported,
+        text(d) +
+            ": regions of distances along a direction, and distances in rotation or over time, are not computed in 3D");
   }
   const bool second = std::find(world_.moving.begin(), world_.moving.end(), d.first.at(0)) == world_.moving.end();
   if (second) std::swap(d.first, d.second);
@@ -86,11 +79,12 @@ SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
   };
   const std::lock_guard lock(cache_->guard);
   auto& slot = cache_->pairs[{d.first, d.second}];
-  if (!slot) slot = std::make_shared<const Pair>(shapes(d.first), shapes(d.second));
+  if (!slot) slot = std::make_shared<const SpacePair>(shapes(d.first), shapes(d.second));
   return {slot, which(d.kind, second)};
 }
 
 std::optional<SolidValue> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
+  if (is_directional(wanted)) return directional_value(wanted, p);
   const Named n = named(wanted);
   try {
     return n.pair->value(n.which, p);
@@ -226,6 +220,7 @@ BoxPair::Least SpaceSolver::least(const Distance& wanted) const {
 
 BoxComplex SpaceSolver::sign_map(const SignMap& wanted) const {
   if (wanted.minimum) return least(wanted.distance).at.remarked([](Mark m) { return Mark(m == 0); });
+  if (is_directional(wanted.distance)) return directional_map(wanted);
   const Named n = named(wanted.distance);
   try {
     return n.pair->boxes().sign_map(n.which, wanted.level / world_.step);
@@ -246,6 +241,7 @@ BoxComplex SpaceSolver::feasible(const Formula& formula) const {
 std::optional<SpaceSolver::ConvexMap> SpaceSolver::feasible_convex(const Formula& formula) const {
   if (formula.sign_maps().size() != 1 || formula.sign_maps()[0].minimum) return std::nullopt;
   const SignMap& map = formula.sign_maps()[0];
+  if (is_directional(map.distance)) return std::nullopt;
   const Named n = named(map.distance);
   auto found = n.pair->sublevel(n.which, map.level / world_.step);
   if (!found) return std::nullopt;

@@ -19,12 +19,14 @@
 #include "distance/box_pair.h"
 #include "distance/extremum.h"
 #include "distance/solid_least.h"
+#include "plane/section.h"
 #include "situation/formula.h"
 #include "space/convex_set.h"
 
 namespace findspace::situation {
 
 struct RayWorld;
+class SpacePair;
 
 /// A shape of the scene in grid steps, in the forms that it has.
 struct SpaceShape {
@@ -65,6 +67,11 @@ struct SpaceOptimum {
   space::BoxComplex at;
 };
 
+/// In grid steps; the direction is not zero.
+struct SpaceLine {
+  space::RealVector through, direction;
+};
+
 class SpaceSolver {
  public:
   explicit SpaceSolver(SpaceWorld world);
@@ -90,6 +97,8 @@ class SpaceSolver {
     exact::Real step;  // one unit of its coordinates in the scene's unit
   };
   std::optional<ConvexMap> feasible_convex(const Formula& formula) const;
+  /// Where the formula holds along a line: marks 1, and 0 elsewhere, by the length gone from `through`, in grid steps.
+  plane::Section feasible_on(const Formula& formula, const SpaceLine& line) const;
   /// The first `distance -> min` of the formula, if it has one.
   std::optional<SpaceOptimum> minimum_of(const Formula& formula) const;
   /// The least value of a distance over all positions, as far as it is known; nothing where it is undefined. In the
@@ -99,14 +108,11 @@ class SpaceSolver {
   SpaceOptimum optimize(const space::BoxComplex& region, const Objective& objective, distance::Sense sense) const;
 
   const SpaceWorld& world() const { return world_; }
-  /// Whether the faces of all shapes are parallel to the axes.
-  bool axis_parallel() const;
 
  private:
-  struct Pair;
   struct Cache;
   struct Named {
-    std::shared_ptr<const Pair> pair;
+    std::shared_ptr<const SpacePair> pair;
     distance::Which which;
   };
 
@@ -123,6 +129,10 @@ class SpaceSolver {
   int sign(const SignMap& map, const std::optional<distance::SolidValue>& value) const;
   space::BoxComplex sign_map(const SignMap& map) const;
   distance::BoxPair::Least least(const Distance& distance) const;
+  space::BoxComplex directional_map(const SignMap& map) const;
+  /// The signs of one sign map along a line, as feasible_on().
+  plane::Section signs_on(const SignMap& map, const SpaceLine& line) const;
+  std::optional<distance::SolidValue> directional_value(const Distance& distance, const space::RealVector& p) const;
 
   SpaceWorld world_;
   std::unique_ptr<Cache> cache_;

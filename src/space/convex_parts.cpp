@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "space/cell_parts.h"
 #include "space/mesh.h"
 #include "space/partition.h"
 #include "space/polytope_sets.h"
@@ -22,103 +23,6 @@ using exact::Real;
 using Kind = plane::Shape::Kind;
 
 constexpr std::size_t kMostFaces = 100000;
-
-/// The least number by which all coordinates become whole, or 0 if that exceeds `limit`.
-std::int64_t common_scale(const std::vector<ConvexRegion>& cells, std::int64_t limit) {
-  int128 scale = 1;
-  for (const ConvexRegion& cell : cells) {
-    for (const ConvexRegion::Vertex& v : cell.vertices()) {
-      for (const Real& c : v.at) {
-        const auto fraction = c.fraction();
-        if (!fraction || (*fraction)[1] > limit) return 0;
-        scale = scale / exact::gcd(scale, (*fraction)[1]) * (*fraction)[1];
-        if (scale > limit) return 0;
-      }
-    }
-  }
-  return static_cast<std::int64_t>(scale);
-}
-
-std::int64_t largest_coordinate(const std::vector<ConvexRegion>& cells) {
-  std::int64_t largest = 1;
-  for (const ConvexRegion& cell : cells) {
-    for (const ConvexRegion::Vertex& v : cell.vertices()) {
-      for (const double c : {v.near.x, v.near.y, v.near.z})
-        largest = std::max(largest, static_cast<std::int64_t>(std::ceil(std::fabs(c))));
-    }
-  }
-  return largest;
-}
-
-Real six_volumes(const Polytope& p) {
-  Mesh mesh{{p.vertices().begin(), p.vertices().end()}, {}};
-  for (int f = 0; f < p.facet_count(); ++f) mesh.faces.push_back(p.circuit(f));
-  return six_volumes(mesh);
-}
-
-/// The union of two parts without common interior if it is convex: then they share a plane, and the hull adds nothing.
-std::optional<Polytope> joined(const Polytope& p, const Polytope& q) {
-  const bool touch = std::any_of(p.planes().begin(), p.planes().end(), [&](const Plane& a) {
-    return std::any_of(q.planes().begin(), q.planes().end(),
-                       [&](const Plane& b) { return a.normal == -b.normal && a.offset == -b.offset; });
-  });
-  if (!touch) return std::nullopt;
-  std::vector<Point> points(p.vertices().begin(), p.vertices().end());
-  points.insert(points.end(), q.vertices().begin(), q.vertices().end());
-  Polytope hull = Polytope::hull(points);
-  if (six_volumes(hull) != six_volumes(p) + six_volumes(q)) return std::nullopt;
-  return hull;
-}
-
-void join_neighbours(std::vector<Polytope>& parts) {
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t j = i + 1; j < parts.size();) {
-      std::optional<Polytope> whole = joined(parts[i], parts[j]);
-      if (!whole) {
-        ++j;
-        continue;
-      }
-      parts[i] = std::move(*whole);
-      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
-      j = i + 1;
-    }
-  }
-}
-
-/// Cells as polytopes, on the grid or on a finer one.
-ConvexParts from_cells(const std::vector<ConvexRegion>& cells) {
-  ConvexParts result;
-  result.scale = common_scale(cells, kCoordinateLimit / largest_coordinate(cells));
-  const bool exact = result.scale > 0;
-  if (!exact) result.scale = 1;
-  for (const ConvexRegion& cell : cells) {
-    std::vector<Point> points;
-    for (const ConvexRegion::Vertex& v : cell.vertices()) {
-      std::array<std::int64_t, 3> c{};
-      double square = 0;
-      for (int k = 0; k < 3; ++k) {
-        const Real at = v.at[k] * Real(result.scale);
-        c[k] = static_cast<std::int64_t>(round(at));
-        const double rest = (at - Real(c[k])).to_double();
-        square += rest * rest;
-      }
-      if (square > 0) {
-        ++result.rounded;
-        result.moved = std::max(result.moved, std::sqrt(square));
-      }
-      points.push_back({c[0], c[1], c[2]});
-    }
-    try {
-      result.parts.push_back(Polytope::hull(points));
-    } catch (const Error&) {
-      // A cell without volume: of a mesh that crosses itself, or made flat by rounding. The volume check has the last
-      // word.
-      continue;
-    }
-  }
-  if (exact) join_neighbours(result.parts);
-  return result;
-}
 
 double surface_area(const Polytope& p) {
   double twice = 0;
@@ -265,7 +169,7 @@ ConvexParts clipped(const plane::Shape& shape) {
     const std::int64_t scale = std::lcm(result.scale, other.scale);
     const std::vector<Polytope> a = at_scale(result, scale), b = at_scale(other, scale);
     ConvexParts next =
-        from_cells(shape.kind == Kind::kIntersection ? intersection_cells(a, b) : difference_cells(a, b));
+        parts_of_cells(shape.kind == Kind::kIntersection ? intersection_cells(a, b) : difference_cells(a, b));
     if (next.parts.empty()) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
     next.scale *= scale;
     next.rounded += result.rounded + other.rounded;
@@ -320,7 +224,7 @@ ConvexParts convex_parts(const Mesh& mesh) {
     for (const int v : face) piece.corners.emplace_back(real(mesh.vertices[v]));
     facets.push_back(std::move(piece));
   }
-  ConvexParts parts = from_cells(partition(std::move(facets), bounding_box(mesh)));
+  ConvexParts parts = parts_of_cells(partition(std::move(facets), bounding_box(mesh)));
   check_volume(parts, six_volumes(mesh));
   return parts;
 }

@@ -16,71 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "space/polytope.h"
+#include "space/hull_triangles.h"
 
 namespace findspace::space {
 namespace {
-
-struct Triangle {
-  std::array<int, 3> v{};     // counter-clockwise from outside
-  std::array<int, 3> next{};  // the triangle across the edge v[i] v[i + 1]
-  Wide3 normal;
-  Shadow3 shadow;
-  std::vector<int> outside;  // points strictly above that no other triangle owns
-  bool alive = true;
-  int mark = -1;
-};
-
-class Hull {
- public:
-  explicit Hull(std::vector<Point> points) : points_(std::move(points)) {
-    for (const Point& p : points_) shadows_.push_back(exact::shadow(p));
-  }
-
-  void run() {
-    start();
-    for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-      while (triangles_[t].alive && !triangles_[t].outside.empty()) add(t);
-    }
-  }
-
-  /// The facets as circuits of indices of the points.
-  std::vector<std::vector<int>> merged() const;
-
- private:
-  int side(const Triangle& t, int p) const {
-    const int fast = exact::filtered_sign_dot(t.shadow, shadows_[p] - shadows_[t.v[0]]);
-    if (fast != 2) return fast;
-    return exact::sign(exact::dot(t.normal, points_[p] - points_[t.v[0]]));
-  }
-  double height(const Triangle& t, int p) const {
-    const Shadow3 e = shadows_[p] - shadows_[t.v[0]];
-    return t.shadow.x * e.x + t.shadow.y * e.y + t.shadow.z * e.z;
-  }
-  int make(int a, int b, int c) {
-    Triangle t;
-    t.v = {a, b, c};
-    t.normal = exact::cross(points_[b] - points_[a], points_[c] - points_[a]);
-    t.shadow = exact::shadow(t.normal);
-    triangles_.push_back(std::move(t));
-    return static_cast<int>(triangles_.size()) - 1;
-  }
-  int farthest_from(int a) const;
-  int off_line(int a, int b) const;
-  int off_plane(const Triangle& t) const;
-  void start();
-  void add(int t);
-  void find_visible(int t, int apex);
-  void cover_horizon(int apex);
-  void hand_over();
-  std::vector<int> groups() const;
-
-  std::vector<Point> points_;
-  std::vector<Shadow3> shadows_;
-  std::vector<Triangle> triangles_;
-  std::vector<int> visible_, fresh_;
-  int round_ = 0;
-};
 
 [[noreturn]] void flat(const std::string& what) {
   throw Error(ErrorCode::kGeometry, "a polytope needs interior, but " + what);
@@ -97,6 +36,8 @@ std::string text(int128 value) {
 }
 
 std::string text(const Wide3& n) { return "(" + text(n.x) + ", " + text(n.y) + ", " + text(n.z) + ")"; }
+
+}  // namespace
 
 int Hull::farthest_from(int a) const {
   int best = -1;
@@ -261,63 +202,7 @@ void Hull::hand_over() {
   }
 }
 
-/// For every triangle the first one of its plane, joined over edges.
-std::vector<int> Hull::groups() const {
-  std::vector<int> group(triangles_.size(), -1), stack;
-  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-    if (!triangles_[t].alive || group[t] >= 0) continue;
-    group[t] = t;
-    stack.assign(1, t);
-    while (!stack.empty()) {
-      const Triangle& from = triangles_[stack.back()];
-      stack.pop_back();
-      for (const int n : from.next) {
-        const Triangle& to = triangles_[n];
-        if (group[n] >= 0) continue;
-        if (std::any_of(to.v.begin(), to.v.end(), [&](int v) { return side(triangles_[t], v) != 0; })) continue;
-        group[n] = t;
-        stack.push_back(n);
-      }
-    }
-  }
-  return group;
-}
-
-std::vector<std::vector<int>> Hull::merged() const {
-  const std::vector<int> group = groups();
-  // Border edges of each group, chained: after (t, i) comes the first border edge when turning about its end inside the
-  // group.
-  std::vector<std::vector<int>> rings;
-  std::vector<int> facets_at(points_.size(), 0);
-  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-    if (!triangles_[t].alive) continue;
-    for (int i = 0; i < 3; ++i) facets_at[triangles_[t].v[i]] += group[triangles_[t].next[i]] != group[t];
-  }
-  std::vector<char> done(triangles_.size(), 0);
-  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-    if (!triangles_[t].alive || done[group[t]]) continue;
-    int edge = 0;
-    while (edge < 3 && group[triangles_[t].next[edge]] == group[t]) ++edge;
-    if (edge == 3) continue;
-    done[group[t]] = 1;
-    std::vector<int> ring;
-    int at = t;
-    const int begin = triangles_[t].v[edge];
-    do {
-      if (facets_at[triangles_[at].v[edge]] >= 3) ring.push_back(triangles_[at].v[edge]);
-      const int end = triangles_[at].v[(edge + 1) % 3];
-      edge = (edge + 1) % 3;
-      while (group[triangles_[at].next[edge]] == group[at]) {
-        at = triangles_[at].next[edge];
-        edge = static_cast<int>(std::find(triangles_[at].v.begin(), triangles_[at].v.end(), end) -
-                                triangles_[at].v.begin());
-      }
-    } while (triangles_[at].v[edge] != begin);
-    assert(ring.size() >= 3);
-    rings.push_back(std::move(ring));
-  }
-  return rings;
-}
+namespace {
 
 void check_range(std::span<const Point> points) {
   for (std::size_t i = 0; i < points.size(); ++i) {

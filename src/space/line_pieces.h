@@ -16,6 +16,7 @@ namespace findspace::space {
 /// {x : all planes <= 0, |x - base| <= radius}, the latter without its part along `direction` where there is one.
 struct LinePiece {
   std::vector<HalfSpace> planes;
+  std::vector<char> held;  // whether points on plane k count as inner ones; empty: none do
   bool round = false;
   RealVector base{}, direction{}, tip{};  // tip: where the axis ends; of a ball its centre
   exact::Real radius{};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The ray map of a union of simple convex pieces (line_pieces.h): - in the interior of a piece, 0 on the rest of the
-// closed pieces, + elsewhere; or of their intersection: - in all interiors, 0 on the rest of it. So levels of distances
-// to polyhedra keep their true round surface. Guarantee: exact, ties included: doubles with running bounds first, real
-// numbers where these cannot tell. Cost: some tens of nanoseconds a piece and line in its box; a tie costs
-// microseconds. Keywords: ray casting, dexel.
+// The ray map of a union of simple convex pieces (line_pieces.h): - in the interior of a piece (and on planes that
+// count as inside), 0 on the rest of the closed pieces, + elsewhere; or of their intersection: - in all interiors, 0 on
+// the rest of it. So levels of distances to polyhedra keep their true round surface. Guarantee: exact, ties included:
+// doubles with running bounds first, real numbers where these cannot tell. Cost: some tens of nanoseconds a piece and
+// line in its box; a tie costs microseconds. Keywords: ray casting, dexel.
 #pragma once
 
 #include <array>
@@ -39,28 +39,37 @@ class PieceRays : public RaySource, private RayRoots {
     Turned<exact::Real> exact;
     Turned<exact::Approx> near;
     std::vector<std::int8_t> rise;  // the sign of each plane's z
+    std::vector<char> held;         // as of the LinePiece
     bool round = false, cylinder = false, upright = false;
     int first_column = 0, last_column = -1, first_row = 0, last_row = -1;
   };
   /// What a line meets of a piece. kTouch: no inner point.
   enum class Meets : std::int8_t { kNothing, kTouch, kInside, kUnsure };
+  /// Where it ends, whether it holds that place as an inner one.
+  template <class T>
+  struct Bound {
+    bool bounded = false, held = false;
+    T at{};
+  };
   template <class T>
   struct Span {
     Meets meets = Meets::kNothing;
-    bool bounded_low = false, bounded_high = false;
-    T low{}, high{};
+    Bound<T> low{}, high{};
   };
   /// An end of what a line meets.
   struct End {
     double value = 0, error = 0;  // infinite where there is none
     int piece = -1;
     std::int8_t which = 0;
+    bool held = false;
   };
   struct Stretch {
     End low, high;
     bool inside = false;
   };
 
+  template <class T>
+  static bool narrow(Bound<T>& end, const T& at, int side, bool holds, bool any_held);
   template <class T>
   static Span<T> meet(const Piece& piece, const Turned<T>& data, const T& x, const T& y);
   template <class T>
@@ -72,9 +81,11 @@ class PieceRays : public RaySource, private RayRoots {
   RayPosition position(const End& e, int i, int j) const;
   std::vector<Stretch> united(std::vector<Stretch> all, bool open, int i, int j) const;
   std::vector<Stretch> common(const std::vector<Stretch>& all, bool open, int i, int j) const;
-  void put(const std::vector<Stretch>& stretches, bool open, int i, int j, RayRow& row) const;
+  void put(const std::vector<Stretch>& stretches, int i, int j, RayRow& row) const;
 
-  Piece turned(const LinePiece& piece, std::int64_t scale) const;
+  std::array<exact::Real, 3> components(const RealVector& v) const;
+  bool find_lines(const LinePiece& from, std::int64_t scale, Piece& piece) const;
+  Piece turned(const LinePiece& from, std::int64_t scale) const;
 
   RayGrid grid_;
   Of of_;

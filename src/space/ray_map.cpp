@@ -43,11 +43,16 @@ RayGrid ray_grid(const Point& low, const Point& high, int axis, int n) {
   return grid;
 }
 
+bool same_root(const RayPosition& p, const RayPosition& q) {
+  return p.roots && p.roots == q.roots && p.patch == q.patch && p.which == q.which && p.i == q.i && p.j == q.j;
+}
+
 int compare_positions(const RayPosition& p, const RayPosition& q) {
   const double gap = p.value - q.value, blur = (p.radius + q.radius) * 2;
   if (gap > blur) return 1;
   if (gap < -blur) return -1;
   if (!p.roots && !q.roots) return exact::compare_fractions(p.exact, q.exact);
+  if (same_root(p, q)) return 0;
   return exact::compare(p.to_real(), q.to_real());
 }
 
@@ -65,6 +70,7 @@ class Head {
     const double gap = p.value - q.value, blur = (p.radius + q.radius) * 2;
     if (gap > blur) return 1;
     if (gap < -blur) return -1;
+    if (same_root(p, q)) return 0;
     return exact::compare(a.exactly(), b.exactly());
   }
 

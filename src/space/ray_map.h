@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@
 
 namespace findspace::space {
 
+struct ObliqueLine;
+
 /// The lines: line (i, j) runs along `axis` through (u + i du, v + j dv) in the two coordinates that follow `axis` in
 /// the cycle x, y, z. All in parts of a grid step, `parts` to a step.
 struct RayGrid {
@@ -27,6 +30,8 @@ struct RayGrid {
   std::int64_t parts = 1;
   std::int64_t u = 0, v = 0, du = 1, dv = 1;
   int nu = 0, nv = 0;
+  /// Set: there is one line only, (0, 0), which is this one; `parts` is 1.
+  std::shared_ptr<const ObliqueLine> oblique = nullptr;
 
   std::int64_t u_at(int i) const { return u + i * du; }
   std::int64_t v_at(int j) const { return v + j * dv; }
@@ -54,6 +59,8 @@ struct RayPosition {
   exact::Real to_real() const { return roots ? roots->root(patch, which, i, j) : exact::to_real(exact); }
 };
 
+/// Whether both are one place by their names; others may be the same place, too.
+bool same_root(const RayPosition& p, const RayPosition& q);
 /// The sign of p - q, exactly.
 int compare_positions(const RayPosition& p, const RayPosition& q);
 

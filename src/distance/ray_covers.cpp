@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/ray_covers.h"
+
+#include "space/position_covers.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::Bounds3;
+using space::ConvexRegion;
+using space::HalfSpace;
+using space::RealVector;
+
+namespace {
+
+RayCover cover_of(const space::OpenCover& cover, const Bounds3& a, const Bounds3& b, bool outside) {
+  RayCover out;
+  for (std::size_t k = 0; k < cover.size(); ++k)
+    out.sets.push_back(cover.planes(k)), out.extents.push_back(cover.extent(k));
+  out.low = outside ? space::minus(a.low, b.low) : space::minus(a.low, b.high);
+  out.high = outside ? space::minus(a.high, b.high) : space::minus(a.high, b.low);
+  for (int k = 0; k < 3; ++k) {
+    out.all = out.all || out.high[k] < out.low[k];
+    out.low[k] -= Real(1), out.high[k] += Real(1);
+  }
+  out.beyond = outside;
+  return out;
+}
+
+}  // namespace
+
+space::OpenCover RayCover::lazy() const {
+  space::OpenCover out;
+  for (std::size_t k = 0; k < sets.size(); ++k) out.add(extents[k], sets[k]);
+  return out;
+}
+
+RayCover overlap_sets(const Body& b, const Body& a) {
+  return cover_of(space::overlap_cover(b, a), bounds(a), bounds(b), false);
+}
+
+RayCover outside_sets(const Body& b, const Body& a) {
+  const std::vector<space::OutsideCell> cells = space::outside_cells(a);
+  return cover_of(space::outside_cover(b, cells), bounds(a), bounds(b), true);
+}
+
+ConvexRegion cut_from(const RealVector& low, const RealVector& high, std::span<const HalfSpace> planes) {
+  ConvexRegion set(low, high);
+  for (const HalfSpace& h : planes) set.cut(h);
+  return set;
+}
+
+}  // namespace findspace::distance

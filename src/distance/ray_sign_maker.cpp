@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/ray_sign_maker.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "distance/stick_out_rays.h"
+#include "space/cover_frontier.h"
+#include "space/position_covers.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::ConvexRegion;
+using space::HalfSpace;
+using space::LinePiece;
+using space::PieceRays;
+using space::real;
+using space::RealVector;
+using Source = space::RaySourcePointer;
+using Signs = std::span<const std::int8_t>;
+
+namespace {
+
+[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
+
+std::vector<HalfSpace> shifted(std::vector<HalfSpace> planes, const Real& inward) {
+  for (HalfSpace& h : planes) h = HalfSpace(h.normal, h.offset + inward * sqrt(space::dot(h.normal, h.normal)));
+  return planes;
+}
+
+}  // namespace
+
+Source RaySignMaker::cover(const RayCover& cover, const Real& level) const {
+  std::vector<LinePiece> sets;
+  for (std::size_t k = 0; k < cover.sets.size(); ++k)
+    sets.push_back(space::polytope_piece(cover.sets[k], cover.extents[k].low, cover.extents[k].high));
+  if (level.sign() == 0) return rays(std::move(sets));
+  std::vector<LinePiece> near;
+  for (const ConvexRegion& piece : space::cover_frontier(cover.sets, cover.low, cover.high))
+    add_round_pieces(piece, abs(level), near);
+  std::vector<Source> both;
+  both.push_back(rays(std::move(sets)));
+  both.push_back(rays(std::move(near)));
+  if (level.sign() > 0)
+    return space::combined_rays(std::move(both), [](Signs s) { return s[0] < 0 ? std::int8_t(-1) : s[1]; });
+  return space::combined_rays(std::move(both), [](Signs s) { return std::int8_t(s[0] < 0 ? -s[1] : 1); });
+}
+
+Source RaySignMaker::balls(const std::vector<std::pair<RealVector, Real>>& all) const {
+  std::vector<LinePiece> pieces;
+  for (const auto& [center, radius] : all) {
+    if (radius.sign() < 0) return constant(1);
+    pieces.push_back(space::ball_piece(center, radius));
+  }
+  return rays(std::move(pieces), PieceRays::Of::kIntersection);
+}
+
+/// The difference of two parts, whose radii are in `grown`, grown (or shrunk) by that.
+Source RaySignMaker::convex_gap(const BodyPart& b, const BodyPart& a, const Real& grown) const {
+  std::vector<HalfSpace> planes = space::difference_planes(a, b);
+  const space::Extent extent = space::difference_extent(a, b);
+  if (planes.empty()) return balls({{real(a.center - b.center), grown}});
+  return rays({space::polytope_piece(shifted(std::move(planes), -grown), extent.low, extent.high)});
+}
+
+Source RaySignMaker::gamma1(const Real& level) const {
+  if (a_.outside) {
+    Body parts = a_;
+    parts.outside = false;
+    return space::negated_rays(RaySignMaker(b_, parts, grid_).eta1(-level));
+  }
+  if (a_.parts.size() == 1 && b_.parts.size() == 1) {
+    const Real grown = a_.parts[0].radius + b_.parts[0].radius + level;
+    if (grown.sign() <= 0) return convex_gap(b_.parts[0], a_.parts[0], grown);
+  }
+  if (level.sign() < 0 && !(a_.parts.size() == 1 && b_.parts.size() == 1)) {
+    if (a_.round() || b_.round()) fail("the depth in a union of round parts is not computed on rays");
+    return cover(overlap_sets(b_, a_), level);
+  }
+  std::vector<LinePiece> pieces;
+  for (const BodyPart& t : a_.parts) {
+    for (const BodyPart& s : b_.parts) add_near(t, s, level, pieces);
+  }
+  return rays(std::move(pieces));
+}
+
+/// What is nearer to the difference of two parts than the level and their radii.
+void RaySignMaker::add_near(const BodyPart& t, const BodyPart& s, const Real& level,
+                            std::vector<LinePiece>& pieces) const {
+  const std::vector<HalfSpace> planes = space::difference_planes(t, s);
+  const Real grown = t.radius + s.radius + level;
+  if (grown.sign() < 0) return;
+  const RealVector center = real(t.center - s.center);
+  const bool point = planes.empty();
+  const space::Extent extent = space::difference_extent(t, s);
+  if (!point) pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
+  if (grown.sign() == 0) return;
+  if (point) return add_round_pieces(ConvexRegion(center, center), grown, pieces);
+  RealVector low, high;
+  const std::array<double, 6> ends{extent.low.x,  extent.low.y,  extent.low.z,
+                                   extent.high.x, extent.high.y, extent.high.z};
+  for (std::size_t k = 0; k < 3; ++k)
+    low[k] = Real::from_double(std::floor(ends[k]) - 1), high[k] = Real::from_double(std::ceil(ends[k + 3]) + 1);
+  add_round_pieces(cut_from(low, high, planes), grown, pieces);
+}
+
+Source RaySignMaker::eta1(const Real& level) const {
+  if (a_.outside) {
+    Body parts = a_;
+    parts.outside = false;
+    return space::negated_rays(RaySignMaker(b_, parts, grid_).gamma1(-level));
+  }
+  if (a_.round()) {
+    if (a_.convex() && (level.sign() <= 0 || (b_.convex() && !a_.parts[0].core && !b_.parts[0].core))) {
+      const Real room = a_.parts[0].radius - b_.parts[0].radius;
+      const bool never = b_.convex() && !a_.parts[0].core && !b_.parts[0].core && room.sign() < 0;
+      return never ? constant(1) : mu(level);
+    }
+    if (level.sign() == 0 && !a_.convex()) return mu(level);  // of what has no room they have the same sign
+    fail("containment in a round shape is computed on rays at levels up to 0, in a union of such at level 0");
+  }
+  const RayCover complement = outside_sets(b_, a_);
+  if (complement.all) return constant(1);
+  if (!b_.round() || a_.convex()) return space::negated_rays(cover(complement, -level));
+  if (level.sign() > 0) fail("containment of a round shape in one that is not convex is computed up to level 0");
+  // Each part has to fit: its core, deeper than its radius.
+  std::vector<Source> all;
+  for (const BodyPart& part : b_.parts) {
+    Body core;
+    core.scale = b_.scale;
+    core.parts.push_back(part);
+    core.parts[0].radius = Real();
+    all.push_back(space::negated_rays(cover(outside_sets(core, a_), part.radius - level)));
+  }
+  return space::greatest_rays(std::move(all));
+}
+
+/// The frontier of E holds the vertices of its hull.
+Source RaySignMaker::eta2(const Real& level) const {
+  if (a_.outside) return constant(1);
+  std::vector<std::pair<RealVector, Real>> all;
+  if (a_.round()) {
+    if (!a_.convex() || !b_.convex() || a_.parts[0].core || b_.parts[0].core)
+      fail("the farthest fit in a round shape is not computed on rays");
+    const Real room = a_.parts[0].radius - b_.parts[0].radius;
+    if (room.sign() < 0) return constant(1);
+    all.emplace_back(real(a_.parts[0].center - b_.parts[0].center), level - room);
+    return balls(all);
+  }
+  if (b_.round() && !a_.convex())
+    fail("the farthest fit of a round shape in one that is not convex is not computed on rays");
+  const RayCover complement = outside_sets(b_, a_);
+  if (complement.all) return constant(1);
+  for (const ConvexRegion& piece : space::cover_frontier(complement.sets, complement.low, complement.high)) {
+    for (const ConvexRegion::Vertex& v : piece.vertices()) all.emplace_back(v.at, level);
+  }
+  return all.empty() ? constant(1) : balls(all);
+}
+
+/// Against a convex A: the part's vertices and radius, {p : p + v within `level` of A for all v}.
+Source RaySignMaker::mu_of_vertices(const BodyPart& b, const Real& level) const {
+  const BodyPart& a = a_.parts[0];
+  const Real reach = level + a.radius - b.radius;
+  if (!a.core) {
+    std::vector<std::pair<RealVector, Real>> all;
+    for (const space::Point& v : b.vertices()) all.emplace_back(real(a.center - v), reach);
+    return balls(all);
+  }
+  BodyPart point;
+  BodyPart core = a;
+  core.radius = Real();
+  std::vector<Source> all;
+  if (reach.sign() > 0) {
+    const Body convex{{core}, false, a_.scale, 0, 0};
+    for (const space::Point& v : b.vertices()) {
+      Body corner;
+      corner.scale = a_.scale;
+      point.center = v;
+      corner.parts.push_back(point);
+      all.push_back(RaySignMaker(corner, convex, grid_).gamma1(reach));
+    }
+    return space::greatest_rays(std::move(all));
+  }
+  std::vector<HalfSpace> planes;
+  for (const space::Plane& p : core.core->planes()) {
+    const RealVector n = real(p.normal);
+    BodyPart plain = b;
+    plain.radius = Real();
+    planes.emplace_back(n, Real(p.offset) + support(plain, n) - reach * sqrt(space::dot(n, n)));
+  }
+  return rays({space::polytope_piece(std::move(planes), space::everywhere().low, space::everywhere().high)});
+}
+
+/// The sign of the greatest distance of a vertex of B to A, less the level.
+Source RaySignMaker::vertices_near(const Real& level) const {
+  std::vector<Source> all;
+  BodyPart corner;
+  std::vector<space::Point> seen;
+  for (const BodyPart& part : b_.parts) {
+    for (const space::Point& v : part.vertices()) {
+      if (std::find(seen.begin(), seen.end(), v) != seen.end()) continue;
+      seen.push_back(v);
+      corner.center = v;
+      std::vector<LinePiece> pieces;
+      for (const BodyPart& t : a_.parts) add_near(t, corner, level, pieces);
+      all.push_back(rays(std::move(pieces)));
+    }
+  }
+  return space::greatest_rays(std::move(all));
+}
+
+Source RaySignMaker::mu(const Real& level) const {
+  if (a_.convex()) {
+    std::vector<Source> all;
+    for (const BodyPart& part : b_.parts) all.push_back(mu_of_vertices(part, level));
+    return space::greatest_rays(std::move(all));
+  }
+  if (level.sign() < 0 || (level.sign() == 0 && !a_.round())) return eta1(level);
+  if (a_.outside) fail("how far a shape sticks out of a complement is not computed");
+  if (b_.round()) fail("how far a round shape sticks out of one that is not convex is not computed");
+  return std::make_unique<StickOutRays>(
+      b_, a_, level, [&](const Real& l) { return vertices_near(l); }, grid_);
+}
+
+Source RaySignMaker::gamma2(const Real& level) const {
+  if (a_.outside) return constant(1);
+  std::vector<std::pair<RealVector, Real>> all;
+  for (const BodyPart& t : a_.parts) {
+    for (const BodyPart& s : b_.parts) {
+      for (const space::Point& v : t.vertices()) {
+        for (const space::Point& w : s.vertices()) all.emplace_back(real(v - w), level - t.radius - s.radius);
+      }
+    }
+  }
+  return balls(all);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/stick_out_rays.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/convex_distance.h"
+#include "distance/solid_mu.h"
+#include "space/oblique_line.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::RayEvent;
+using space::RayGrid;
+using space::RayPosition;
+using space::RayRow;
+using space::Vector;
+
+/// Of the bodies' size: points of B are found to this, and distances.
+constexpr double kBlur = 0x1p-44;
+/// Of the bodies' size: what rounding may do to a distance.
+constexpr double kNoise = 0x1p-46;
+/// Stretches that a line is cut into, at most; kCertain is reached long before.
+constexpr int kMostCuts = 4000;
+/// To the end of a cut; a shorter cut is as good.
+constexpr int kMostSteps = 60;
+
+double size_of(const Body& body) {
+  const space::Bounds3 box = bounds(body);
+  return space::length(space::rounded(space::minus(box.high, box.low)));
+}
+
+/// The double itself as a fraction; what is below 2^-62 is lost.
+RayPosition position(double z) {
+  int exponent = 0;
+  const double mantissa = std::frexp(z, &exponent);
+  const int down = std::clamp(53 - exponent, 0, 62);
+  const auto numerator = static_cast<exact::int128>(std::ldexp(mantissa, exponent + down));
+  RayPosition at;
+  at.exact = exact::reduced({numerator, exact::int128(1) << down});
+  at.value = exact::to_double(at.exact);
+  return at;
+}
+
+/// The line {x - s * unit} meets the half spaces for s in between.
+template <class Planes>
+bool clip(const Planes& planes, const Vector& x, const Vector& unit, double& from, double& to) {
+  for (const space::HalfSpace& h : planes) {
+    const double value = h.shadow_value(x), slope = space::dot(h.unit, unit);  // value - s * slope <= 0
+    if (std::fabs(slope) < 0x1p-40) continue;
+    if (slope > 0)
+      from = std::max(from, value / slope);
+    else
+      to = std::min(to, value / slope);
+  }
+  return from <= to;
+}
+
+}  // namespace
+
+StickOutRays::StickOutRays(const Body& b, const Body& a, const Real& level, const Vertices& vertices,
+                           const RayGrid& grid)
+    : grid_(grid), unit_(static_cast<double>(b.scale) / static_cast<double>(grid.parts)) {
+  for (const BodyPart& part : b.parts) {
+    if (!part.core) continue;  // a point is its vertex
+    Part& made = parts_.emplace_back();
+    made.solid = tetrahedra(*part.core);
+    for (int f = 0; f < part.core->facet_count(); ++f) {
+      const auto corner = [&](int v) { return exact::shadow(part.core->vertices()[static_cast<std::size_t>(v)]); };
+      const std::vector<int> ring = part.core->circuit(f);
+      made.planes.emplace_back(part.core->planes()[static_cast<std::size_t>(f)]);
+      for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
+        made.faces.push_back({corner(ring[0]), corner(ring[k]), corner(ring[k + 1])});
+        made.normals.push_back(made.planes.back().unit);
+      }
+    }
+  }
+  nearest_ = distances_to_parts(a);
+  const double reach = level.to_double();
+  size_ = size_of(a) + size_of(b) + std::fabs(reach);
+  const Real shift = Real::from_double(size_ * kCertain);
+  sides_[0] = {vertices(level), reach + size_ * kBlur, reach + size_ * kCertain};
+  sides_[1] = {vertices(level - shift), reach - size_ * kCertain, reach - size_ * kCertain / 2};
+}
+
+StickOutRays::Line StickOutRays::line(int i, int j) const {
+  if (grid_.oblique)
+    return {space::scaled(unit_, space::rounded(grid_.oblique->origin)), space::rounded(grid_.oblique->frame[2])};
+  std::array<double, 3> start{}, unit{};
+  const auto axis = static_cast<std::size_t>(grid_.axis);
+  start[(axis + 1) % 3] = static_cast<double>(grid_.u_at(i)) * unit_;
+  start[(axis + 2) % 3] = static_cast<double>(grid_.v_at(j)) * unit_;
+  unit[axis] = 1;
+  return {{start[0], start[1], start[2]}, {unit[0], unit[1], unit[2]}};
+}
+
+/// What B covers on the stretch of its way: it at the start, and what its faces that look ahead sweep.
+std::vector<Tetrahedron> StickOutRays::swept(const Line& line, const Stretch& stretch) const {
+  const auto at = [&](const Vector& v, double s) {
+    return space::plus(v, space::plus(line.start, space::scaled(s, line.unit)));
+  };
+  std::vector<Tetrahedron> out;
+  for (const Part& part : parts_) {
+    for (Tetrahedron t : part.solid) {
+      for (Vector& v : t) v = at(v, stretch.from);
+      out.push_back(t);
+    }
+    if (stretch.to <= stretch.from) continue;
+    for (std::size_t k = 0; k < part.faces.size(); ++k) {
+      if (space::dot(part.normals[k], line.unit) < -0x1p-40) continue;  // no sign: those beside cost, but add nothing
+      std::array<Vector, 6> c;
+      for (std::size_t v = 0; v < 3; ++v)
+        c[v] = at(part.faces[k][v], stretch.from), c[v + 3] = at(part.faces[k][v], stretch.to);
+      out.push_back({c[0], c[1], c[2], c[3]});
+      out.push_back({c[1], c[2], c[3], c[4]});
+      out.push_back({c[2], c[3], c[4], c[5]});
+    }
+  }
+  return out;
+}
+
+/// The places at which a part of B holds x, which some place within the stretch does.
+StickOutRays::Stretch StickOutRays::chord(const Line& line, const Vector& x, const Stretch& within) const {
+  const Vector off = x - line.start;
+  Stretch best{within.from, within.from};
+  double longest = -exact::kInfinity;
+  for (const Part& part : parts_) {
+    double from = -exact::kInfinity, to = exact::kInfinity;
+    clip(part.planes, off, line.unit, from, to);
+    const double common = std::min(to, within.to) - std::max(from, within.from);
+    if (!(common > longest)) continue;
+    longest = common;
+    // Rounding may leave nothing of a chord that is a point.
+    best = from <= to ? Stretch{from, to} : Stretch{(from + to) / 2, (from + to) / 2};
+  }
+  return best;
+}
+
+/// How far a line runs until a convex function, positive at 0, is no longer so: a secant through places before lies
+/// below it beyond, so its zero comes no later.
+double StickOutRays::run(const std::function<double(double)>& f) const {
+  const double farthest = 4 * size_;
+  double before = -size_ * 0x1p-10, at = 0;
+  double value_before = f(before), value = f(at);
+  for (int count = 0; count < kMostSteps && value > size_ * kNoise; ++count) {
+    // With room for rounding, so that steps are rather too short.
+    const double slope = (value - value_before - size_ * kNoise) / (at - before);
+    if (slope >= 0 || value > -slope * (farthest - at)) return farthest;
+    const double next = at - value / slope;
+    if (!(next > at)) break;
+    before = at, value_before = value;
+    at = next, value = f(at);
+  }
+  return at;
+}
+
+/// The places at which x, or what lies before or behind it on its line, is outside V while B holds it.
+StickOutRays::Stretch StickOutRays::outside(const Side& side, const Line& line, const Vector& x,
+                                            const Stretch& within) const {
+  const auto far = [&](double way) {
+    double least = exact::kInfinity;
+    for (const ConvexDistance& d : nearest_) {
+      least = std::min(least,
+                       run([&](double s) { return d(space::plus(x, space::scaled(way * s, line.unit))) - side.cut; }));
+    }
+    return std::max(0.0, least - size_ * kBlur);
+  };
+  const Stretch held = chord(line, x, within);
+  return {held.from - far(-1), held.to + far(1)};
+}
+
+/// Disjoint open stretches of `whole`, ascending.
+std::vector<StickOutRays::Stretch> StickOutRays::cuts(const Side& side, const Line& line, const Stretch& whole) const {
+  std::vector<Stretch> left{whole}, out;
+  int count = 0;
+  while (!left.empty()) {
+    const Stretch s = left.back();
+    left.pop_back();
+    const SolidPeak peak = solid_peak(swept(line, s), nearest_, side.enough, 0.5);
+    if (!peak.whole || ++count > kMostCuts)
+      throw Error(ErrorCode::kUnsupported, "how far the shape sticks out was not found within the limit of the search");
+    if (peak.value <= side.enough) continue;
+    Stretch cut = outside(side, line, peak.place, s);
+    cut.from = std::max(cut.from, s.from), cut.to = std::min(cut.to, s.to);
+    if (!(cut.from < cut.to)) continue;
+    out.push_back(cut);
+    if (s.from < cut.from) left.push_back({s.from, cut.from});
+    if (cut.to < s.to) left.push_back({cut.to, s.to});
+  }
+  std::sort(out.begin(), out.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+  // Where two meet the second began before the first's end: it was clipped.
+  std::vector<Stretch> joined;
+  for (const Stretch& s : out) {
+    if (!joined.empty() && s.from <= joined.back().to)
+      joined.back().to = s.to;
+    else
+      joined.push_back(s);
+  }
+  return joined;
+}
+
+/// The closed stretch from event `first` to event `last` of a line, less the cuts.
+void StickOutRays::keep(const Side& side, const Line& line, const RayEvent& first, const RayEvent& last,
+                        std::vector<RayEvent>& out) const {
+  const Stretch whole{first.at.value * unit_, last.at.value * unit_};
+  const std::vector<Stretch> gone = cuts(side, line, whole);
+  RayPosition from = first.at;
+  bool open = false;  // `from` itself is cut away
+  const auto put = [&](const RayPosition& to) {
+    const int length = compare_positions(to, from);
+    if (length == 0) out.push_back({from, -1, 1});
+    if (length > 0) out.push_back({from, -1, -1}), out.push_back({to, -1, 1});
+  };
+  for (const Stretch& cut : gone) {
+    if (cut.from > whole.from && !open) put(position(cut.from / unit_));
+    open = cut.to >= whole.to;
+    from = position(cut.to / unit_);
+  }
+  if (!open) put(last.at);
+}
+
+RayRow StickOutRays::kept(const Side& side, int j) const {
+  const RayRow all = side.vertices->row(j);
+  RayRow out;
+  for (int i = 0; i < grid_.nu; ++i) {
+    const auto column = static_cast<std::size_t>(i);
+    out.before.push_back(1);
+    for (int e = all.first[column]; e < all.first[column + 1]; ++e) {
+      const RayEvent& first = all.events[static_cast<std::size_t>(e)];
+      if (first.here > 0) continue;
+      // Places where a vertex touches from inside are no ends.
+      while (all.events[static_cast<std::size_t>(e)].after <= 0) ++e;
+      keep(side, line(i, j), first, all.events[static_cast<std::size_t>(e)], out.events);
+    }
+    out.first.push_back(static_cast<int>(out.events.size()));
+  }
+  return out;
+}
+
+RayRow StickOutRays::row(int j) const {
+  const std::array<RayRow, 2> rows{kept(sides_[0], j), kept(sides_[1], j)};
+  return space::combined(rows, [](std::span<const std::int8_t> s) {
+    return static_cast<std::int8_t>(s[1] < 0 ? -1 : s[0] < 0 ? 0 : 1);
+  });
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Where a polyhedral body B lies within V, the union of the parts of A each grown by a level: {mu(B + p, A) <= level}
+// on rays, A not convex. V has creases and pockets, so a position can be lost at an edge or in a face of B between
+// vertices that are all in V. On each line the places that all vertices allow are found exactly. A branch-and-bound
+// search (solid_peak.h) through what B sweeps over a stretch of them then proves that nothing sticks out, or gives a
+// point of B outside V; all places at which that point is outside are cut away, and the search goes on with the rest.
+// Guarantee: the sign is - or + only where that is certain; 0 where the distance is within kCertain of the shapes' size
+// and the level of the level. Ends of {<= level} that a vertex decides are exact.
+// Cost: a search a stretch, and about one a binary digit for an end that no vertex decides.
+// Keywords: directed Hausdorff distance, cutting planes, certified bounds.
+#pragma once
+
+#include <array>
+
+#include "distance/solid_peak.h"
+#include "space/body.h"
+#include "space/ray_sources.h"
+
+namespace findspace::distance {
+
+class StickOutRays : public space::RaySource {
+ public:
+  /// How near to the level the sign is 0, of the size of both bodies and the level.
+  static constexpr double kCertain = 0x1p-30;
+
+  /// Makes the sign map that the vertices of B have for a level.
+  using Vertices = std::function<space::RaySourcePointer(const exact::Real& level)>;
+
+  /// B without radii, of the same scale as A; the level and the radii of A are not both 0.
+  StickOutRays(const space::Body& b, const space::Body& a, const exact::Real& level, const Vertices& vertices,
+               const space::RayGrid& grid);
+
+  const space::RayGrid& grid() const override { return grid_; }
+  space::RayRow row(int j) const override;
+
+ private:
+  /// Where a line runs, in the bodies' steps: from `start` along `unit`.
+  struct Line {
+    space::Vector start, unit;
+  };
+  /// Places along a line.
+  struct Stretch {
+    double from, to;
+  };
+  /// A side of the region: what is kept certainly holds it, or lies in it.
+  struct Side {
+    space::RaySourcePointer vertices;
+    double cut;     // beyond this distance from A a point of B is outside
+    double enough;  // up to this nothing sticks out
+  };
+
+  Line line(int i, int j) const;
+  space::RayRow kept(const Side& side, int j) const;
+  void keep(const Side& side, const Line& line, const space::RayEvent& first, const space::RayEvent& last,
+            std::vector<space::RayEvent>& out) const;
+  std::vector<Stretch> cuts(const Side& side, const Line& line, const Stretch& whole) const;
+  std::vector<Tetrahedron> swept(const Line& line, const Stretch& stretch) const;
+  Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;
+  Stretch chord(const Line& line, const space::Vector& x, const Stretch& within) const;
+  double run(const std::function<double(double)>& f) const;
+
+  space::RayGrid grid_;
+  double unit_, size_;  // grid parts to the bodies' steps
+  struct Part {
+    std::vector<Tetrahedron> solid;
+    std::vector<std::array<space::Vector, 3>> faces;  // triangles
+    std::vector<space::Vector> normals;               // of the triangles, outward
+    std::vector<space::HalfSpace> planes;
+  };
+  std::vector<Part> parts_;              // of B
+  std::vector<ConvexDistance> nearest_;  // to the parts of A, negative within their radii
+  std::array<Side, 2> sides_;            // outer, inner
+};
+
+}  // namespace findspace::distance

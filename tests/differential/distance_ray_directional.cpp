@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sign maps on rays of distances along a direction against their values: of every event and of a place between events
+// the value is read off the signs at level 0 on the line through it. Maps of boxes along an axis are asked at the same
+// positions.
+#include <gtest/gtest.h>
+
+#include "distance/box_pair.h"
+#include "distance/ray_directional.h"
+#include "distance/ray_signs.h"
+#include "distance/track_value.h"
+#include "space/oblique_line.h"
+#include "unit/space_bodies.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+using space::Body;
+using space::box_body;
+using space::RayGrid;
+using space::RayRow;
+using space::RealVector;
+
+struct Case {
+  std::string name;
+  Which which = Which::kGamma1;
+  RealVector direction;
+  bool both_ways = true;
+  Real level;
+};
+
+bool is_farthest(Which which) { return which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2; }
+
+Which base_of(Which which) {
+  return which == Which::kGamma2   ? Which::kGamma1
+         : which == Which::kEta2   ? Which::kEta1
+         : which == Which::kDelta2 ? Which::kDelta1
+                                   : which;
+}
+
+/// The sign of the value at p less the level.
+int sign_of_value(const Case& c, const Body& b, const Body& a, const RealVector& p) {
+  RayGrid grid{2, 1, 0, 0, 1, 1, 1, 1};
+  grid.oblique = std::make_shared<const space::ObliqueLine>(p, c.direction);
+  const auto rays = ray_sign_map(base_of(c.which), Real(), b, a, grid);
+  const RayRow row = rays->row(0);
+  plane::Section line{row.before[0], {}};
+  for (const space::RayEvent& e : row.events) line.stops.push_back({e.at.to_real(), e.here, e.after});
+  const auto v = is_farthest(c.which) ? farthest_place(line, c.both_ways) : nearest_change(line, c.both_ways);
+  if (!v) return 1;
+  return v->lowest ? -1 : compare(Real(v->sign) * abs(v->t), c.level);
+}
+
+struct Counts {
+  int asked = 0, wrong = 0, negative = 0, zero = 0;
+};
+
+void compare_map(const Case& c, const Body& b, const Body& a, const RayGrid& grid, const space::BoxComplex* boxes,
+                 Counts& counts) {
+  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, b, a, grid);
+  const auto ask = [&](int i, int j, const Real& z, int sign) {
+    RealVector p;
+    const auto axis = static_cast<std::size_t>(grid.axis);
+    p[(axis + 1) % 3] = Real::ratio(grid.u_at(i), grid.parts);
+    p[(axis + 2) % 3] = Real::ratio(grid.v_at(j), grid.parts);
+    p[axis] = z / Real(grid.parts);
+    const int truth = sign_of_value(c, b, a, p), by_boxes = boxes != nullptr ? boxes->mark(p) : truth;
+    ++counts.asked;
+    if (truth < 0) ++counts.negative;
+    if (truth == 0) ++counts.zero;
+    if ((truth == sign && by_boxes == truth) || ++counts.wrong > 5) return;
+    ADD_FAILURE() << c.name << " " << static_cast<int>(c.which) << (c.both_ways ? " along" : " toward") << " at level "
+                  << c.level.text() << ", " << p[0].text() << " " << p[1].text() << " " << p[2].text() << ": " << sign
+                  << ", by boxes " << by_boxes << ", should be " << truth;
+  };
+  for (int j = 0; j < grid.nv; ++j) {
+    const RayRow row = rays->row(j);
+    for (int i = 0; i < grid.nu; ++i) {
+      const auto line = static_cast<std::size_t>(i);
+      int before = row.before[line];
+      Real below(-20 * grid.parts);
+      for (int e = row.first[line]; e < row.first[line + 1]; ++e) {
+        const auto& event = row.events[static_cast<std::size_t>(e)];
+        const Real at = event.at.to_real();
+        ask(i, j, at, event.here);
+        ask(i, j, Real::from_double(below.to_double() + (event.at.value - below.to_double()) * 0.375), before);
+        before = event.after;
+        below = at;
+      }
+      ask(i, j, Real::from_double(below.to_double() + 3.25), before);
+    }
+  }
+}
+
+using Boxes = std::vector<std::array<std::array<std::int64_t, 3>, 2>>;
+
+space::BoxComplex complex_of(const Boxes& boxes) {
+  std::vector<space::IntervalBox> out;
+  for (const auto& [low, high] : boxes) {
+    space::IntervalBox box;
+    for (std::size_t k = 0; k < 3; ++k) box[k] = {Real(low[k]), Real(high[k]), true, true};
+    out.push_back(box);
+  }
+  return space::BoxComplex::of_boxes(out);
+}
+
+Body body_of(const Boxes& boxes) {
+  Body out;
+  for (const auto& [low, high] : boxes) {
+    std::vector<space::Point> corners;
+    for (int k = 0; k < 8; ++k)
+      corners.push_back({(k & 1 ? high : low)[0], (k & 2 ? high : low)[1], (k & 4 ? high : low)[2]});
+    out.parts.push_back({space::Polytope::hull(corners), {}, Real()});
+  }
+  return out;
+}
+
+constexpr std::array kAll{Which::kGamma1, Which::kGamma2, Which::kEta1, Which::kEta2, Which::kDelta1, Which::kDelta2};
+
+const Boxes kCube{{{{0, 0, 0}, {1, 1, 1}}}};
+const Boxes kChannel{{{{0, 0, 0}, {1, 6, 4}}}, {{{2, 0, 0}, {3, 6, 4}}}, {{{0, 0, -1}, {3, 6, 0}}}};
+const Boxes kRoom{{{{0, 0, 0}, {6, 2, 4}}}, {{{0, 0, 0}, {1, 6, 4}}}};  // the cube just fits into a corridor of it
+
+TEST(RayDirectional, BoxesAlongAnAxis) {
+  Counts counts;
+  for (const auto& [name, boxes] : {std::pair{"channel", kChannel}, std::pair{"room", kRoom}}) {
+    const BoxPair pair(complex_of(kCube), complex_of(boxes));
+    for (const Which which : kAll) {
+      for (const int axis : {0, 1, 2}) {
+        for (const int way : {0, 1, -1}) {
+          Case c{name, which, {}, way == 0, Real()};
+          c.direction[static_cast<std::size_t>(axis)] = Real(way < 0 ? -2 : 2);
+          for (const Real& level : {Real(-1), Real::ratio(-1, 2), Real(0), Real(1), Real(3)}) {
+            c.level = level;
+            const space::BoxComplex map = pair.directional_map(which, level, axis, way);
+            compare_map(c, body_of(kCube), body_of(boxes), {1, 2, -3, -2, 4, 5, 3, 3}, &map, counts);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(counts.asked, 3000);
+  EXPECT_GT(counts.negative, 300);
+  EXPECT_GT(counts.zero, 300);
+}
+
+TEST(RayDirectional, SlantedSolidsInAnyDirection) {
+  Counts counts;
+  Body octahedron, tetrahedron;
+  const std::vector<space::Point> tips{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+      corners{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
+  octahedron.parts.push_back({space::Polytope::hull(tips), {}, Real()});
+  tetrahedron.parts.push_back({space::Polytope::hull(corners), {}, Real()});
+  const Body room = body_of(kRoom);
+  Body outside = room;
+  outside.outside = true;
+  for (const Which which : kAll) {
+    for (const bool both_ways : {true, false}) {
+      for (const RealVector& direction : {RealVector{Real(0), Real(0), Real(1)}, RealVector{Real(1), Real(1), Real(0)},
+                                          RealVector{Real(1), Real(-2), Real(2)}}) {
+        for (const Real& level : {Real(-1), Real(0), Real::ratio(3, 2)}) {
+          const Case c{"slanted", which, direction, both_ways, level};
+          compare_map(c, octahedron, tetrahedron, {2, 2, 1, -1, 3, 3, 3, 3}, nullptr, counts);
+          compare_map(c, octahedron, room, {0, 1, 0, 1, 1, 1, 3, 3}, nullptr, counts);
+          compare_map(c, octahedron, outside, {2, 1, 0, 1, 2, 1, 2, 2}, nullptr, counts);
+        }
+      }
+    }
+  }
+  EXPECT_GT(counts.asked, 2000);
+  EXPECT_GT(counts.negative, 200);
+  EXPECT_GT(counts.zero, 100);
+}
+
+}  // namespace
+}  // namespace findspace::distance
