@@ -88,7 +88,7 @@ class Hedge {
   static void require_plain(const Atom& a) {
     const bool turning = a.distance.mode == situation::Mode::kTurning;
     if (!a.minimum && !turning && a.distance.prefix == situation::Extremum::kNone) return;
-    throw Error(ErrorCode::kUnsupported, a.text + ": not computed over positions and angles");
+    throw Error(ErrorCode::kUnsupported, text(a) + ": not computed over positions and angles");
   }
 
   Formula certain(const Atom& atom, Relation relation) {

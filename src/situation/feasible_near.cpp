@@ -13,7 +13,6 @@
 #include "plane/extent.h"
 #include "plane/overlay.h"
 #include "plane/parallel.h"
-#include "plane/simplify.h"
 #include "plane/topology.h"
 #include "situation/evaluate.h"
 
@@ -39,46 +38,6 @@ Node taken(const Node& node, const Formula& from, std::vector<Atom>& atoms) {
 }
 
 bool is_plain(const Distance& d) { return d.mode == Mode::kPlain && d.prefix == Extremum::kNone; }
-
-/// Cells of a closed set that meet a box, each with its boundary: the set as it is within the box.
-Region within(const Region& a, const PieceBox& window) {
-  std::vector<PieceBox> edge_box;
-  edge_box.reserve(a.edges.size());
-  for (const plane::Edge& e : a.edges) {
-    const exact::Point &p = a.geometry.points[a.vertices[e.v0].point], &q = a.geometry.points[a.vertices[e.v1].point];
-    PieceBox box{std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
-    if (e.half != 0) {
-      const exact::Carrier& k = a.geometry.carriers[e.carrier];
-      const double top = k.y.value + e.half * k.z.value;
-      box.y0 = std::min(box.y0, top), box.y1 = std::max(box.y1, top);
-    }
-    edge_box.push_back(box);
-  }
-  Region out = a;
-  for (plane::Vertex& v : out.vertices) v.mark = 0;
-  for (plane::Edge& e : out.edges) e.mark = 0;
-  const auto keep_edge = [&](Index e) {
-    out.edges[e].mark = a.edges[e].mark;
-    for (Index v : {a.edges[e].v0, a.edges[e].v1}) out.vertices[v].mark = a.vertices[v].mark;
-  };
-  for (Index f = 1; f < a.faces.size(); ++f) {
-    if (a.faces[f].mark <= 0) continue;
-    const Index outer = a.faces[f].outer;
-    PieceBox all = edge_box[outer / 2];
-    for (Index h = a.next(outer); h != outer; h = a.next(h)) {
-      const PieceBox& b = edge_box[h / 2];
-      all = {std::min(all.x0, b.x0), std::min(all.y0, b.y0), std::max(all.x1, b.x1), std::max(all.y1, b.y1)};
-    }
-    if (!all.meets(window)) out.faces[f].mark = 0;
-  }
-  for (Index e = 0; e < a.edges.size(); ++e) {
-    const bool of_face = out.faces[a.face(2 * e)].mark > 0 || out.faces[a.face(2 * e + 1)].mark > 0;
-    if (a.edges[e].mark > 0 && (of_face || edge_box[e].meets(window))) keep_edge(e);
-  }
-  for (Index v = 0; v < a.vertices.size(); ++v)
-    if (a.vertices[v].out == plane::kNone) out.vertices[v].mark = a.vertices[v].mark;
-  return plane::simplify(out);
-}
 
 class Near {
  public:
@@ -194,13 +153,20 @@ class Near {
     const PieceBox window = reached(*b.box, level);
     std::vector<Region> parts;
     for (const std::string& name : d.second)
-      if (solver_.box(name)->meets(window)) parts.push_back(within(solver_.world().shapes.at(name), window));
+      if (solver_.box(name)->meets(window)) parts.push_back(part(name, window));
     std::vector<const Region*> all;
     for (const Region& p : parts) all.push_back(&p);
     if (all.empty()) return CellComplex::uniform(1);
     const Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
     if (plane::is_empty(a)) return CellComplex::uniform(1);
     return distance::SignedDistance::gamma1(b.shape, a).sign_map(level);
+  }
+
+  /// A shape as it is within the window.
+  Region part(const std::string& name, const PieceBox& window) const {
+    const Region& whole = solver_.world().shapes.at(name);
+    const plane::Islands* islands = solver_.islands(name);
+    return plane::within(islands ? islands->near(whole, window) : whole, window);
   }
 
   Mover made(const Names& names) const {

@@ -57,7 +57,10 @@ Solver::Solver(World world) : world_(std::move(world)), cache_(std::make_unique<
   for (auto& [name, region] : world_.shapes) {
     region = plane::closure(std::move(region));
     const auto box = plane::is_bounded(region) ? plane::extent(region) : std::nullopt;
-    if (box) boxes_.emplace(name, *box);
+    if (!box) continue;
+    boxes_.emplace(name, *box);
+    if (region.faces[0].inner.size() + region.faces[0].isolated.size() > 1)
+      islands_.emplace(name, plane::Islands(region));
   }
 }
 

@@ -21,6 +21,7 @@
 #include "distance/turning_map.h"
 #include "distance/turning_motion.h"
 #include "plane/extent.h"
+#include "plane/islands.h"
 #include "plane/section.h"
 #include "situation/formula.h"
 #include "situation/motion.h"
@@ -120,6 +121,11 @@ class Solver {
     auto found = boxes_.find(name);
     return found == boxes_.end() ? nullptr : &found->second;
   }
+  /// A bounded shape's islands; none where it has not several.
+  const plane::Islands* islands(const std::string& name) const {
+    auto found = islands_.find(name);
+    return found == islands_.end() ? nullptr : &found->second;
+  }
   /// The union of the named shapes, closed.
   plane::Region shape(const std::vector<std::string>& names) const;
   /// Which distance of a pair a formula means, the moving shape being the first of the pair.
@@ -161,7 +167,8 @@ class Solver {
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
 
   World world_;
-  std::map<std::string, plane::PieceBox> boxes_;  // of the bounded shapes
+  std::map<std::string, plane::PieceBox> boxes_;   // of the bounded shapes
+  std::map<std::string, plane::Islands> islands_;  // of those that have several
   std::unique_ptr<Cache> cache_;
 };
 
