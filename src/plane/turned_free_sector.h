@@ -39,7 +39,8 @@ class FreeSector {
   };
   const Spot& spot(std::size_t i, std::size_t k) const { return spots_[i * pairs_.size() + k]; }  // i < k
   void find_spots();
-  Spot spot_of(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const;
+  Spot spot_of(std::size_t i, std::size_t k, const RoughSet& there) const;
+  double travel(const ContactPair& k) const;
   bool may_be_at_level(const Spot& spot) const;
   bool may_meet(std::size_t i, std::size_t k, std::size_t third) const;
   bool possible(double angle, RoughPoint s, double room) const;
@@ -71,7 +72,8 @@ class FreeSector {
   std::vector<SectorCurve> forms_;
   std::vector<std::optional<ExactSectorCurve>> exact_forms_;  // by quarters and curve, where they were needed
   std::vector<RoughCurve> curves_;                            // in the middle
-  std::vector<Spot> spots_;                                   // by pairs of curves
+  std::vector<double> travels_;
+  std::vector<Spot> spots_;  // by pairs of curves
 };
 
 }  // namespace findspace::plane
