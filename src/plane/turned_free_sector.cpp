@@ -24,17 +24,7 @@ constexpr double kSlack = 1e-9, kNormals = 1e-6;  // no sign: of sectors and of 
 constexpr double kNarrow = 0.01;                  // no sign: radians, sectors are not halved below
 constexpr double kWide = 1e-4;                    // no sign: of places; in wider ones nothing is filtered
 
-constexpr double kMore = 1.01;  // no sign: of travels, more than their rounding
-
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-
-/// How far a point is from a segment or a whole circle.
-double away(const RoughCurve& c, RoughPoint from) {
-  if (!c.line) return std::abs(length(from - c.center) - std::abs(c.radius));
-  const RoughPoint way = c.q - c.p;
-  const double square = std::norm(way), part = square > 0 ? std::clamp(dot(from - c.p, way) / square, 0.0, 1.0) : 0.0;
-  return length(from - (c.p + part * way));
-}
 
 Real times_length(const Real& r, const RealVector& n) { return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n)); }
 
@@ -51,32 +41,27 @@ FreeSector::Equation FreeSector::turned_gap(const RealVector& v, const RealVecto
 }
 
 FreeSector::FreeSector(const FreeQuestion& question, double middle, double half)
-    : q_(question),
-      middle_(middle),
-      half_(half),
-      level_(question.level.to_double()),
-      reach_(question.turning.reach()) {}
+    : q_(question), middle_(middle), half_(half), level_(question.level.to_double()) {}
 
 void FreeSector::run(std::vector<ContactPair> pairs) {
   if (!q_.far) {
     std::erase_if(pairs, [&](const ContactPair& k) {
-      return q_.curves.rough(k, middle_).least() > level_ + travel(k) + q_.room;
+      return q_.curves.rough(k, middle_).least() > level_ + MeetingSpots::travel(q_.curves, k, half_) + q_.room;
     });
   }
   if (pairs.size() > kFew && half_ > kNarrow) return halve(pairs);
   pairs_ = std::move(pairs);
   for (const ContactPair& k : pairs_) forms_.push_back(q_.curves.sector(k, middle_));
-  find_spots();
+  spots_ = MeetingSpots(q_, pairs_, middle_, half_);
   const std::size_t n = pairs_.size();
   for (std::size_t i = 0; i < n; ++i) {
     single(i);
     for (std::size_t k = i + 1; k < n; ++k) {
       touching(i, k);
-      if (!spot(i, k).possible) continue;
-      if (may_be_at_level(spot(i, k))) corner(i, k);
-      for (std::size_t m = k + 1; m < n; ++m) {
-        if (may_meet(i, k, m) && may_meet(i, m, k) && may_meet(k, m, i)) meeting(i, k, m);
-      }
+      if (!spots_.may_meet(i, k)) continue;
+      if (spots_.may_meet_at_level(i, k)) corner(i, k);
+      for (std::size_t m = k + 1; m < n; ++m)
+        if (spots_.may_meet(i, k, m)) meeting(i, k, m);
     }
   }
 }
@@ -87,65 +72,6 @@ void FreeSector::halve(const std::vector<ContactPair>& pairs) {
     half.run(q_.curves.pairs(pairs, half.middle_, half.half_));
     std::move(half.found.begin(), half.found.end(), std::back_inserter(found));
   }
-}
-
-/// How far a point of the curve, fixed to what it is hinged at, can move from the middle of the sector to its ends.
-double FreeSector::travel(const ContactPair& k) const {
-  const ContactFeatures &a = q_.curves.fixed(), &b = q_.curves.turning();
-  double reach = 0;
-  if (k.kind == Kind::kTurningEdge) {
-    const EdgeFeature& e = b.edges[k.turning];
-    reach = std::max(std::hypot(e.x0, e.y0), std::hypot(e.x1, e.y1)) + std::abs(a.rounds[k.fixed].r);
-  } else {
-    const RoundFeature& r = b.rounds[k.turning];
-    reach = std::hypot(r.x, r.y);
-  }
-  return half_ * reach * kMore;
-}
-
-/// Where two curves may meet in a point of F.
-void FreeSector::find_spots() {
-  const std::size_t n = pairs_.size();
-  spots_.resize(n * n);
-  for (const ContactPair& k : pairs_) {
-    curves_.push_back(q_.curves.rough(k, middle_));
-    travels_.push_back(travel(k));
-  }
-  const RoughSet there = q_.turning.turned(std::polar(1.0, middle_));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = i + 1; k < n; ++k) spots_[i * n + k] = spot_of(i, k, there);
-}
-
-/// Two curves meet in no point of F where their meeting point in the middle of the sector is farther from F, or from
-/// where the level matters, than it and B's points can travel until the sector's ends.
-FreeSector::Spot FreeSector::spot_of(std::size_t i, std::size_t k, const RoughSet& there) const {
-  const RoughCurve &c = curves_[i], &d = curves_[k];
-  Spot out;
-  if (c.line && d.line) {
-    const double sine = std::abs((std::conj(c.normal) * d.normal).imag());
-    if (sine < 4 * half_) return {};
-    out.at = rough_meetings(c, d, q_.room).at(0).at;
-    out.travel = 2 * std::max(travels_[i], travels_[k]) / (sine - 2 * half_) * 1.5;
-  } else {  // within the radius of a centre
-    const bool first = !c.line && (d.line || std::abs(c.radius) <= std::abs(d.radius));
-    out.at = first ? c.center : d.center;
-    out.travel = std::abs(first ? c.radius : d.radius) + travels_[first ? i : k] + q_.room;
-  }
-  const double room = out.travel + q_.room;
-  out.possible = away(c, out.at) <= room + travels_[i] && away(d, out.at) <= room + travels_[k] &&
-                 (q_.far || length(out.at) <= level_ + room) &&
-                 !well_inside(there, q_.open, out.at, room + half_ * reach_);
-  return out;
-}
-
-bool FreeSector::may_be_at_level(const Spot& spot) const {
-  return std::abs(length(spot.at) - level_) <= spot.travel + q_.room;
-}
-
-/// Whether the third curve comes to the spot of two.
-bool FreeSector::may_meet(std::size_t i, std::size_t k, std::size_t third) const {
-  const Spot& s = spot(i, k);
-  return s.possible && away(curves_[third], s.at) <= s.travel + travels_[third] + q_.room;
 }
 
 /// Whether F can have a part within `room` of s, at that angle.
@@ -308,7 +234,8 @@ void FreeSector::add_roots(const RootPlace& place, Make polynomial) {
 
 /// Two curves that meet exactly the level away.
 void FreeSector::corner(std::size_t i, std::size_t k) {
-  const double span = std::tan(half_ / 2) * (1 + kSlack), reach = 4 * std::max(travels_[i], travels_[k]) / half_;
+  const double span = std::tan(half_ / 2) * (1 + kSlack),
+               reach = 4 * std::max(spots_.travel(i), spots_.travel(k)) / half_;
   const auto polynomial = [&](int quarters) {
     const auto [f, g] = corner_lines(exact_form(i, quarters), exact_form(k, quarters), q_.level);
     const auto m = plane::meeting(f, g);
@@ -330,7 +257,7 @@ void FreeSector::corner(std::size_t i, std::size_t k) {
 /// Three curves that meet in one point, B being held there.
 void FreeSector::meeting(std::size_t i, std::size_t k, std::size_t m) {
   const double span = std::tan(half_ / 2) * (1 + kSlack),
-               reach = 4 * std::max({travels_[i], travels_[k], travels_[m]}) / half_;
+               reach = 4 * std::max({spots_.travel(i), spots_.travel(k), spots_.travel(m)}) / half_;
   const auto polynomial = [&](int quarters) {
     const auto all = ordered(exact_form(i, quarters), exact_form(k, quarters), exact_form(m, quarters));
     const auto [f, g] = meeting_lines(all);
