@@ -96,9 +96,7 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
     talk.note("shapes turn: certainly feasible positions, and in \"outer\" the possible ones");
     return {std::move(bounds.inner), std::nullopt, std::nullopt, std::move(bounds.outer)};
   }
-  const bool still = !session.scene().motion.given();
-  Map map{still ? situation::feasible_near(solver, formula) : solver.feasible(formula), std::nullopt, std::nullopt,
-          std::nullopt};
+  Map map{situation::feasible_near(solver, formula), std::nullopt, std::nullopt, std::nullopt};
   if (goal) {
     talk.stage("optimizing");
     const bool line = session.scene().free.kind == io::Free::Kind::kLine;

@@ -92,15 +92,15 @@ def instance(rng, bodies):
             if rng.random() < 0.75:
                 text = rng.choice(["gamma1({0}, {1}) >= 0"] * 5 + list(RELATIONS)[1:])
                 pairs.append((i, j, text))
-    return container, shapes, pairs, rng.sample(sorted(OBJECTIVES), rng.randint(1, 3))
+    return container, shapes, pairs
 
 
-def scene_of(container, shapes, pairs, goals):
+def scene_of(container, shapes, pairs, goals=()):
     drawn = {"A0": {"polygon": outline(container)}}
     names = [f"B{i}" for i in range(len(shapes))]
     drawn.update({n: {"polygon": outline(s)} for n, s in zip(names, shapes)})
     return {"findspace": 1, "shapes": drawn,
-            "place": {"shapes": names, "each": "inside(self, A0)", "method": "simultaneous", "minimize": goals,
+            "place": {"shapes": names, "each": "inside(self, A0)", "method": "simultaneous", "minimize": list(goals),
                       "constraints": [t.format(names[i], names[j]) for i, j, t in pairs] or ["true"]}}
 
 
@@ -207,8 +207,9 @@ def main(argv):
     for k in range(options.count):
         rng = random.Random(options.seed * 100003 + k)
         drawn = instance(rng, sizes[k % len(sizes)])
-        reached, rooms, best = lattice(*drawn)
-        scene = scene_of(*drawn)
+        goals = rng.sample(sorted(OBJECTIVES), rng.randint(1, 3))
+        reached, rooms, best = lattice(*drawn, goals)
+        scene = scene_of(*drawn, goals)
         said = disagreement(options.executable, scene, reached, rooms, best, options.limit)
         if said in (None, "undecided"):
             counts[said or ("agree, possible" if reached[0] else "agree, impossible")] += 1

@@ -22,6 +22,10 @@ struct PieceBox {
   bool meets(const PieceBox& o) const { return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1; }
 };
 
+inline PieceBox joined(const PieceBox& a, const PieceBox& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 class CellGrid {
  public:
   /// All points that will ever be asked about must be ends of the pieces or `extra`.

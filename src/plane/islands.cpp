@@ -49,10 +49,6 @@ void take_geometry(CellComplex& out, const exact::Geometry& from) {
   }
 }
 
-PieceBox joined(const PieceBox& a, const PieceBox& b) {
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
 }  // namespace
 
 /// Collects an island's cells from one of its half-edges on.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -37,7 +38,7 @@ Node taken(const Node& node, const Formula& from, std::vector<Atom>& atoms) {
   return out;
 }
 
-bool is_plain(const Distance& d) { return d.mode == Mode::kPlain && d.prefix == Extremum::kNone; }
+bool is_plain(const Distance& d) { return d.mode == Mode::kPlain; }
 
 class Near {
  public:
@@ -119,16 +120,15 @@ class Near {
   std::optional<bool> if_far(const Node& node) {
     if (node.op != Node::Op::kAtom) return std::nullopt;
     const Atom& atom = formula_.atoms()[node.atom];
-    const Distance& d = atom.distance;
-    const bool first = !d.first.empty() && moves(d.first[0]), second = !d.second.empty() && moves(d.second[0]);
-    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || first == second || atom.level.sign() < 0)
+    const Distance d = moving_first(atom.distance, solver_.world().moving);
+    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
+        atom.level.sign() < 0)
       return std::nullopt;
-    const Names& moving = first ? d.first : d.second;
-    auto mover = movers_.find(moving);
-    if (mover == movers_.end()) mover = movers_.emplace(moving, made(moving)).first;
+    auto mover = movers_.find(d.first);
+    if (mover == movers_.end()) mover = movers_.emplace(d.first, made(d.first)).first;
     if (!mover->second.box) return std::nullopt;
-    const PieceBox window = reached(*mover->second.box, atom.level / solver_.world().step);
-    for (const std::string& name : first ? d.second : d.first) {
+    const PieceBox window = reached(*mover->second.box, d, atom.level / solver_.world().step);
+    for (const std::string& name : d.second) {
       const PieceBox* box = solver_.box(name);
       if (!box || box->meets(window)) return std::nullopt;
     }
@@ -150,7 +150,7 @@ class Near {
     const auto known = movers_.find(d.first);
     const Mover b = known == movers_.end() ? made(d.first) : known->second;
     if (!b.box) return solver_.function(wanted.distance)->sign_map(level);
-    const PieceBox window = reached(*b.box, level);
+    const PieceBox window = reached(*b.box, d, level);
     std::vector<Region> parts;
     for (const std::string& name : d.second)
       if (solver_.box(name)->meets(window)) parts.push_back(part(name, window));
@@ -159,7 +159,8 @@ class Near {
     if (all.empty()) return CellComplex::uniform(1);
     const Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
     if (plane::is_empty(a)) return CellComplex::uniform(1);
-    return distance::SignedDistance::gamma1(b.shape, a).sign_map(level);
+    const auto pair = std::make_shared<distance::SignedDistance>(distance::SignedDistance::gamma1(b.shape, a));
+    return solver_.over_its_time(d, pair)->sign_map(level);
   }
 
   /// A shape as it is within the window.
@@ -175,9 +176,14 @@ class Near {
     return {std::move(shape), box};
   }
 
-  /// What a shape with this box comes within the level of, from the positions in question.
-  PieceBox reached(const PieceBox& shape, const Real& level) const {
-    return grown({box_.x0 + shape.x0, box_.y0 + shape.y0, box_.x1 + shape.x1, box_.y1 + shape.y1}, level);
+  /// What a shape with this box comes within the level of, from the positions in question, at any time.
+  PieceBox reached(const PieceBox& shape, const Distance& d, const Real& level) const {
+    std::optional<PieceBox> all;
+    for (const exact::RealPoint& at : solver_.way(d)) {
+      const PieceBox here = plane::moved(shape, at);
+      all = all ? plane::joined(*all, here) : here;
+    }
+    return grown({box_.x0 + all->x0, box_.y0 + all->y0, box_.x1 + all->x1, box_.y1 + all->y1}, level);
   }
 
   /// By the level and by more than all rounding.

@@ -37,6 +37,10 @@ bool second_moves(const Distance& d, const World& world) {
   return d.first.empty() || std::find(world.moving.begin(), world.moving.end(), d.first[0]) == world.moving.end();
 }
 
+distance::Sense sense_of(const Distance& over_time) {
+  return natural_extremum(over_time) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+}
+
 /// gamma1 for gamma2, eta1 for eta2, delta1 for delta2: where the base map is.
 Which signed_base(Kind kind) {
   const bool gamma = kind == Kind::kGamma1 || kind == Kind::kGamma2;
@@ -123,10 +127,19 @@ distance::PositionFunctionPointer Solver::function(const Distance& wanted) const
   if (r.turning) refuse(wanted, "shapes that turn in time have no exact region here");
   if (world_.instant && wanted.prefix == Extremum::kNone)
     return distance::at_instant(of_instant(r), position_at(r.path, *world_.instant));
-  const bool least = natural_extremum(r.wanted) == Extremum::kInf;
-  const distance::Sense sense = least ? distance::Sense::kMinimum : distance::Sense::kMaximum;
-  if (r.wanted.mode != Mode::kPlain) return distance::jumping_over_time(of_instant(r), r.path.path, sense);
-  return distance::over_time(plain(r), r.path.path, sense);
+  if (r.wanted.mode != Mode::kPlain) return distance::jumping_over_time(of_instant(r), r.path.path, sense_of(r.wanted));
+  return over_its_time(wanted, plain(r));
+}
+
+std::vector<RealPoint> Solver::way(const Distance& wanted) const {
+  if (!world_.motion.given()) return {RealPoint{}};
+  return roles(wanted).path.path;
+}
+
+distance::PositionFunctionPointer Solver::over_its_time(const Distance& wanted, TDistancePointer of_pair) const {
+  if (!world_.motion.given()) return of_pair;
+  const Roles r = roles(wanted);
+  return distance::over_time(std::move(of_pair), r.path.path, sense_of(r.wanted));
 }
 
 TDistancePointer Solver::distance(const Distance& wanted) const {

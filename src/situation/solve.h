@@ -109,6 +109,11 @@ class Solver {
 
   /// The function that a formula means, in grid steps: along a direction, over time or at the instant too.
   distance::PositionFunctionPointer function(const Distance& wanted) const;
+  /// Of a motion of shapes that do not turn, the places of the first of a pair as seen from the second; else the
+  /// origin.
+  std::vector<exact::RealPoint> way(const Distance& wanted) const;
+  /// A distance of a pair as a formula means `wanted`: over the time of a motion.
+  distance::PositionFunctionPointer over_its_time(const Distance& wanted, distance::TDistancePointer of_pair) const;
   /// The T-distance that a formula means, whose extrema are computed. Throws Error(kUnsupported) for those that are
   /// none.
   distance::TDistancePointer distance(const Distance& wanted) const;
