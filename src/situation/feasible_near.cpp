@@ -46,7 +46,7 @@ class Near {
 
   Region run() {
     const Node& root = formula_.root();
-    if (root.op != Node::Op::kAnd) return solver_.feasible(formula_);
+    if (root.op != Node::Op::kAnd || solver_.world().instant) return solver_.feasible(formula_);
     std::vector<Formula> bounding, near;
     std::vector<const Node*> others;
     for (const Node& operand : root.operands) {

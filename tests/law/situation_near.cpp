@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The region found by looking at what is near only is that of the whole formula: a container, obstacles by name and as
-// collections, near and far, with clearances, in conjunctions and inside other conditions.
+// collections, near and far, with clearances, in conjunctions and inside other conditions, at rest and in motion.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -80,22 +80,38 @@ Scene random_scene(std::mt19937& random) {
   return s;
 }
 
-TEST(FeasibleNear, IsTheFeasibleRegion) {
-  std::mt19937 random(11);
+/// B moves, and one obstacle of its own.
+void set_in_motion(Scene& s, std::mt19937& random) {
+  const auto pick = [&](int n) { return exact::Real(static_cast<int>(random() % static_cast<unsigned>(n))); };
+  s.world.shapes.emplace("m", plane::box(70, 10, 90, 30));
+  s.world.motion.start = 0, s.world.motion.end = 2;
+  s.world.motion.of["B"] = {{0, 1, 2}, {{0, 0}, {pick(20), pick(20)}, {pick(30), pick(10)}}, {0, 0, 0}};
+  s.world.motion.of["m"] = {{0, 2}, {{0, 0}, {pick(60) - 40, pick(60) - 30}}, {0, 0}};
+  s.formula += random() % 2 == 0 ? " and gamma1(B, m) >= 2" : " and sup gamma1(m, B) > 25 and inf gamma1(B, o0) != 1";
+}
+
+void expect_same(unsigned seed, int scenes, bool motion, int least_possible) {
+  std::mt19937 random(seed);
   int some = 0;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < scenes; ++k) {
     Scene s = random_scene(random);
+    if (motion) set_in_motion(s, random);
     Context context;
     for (const auto& [name, shape] : s.world.shapes) context.shapes.push_back(name);
     context.moving = s.world.moving;
+    context.motion = motion;
     const Formula formula = parse_formula(s.formula, context);
     const Solver solver(std::move(s.world));
     const Region whole = solver.feasible(formula), near = feasible_near(solver, formula);
     EXPECT_TRUE(plane::same_set(whole, near)) << s.formula;
     some += !plane::is_empty(whole);
   }
-  EXPECT_GT(some, 15);
+  EXPECT_GT(some, least_possible);
 }
+
+TEST(FeasibleNear, IsTheFeasibleRegion) { expect_same(11, 60, false, 15); }
+
+TEST(FeasibleNear, IsTheFeasibleRegionOverAMotion) { expect_same(12, 40, true, 8); }
 
 }  // namespace
 }  // namespace findspace::situation
