@@ -101,6 +101,9 @@ class Solver {
   /// 1 where it holds at the instant. Distances with inf or sup keep to the whole time.
   plane::Section instants(const Formula& formula, const exact::RealPoint& p) const;
 
+  /// The same where the moving shapes stay in place and turn, and nothing else moves; nothing where that is not so.
+  std::optional<plane::Section> swing(const Formula& formula, const exact::RealPoint& p) const;
+
   /// The same where shapes turn in time: instants that certainly and that possibly belong.
   struct InstantBounds {
     plane::Section inner, outer;
@@ -157,6 +160,7 @@ class Solver {
   plane::Section instants(const SignMap& wanted, const exact::RealPoint& p) const;
   std::array<plane::Section, 2> turning_instants(const SignMap& wanted, const Roles& roles,
                                                  const exact::RealPoint& p) const;
+  std::optional<Trajectory> swinging(const Formula& formula) const;
   std::vector<Distance> all_distances() const;
   distance::Extremum least_directional(const Distance& wanted) const;
   distance::Extremum least_over_time(const Distance& wanted) const;
