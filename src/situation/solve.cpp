@@ -149,12 +149,8 @@ TDistancePointer Solver::distance(const Distance& wanted) const {
   return plain(roles(wanted));
 }
 
-plane::SignMap Solver::sign_map(const SignMap& wanted) const {
-  if (is_plain_level(wanted) && !wanted.minimum) {
-    SignMap plain = wanted;
-    plain.distance.mode = Mode::kPlain, plain.distance.vector.clear();
-    return sign_map(plain);
-  }
+plane::SignMap Solver::sign_map(const SignMap& asked) const {
+  const SignMap wanted = plain_level(asked);
   if (!wanted.minimum) return function(wanted.distance)->sign_map(wanted.level / world_.step);
   distance::Extremum e = least(wanted.distance);
   if (!e.exists) return CellComplex::uniform(1);
@@ -213,7 +209,8 @@ plane::Section Solver::instants(const Formula& formula, const RealPoint& positio
   return line;
 }
 
-plane::Section Solver::instants(const SignMap& wanted, const RealPoint& p) const {
+plane::Section Solver::instants(const SignMap& asked, const RealPoint& p) const {
+  const SignMap wanted = plain_level(asked);
   const Motion& motion = world_.motion;
   const bool whole_time = wanted.distance.prefix != Extremum::kNone;
   const Roles r = roles(wanted.distance);

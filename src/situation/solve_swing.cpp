@@ -12,6 +12,7 @@
 #include "plane/turn_map.h"
 #include "situation/solve.h"
 #include "situation/solve_turning.h"
+#include "situation/which.h"
 
 namespace findspace::situation {
 
@@ -72,15 +73,15 @@ class Leg {
   double part_ = 0;
 };
 
-bool is_instant_of_plain(const Atom& a) {
-  return !a.minimum && a.distance.prefix == Extremum::kNone && a.distance.mode == Mode::kPlain;
+bool is_instant_of_plain(const SignMap& m) {
+  return !m.minimum && m.distance.prefix == Extremum::kNone && plain_level(m).distance.mode == Mode::kPlain;
 }
 
 }  // namespace
 
 std::optional<Trajectory> Solver::swinging(const Formula& formula) const {
-  const std::vector<Atom>& atoms = formula.atoms();
-  if (!std::all_of(atoms.begin(), atoms.end(), is_instant_of_plain)) return std::nullopt;
+  const std::vector<SignMap>& maps = formula.sign_maps();
+  if (!std::all_of(maps.begin(), maps.end(), is_instant_of_plain)) return std::nullopt;
   const auto of = [&](const std::string& name) { return world_.motion.of.find(name); };
   const auto first = of(world_.moving.at(0)), none = world_.motion.of.end();
   if (first == none || world_.motion.of.size() != world_.moving.size()) return std::nullopt;
