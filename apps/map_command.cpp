@@ -96,9 +96,7 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
     talk.note("shapes turn: certainly feasible positions, and in \"outer\" the possible ones");
     return {std::move(bounds.inner), std::nullopt, std::nullopt, std::move(bounds.outer)};
   }
-  const bool still = !session.scene().motion.given();
-  Map map{still ? situation::feasible_near(solver, formula) : solver.feasible(formula), std::nullopt, std::nullopt,
-          std::nullopt};
+  Map map{situation::feasible_near(solver, formula), std::nullopt, std::nullopt, std::nullopt};
   if (goal) {
     talk.stage("optimizing");
     const bool line = session.scene().free.kind == io::Free::Kind::kLine;
@@ -147,13 +145,15 @@ Outcome map_of_time(const Session& session, const situation::Solver& solver, con
   session.talk().stage("solving");
   const auto in_time = [](const plane::Section& line) { return plane::intervals(line, exact::Real(1)); };
   std::vector<plane::LineInterval> intervals, outer;
-  const bool bounded = solver.turns_in(formula);
+  const bool turning = solver.turns_in(formula);
+  const std::optional<plane::Section> swing = turning ? solver.swing(formula, at) : std::nullopt;
+  const bool bounded = turning && !swing;
   if (bounded) {
     session.talk().note("shapes turn: instants that certainly belong, and in \"outer\" the possible ones");
     const situation::Solver::InstantBounds bounds = solver.instant_bounds(formula, at);
     intervals = in_time(bounds.inner), outer = in_time(bounds.outer);
   } else {
-    intervals = in_time(solver.instants(formula, at));
+    intervals = in_time(swing ? *swing : solver.instants(formula, at));
   }
   const auto json = [&] {
     std::string text = io::intervals_json(intervals, exact::Real(1), "");

@@ -158,7 +158,7 @@ class Maker {
         }
     if (!first.empty() && first == second) {
       throw Error(ErrorCode::kBadValue,
-                  fmt::format("{}: the two move together, so their distance never changes", atom.text),
+                  fmt::format("{}: the two move together, so their distance never changes", situation::text(atom)),
                   fmt::format("{}:{}:{}", text.file, text.line, text.column));
     }
   }

@@ -32,7 +32,7 @@ io::Page page(const Session& session, const situation::World& world, const situa
   p.region = &region;
   p.summary = &summary;
   p.around = around;
-  p.around_text = "positions not excluded at every angle";
+  p.around_text = "positions not excluded";
   session.add_scenery(p, world, &formula);
   return {std::move(title), io::picture_svg(p)};
 }
@@ -44,8 +44,8 @@ std::string pages(const Session& session, const PoseStack& stack, const situatio
   plane::Rounding drawn;
   for (const PoseSlice& s : stack.slices) {
     const situation::World turned = situation::turned_world(world, centre, s.degrees, drawn);
-    out.push_back(
-        page(session, turned, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())), s.region, nullptr));
+    out.push_back(page(session, turned, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())), s.region,
+                       s.outer ? &*s.outer : nullptr));
     for (const PoseSector& t : stack.sectors) {
       if (!(t.from == s.degrees)) continue;
       out.push_back(page(session, turned, formula,
@@ -60,7 +60,8 @@ std::string pages(const Session& session, const PoseStack& stack, const situatio
 std::string stack_text(const Session& session, const PoseStack& stack) {
   std::string out = fmt::format("Positions of {}, angle by angle\n", fmt::join(session.scene().moving, ", "));
   for (const PoseSlice& s : stack.slices)
-    out += fmt::format("  at {}°: {}\n", io::shown(s.degrees.to_double()), area_text(s.region, session.step()));
+    out += fmt::format("  at {}°: {}{}\n", io::shown(s.degrees.to_double()), area_text(s.region, session.step()),
+                       s.outer ? ", possible within " + area_text(*s.outer, session.step()) : "");
   for (const PoseSector& s : stack.sectors) {
     out += fmt::format("  {}° to {}°: at all angles {}; at some within {} (bound {} {})\n",
                        io::shown(s.from.to_double()), io::shown(s.to.to_double()), area_text(s.inner, session.step()),
@@ -96,9 +97,12 @@ Outcome map_of_poses(const Session& session) {
   const auto json = [&] { return io::poses_json(stack, session.step(), session.unit()); };
   const auto html = [&] { return pages(session, stack, world, formula, about); };
   write_outputs(session.options(), {{".json", json}, {".html", html}});
-  const bool empty = std::all_of(stack.slices.begin(), stack.slices.end(),
-                                 [](const PoseSlice& s) { return plane::is_empty(s.region); });
-  return {session.options().json ? json() : stack_text(session, stack), empty ? kEmpty : kDone};
+  bool empty = true, impossible = true;
+  for (const PoseSlice& s : stack.slices) {
+    empty = empty && plane::is_empty(s.region);
+    impossible = impossible && plane::is_empty(s.outer ? *s.outer : s.region);
+  }
+  return {session.options().json ? json() : stack_text(session, stack), !empty ? kDone : impossible ? kEmpty : kLimit};
 }
 
 }  // namespace findspace::app

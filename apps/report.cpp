@@ -11,6 +11,7 @@
 #include "io/draw_layout.h"
 #include "io/write_witness.h"
 #include "plane/measure_cells_twofold.h"
+#include "situation/text.h"
 
 namespace findspace::app {
 namespace {
@@ -117,7 +118,7 @@ std::string intervals_text(std::string_view title, const std::vector<plane::Line
 std::string check_text(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, const situation::NearestFeasible* nearest) {
   std::vector<std::string> texts;
-  for (const auto& a : check.atoms) texts.push_back(a.atom.text);
+  for (const auto& a : check.atoms) texts.push_back(situation::text(a.atom));
   const std::size_t width = widest(texts);
   const Twofold factor(step);
   std::string out = fmt::format("{} {}\n", point(at), check.holds ? "is feasible" : "is not feasible");

@@ -8,6 +8,7 @@
 
 #include "io/draw_bodies.h"
 #include "io/write_json_space.h"
+#include "situation/text.h"
 #include "space_commands.h"
 #include "space_report.h"
 
@@ -55,7 +56,7 @@ Outcome check_space(const Session& session) {
     std::vector<std::string> lines;
     std::vector<situation::SpaceDistanceAt> distances;
     for (const situation::SpaceAtomAt& a : check.atoms) {
-      lines.push_back(fmt::format("{}: {}", a.atom.text, a.holds ? "true" : "false"));
+      lines.push_back(fmt::format("{}: {}", situation::text(a.atom), a.holds ? "true" : "false"));
       distances.push_back(a.distance);
     }
     return picture_at(session, solver, at,

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "io/draw_layout.h"
+#include "situation/text.h"
 
 namespace findspace::app {
 namespace {
@@ -83,10 +84,11 @@ std::string space_summary_text(std::string_view title, const space::SpaceSummary
 
 std::string space_check_text(const situation::SpaceSolver::Check& check, std::string_view at, std::string_view unit) {
   std::size_t width = 0;
-  for (const auto& a : check.atoms) width = std::max(width, a.atom.text.size());
+  for (const auto& a : check.atoms) width = std::max(width, situation::text(a.atom).size());
   std::string out = fmt::format("{} {}\n", at, check.holds ? "is feasible" : "is not feasible");
   for (const auto& a : check.atoms)
-    put(out, "  {}  {:<{}}  {}\n", a.holds ? "yes" : "no ", a.atom.text, width, value_text(a.distance, unit));
+    put(out, "  {}  {:<{}}  {}\n", a.holds ? "yes" : "no ", situation::text(a.atom), width,
+        value_text(a.distance, unit));
   return out;
 }
 

@@ -10,6 +10,8 @@ relative positions that a pair allows is a union of closed cells of the integer 
 polyhedra whose inequalities are x_i - x_j <= c with whole c (and the same for y): a totally unimodular system. Each such polyhedron
 that is not empty has an integral vertex, also after one body is fixed at an integral position. So a placement exists exactly if one
 exists on the lattice, and an integral position belongs to the region of a body exactly if the search on the lattice reaches it. Both are compared.
+So is the complete placement: each body in turn at the least of one to three objectives among the positions that the earlier ones leave, ties
+by y, then x. Regions of positions are unions of boxes with whole corners, where linear forms and distances to whole points are least at whole points.
 
 Exit status 0 where nothing disagrees. What the program leaves undecided at its limit is counted apart."""
 import argparse
@@ -62,6 +64,12 @@ RELATIONS = {"gamma1({0}, {1}) >= 0": lambda a, b: not a & b,
              "covers({0}, {1})": lambda a, b: a >= b}
 
 
+OBJECTIVES = {"x": lambda p: p[0], "-x": lambda p: -p[0], "y": lambda p: p[1], "-y": lambda p: -p[1], "x + y": lambda p: p[0] + p[1],
+              "2x - y": lambda p: 2 * p[0] - p[1], "x - 3y": lambda p: p[0] - 3 * p[1],
+              "distance to [1, 1]": lambda p: (p[0] - 1) ** 2 + (p[1] - 1) ** 2,
+              "-distance to [2, 0]": lambda p: -(p[0] - 2) ** 2 - p[1] ** 2}
+
+
 def grown(cells):
     return {(x + dx, y + dy) for x, y in cells for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
 
@@ -87,17 +95,17 @@ def instance(rng, bodies):
     return container, shapes, pairs
 
 
-def scene_of(container, shapes, pairs):
+def scene_of(container, shapes, pairs, goals=()):
     drawn = {"A0": {"polygon": outline(container)}}
     names = [f"B{i}" for i in range(len(shapes))]
     drawn.update({n: {"polygon": outline(s)} for n, s in zip(names, shapes)})
     return {"findspace": 1, "shapes": drawn,
-            "place": {"shapes": names, "each": "inside(self, A0)", "method": "simultaneous",
+            "place": {"shapes": names, "each": "inside(self, A0)", "method": "simultaneous", "minimize": list(goals),
                       "constraints": [t.format(names[i], names[j]) for i, j, t in pairs] or ["true"]}}
 
 
-def lattice(container, shapes, pairs):
-    """For each body the positions that occur in a complete placement."""
+def lattice(container, shapes, pairs, goals):
+    """For each body the positions that occur in a complete placement, the positions tried, and the best placement, body after body."""
     xs, ys = zip(*container)
     span = [(x, y) for x in range(min(xs) - 4, max(xs) + 5) for y in range(min(ys) - 4, max(ys) + 5)]
     rooms = [[p for p in span if moved(s, p) <= container] for s in shapes]
@@ -108,15 +116,17 @@ def lattice(container, shapes, pairs):
                 between[i, j][p, q] = RELATIONS[text](moved(shapes[i], p), moved(shapes[j], q))
     reached = [set() for _ in shapes]
 
+    def stands(i, p, chosen):
+        return all(between[a, b].get((p, chosen[b]) if a == i else (chosen[a], p), False)
+                   for a, b in between if (a == i and b in chosen) or (b == i and a in chosen))
+
     def complete(chosen):
         """Some way to place the others, or None."""
         i = next((k for k in range(len(shapes)) if k not in chosen), None)
         if i is None:
             return dict(chosen)
         for p in rooms[i]:
-            good = all(between[a, b].get((p, chosen[b]) if a == i else (chosen[a], p), False)
-                       for a, b in between if (a == i and b in chosen) or (b == i and a in chosen))
-            if good:
+            if stands(i, p, chosen):
                 found = complete({**chosen, i: p})
                 if found:
                     return found
@@ -129,7 +139,11 @@ def lattice(container, shapes, pairs):
             found = complete({i: p})
             for k, q in (found or {}).items():
                 reached[k].add(q)
-    return reached, rooms
+    best = {}
+    for i, room in enumerate(rooms if reached[0] else []):
+        left = [p for p in room if stands(i, p, best) and complete({**best, i: p})]
+        best[i] = min(left, key=lambda p: ([OBJECTIVES[g](p) for g in goals], p[1], p[0]))
+    return reached, rooms, best
 
 
 # --- what the program says -------------------------------------------------------------------------------------------
@@ -160,7 +174,7 @@ def contains(region, p):
     return False
 
 
-def disagreement(exe, scene, reached, rooms, limit):
+def disagreement(exe, scene, reached, rooms, best, limit):
     done = subprocess.run([exe, "place", "-", "--json", "-q", "--time-limit", str(limit)], input=json.dumps(scene), capture_output=True,
                           text=True, timeout=60 + 10 * limit)
     if done.returncode not in (0, 1, 4) or not done.stdout.strip():
@@ -175,6 +189,8 @@ def disagreement(exe, scene, reached, rooms, limit):
         wrong = [p for p in room if contains(region, p) != (p in reached[i])]
         if wrong:
             return f"B{i} at {wrong[:3]}: the program says {contains(region, wrong[0])}"
+        if best and result["positions"][i]["at"] != list(best[i]):
+            return f"B{i} is placed at {result['positions'][i]['at']}, best is {best[i]}"
     return None
 
 
@@ -190,10 +206,11 @@ def main(argv):
     counts = {"agree, possible": 0, "agree, impossible": 0, "undecided": 0, "disagree": 0}
     for k in range(options.count):
         rng = random.Random(options.seed * 100003 + k)
-        container, shapes, pairs = instance(rng, sizes[k % len(sizes)])
-        reached, rooms = lattice(container, shapes, pairs)
-        scene = scene_of(container, shapes, pairs)
-        said = disagreement(options.executable, scene, reached, rooms, options.limit)
+        drawn = instance(rng, sizes[k % len(sizes)])
+        goals = rng.sample(sorted(OBJECTIVES), rng.randint(1, 3))
+        reached, rooms, best = lattice(*drawn, goals)
+        scene = scene_of(*drawn, goals)
+        said = disagreement(options.executable, scene, reached, rooms, best, options.limit)
         if said in (None, "undecided"):
             counts[said or ("agree, possible" if reached[0] else "agree, impossible")] += 1
             continue

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "exact/decimal.h"
 
+#include <algorithm>
+
 #include "exact/real_node.h"
 #include "findspace/error.h"
 
@@ -44,6 +46,9 @@ mpz_class power_of_ten(std::int64_t exponent) {
   return power;
 }
 
+/// So many digits fit in 63 bits, and so does 10 to this power.
+constexpr int kInlineDigits = 18;
+
 OnGrid nearest_on_grid(const Real& in_steps, std::string_view text) {
   if (compare(abs(in_steps), kMaxGridCoordinate + 1) >= 0) {
     refuse(text, "is more than 2^40 grid steps", ErrorCode::kOutOfRange);
@@ -85,6 +90,14 @@ Decimal Decimal::parse(std::string_view text) {
 
 Real Decimal::value() const {
   if (digits.empty()) return 0;
+  if (exponent >= -kInlineDigits &&
+      std::int64_t(digits.size()) + std::max<std::int64_t>(exponent, 0) <= kInlineDigits) {
+    std::int64_t above = 0, below = 1;
+    for (const char c : digits) above = above * 10 + (c - '0');
+    for (std::int64_t e = exponent; e > 0; --e) above *= 10;
+    for (std::int64_t e = exponent; e < 0; ++e) below *= 10;
+    return Real::ratio(negative ? -above : above, below);
+  }
   mpz_class numerator(digits, 10), denominator = 1;
   if (negative) numerator = -numerator;
   if (exponent >= 0) {

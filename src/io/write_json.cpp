@@ -11,6 +11,7 @@
 #include "io/json_text.h"
 #include "io/write_cells.h"
 #include "io/write_witness.h"
+#include "situation/text.h"
 
 namespace findspace::io {
 namespace {
@@ -160,8 +161,9 @@ std::string check_json(const situation::Solver::Check& check, const exact::RealP
       [&](const situation::AtomAt& a) {
         distances[a.distance.text] = a.distance.value;
         const std::string lacks = a.lacks ? fmt::format(R"( "lacks": {},)", json_number(*a.lacks)) : "";
-        return fmt::format(R"({{"text": {}, "value": {}, "true": {},{} "witness": {{{}}}}})", json_string(a.atom.text),
-                           number(a.distance.value), truth(a.holds), lacks, witness_members(a.distance, factor));
+        return fmt::format(R"({{"text": {}, "value": {}, "true": {},{} "witness": {{{}}}}})",
+                           json_string(situation::text(a.atom)), number(a.distance.value), truth(a.holds), lacks,
+                           witness_members(a.distance, factor));
       },
       true);
   out += ",\n  \"distances\": {";

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "io/json_text.h"
+#include "situation/text.h"
 
 namespace findspace::io {
 namespace {
@@ -109,8 +110,9 @@ std::string space_check_json(const situation::SpaceSolver::Check& check, const s
       check.atoms,
       [&](const situation::SpaceAtomAt& a) {
         distances[a.distance.text] = a.distance.value;
-        return fmt::format(R"({{"text": {}, "value": {}, "true": {}, "witness": {{{}}}}})", json_string(a.atom.text),
-                           number(a.distance.value), truth(a.holds), witness_text(a.distance));
+        return fmt::format(R"({{"text": {}, "value": {}, "true": {}, "witness": {{{}}}}})",
+                           json_string(situation::text(a.atom)), number(a.distance.value), truth(a.holds),
+                           witness_text(a.distance));
       },
       true);
   out += ",\n  \"distances\": {";

@@ -8,6 +8,7 @@
 #include "io/draw_canvas.h"
 #include "io/write_json.h"
 #include "plane/summary.h"
+#include "plane/topology.h"
 
 namespace findspace::io {
 namespace {
@@ -41,11 +42,11 @@ std::string poses_json(const planning::PoseStack& stack, const exact::Real& step
   const char* between = "\n";
   bool empty = true;
   for (const planning::PoseSlice& s : stack.slices) {
-    const plane::Summary summary = plane::summarize(s.region, step);
-    empty = empty && summary.empty;
-    out += fmt::format("{}{{\"angle\": {}, \"rounded\": {{\"points\": {}, \"largest\": {}}}, \"region\": {}}}", between,
+    empty = empty && plane::is_empty(s.outer ? *s.outer : s.region);
+    out += fmt::format("{}{{\"angle\": {}, \"rounded\": {{\"points\": {}, \"largest\": {}}}, \"region\": {}", between,
                        json_number(s.degrees.to_double()), s.rounding.points,
                        json_number(s.rounding.largest * step.to_double()), region(s.region, step, unit));
+    out += s.outer ? fmt::format(", \"outer\": {}}}", region(*s.outer, step, unit)) : "}";
     between = ",\n";
   }
   out += "],\n\"sectors\": [";

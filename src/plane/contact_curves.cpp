@@ -34,8 +34,8 @@ bool RoughCurve::allows(RoughPoint u, double room) const {
 
 bool RoughCurve::holds(RoughPoint at, double room) const {
   if (line) {
-    const double length = std::abs(q - p), along = dot(q - p, at - p);
-    return along >= -room * length && along <= (length + room) * length;
+    const double whole = length(q - p), along = dot(q - p, at - p);
+    return along >= -room * whole && along <= (whole + room) * whole;
   }
   if (std::abs(radius) <= room) return true;
   return allows((at - center) / radius, kRoom + room / std::abs(radius));
@@ -44,11 +44,11 @@ bool RoughCurve::holds(RoughPoint at, double room) const {
 RoughPoint RoughCurve::normal_at(RoughPoint at) const { return line ? normal : (at - center) / radius; }
 
 double RoughCurve::least() const {
-  if (!line) return std::abs(std::abs(center) - std::abs(radius));
+  if (!line) return std::abs(length(center) - std::abs(radius));
   const RoughPoint d = q - p;
-  const double along = -dot(d, p), length = std::norm(d);
-  if (along <= 0) return std::abs(p);
-  return along >= length ? std::abs(q) : std::abs(cross(d, p)) / std::sqrt(length);
+  const double along = -dot(d, p), square = std::norm(d);
+  if (along <= 0) return length(p);
+  return along >= square ? length(q) : std::abs(cross(d, p)) / std::sqrt(square);
 }
 
 bool ContactCurves::may_touch(const ContactPair& k, double middle, double half) const {

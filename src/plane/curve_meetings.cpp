@@ -74,7 +74,7 @@ std::vector<RoughMeeting> rough_meetings(const RoughCurve& c, const RoughCurve& 
   if (c.line) return line_meets_circle(c.normal, c.offset(), d, error);
   if (d.line) return line_meets_circle(d.normal, d.offset(), c, error);
   const RoughPoint way = d.center - c.center;
-  const double far = std::abs(way);
+  const double far = length(way);
   if (far == 0) return {};
   const RoughPoint n = way / far;
   const double radii = std::abs(c.radius) + std::abs(d.radius);
@@ -117,7 +117,7 @@ std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& c, doub
     for (const RoughMeeting& m : rough_meetings(a, b, room / 1000)) {
       const RoughPoint s = m.at;
       const double reach = room + m.off, off = d.line ? std::abs(dot(d.normal, s) - d.offset())
-                                                      : std::abs(std::abs(s - d.center) - std::abs(d.radius));
+                                                      : std::abs(length(s - d.center) - std::abs(d.radius));
       if (off > reach || !a.holds(s, reach) || !b.holds(s, reach) || !d.holds(s, reach)) continue;
       // Some direction has a positive part along all three normals exactly if they lie in an open half plane.
       std::array<RoughPoint, 3> u{a.normal_at(s), b.normal_at(s), d.normal_at(s)};

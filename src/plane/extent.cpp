@@ -18,6 +18,13 @@ void grow(std::optional<PieceBox>& box, double x, double y, double room) {
   box->y0 = std::min(box->y0, y - dy), box->y1 = std::max(box->y1, y + dy);
 }
 
+/// Ends are vertices; what an arc adds is its highest or lowest point.
+void grow_by_arc(std::optional<PieceBox>& box, const CellComplex& c, const Edge& arc) {
+  const exact::Carrier& k = c.geometry.carriers[arc.carrier];
+  const double x = std::clamp(k.x.value, box->x0, box->x1);
+  grow(box, x, k.y.value + arc.half * k.z.value, k.y.error + k.z.error + std::abs(k.z.value) * kRelative);
+}
+
 }  // namespace
 
 std::optional<PieceBox> extent(const CellComplex& c) {
@@ -26,14 +33,17 @@ std::optional<PieceBox> extent(const CellComplex& c) {
     const exact::Point& p = c.geometry.points[v.point];
     grow(box, p.x, p.y, p.error);
   }
-  for (const Edge& e : c.edges) {
-    if (e.half == 0) continue;
-    // Ends are vertices; what an arc adds is its highest or lowest point.
-    const exact::Carrier& k = c.geometry.carriers[e.carrier];
-    const double x = std::clamp(k.x.value, box->x0, box->x1);
-    grow(box, x, k.y.value + e.half * k.z.value, k.y.error + k.z.error + std::abs(k.z.value) * kRelative);
-  }
+  for (const Edge& e : c.edges)
+    if (e.half != 0) grow_by_arc(box, c, e);
   return box;
+}
+
+PieceBox edge_box(const CellComplex& c, Index edge) {
+  std::optional<PieceBox> box;
+  const Edge& e = c.edges[edge];
+  for (const Index v : {e.v0, e.v1}) grow(box, c.point(v).x, c.point(v).y, c.point(v).error);
+  if (e.half != 0) grow_by_arc(box, c, e);
+  return *box;
 }
 
 PieceBox moved(const PieceBox& box, const exact::RealPoint& by) {

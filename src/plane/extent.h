@@ -16,6 +16,9 @@ namespace findspace::plane {
 /// Nothing for a complex of one face.
 std::optional<PieceBox> extent(const CellComplex& c);
 
+/// A box around one edge with its ends.
+PieceBox edge_box(const CellComplex& c, Index edge);
+
 /// The box moved; again a box that holds what the first one held.
 PieceBox moved(const PieceBox& box, const exact::RealPoint& by);
 

@@ -22,17 +22,19 @@ RoughPoint middle(const Line& e) {
   return e.center + e.radius * chord * RoughPoint(0, -1) / std::abs(chord);
 }
 
-double distance(const Line& e, RoughPoint at) {
-  const double ends = std::min(std::abs(at - e.p), std::abs(at - e.q));
+/// At most `room` away from the edge.
+bool is_near(const Line& e, RoughPoint at, double room) {
+  const double ends = std::min(std::norm(at - e.p), std::norm(at - e.q)), square = room * room;
+  if (ends <= square) return true;
   const RoughPoint d = e.q - e.p;
   if (e.radius > 0) {
     const RoughPoint way = at - e.center;
-    const double far = std::abs(way);
+    const double far = length(way);
     const RoughPoint foot = far > 0 ? e.center + way / far * e.radius : e.p;
-    return cross(d, foot - e.p) <= 0 ? std::min(ends, std::abs(far - e.radius)) : ends;
+    return cross(d, foot - e.p) <= 0 && std::abs(far - e.radius) <= room;
   }
-  const double along = dot(d, at - e.p), length = std::norm(d);
-  return along <= 0 || along >= length ? ends : std::abs(cross(d, at - e.p)) / std::sqrt(length);
+  const double along = dot(d, at - e.p), whole = std::norm(d), off = cross(d, at - e.p);
+  return along > 0 && along < whole && off * off <= square * whole;
 }
 
 /// How often an upward ray from `at` crosses the edge, modulo 2.
@@ -54,10 +56,10 @@ bool crosses_upwards_arc(const Line& e, RoughPoint at) {
 /// Well inside the edge, for a point of its line or circle.
 bool within(const Line& e, RoughPoint at, double room) {
   const RoughPoint d = e.q - e.p;
-  const double length = std::abs(d);
-  if (e.radius > 0) return cross(d, at - e.p) < -room * length;
+  const double whole = length(d);
+  if (e.radius > 0) return cross(d, at - e.p) < -room * whole;
   const double along = dot(d, at - e.p);
-  return along > room * length && along < (length - room) * length;
+  return along > room * whole && along < (whole - room) * whole;
 }
 
 bool steep(RoughPoint a, RoughPoint b) {
@@ -66,8 +68,9 @@ bool steep(RoughPoint a, RoughPoint b) {
 
 bool segments_cross(const Line& e, const Line& f, double room) {
   const RoughPoint d = e.q - e.p, g = f.q - f.p;
-  const double r = room * std::abs(d), s = room * std::abs(g);
   const double a = cross(d, f.p - e.p), b = cross(d, f.q - e.p);
+  if ((a > 0) == (b > 0)) return false;
+  const double r = room * length(d), s = room * length(g);
   if (!((a > r && b < -r) || (a < -r && b > r))) return false;
   const double u = cross(g, e.p - f.p), v = cross(g, e.q - f.p);
   return (u > s && v < -s) || (u < -s && v > s);
@@ -142,7 +145,7 @@ RoughSet RoughSet::turned(RoughPoint by) const {
 bool RoughSet::contains(RoughPoint at, double room) const {
   bool inside = unbounded_;
   for (const Line& e : lines_) {
-    if (distance(e, at) <= room) return false;
+    if (is_near(e, at, room)) return false;
     if (e.separates && (e.radius > 0 ? crosses_upwards_arc(e, at) : crosses_upwards(e, at))) inside = !inside;
   }
   return inside;

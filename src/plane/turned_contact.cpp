@@ -28,6 +28,7 @@ TurnedContact::TurnedContact(const Pair& pair)
       to_(pair.to),
       net_(TurnedNet::of(turning_, about_)),
       fixed_net_(TurnedNet::of(fixed_, to_)),
+      rough_(net_, fixed_net_),
       unbounded_(turning_.faces[0].mark != 0),
       locate_turning_(turning_),
       locate_fixed_(fixed_) {
@@ -48,23 +49,50 @@ void TurnedContact::add_samples() {
 
 std::vector<Turn> TurnedContact::events() const { return contact_turns(net_, fixed_net_); }
 
+const RealVector& TurnedContact::vertex(Index v) {
+  if (!vertices_[v]) vertices_[v] = angle_(net_.vertices[v]) + shift_;
+  return *vertices_[v];
+}
+
+TurnedEdge TurnedContact::edge(const TurnedEdge& e) {
+  TurnedEdge now = e;
+  now.p = vertex(e.v0), now.q = vertex(e.v1);
+  if (e.arc) now.center = angle_(e.center) + shift_;
+  return now;
+}
+
+/// Where a vertex lies: in the cell of any point near it, where no edge is near.
+Cell TurnedContact::cell_of(Index v) {
+  const std::optional<RoughPoint> clear = rough_.clear(v);
+  if (!clear) return locate_fixed_.locate(vertex(v) + to_);
+  return locate_fixed_.locate(RealVector{Real::from_double(clear->real()), Real::from_double(clear->imag())} + to_);
+}
+
 MarkSet TurnedContact::marks_met(const Turn& angle, MarkSet enough, const RealVector& shift) {
   MarkSet met = unbounded_ ? bit(fixed_.faces[0].mark) : 0;
-  TurnedNet now = net_.turned(angle);
-  if (!(shift == RealVector{})) now.move(shift);
-  in_face_.assign(now.vertices.size(), 0);
-  for (Index v = 0; v < now.vertices.size() && (met & enough) == 0; ++v) {
+  angle_ = angle, shift_ = shift;
+  rough_.set(angle, shift);
+  vertices_.assign(net_.vertices.size(), std::nullopt);
+  in_face_.assign(net_.vertices.size(), 0);
+  for (Index v = 0; v < net_.vertices.size() && (met & enough) == 0; ++v) {
     if (turning_.vertices[v].mark == 0) continue;
-    const Cell cell = locate_fixed_.locate(now.vertices[v] + to_);
+    const Cell cell = cell_of(v);
     met |= bit(mark_of(fixed_, cell));
     in_face_[v] = cell.dimension == 2;
   }
-  for (const TurnedEdge& e : now.edges) {
+  for (const TurnedEdge& e : net_.edges) {
     if ((met & enough) != 0) return met;
-    meet_edge(e, met, enough);
+    const auto crossed = rough_.crossed(e);
+    if (!crossed) meet_edge(edge(e), met, enough);
+    if (!crossed) continue;
+    for (const Index k : *crossed) {
+      const Index cell = fixed_net_.edges[k].cell;
+      met |= bit(fixed_.edges[cell].mark);
+      for (const Index side : {2 * cell, 2 * cell + 1}) met |= bit(fixed_.faces[fixed_.face(side)].mark);
+    }
   }
   if ((met & enough) != 0) return met;
-  return met | marks_inside(angle, met, shift);
+  return met | marks_inside(met);
 }
 
 void TurnedContact::meet_edge(const TurnedEdge& e, MarkSet& met, MarkSet enough) {
@@ -97,11 +125,11 @@ void TurnedContact::meet_edge(const TurnedEdge& e, MarkSet& met, MarkSet enough)
   }
 }
 
-MarkSet TurnedContact::marks_inside(const Turn& angle, MarkSet met, const RealVector& shift) {
+MarkSet TurnedContact::marks_inside(MarkSet met) {
   MarkSet inside = 0;
   for (const Sample& s : samples_) {
     if (((met | inside) & bit(s.mark)) != 0) continue;
-    if (locate_turning_.mark((-angle)(s.at - shift) + about_) != 0) inside |= bit(s.mark);
+    if (locate_turning_.mark((-angle_)(s.at - shift_) + about_) != 0) inside |= bit(s.mark);
   }
   return inside;
 }

@@ -9,14 +9,16 @@
 // found all: a vertex of one on a line or circle of the other, a line tangent to a circle, two circles tangent, each is
 // a cos + b sin = c; an isolated contact is no limit of its neighbours and is evaluated by itself (distances.md 7.2).
 // Method: T's edges are cut where they meet M's edges and vertices; each piece lies in one cell of M, found exactly;
-// components of equal mark that no edge of T meets are inside T or not, decided at one point. Cost: one angle: pairs of
-// edges whose boxes meet; the angles: pairs of edges. Keywords: contact angle, critical orientation, rotational sweep.
+// components of equal mark that no edge of T meets are inside T or not, decided at one point; what doubles are certain
+// of (rough_contact.h) is not computed. Cost: one angle: pairs of edges in doubles, exact work for those that touch or
+// have arcs; the angles: pairs of edges. Keywords: contact angle, critical orientation, rotational sweep.
 #pragma once
 
 #include <vector>
 
 #include "plane/cell_complex.h"
 #include "plane/locate.h"
+#include "plane/rough_contact.h"
 #include "plane/turn_map.h"
 #include "plane/turned_edges.h"
 
@@ -52,8 +54,12 @@ class TurnedContact {
     Mark mark;
   };
   void add_samples();
+  /// A vertex and an edge of T in the pose looked at.
+  const RealVector& vertex(Index v);
+  TurnedEdge edge(const TurnedEdge& e);
+  Cell cell_of(Index vertex);
   void meet_edge(const TurnedEdge& e, MarkSet& met, MarkSet enough);
-  MarkSet marks_inside(const exact::Turn& angle, MarkSet met, const exact::RealPoint& shift);
+  MarkSet marks_inside(MarkSet met);
 
   const Region& turning_;
   const SignMap& fixed_;
@@ -61,7 +67,12 @@ class TurnedContact {
   TurnedNet net_, fixed_net_;
   std::vector<RoughBox> fixed_boxes_;
   std::vector<Sample> samples_;
-  std::vector<char> in_face_;  // of the angle looked at: vertices of T that lie in faces of M
+  RoughContact rough_;
+  // Of the pose looked at:
+  exact::Turn angle_;
+  RealVector shift_;
+  std::vector<std::optional<RealVector>> vertices_;  // of T, where they were needed
+  std::vector<char> in_face_;                        // which of them lie in faces of M
   bool unbounded_ = false;
   Locator locate_turning_, locate_fixed_;
 };

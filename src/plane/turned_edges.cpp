@@ -43,24 +43,6 @@ TurnedNet TurnedNet::of(const CellComplex& c, const RealVector& about) {
   return net;
 }
 
-TurnedNet TurnedNet::turned(const Turn& by) const {
-  TurnedNet net = *this;
-  for (RealVector& v : net.vertices) v = by(v);
-  for (TurnedEdge& e : net.edges) {
-    e.p = net.vertices[e.v0], e.q = net.vertices[e.v1];
-    if (e.arc) e.center = by(e.center);
-  }
-  return net;
-}
-
-void TurnedNet::move(const RealVector& by) {
-  for (RealVector& v : vertices) v = v + by;
-  for (TurnedEdge& e : edges) {
-    e.p = vertices[e.v0], e.q = vertices[e.v1];
-    if (e.arc) e.center = e.center + by;
-  }
-}
-
 RoughBox box_of(const TurnedEdge& e) {
   const auto px = e.p.x.interval(), py = e.p.y.interval(), qx = e.q.x.interval(), qy = e.q.y.interval();
   RoughBox b{std::min(px.lo, qx.lo), std::min(py.lo, qy.lo), std::max(px.hi, qx.hi), std::max(py.hi, qy.hi)};

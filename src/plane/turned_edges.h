@@ -36,8 +36,6 @@ struct TurnedNet {
   std::vector<TurnedEdge> edges;
 
   static TurnedNet of(const CellComplex& complex, const exact::RealPoint& about);
-  TurnedNet turned(const exact::Turn& by) const;
-  void move(const RealVector& by);
 };
 
 /// A double near the number; within a few ulps of the largest coordinates it is made of.

@@ -41,32 +41,27 @@ FreeSector::Equation FreeSector::turned_gap(const RealVector& v, const RealVecto
 }
 
 FreeSector::FreeSector(const FreeQuestion& question, double middle, double half)
-    : q_(question),
-      middle_(middle),
-      half_(half),
-      level_(question.level.to_double()),
-      reach_(question.turning.reach()) {}
+    : q_(question), middle_(middle), half_(half), level_(question.level.to_double()) {}
 
 void FreeSector::run(std::vector<ContactPair> pairs) {
-  const double travel = half_ * reach_;
   if (!q_.far) {
-    std::erase_if(
-        pairs, [&](const ContactPair& k) { return q_.curves.rough(k, middle_).least() > level_ + travel + q_.room; });
+    std::erase_if(pairs, [&](const ContactPair& k) {
+      return q_.curves.rough(k, middle_).least() > level_ + MeetingSpots::travel(q_.curves, k, half_) + q_.room;
+    });
   }
   if (pairs.size() > kFew && half_ > kNarrow) return halve(pairs);
   pairs_ = std::move(pairs);
   for (const ContactPair& k : pairs_) forms_.push_back(q_.curves.sector(k, middle_));
-  find_spots();
+  spots_ = MeetingSpots(q_, pairs_, middle_, half_);
   const std::size_t n = pairs_.size();
   for (std::size_t i = 0; i < n; ++i) {
     single(i);
     for (std::size_t k = i + 1; k < n; ++k) {
       touching(i, k);
-      if (!spot(i, k).possible) continue;
-      if (may_be_at_level(spot(i, k))) corner(i, k);
-      for (std::size_t m = k + 1; m < n; ++m) {
-        if (may_meet(i, k, m) && may_meet(i, m, k) && may_meet(k, m, i)) meeting(i, k, m);
-      }
+      if (!spots_.may_meet(i, k)) continue;
+      if (spots_.may_meet_at_level(i, k)) corner(i, k);
+      for (std::size_t m = k + 1; m < n; ++m)
+        if (spots_.may_meet(i, k, m)) meeting(i, k, m);
     }
   }
 }
@@ -77,47 +72,6 @@ void FreeSector::halve(const std::vector<ContactPair>& pairs) {
     half.run(q_.curves.pairs(pairs, half.middle_, half.half_));
     std::move(half.found.begin(), half.found.end(), std::back_inserter(found));
   }
-}
-
-/// Where two curves may meet in a point of F.
-void FreeSector::find_spots() {
-  const std::size_t n = pairs_.size();
-  spots_.resize(n * n);
-  for (const ContactPair& k : pairs_) curves_.push_back(q_.curves.rough(k, middle_));
-  const RoughSet there = q_.turning.turned(std::polar(1.0, middle_));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = i + 1; k < n; ++k) {
-      if (curves_[i].line && curves_[k].line) spots_[i * n + k] = spot_of(curves_[i], curves_[k], there);
-    }
-  }
-}
-
-/// Two lines meet in no point of F where their meeting point in the middle of the sector is farther from F, or from
-/// where the level matters, than it and B's points can travel until the sector's ends.
-FreeSector::Spot FreeSector::spot_of(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const {
-  // On both segments, s is at most B's reach from where each is hinged, so each passes it at that speed.
-  const double sine = std::abs((std::conj(c.normal) * d.normal).imag());
-  if (sine < 4 * half_) return {};
-  Spot out;
-  out.at = rough_meetings(c, d, q_.room).at(0).at;
-  out.travel = 2 * half_ * reach_ / (sine - 2 * half_) * 1.5;
-  const double room = out.travel + half_ * reach_ + q_.room;
-  out.possible = c.holds(out.at, 2 * room) && d.holds(out.at, 2 * room) &&
-                 (q_.far || std::abs(out.at) <= level_ + room) && !well_inside(there, q_.open, out.at, room);
-  return out;
-}
-
-bool FreeSector::may_be_at_level(const Spot& spot) const {
-  return std::abs(std::abs(spot.at) - level_) <= spot.travel + q_.room;
-}
-
-/// Whether the third curve, which passes its points at the speed of B's reach as well, comes to the spot of two.
-bool FreeSector::may_meet(std::size_t i, std::size_t k, std::size_t third) const {
-  const Spot& s = spot(i, k);
-  if (!s.possible) return false;
-  const RoughCurve& c = curves_[third];
-  const double off = c.line ? dot(c.normal, s.at) - c.offset() : std::abs(s.at - c.center) - std::abs(c.radius);
-  return std::abs(off) <= s.travel + half_ * reach_ * 1.01 + q_.room;
 }
 
 /// Whether F can have a part within `room` of s, at that angle.
@@ -280,7 +234,8 @@ void FreeSector::add_roots(const RootPlace& place, Make polynomial) {
 
 /// Two curves that meet exactly the level away.
 void FreeSector::corner(std::size_t i, std::size_t k) {
-  const double span = std::tan(half_ / 2) * (1 + kSlack), reach = 4 * reach_;
+  const double span = std::tan(half_ / 2) * (1 + kSlack),
+               reach = 4 * std::max(spots_.travel(i), spots_.travel(k)) / half_;
   const auto polynomial = [&](int quarters) {
     const auto [f, g] = corner_lines(exact_form(i, quarters), exact_form(k, quarters), q_.level);
     const auto m = plane::meeting(f, g);
@@ -301,7 +256,8 @@ void FreeSector::corner(std::size_t i, std::size_t k) {
 
 /// Three curves that meet in one point, B being held there.
 void FreeSector::meeting(std::size_t i, std::size_t k, std::size_t m) {
-  const double span = std::tan(half_ / 2) * (1 + kSlack), reach = 4 * reach_;
+  const double span = std::tan(half_ / 2) * (1 + kSlack),
+               reach = 4 * std::max({spots_.travel(i), spots_.travel(k), spots_.travel(m)}) / half_;
   const auto polynomial = [&](int quarters) {
     const auto all = ordered(exact_form(i, quarters), exact_form(k, quarters), exact_form(m, quarters));
     const auto [f, g] = meeting_lines(all);

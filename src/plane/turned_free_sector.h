@@ -5,10 +5,10 @@
 // many.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
+#include "plane/meeting_spots.h"
 #include "plane/turned_free_events.h"
 
 namespace findspace::plane {
@@ -31,17 +31,6 @@ class FreeSector {
   static Equation turned_gap(const RealVector& v, const RealVector& w, const exact::Real& r);
 
   void halve(const std::vector<ContactPair>& pairs);
-  /// Where two curves meet in the middle of the sector, and how far that point can travel until its ends.
-  struct Spot {
-    bool possible = true;
-    RoughPoint at;
-    double travel = std::numeric_limits<double>::infinity();
-  };
-  const Spot& spot(std::size_t i, std::size_t k) const { return spots_[i * pairs_.size() + k]; }  // i < k
-  void find_spots();
-  Spot spot_of(const RoughCurve& c, const RoughCurve& d, const RoughSet& there) const;
-  bool may_be_at_level(const Spot& spot) const;
-  bool may_meet(std::size_t i, std::size_t k, std::size_t third) const;
   bool possible(double angle, RoughPoint s, double room) const;
   bool in_sector(double angle) const;
 
@@ -66,12 +55,11 @@ class FreeSector {
   void add(exact::Turn t);
 
   const FreeQuestion& q_;
-  double middle_, half_, level_, reach_;
+  double middle_, half_, level_;
   std::vector<ContactPair> pairs_;
   std::vector<SectorCurve> forms_;
   std::vector<std::optional<ExactSectorCurve>> exact_forms_;  // by quarters and curve, where they were needed
-  std::vector<RoughCurve> curves_;                            // in the middle
-  std::vector<Spot> spots_;                                   // by pairs of curves
+  MeetingSpots spots_;
 };
 
 }  // namespace findspace::plane

@@ -8,6 +8,7 @@
 
 #include "findspace/error.h"
 #include "situation/text.h"
+#include "situation/which.h"
 
 namespace findspace::planning {
 
@@ -86,9 +87,8 @@ class Hedge {
 
  private:
   static void require_plain(const Atom& a) {
-    const bool turning = a.distance.mode == situation::Mode::kTurning;
-    if (!a.minimum && !turning && a.distance.prefix == situation::Extremum::kNone) return;
-    throw Error(ErrorCode::kUnsupported, a.text + ": not computed over positions and angles");
+    if (!a.minimum && a.distance.prefix == situation::Extremum::kNone) return;
+    throw Error(ErrorCode::kUnsupported, text(a) + ": not computed over positions and angles");
   }
 
   Formula certain(const Atom& atom, Relation relation) {
@@ -97,7 +97,8 @@ class Hedge {
       const std::array both{certain(atom, Relation::kLess), certain(atom, Relation::kGreater)};
       return situation::disjunction(both);
     }
-    const Distance d = moving_first(atom.distance, moving_);
+    Distance d = moving_first(atom.distance, moving_);
+    if (situation::is_plain_level({d, atom.level})) d.mode = situation::Mode::kPlain, d.vector.clear();
     const Response r = response(d.kind);
     if (!r.known || d.mode != situation::Mode::kPlain) return situation::constant(false);
     const bool at_most = relation == Relation::kLess || relation == Relation::kLessEqual;

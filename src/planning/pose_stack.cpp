@@ -70,7 +70,13 @@ class Stand {
       Region& shape = world_.shapes.at(name);
       shape = plane::rotated(shape, about, degrees, world_.step.to_double(), slice.rounding);
     }
-    slice.region = Solver(world_).feasible(formula);
+    const Solver solver(world_);
+    if (!solver.turns_in(formula)) {
+      slice.region = solver.feasible(formula);
+      return;
+    }
+    Solver::Bounds bounds = solver.feasible_bounds(formula);
+    slice.region = std::move(bounds.inner), slice.outer = std::move(bounds.outer);
   }
 
   /// Where the formula certainly holds, or may hold, for shapes within `bound` steps.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -13,7 +14,6 @@
 #include "plane/extent.h"
 #include "plane/overlay.h"
 #include "plane/parallel.h"
-#include "plane/simplify.h"
 #include "plane/topology.h"
 #include "situation/evaluate.h"
 
@@ -38,47 +38,7 @@ Node taken(const Node& node, const Formula& from, std::vector<Atom>& atoms) {
   return out;
 }
 
-bool is_plain(const Distance& d) { return d.mode == Mode::kPlain && d.prefix == Extremum::kNone; }
-
-/// Cells of a closed set that meet a box, each with its boundary: the set as it is within the box.
-Region within(const Region& a, const PieceBox& window) {
-  std::vector<PieceBox> edge_box;
-  edge_box.reserve(a.edges.size());
-  for (const plane::Edge& e : a.edges) {
-    const exact::Point &p = a.geometry.points[a.vertices[e.v0].point], &q = a.geometry.points[a.vertices[e.v1].point];
-    PieceBox box{std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
-    if (e.half != 0) {
-      const exact::Carrier& k = a.geometry.carriers[e.carrier];
-      const double top = k.y.value + e.half * k.z.value;
-      box.y0 = std::min(box.y0, top), box.y1 = std::max(box.y1, top);
-    }
-    edge_box.push_back(box);
-  }
-  Region out = a;
-  for (plane::Vertex& v : out.vertices) v.mark = 0;
-  for (plane::Edge& e : out.edges) e.mark = 0;
-  const auto keep_edge = [&](Index e) {
-    out.edges[e].mark = a.edges[e].mark;
-    for (Index v : {a.edges[e].v0, a.edges[e].v1}) out.vertices[v].mark = a.vertices[v].mark;
-  };
-  for (Index f = 1; f < a.faces.size(); ++f) {
-    if (a.faces[f].mark <= 0) continue;
-    const Index outer = a.faces[f].outer;
-    PieceBox all = edge_box[outer / 2];
-    for (Index h = a.next(outer); h != outer; h = a.next(h)) {
-      const PieceBox& b = edge_box[h / 2];
-      all = {std::min(all.x0, b.x0), std::min(all.y0, b.y0), std::max(all.x1, b.x1), std::max(all.y1, b.y1)};
-    }
-    if (!all.meets(window)) out.faces[f].mark = 0;
-  }
-  for (Index e = 0; e < a.edges.size(); ++e) {
-    const bool of_face = out.faces[a.face(2 * e)].mark > 0 || out.faces[a.face(2 * e + 1)].mark > 0;
-    if (a.edges[e].mark > 0 && (of_face || edge_box[e].meets(window))) keep_edge(e);
-  }
-  for (Index v = 0; v < a.vertices.size(); ++v)
-    if (a.vertices[v].out == plane::kNone) out.vertices[v].mark = a.vertices[v].mark;
-  return plane::simplify(out);
-}
+bool is_plain(const Distance& d) { return d.mode == Mode::kPlain; }
 
 class Near {
  public:
@@ -86,7 +46,7 @@ class Near {
 
   Region run() {
     const Node& root = formula_.root();
-    if (root.op != Node::Op::kAnd) return solver_.feasible(formula_);
+    if (root.op != Node::Op::kAnd || solver_.world().instant) return solver_.feasible(formula_);
     std::vector<Formula> bounding, near;
     std::vector<const Node*> others;
     for (const Node& operand : root.operands) {
@@ -160,16 +120,15 @@ class Near {
   std::optional<bool> if_far(const Node& node) {
     if (node.op != Node::Op::kAtom) return std::nullopt;
     const Atom& atom = formula_.atoms()[node.atom];
-    const Distance& d = atom.distance;
-    const bool first = !d.first.empty() && moves(d.first[0]), second = !d.second.empty() && moves(d.second[0]);
-    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || first == second || atom.level.sign() < 0)
+    const Distance d = moving_first(atom.distance, solver_.world().moving);
+    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
+        atom.level.sign() < 0)
       return std::nullopt;
-    const Names& moving = first ? d.first : d.second;
-    auto mover = movers_.find(moving);
-    if (mover == movers_.end()) mover = movers_.emplace(moving, made(moving)).first;
+    auto mover = movers_.find(d.first);
+    if (mover == movers_.end()) mover = movers_.emplace(d.first, made(d.first)).first;
     if (!mover->second.box) return std::nullopt;
-    const PieceBox window = reached(*mover->second.box, atom.level / solver_.world().step);
-    for (const std::string& name : first ? d.second : d.first) {
+    const PieceBox window = reached(*mover->second.box, d, atom.level / solver_.world().step);
+    for (const std::string& name : d.second) {
       const PieceBox* box = solver_.box(name);
       if (!box || box->meets(window)) return std::nullopt;
     }
@@ -191,16 +150,24 @@ class Near {
     const auto known = movers_.find(d.first);
     const Mover b = known == movers_.end() ? made(d.first) : known->second;
     if (!b.box) return solver_.function(wanted.distance)->sign_map(level);
-    const PieceBox window = reached(*b.box, level);
+    const PieceBox window = reached(*b.box, d, level);
     std::vector<Region> parts;
     for (const std::string& name : d.second)
-      if (solver_.box(name)->meets(window)) parts.push_back(within(solver_.world().shapes.at(name), window));
+      if (solver_.box(name)->meets(window)) parts.push_back(part(name, window));
     std::vector<const Region*> all;
     for (const Region& p : parts) all.push_back(&p);
     if (all.empty()) return CellComplex::uniform(1);
     const Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
     if (plane::is_empty(a)) return CellComplex::uniform(1);
-    return distance::SignedDistance::gamma1(b.shape, a).sign_map(level);
+    const auto pair = std::make_shared<distance::SignedDistance>(distance::SignedDistance::gamma1(b.shape, a));
+    return solver_.over_its_time(d, pair)->sign_map(level);
+  }
+
+  /// A shape as it is within the window.
+  Region part(const std::string& name, const PieceBox& window) const {
+    const Region& whole = solver_.world().shapes.at(name);
+    const plane::Islands* islands = solver_.islands(name);
+    return plane::within(islands ? islands->near(whole, window) : whole, window);
   }
 
   Mover made(const Names& names) const {
@@ -209,9 +176,14 @@ class Near {
     return {std::move(shape), box};
   }
 
-  /// What a shape with this box comes within the level of, from the positions in question.
-  PieceBox reached(const PieceBox& shape, const Real& level) const {
-    return grown({box_.x0 + shape.x0, box_.y0 + shape.y0, box_.x1 + shape.x1, box_.y1 + shape.y1}, level);
+  /// What a shape with this box comes within the level of, from the positions in question, at any time.
+  PieceBox reached(const PieceBox& shape, const Distance& d, const Real& level) const {
+    std::optional<PieceBox> all;
+    for (const exact::RealPoint& at : solver_.way(d)) {
+      const PieceBox here = plane::moved(shape, at);
+      all = all ? plane::joined(*all, here) : here;
+    }
+    return grown({box_.x0 + all->x0, box_.y0 + all->y0, box_.x1 + all->x1, box_.y1 + all->y1}, level);
   }
 
   /// By the level and by more than all rounding.

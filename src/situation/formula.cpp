@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <unordered_map>
 #include <utility>
 
 #include "situation/evaluate.h"
-#include "situation/text.h"
 
 namespace findspace::situation {
 namespace {
@@ -55,14 +53,35 @@ Formula combine(Op op, std::span<const Formula> formulas) {
   return Formula(std::move(root), std::move(atoms));
 }
 
-/// Sign maps that may be equal have the same key; the converse need not hold.
-std::string bucket(const Distance& distance) {
-  std::string key(name(distance.kind));
-  for (const auto* names : {&distance.first, &distance.second}) {
-    for (const std::string& shape : *names) key += '\n' + shape;
-    key += ';';
-  }
+/// Sign maps that are equal have the same key; the converse need not hold.
+std::size_t bucket(const Distance& distance) {
+  std::size_t key = static_cast<std::size_t>(distance.kind);
+  for (const auto* names : {&distance.first, &distance.second})
+    for (const std::string& shape : *names) key = 31 * key + std::hash<std::string>()(shape);
   return key;
+}
+
+bool same_sign_map(const Atom& a, const Atom& b) {
+  return a.minimum == b.minimum && a.distance == b.distance && a.level == b.level;
+}
+
+/// Of every atom the first one that has the same sign map.
+std::vector<std::size_t> first_alike(const std::vector<Atom>& atoms) {
+  std::vector<std::pair<std::size_t, std::size_t>> by_key;
+  by_key.reserve(atoms.size());
+  for (const Atom& atom : atoms) by_key.emplace_back(bucket(atom.distance), by_key.size());
+  std::sort(by_key.begin(), by_key.end());
+  std::vector<std::size_t> first(atoms.size());
+  for (auto begin = by_key.begin(), at = begin; at != by_key.end(); ++at) {
+    if (at->first != begin->first) begin = at;
+    const std::size_t k = at->second;
+    const auto alike = [&](const auto& other) {
+      return first[other.second] == other.second && same_sign_map(atoms[other.second], atoms[k]);
+    };
+    const auto known = std::find_if(begin, at, alike);
+    first[k] = known == at ? k : known->second;
+  }
+  return first;
 }
 
 Kind exchanged(Kind kind) {
@@ -106,34 +125,21 @@ Distance moving_first(const Distance& distance, std::span<const std::string> mov
   return result;
 }
 
-Atom compare(Distance distance, Relation relation, const exact::Real& level, std::string level_text) {
-  Atom atom{std::move(distance), relation, level, false, {}, decimal_text(level)};
-  if (atom.level_text.empty()) atom.level_text = level_text.empty() ? level.text() : std::move(level_text);
-  atom.text = text(atom);
-  return atom;
+Atom compare(Distance distance, Relation relation, exact::Real level, std::string written) {
+  return {std::move(distance), relation, std::move(level), false, std::move(written)};
 }
 
-Atom minimisers(Distance distance) {
-  Atom atom{std::move(distance), Relation::kEqual, exact::Real(0), true, {}, {}};
-  atom.text = text(atom);
-  return atom;
-}
+Atom minimisers(Distance distance) { return {std::move(distance), Relation::kEqual, exact::Real(0), true, {}}; }
 
 Formula::Formula(Atom atom) : Formula(Node{Op::kAtom, 0, {}}, {std::move(atom)}) {}
 
 Formula::Formula(Node root, std::vector<Atom> atoms) : root_(flattened(std::move(root))), atoms_(std::move(atoms)) {
-  std::unordered_map<std::string, std::vector<std::size_t>> buckets;
-  for (const Atom& atom : atoms_) {
-    SignMap map{atom.distance, atom.level, atom.minimum};
-    auto& candidates = buckets[bucket(atom.distance)];
-    const auto known = std::find_if(candidates.begin(), candidates.end(), [&](auto k) { return sign_maps_[k] == map; });
-    if (known != candidates.end()) {
-      sign_map_of_.push_back(*known);
-      continue;
-    }
-    candidates.push_back(sign_maps_.size());
-    sign_map_of_.push_back(sign_maps_.size());
-    sign_maps_.push_back(std::move(map));
+  const std::vector<std::size_t> first = first_alike(atoms_);
+  sign_map_of_.reserve(atoms_.size());
+  sign_maps_.reserve(atoms_.size());
+  for (std::size_t k = 0; k < atoms_.size(); ++k) {
+    sign_map_of_.push_back(first[k] == k ? sign_maps_.size() : sign_map_of_[first[k]]);
+    if (first[k] == k) sign_maps_.push_back({atoms_[k].distance, atoms_[k].level, atoms_[k].minimum});
   }
   Program compiled = compile(root_, atoms_, sign_map_of_);
   program_ = std::move(compiled.instructions);
@@ -152,7 +158,6 @@ Formula renamed(const Formula& formula, const std::map<std::string, std::string>
   for (Atom& atom : atoms) {
     rename(atom.distance.first, names);
     rename(atom.distance.second, names);
-    atom.text = text(atom);
   }
   return Formula(formula.root(), std::move(atoms));
 }

@@ -63,18 +63,16 @@ struct Atom {
   Relation relation = Relation::kEqual;
   exact::Real level;  // in the scene's unit; degrees if the distance turns
   bool minimum = false;
-  std::string text;  // canonical, e.g. "gamma1(B, A) >= 0.5"
   std::string
-      level_text;  // the level as it is printed, exact: "0.5", or "1mm" where the scene's unit has no finite decimal
+      written;  // the level as it was written: how it is printed where it is no finite decimal ("1mm" in inches)
 
   friend bool operator==(const Atom& a, const Atom& b) {
     return a.distance == b.distance && a.relation == b.relation && a.minimum == b.minimum && a.level == b.level;
   }
 };
 
-/// An atom with its texts. `level_text` is for levels that are not finite decimals; without it those are printed
-/// rounded.
-Atom compare(Distance distance, Relation relation, const exact::Real& level, std::string level_text = {});
+/// A level that is no finite decimal is printed as `written`, or without that rounded.
+Atom compare(Distance distance, Relation relation, exact::Real level, std::string written = {});
 /// distance -> min: the set of global minimisers.
 Atom minimisers(Distance distance);
 

@@ -59,8 +59,13 @@ bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
 
 /// The length of the name at the start of `text`, 0 if there is none.
 std::size_t name_length(std::string_view text) {
+  const auto is_plain = [](char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   std::size_t length = 0;
   while (length < text.size()) {
+    if (const char c = text[length]; is_plain(c) || (length > 0 && c >= '0' && c <= '9')) {
+      ++length;
+      continue;
+    }
     const Character c = decode(text.substr(length));
     if (!is_letter(c.code) && !(length > 0 && is_digit(c.code))) break;
     length += c.size;
@@ -138,88 +143,6 @@ K mark(char c) {
   return kKinds[std::min(kMarks.find(c), kMarks.size())];
 }
 
-class Lexer {
- public:
-  explicit Lexer(std::string_view text) : text_(text) { tokens_.reserve(text.size() / 4 + 1); }
-
-  std::vector<Token> run() {
-    do {
-      skip_blanks();
-      read();
-    } while (tokens_.back().kind != K::kEnd && tokens_.back().kind != K::kFault);
-    return std::move(tokens_);
-  }
-
- private:
-  std::string_view rest() const { return text_.substr(at_); }
-
-  void skip_blanks() {
-    while (at_ < text_.size()) {
-      const Character c = decode(rest());
-      if (!is_blank(c.code)) return;
-      at_ += c.size;
-    }
-  }
-
-  void push(K kind, std::size_t size, std::string text = {}) {
-    tokens_.push_back({kind, {at_, at_ + size}, std::move(text)});
-    at_ += size;
-  }
-
-  void read() {
-    if (at_ == text_.size()) return push(K::kEnd, 0);
-    if (const std::size_t size = name_length(rest())) return push(K::kName, size, std::string(rest().substr(0, size)));
-    if (const K kind = mark(text_[at_]); kind != K::kFault) return push(kind, 1);
-    if (const std::size_t size = number_length(rest())) return push_number(size);
-    if (text_[at_] == '"' || text_[at_] == '\'') return push_quoted();
-    for (const auto& [foreign, ours] : kForeign) {
-      if (rest().starts_with(foreign) && !rest().starts_with("!=")) {
-        return push(K::kFault, foreign.size(),
-                    "unexpected '" + std::string(foreign) + "'; write '" + std::string(ours) + "'");
-      }
-    }
-    for (const Sign& sign : kSigns) {
-      if (!rest().starts_with(sign.text)) continue;
-      push(sign.kind, sign.text.size());
-      tokens_.back().relation = sign.relation;
-      return;
-    }
-    if (rest().starts_with("−")) return push(K::kMinus, std::string_view("−").size());
-    push_stray();
-  }
-
-  void push_number(std::size_t size) {
-    std::string text(rest().substr(0, size));
-    if (text.front() == '.') text.insert(text.begin(), '0');
-    push(K::kNumber, size, std::move(text));
-    if (!rest().empty() && text_[at_] == '.') push(K::kFault, 1, "stray '.' after a number");
-  }
-
-  void push_quoted() {
-    const char quote = text_[at_];
-    std::string name;
-    for (std::size_t i = at_ + 1; i < text_.size();) {
-      if (text_[i] == quote) return push(K::kQuoted, i + 1 - at_, std::move(name));
-      if (text_[i] == '\\' && i + 1 < text_.size()) ++i;
-      const Character c = decode(text_.substr(i));
-      if (c.code == kNotUtf8 || is_control(c.code)) break;
-      name += text_.substr(i, c.size);
-      i += c.size;
-    }
-    push(K::kFault, 1, "the name that begins here has no closing quote");
-  }
-
-  void push_stray() {
-    const Character c = decode(rest());
-    if (c.code == kNotUtf8) return push(K::kFault, 1, "a byte that is not UTF-8");
-    push(K::kFault, c.size, "stray character '" + printable(rest().substr(0, c.size)) + "'");
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-  std::vector<Token> tokens_;
-};
-
 std::size_t count_characters(std::string_view text) {
   std::size_t count = 0;
   for (; !text.empty(); ++count) text.remove_prefix(decode(text).size);
@@ -265,7 +188,73 @@ Error Source::error(ErrorCode code, Span span, const std::string& message) const
   return Error(code, message + "\n" + picture(line, begin, end), place(span));
 }
 
-std::vector<Token> tokenize(std::string_view text) { return Lexer(text).run(); }
+Token Lexer::next() {
+  if (number_end_ == at_ && at_ > 0 && rest().starts_with('.')) return token(K::kFault, 1, "stray '.' after a number");
+  skip_blanks();
+  if (at_ == text_.size()) return token(K::kEnd, 0);
+  if (const std::size_t size = name_length(rest())) return token(K::kName, size, std::string(rest().substr(0, size)));
+  if (const K kind = mark(text_[at_]); kind != K::kFault) return token(kind, 1);
+  if (const std::size_t size = number_length(rest())) return number(size);
+  return text_[at_] == '"' || text_[at_] == '\'' ? quoted() : sign();
+}
+
+void Lexer::skip_blanks() {
+  while (at_ < text_.size()) {
+    if (text_[at_] > ' ' && text_[at_] < 0x7F) return;
+    const Character c = decode(rest());
+    if (!is_blank(c.code)) return;
+    at_ += c.size;
+  }
+}
+
+Token Lexer::token(K kind, std::size_t size, std::string text) {
+  const Span span{at_, at_ + size};
+  at_ += size;
+  return {kind, span, std::move(text)};
+}
+
+Token Lexer::number(std::size_t size) {
+  std::string text(rest().substr(0, size));
+  if (text.front() == '.') text.insert(text.begin(), '0');
+  number_end_ = at_ + size;
+  return token(K::kNumber, size, std::move(text));
+}
+
+Token Lexer::quoted() {
+  const char quote = text_[at_];
+  std::string name;
+  for (std::size_t i = at_ + 1; i < text_.size();) {
+    if (text_[i] == quote) return token(K::kQuoted, i + 1 - at_, std::move(name));
+    if (text_[i] == '\\' && i + 1 < text_.size()) ++i;
+    const Character c = decode(text_.substr(i));
+    if (c.code == kNotUtf8 || is_control(c.code)) break;
+    name += text_.substr(i, c.size);
+    i += c.size;
+  }
+  return token(K::kFault, 1, "the name that begins here has no closing quote");
+}
+
+Token Lexer::sign() {
+  for (const auto& [foreign, ours] : kForeign) {
+    if (rest().starts_with(foreign) && !rest().starts_with("!="))
+      return token(K::kFault, foreign.size(),
+                   "unexpected '" + std::string(foreign) + "'; write '" + std::string(ours) + "'");
+  }
+  for (const Sign& sign : kSigns) {
+    if (!rest().starts_with(sign.text)) continue;
+    Token found = token(sign.kind, sign.text.size());
+    found.relation = sign.relation;
+    return found;
+  }
+  if (rest().starts_with("−")) return token(K::kMinus, std::string_view("−").size());
+  return stray();
+}
+
+Token Lexer::stray() {
+  const Character c = decode(rest());
+  if (c.code == kNotUtf8) return token(K::kFault, 1, "a byte that is not UTF-8");
+  return token(K::kFault, c.size, "stray character '" + printable(rest().substr(0, c.size)) + "'");
+}
 
 bool is_identifier(std::string_view name) { return !name.empty() && name_length(name) == name.size(); }
 

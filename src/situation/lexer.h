@@ -66,8 +66,26 @@ struct Token {
   Relation relation = Relation::kEqual;  // of kRelation
 };
 
-/// The tokens of a text; the last one is kEnd or kFault.
-std::vector<Token> tokenize(std::string_view text);
+/// The tokens of a text, one after another: nothing is kept of those that were read.
+class Lexer {
+ public:
+  explicit Lexer(std::string_view text) : text_(text) {}
+  /// Not to be called any more after kEnd or kFault.
+  Token next();
+
+ private:
+  std::string_view rest() const { return text_.substr(at_); }
+  void skip_blanks();
+  Token token(Token::Kind kind, std::size_t size, std::string text = {});
+  Token number(std::size_t size);
+  Token quoted();
+  Token sign();
+  Token stray();
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t number_end_ = 0;  // of the last number; 0 if there was none
+};
 
 /// Whether a shape's name can stand in a formula without quotes.
 bool is_identifier(std::string_view name);

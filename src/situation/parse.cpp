@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "situation/parse.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "situation/parse_reader.h"
@@ -20,7 +21,12 @@ Quantity quantity(const Distance& distance) {
 /// Recursive descent over `situation`; one member function for each rule.
 class Grammar {
  public:
-  Grammar(std::string_view text, const Context& context) : reader_(text, context) {}
+  Grammar(std::string_view text, const Context& context) : reader_(text, context) {
+    // Every atom has a '(' and at least so many letters: "h(B,A)<0".
+    constexpr std::size_t kShortest = 8;
+    atoms_.reserve(
+        std::min<std::size_t>(std::size_t(std::count(text.begin(), text.end(), '(')), text.size() / kShortest));
+  }
 
   Formula formula() {
     if (reader_.at(K::kEnd)) reader_.fail_syntax("the formula is empty; a condition is meant, or true");
@@ -45,7 +51,7 @@ class Grammar {
   }
 
   Node negation() {
-    const Token start = reader_.peek();
+    const Span start = reader_.peek().span;
     check_depth(++depth_);
     Node node;
     if (reader_.accept(K::kNot) || reader_.accept_word("not")) {
@@ -85,13 +91,13 @@ class Grammar {
   }
 
   /// -f R l is f mirrored(R) -l.
-  Atom comparison(const Term& term, Relation relation, Number number) {
+  Atom comparison(Term term, Relation relation, Number number) {
     if (term.negated) {
       relation = mirrored(relation);
       number.negative = !number.negative;
     }
     Level level = reader_.level(number, quantity(term.distance));
-    return compare(term.distance, relation, level.value, std::move(level.text));
+    return compare(std::move(term.distance), relation, std::move(level.value), std::move(level.written));
   }
 
   Node number_first() {
@@ -117,7 +123,7 @@ class Grammar {
   }
 
   Node distance_first() {
-    const Term term = reader_.distance();
+    Term term = reader_.distance();
     if (reader_.at(K::kArrow)) {
       reader_.take();
       if (!reader_.accept_word("min")) reader_.fail_syntax("only 'min' may follow '->', found {}", reader_.found());
@@ -128,7 +134,7 @@ class Grammar {
                    text(term.distance));
     }
     const Relation relation = reader_.take().relation;
-    Node node = add(comparison(term, relation, level_number()));
+    Node node = add(comparison(std::move(term), relation, level_number()));
     if (reader_.at(K::kRelation)) {
       reader_.fail_syntax("a chain has its distance in the middle: 0.5 <= gamma1(B, A) <= 2");
     }
@@ -164,7 +170,7 @@ class Grammar {
   }
 
   Node predicate() {
-    const std::string word = reader_.peek().text;
+    const std::string_view word = find_predicate(reader_.peek().text)->name;
     Node node = add(reader_.predicate());
     if (reader_.at(K::kRelation) || reader_.at(K::kArrow)) {
       reader_.fail_syntax("'{}' is true or false; it is not compared with anything", word);
@@ -173,8 +179,8 @@ class Grammar {
   }
 
   /// Fails at a token that cannot follow a condition; `open` is the '(' to be closed, if there is one.
-  [[noreturn]] void fail_after_condition(const Token* open) {
-    if (reader_.at(K::kEnd)) reader_.fail_unclosed(open->span);
+  [[noreturn]] void fail_after_condition(const Span* open) {
+    if (reader_.at(K::kEnd)) reader_.fail_unclosed(*open);
     if (reader_.at(K::kClose)) reader_.fail_syntax("this ')' closes nothing");
     if (reader_.at(K::kComma) && reader_.peek(1).kind == K::kNumber) {
       reader_.fail_syntax("unexpected ','; decimals are written with a point");

@@ -105,7 +105,7 @@ Atom Reader::predicate() {
   if (!arguments.level && row.level == PredicateName::Level::kRequired) {
     fail(ErrorCode::kSyntax, {end() - 1, end()}, "'{}' needs a number: {}", row.name, usage(row));
   }
-  Level bound{exact::Real(0), "0"};
+  Level bound{exact::Real(0), {}};
   if (arguments.level) {
     if (row.negated) arguments.level->negative = !arguments.level->negative;
     bound = level(*arguments.level, Quantity::kLength);
@@ -114,12 +114,12 @@ Atom Reader::predicate() {
   distance.kind = row.kind;
   distance.first = std::move(arguments.first);
   distance.second = std::move(arguments.second);
-  return compare(std::move(distance), row.relation, bound.value, bound.text);
+  return compare(std::move(distance), row.relation, std::move(bound.value), std::move(bound.written));
 }
 
 void Reader::fail_unknown_word() const {
   const std::string word = peek().text;
-  if (known_.count(word) > 0) {
+  if (known_.contains(word)) {
     fail_syntax("'{}' is a shape; a distance or predicate is meant here, such as gamma1(B, A)", printable(word));
   }
   std::vector<std::string> known{"true", "false", "not", "inf", "sup", "argmin"};
@@ -207,8 +207,8 @@ std::string Reader::shape(std::string_view word) {
   if (!at(K::kName) && !at(K::kQuoted)) {
     fail_syntax("a shape of '{}' is meant here, found {}", word, found());
   }
-  const Token token = peek();
-  const bool known = known_.count(token.text) > 0;
+  const Token& token = peek();
+  const bool known = known_.contains(token.text);
   if (!known && peek(1).kind == K::kOpen &&
       (find_distance(token.text) != nullptr || find_predicate(token.text) != nullptr)) {
     fail_syntax("a shape is meant here, not {}", found());
@@ -248,18 +248,19 @@ bool Reader::moves(const std::vector<std::string>& names, Span span) const {
 
 void Reader::check_roles(const Call& call) const {
   const Span both{call.first_span.begin, call.second_span.end};
-  const std::string first = joined(call.first), second = joined(call.second);
-  if (call.first == call.second) fail(ErrorCode::kBadValue, both, "a distance of '{}' to itself", first);
+  if (call.first == call.second) fail(ErrorCode::kBadValue, both, "a distance of '{}' to itself", joined(call.first));
   const bool first_moves = moves(call.first, call.first_span), second_moves = moves(call.second, call.second_span);
   if (first_moves != second_moves) return;
   if (first_moves && context_.independent) return;
   if (first_moves) {
-    fail(ErrorCode::kBadValue, both, "'{}' and '{}' move together, so their distance never changes", first, second);
+    fail(ErrorCode::kBadValue, both, "'{}' and '{}' move together, so their distance never changes", joined(call.first),
+         joined(call.second));
   }
   const std::string mover = context_.moving.empty()       ? "a moving shape, and the scene has none"
                             : context_.moving.size() == 1 ? "the moving shape " + listed(context_.moving)
                                                           : "a moving shape: " + listed(context_.moving);
-  fail(ErrorCode::kBadValue, both, "neither '{}' nor '{}' moves; one of the two has to be {}", first, second, mover);
+  fail(ErrorCode::kBadValue, both, "neither '{}' nor '{}' moves; one of the two has to be {}", joined(call.first),
+       joined(call.second), mover);
 }
 
 }  // namespace findspace::situation

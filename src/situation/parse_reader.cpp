@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdlib>
 
 #include "situation/text.h"
@@ -27,12 +28,27 @@ bool is_too_long(const std::string& digits) {
 
 }  // namespace
 
+NameSet::NameSet(std::size_t most) : slots_(std::bit_ceil(2 * most + 1)) {}
+
+void NameSet::add(std::string_view name) {
+  slots_[slot(name)] = name;
+  has_empty_ = has_empty_ || name.empty();
+}
+
+std::size_t NameSet::slot(std::string_view name) const {
+  std::size_t at = std::hash<std::string_view>()(name) & (slots_.size() - 1);
+  while (!slots_[at].empty() && slots_[at] != name) at = (at + 1) & (slots_.size() - 1);
+  return at;
+}
+
 Reader::Reader(std::string_view text, const Context& context)
     : source_(text),
       context_(context),
-      tokens_(tokenize(text)),
-      known_(context.shapes.begin(), context.shapes.end(), 2 * context.shapes.size()) {
-  for (const auto* more : {&context.moving, &context.extra}) known_.insert(more->begin(), more->end());
+      lexer_(text),
+      known_(context.shapes.size() + context.moving.size() + context.extra.size()) {
+  for (std::size_t ahead = 0; ahead <= kAhead; ++ahead) read_ahead(ahead);
+  for (const auto* names : {&context.shapes, &context.moving, &context.extra})
+    for (const std::string& name : *names) known_.add(name);
 }
 
 std::vector<std::string> Reader::names() const {
@@ -46,7 +62,7 @@ std::vector<std::string> Reader::names() const {
 }
 
 const Token& Reader::peek(std::size_t ahead) const {
-  const Token& token = tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+  const Token& token = window_[(at_ + ahead) % window_.size()];
   if (token.kind == Token::Kind::kFault) fail_with(ErrorCode::kSyntax, token.span, token.text);
   return token;
 }
@@ -58,9 +74,19 @@ bool Reader::at_word(std::string_view word, std::size_t ahead) const {
 
 bool Reader::at_number() const { return at(Token::Kind::kNumber) || at(Token::Kind::kMinus) || at(Token::Kind::kPlus); }
 
-Token Reader::take() {
-  Token token = peek();
-  if (at_ + 1 < tokens_.size()) ++at_;
+/// After the end, or a fault, there is nothing else.
+void Reader::read_ahead(std::size_t ahead) {
+  const Token& before = window_[(at_ + ahead + kAhead + 1) % window_.size()];
+  const bool last = ahead > 0 && (before.kind == Token::Kind::kEnd || before.kind == Token::Kind::kFault);
+  window_[(at_ + ahead) % window_.size()] = last ? before : lexer_.next();
+}
+
+const Token& Reader::take() {
+  const Token& token = peek();
+  if (token.kind == Token::Kind::kEnd) return token;
+  end_ = token.span.end;
+  at_ = (at_ + 1) % window_.size();
+  read_ahead(kAhead);
   return token;
 }
 
@@ -145,9 +171,7 @@ Level Reader::level(const Number& number, Quantity quantity) const {
     }
     if (unit) value = value * factor(*unit, *context_.unit);
   }
-  std::string text = decimal_text(value);
-  if (text.empty()) text = (number.negative ? "-" : "") + number.digits + number.unit;
-  return {std::move(value), std::move(text)};
+  return {std::move(value), (number.negative ? "-" : "") + number.digits + number.unit};
 }
 
 std::vector<exact::Real> Reader::coordinates(Quantity quantity, Token::Kind close, std::string& text) {
@@ -155,7 +179,8 @@ std::vector<exact::Real> Reader::coordinates(Quantity quantity, Token::Kind clos
   const std::size_t begin = peek().span.begin;
   do {
     Level coordinate = level(number(), quantity);
-    text += (text.empty() ? "" : ", ") + coordinate.text;
+    const std::string decimal = decimal_text(coordinate.value);
+    text += (text.empty() ? "" : ", ") + (decimal.empty() ? coordinate.written : decimal);
     result.push_back(std::move(coordinate.value));
   } while (accept(Token::Kind::kComma));
   if (!at(close)) {

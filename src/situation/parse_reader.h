@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -31,10 +31,10 @@ struct Number {
 
 enum class Quantity : std::uint8_t { kLength, kAngle, kPure };
 
-/// A number in the scene's unit (or degrees), with its exact text.
+/// A number in the scene's unit (or degrees), and as it was written.
 struct Level {
   exact::Real value;
-  std::string text;
+  std::string written;
 };
 
 /// A distance as written: the value is `distance`, times -1 if negated.
@@ -55,21 +55,38 @@ struct Call {
   std::string vector_text;
 };
 
+/// Names that are kept elsewhere: an open table without an allocation a name.
+class NameSet {
+ public:
+  explicit NameSet(std::size_t most);
+  void add(std::string_view name);
+  bool contains(std::string_view name) const { return !slots_[slot(name)].empty() || (has_empty_ && name.empty()); }
+
+ private:
+  /// Where the name is, or where it has to go.
+  std::size_t slot(std::string_view name) const;
+
+  std::vector<std::string_view> slots_;  // empty: free; a power of two, at least half of them free
+  bool has_empty_ = false;
+};
+
 class Reader {
  public:
+  static constexpr std::size_t kAhead = 2;
   Reader(std::string_view text, const Context& context);
 
-  /// The token `ahead` of the next one. Throws if it is a fault.
+  /// The token `ahead` of the next one, at most kAhead. Throws if it is a fault. Good until the next one is taken.
   const Token& peek(std::size_t ahead = 0) const;
   bool at(Token::Kind kind) const { return peek().kind == kind; }
   bool at_word(std::string_view word, std::size_t ahead = 0) const;
   /// Whether a number begins here.
   bool at_number() const;
-  Token take();
+  /// Good until one more is taken.
+  const Token& take();
   bool accept(Token::Kind kind);
   bool accept_word(std::string_view word);
   /// The end of what has been read.
-  std::size_t end() const { return at_ == 0 ? 0 : tokens_[at_ - 1].span.end; }
+  std::size_t end() const { return end_; }
 
   [[noreturn]] void fail_with(ErrorCode code, Span span, const std::string& message) const;
   template <class... Values>
@@ -113,6 +130,7 @@ class Reader {
   std::vector<std::string> shapes(std::string_view word);
   std::string shape(std::string_view word);
   std::vector<std::string> names() const;  // all known shapes, in the order given
+  void read_ahead(std::size_t ahead);
   [[noreturn]] void fail_unknown_shape(const Token& token) const;
   bool moves(const std::string& name) const;
   bool moves(const std::vector<std::string>& names, Span span) const;
@@ -120,9 +138,10 @@ class Reader {
 
   Source source_;
   const Context& context_;
-  std::vector<Token> tokens_;
-  std::unordered_set<std::string_view> known_;  // shapes, by names in the context
-  std::size_t at_ = 0;
+  Lexer lexer_;
+  std::array<Token, kAhead + 2> window_;  // a ring: what comes next, from at_ on, and what was taken last
+  std::size_t at_ = 0, end_ = 0;
+  NameSet known_;  // shapes, by names in the context
 };
 
 }  // namespace findspace::situation

@@ -37,6 +37,10 @@ bool second_moves(const Distance& d, const World& world) {
   return d.first.empty() || std::find(world.moving.begin(), world.moving.end(), d.first[0]) == world.moving.end();
 }
 
+distance::Sense sense_of(const Distance& over_time) {
+  return natural_extremum(over_time) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+}
+
 /// gamma1 for gamma2, eta1 for eta2, delta1 for delta2: where the base map is.
 Which signed_base(Kind kind) {
   const bool gamma = kind == Kind::kGamma1 || kind == Kind::kGamma2;
@@ -57,7 +61,10 @@ Solver::Solver(World world) : world_(std::move(world)), cache_(std::make_unique<
   for (auto& [name, region] : world_.shapes) {
     region = plane::closure(std::move(region));
     const auto box = plane::is_bounded(region) ? plane::extent(region) : std::nullopt;
-    if (box) boxes_.emplace(name, *box);
+    if (!box) continue;
+    boxes_.emplace(name, *box);
+    if (region.faces[0].inner.size() + region.faces[0].isolated.size() > 1)
+      islands_.emplace(name, plane::Islands(region));
   }
 }
 
@@ -120,10 +127,19 @@ distance::PositionFunctionPointer Solver::function(const Distance& wanted) const
   if (r.turning) refuse(wanted, "shapes that turn in time have no exact region here");
   if (world_.instant && wanted.prefix == Extremum::kNone)
     return distance::at_instant(of_instant(r), position_at(r.path, *world_.instant));
-  const bool least = natural_extremum(r.wanted) == Extremum::kInf;
-  const distance::Sense sense = least ? distance::Sense::kMinimum : distance::Sense::kMaximum;
-  if (r.wanted.mode != Mode::kPlain) return distance::jumping_over_time(of_instant(r), r.path.path, sense);
-  return distance::over_time(plain(r), r.path.path, sense);
+  if (r.wanted.mode != Mode::kPlain) return distance::jumping_over_time(of_instant(r), r.path.path, sense_of(r.wanted));
+  return over_its_time(wanted, plain(r));
+}
+
+std::vector<RealPoint> Solver::way(const Distance& wanted) const {
+  if (!world_.motion.given()) return {RealPoint{}};
+  return roles(wanted).path.path;
+}
+
+distance::PositionFunctionPointer Solver::over_its_time(const Distance& wanted, TDistancePointer of_pair) const {
+  if (!world_.motion.given()) return of_pair;
+  const Roles r = roles(wanted);
+  return distance::over_time(std::move(of_pair), r.path.path, sense_of(r.wanted));
 }
 
 TDistancePointer Solver::distance(const Distance& wanted) const {
@@ -133,12 +149,8 @@ TDistancePointer Solver::distance(const Distance& wanted) const {
   return plain(roles(wanted));
 }
 
-plane::SignMap Solver::sign_map(const SignMap& wanted) const {
-  if (is_plain_level(wanted) && !wanted.minimum) {
-    SignMap plain = wanted;
-    plain.distance.mode = Mode::kPlain, plain.distance.vector.clear();
-    return sign_map(plain);
-  }
+plane::SignMap Solver::sign_map(const SignMap& asked) const {
+  const SignMap wanted = plain_level(asked);
   if (!wanted.minimum) return function(wanted.distance)->sign_map(wanted.level / world_.step);
   distance::Extremum e = least(wanted.distance);
   if (!e.exists) return CellComplex::uniform(1);
@@ -197,7 +209,8 @@ plane::Section Solver::instants(const Formula& formula, const RealPoint& positio
   return line;
 }
 
-plane::Section Solver::instants(const SignMap& wanted, const RealPoint& p) const {
+plane::Section Solver::instants(const SignMap& asked, const RealPoint& p) const {
+  const SignMap wanted = plain_level(asked);
   const Motion& motion = world_.motion;
   const bool whole_time = wanted.distance.prefix != Extremum::kNone;
   const Roles r = roles(wanted.distance);

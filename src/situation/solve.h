@@ -21,6 +21,7 @@
 #include "distance/turning_map.h"
 #include "distance/turning_motion.h"
 #include "plane/extent.h"
+#include "plane/islands.h"
 #include "plane/section.h"
 #include "situation/formula.h"
 #include "situation/motion.h"
@@ -100,6 +101,9 @@ class Solver {
   /// 1 where it holds at the instant. Distances with inf or sup keep to the whole time.
   plane::Section instants(const Formula& formula, const exact::RealPoint& p) const;
 
+  /// The same where the moving shapes stay in place and turn, and nothing else moves; nothing where that is not so.
+  std::optional<plane::Section> swing(const Formula& formula, const exact::RealPoint& p) const;
+
   /// The same where shapes turn in time: instants that certainly and that possibly belong.
   struct InstantBounds {
     plane::Section inner, outer;
@@ -108,6 +112,11 @@ class Solver {
 
   /// The function that a formula means, in grid steps: along a direction, over time or at the instant too.
   distance::PositionFunctionPointer function(const Distance& wanted) const;
+  /// Of a motion of shapes that do not turn, the places of the first of a pair as seen from the second; else the
+  /// origin.
+  std::vector<exact::RealPoint> way(const Distance& wanted) const;
+  /// A distance of a pair as a formula means `wanted`: over the time of a motion.
+  distance::PositionFunctionPointer over_its_time(const Distance& wanted, distance::TDistancePointer of_pair) const;
   /// The T-distance that a formula means, whose extrema are computed. Throws Error(kUnsupported) for those that are
   /// none.
   distance::TDistancePointer distance(const Distance& wanted) const;
@@ -119,6 +128,11 @@ class Solver {
   const plane::PieceBox* box(const std::string& name) const {
     auto found = boxes_.find(name);
     return found == boxes_.end() ? nullptr : &found->second;
+  }
+  /// A bounded shape's islands; none where it has not several.
+  const plane::Islands* islands(const std::string& name) const {
+    auto found = islands_.find(name);
+    return found == islands_.end() ? nullptr : &found->second;
   }
   /// The union of the named shapes, closed.
   plane::Region shape(const std::vector<std::string>& names) const;
@@ -146,6 +160,7 @@ class Solver {
   plane::Section instants(const SignMap& wanted, const exact::RealPoint& p) const;
   std::array<plane::Section, 2> turning_instants(const SignMap& wanted, const Roles& roles,
                                                  const exact::RealPoint& p) const;
+  std::optional<Trajectory> swinging(const Formula& formula) const;
   std::vector<Distance> all_distances() const;
   distance::Extremum least_directional(const Distance& wanted) const;
   distance::Extremum least_over_time(const Distance& wanted) const;
@@ -162,7 +177,8 @@ class Solver {
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
 
   World world_;
-  std::map<std::string, plane::PieceBox> boxes_;  // of the bounded shapes
+  std::map<std::string, plane::PieceBox> boxes_;   // of the bounded shapes
+  std::map<std::string, plane::Islands> islands_;  // of those that have several
   std::unique_ptr<Cache> cache_;
 };
 

@@ -129,7 +129,8 @@ std::array<Section, 2> Solver::turning_instants(const SignMap& wanted, const Rol
 Solver::InstantBounds Solver::instant_bounds(const Formula& formula, const RealPoint& position) const {
   const RealPoint p = steps(position);
   std::vector<Section> lines;
-  for (const SignMap& m : formula.sign_maps()) {
+  for (const SignMap& map : formula.sign_maps()) {
+    const SignMap m = plain_level(map);
     const Roles r = roles(m.distance);
     if (r.turning && m.distance.prefix == Extremum::kNone) {
       for (Section& s : turning_instants(m, r, p)) lines.push_back(std::move(s));

@@ -161,9 +161,9 @@ TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
     return plane::remark(best.at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });
   }
   const Real& step = solver_.world().step;
-  if (d.mode == Mode::kTurning) {
+  if (d.mode == Mode::kTurning && !is_plain_level(wanted)) {
     if (!(centre_of(d, step) == about_ + in_steps(pose_.at, step)))
-      refuse(d, "over all angles distances must turn about the point that \"about\" names");
+      refuse(d, "over all angles distances must turn about the point that \"about\" names, but at level 0");
     const Circle c = circle(d);
     return c.farthest ? farthest_turning_sign_map(c.base, wanted.level) : turning_sign_map(c.base, wanted.level);
   }

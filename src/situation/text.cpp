@@ -88,7 +88,9 @@ std::string text(const Distance& distance, Script script) {
 std::string text(const Atom& atom, Script script) {
   const std::string distance = text(atom.distance, script);
   if (atom.minimum) return distance + (script == Script::kAscii ? " -> min" : " → min");
-  return fmt::format("{} {} {}", distance, text(atom.relation, script), atom.level_text);
+  std::string level = decimal_text(atom.level);
+  if (level.empty()) level = atom.written.empty() ? atom.level.text() : atom.written;
+  return fmt::format("{} {} {}", distance, text(atom.relation, script), level);
 }
 
 std::string text(const Formula& formula, Script script) { return node_text(formula.root(), formula.atoms(), script); }

@@ -51,6 +51,11 @@ bool is_plain_level(const SignMap& wanted) {
   return wanted.distance.mode == Mode::kTurning && wanted.level.sign() == 0 && !is_farthest(wanted.distance.kind);
 }
 
+SignMap plain_level(SignMap wanted) {
+  if (is_plain_level(wanted) && !wanted.minimum) wanted.distance.mode = Mode::kPlain, wanted.distance.vector.clear();
+  return wanted;
+}
+
 void refuse(const Distance& distance, const std::string& what) {
   throw Error(ErrorCode::kUnsupported, text(distance) + ": " + what);
 }

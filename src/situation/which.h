@@ -18,6 +18,8 @@ bool is_farthest(Kind kind);
 /// A distance in rotation at level 0, where it is on the same side as the plain one (and of those of the second kind
 /// nothing is known so simply).
 bool is_plain_level(const SignMap& wanted);
+/// The plain one in its place, where it is.
+SignMap plain_level(SignMap wanted);
 /// Throws Error(kUnsupported) that names the distance.
 [[noreturn]] void refuse(const Distance& distance, const std::string& what);
 

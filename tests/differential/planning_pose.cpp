@@ -82,6 +82,42 @@ TEST(PoseStack, SectorsAreCertified) {
   compare_at_positions("not (gamma1(B, C) > 30 and gamma2(B, A) < 800)");
 }
 
+/// Distances in rotation about a point that stands still: each slice between bounds, level 0 exact.
+void compare_in_rotation(const char* text, bool exact) {
+  const situation::Formula f = formula(text);
+  const PoseStack stack = pose_stack(world(), f, {0, 0}, {Real(0), Real(90), Real(180)});
+  const situation::Solver solver(world());
+  int holds = 0, fails = 0, open = 0;
+  for (const PoseSlice& s : stack.slices) {
+    ASSERT_EQ(s.outer.has_value(), !exact) << text;
+    for (int x = 45; x < 900; x += 95) {
+      for (int y = 45; y < 700; y += 85) {
+        const RealPoint p{x, y};
+        const bool truth = situation::TurnSolver(solver, {p, s.degrees, RealPoint{}}).check(f).holds;
+        const bool in = testing::sign_at(s.region, p) != 0, possible = exact ? in : testing::sign_at(*s.outer, p) != 0;
+        EXPECT_TRUE((!in || truth) && (!truth || possible))
+            << text << " at " << x << "," << y << ", " << s.degrees.text();
+        holds += in, fails += !possible, open += possible && !in;
+      }
+    }
+  }
+  EXPECT_GT(holds, 5) << text;
+  EXPECT_GT(fails, 5) << text;
+  EXPECT_LT(open, holds + fails) << text;
+}
+
+TEST(PoseStack, DistancesInRotationAreBounded) {
+  compare_in_rotation("gamma1(B, C, turning=(400, 200)) >= 20", false);
+  compare_in_rotation("gamma1(B, C, turning=(700, 500)) > -10 and eta1(B, A) <= 0", false);
+  compare_in_rotation("eta1(B, A, turning=(500, 100)) <= -4", false);
+  compare_in_rotation("eta1(B, A, turning=(500, 100)) <= 0", true);
+}
+
+TEST(PoseStack, SectorsAreCertifiedInRotation) {
+  compare_at_positions("eta1(B, A, turning=(0, 0)) <= 0");
+  compare_at_positions("gamma1(B, C, turning=(300, 100)) >= 0");
+}
+
 TEST(PoseStack, RoundingIsReported) {
   const PoseStack stack = pose_stack(world(), formula("gamma1(B, C) >= 0"), {0, 0}, {Real(0), Real(15)});
   EXPECT_EQ(stack.slices[0].rounding.points, 0);

@@ -142,7 +142,7 @@ TEST(Formula, AtomsMadeByHandAreTheParsedOnes) {
   distance.first = {"B"};
   distance.second = {"A"};
   EXPECT_EQ(Formula(compare(distance, Relation::kLess, exact::Real::ratio(1, 8))), read("gamma1(B, A) < 0.125"));
-  EXPECT_EQ(compare(distance, Relation::kLess, exact::Real::ratio(-1, 8)).text, "gamma1(B, A) < -0.125");
+  EXPECT_EQ(text(compare(distance, Relation::kLess, exact::Real::ratio(-1, 8))), "gamma1(B, A) < -0.125");
   EXPECT_EQ(Formula(minimisers(distance)), read("gamma1(B, A) -> min"));
 }
 

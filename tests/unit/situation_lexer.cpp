@@ -11,6 +11,15 @@ namespace {
 
 using K = Token::Kind;
 
+/// All up to the end or the first fault.
+std::vector<Token> tokenize(std::string_view text) {
+  Lexer lexer(text);
+  std::vector<Token> result;
+  do result.push_back(lexer.next());
+  while (result.back().kind != K::kEnd && result.back().kind != K::kFault);
+  return result;
+}
+
 std::vector<K> kinds(std::string_view text) {
   std::vector<K> result;
   for (const Token& token : tokenize(text)) result.push_back(token.kind);

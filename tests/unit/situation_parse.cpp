@@ -209,7 +209,7 @@ TEST(Parse, Placement) {
   EXPECT_EQ(text(pair), "gamma1(self, other) >= 1 and eta1(self, A) <= 0");
   const Formula renamed_pair = renamed(pair, {{"self", "A1"}, {"other", "my part"}});
   EXPECT_EQ(text(renamed_pair), "gamma1(A1, \"my part\") >= 1 and eta1(A1, A) <= 0");
-  EXPECT_EQ(renamed_pair.atoms()[0].text, "gamma1(A1, \"my part\") >= 1");
+  EXPECT_EQ(text(renamed_pair.atoms()[0]), "gamma1(A1, \"my part\") >= 1");
   EXPECT_EQ(renamed_pair.sign_maps()[0].distance.first, std::vector<std::string>{"A1"});
   Context constraints = scene();
   constraints.moving = {"A1", "A2"};

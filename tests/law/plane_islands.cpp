@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sets of many islands, with holes, islands in holes, points, chains, discs and walls that touch: what is near a window
+// is the set itself there, and a sound complex.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "../unit/plane_topology_sets.h"
+#include "plane/extent.h"
+#include "plane/islands.h"
+#include "plane_invariants.h"
+
+namespace findspace::plane {
+namespace {
+
+Region random_set(std::mt19937& random) {
+  const auto pick = [&](int n) { return static_cast<std::int64_t>(random() % static_cast<unsigned>(n)); };
+  std::vector<Region> parts;
+  for (int k = 0; k < 14; ++k) {
+    const std::int64_t x = 10 * pick(30), y = 10 * pick(30), w = 10 * (1 + pick(4));
+    switch (pick(5)) {
+      case 0:
+        parts.push_back(box(x, y, x + w, y + 10));
+        break;
+      case 1:  // a frame with an island in its hole
+        parts.push_back(box(x, y, x + 60, y + 60) - interior(box(x + 10, y + 10, x + 50, y + 50)) +
+                        box(x + 20, y + 20, x + 30, y + 30));
+        break;
+      case 2:
+        parts.push_back(disc(x, y, w));
+        break;
+      case 3:
+        parts.push_back(point(x + 3, y + 3));
+        break;
+      default:
+        parts.push_back(segment({x, y}, {x + w, y + 5}) + segment({x + w, y + 5}, {x + w, y + 20}));
+    }
+  }
+  std::vector<const Region*> all;
+  for (const Region& p : parts) all.push_back(&p);
+  return unite(all);
+}
+
+TEST(Islands, NearIsTheSetThere) {
+  std::mt19937 random(7);
+  std::size_t left_out = 0, several = 0;
+  for (int k = 0; k < 150; ++k) {
+    const Region set = random_set(random);
+    const Islands islands(set);
+    several += islands.size() > 3;
+    const auto x = static_cast<std::int64_t>(random() % 300), y = static_cast<std::int64_t>(random() % 300);
+    const PieceBox window{double(x), double(y), double(x + 50), double(y + 40)};
+    const Region there = box(x, y, x + 50, y + 40), near = islands.near(set, window), part = within(near, window);
+    EXPECT_EQ(fault(near), "");
+    EXPECT_EQ(fault(part), "");
+    EXPECT_TRUE(same_set(near & there, set & there)) << k;
+    EXPECT_TRUE(same_set(part & there, set & there)) << k;
+    EXPECT_TRUE(is_empty(part - set)) << k;
+    left_out += near.edges.size() < set.edges.size();
+  }
+  EXPECT_GT(left_out, 100u);
+  EXPECT_GT(several, 100u);
+}
+
+TEST(Islands, AllOfThemAreTheWholeSet) {
+  std::mt19937 random(8);
+  for (int k = 0; k < 50; ++k) {
+    const Region set = random_set(random), all = Islands(set).near(set, *extent(set));
+    EXPECT_EQ(all.edges.size(), set.edges.size());
+    EXPECT_EQ(all.vertices.size(), set.vertices.size());
+    EXPECT_TRUE(same_set(all, set)) << k;
+  }
+}
+
+TEST(Islands, OfNothingAreNone) { EXPECT_EQ(Islands(CellComplex::uniform(0)).size(), 0u); }
+
+}  // namespace
+}  // namespace findspace::plane
