@@ -33,6 +33,7 @@ struct Measured {
   std::optional<exact::RealPoint> nearest;   // the nearest position where a signed distance is 0, if its value is not
   std::optional<exact::RealPoint> farthest;  // of eta2, delta2: the position of the farthest touching
   std::vector<Feature> witness;  // two features, of B + p first (of a diameter within one shape both of that)
+  bool minus_infinity = false;   // f(p) is -infinity, and `value` means nothing
 };
 
 /// Of the scale: a positive distance below counts as 0.
@@ -74,6 +75,7 @@ class AtPosition {
   std::optional<Measured> hausdorff(const exact::RealPoint& p) const;
   std::optional<Measured> plain(const exact::RealPoint& p) const;
   std::optional<Measured> diameter(const exact::RealPoint& p) const;
+  bool bounded() const;
   std::optional<Measured> cut(std::optional<Measured> m, bool negated) const;
   void add_contact(Measured& m, const exact::RealPoint& position, const exact::RealPoint& p) const;
   std::vector<Feature> common_point(const Standing& s, const exact::RealPoint& p) const;

@@ -61,7 +61,11 @@ std::optional<Measured> AtPosition::signed_value(Which which, const Standing& s,
   }
   WayOut::Answer answer = holds ? way->nearest(at) : way->nearest_inside(at);
   if (!answer.known) return by_map(which, p);
-  if (!answer.nearest) return std::nullopt;
+  if (!answer.nearest) {  // O is everything
+    if (which != Which::kGamma1) return std::nullopt;
+    m.minus_infinity = true;
+    return m;
+  }
   m.value = positive ? answer.nearest->distance : -answer.nearest->distance;
   const RealPoint& q = answer.nearest->at;
   const RealPoint there = back ? -q : q;
@@ -73,7 +77,8 @@ std::optional<Measured> AtPosition::signed_value(Which which, const Standing& s,
 std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) const {
   auto v = pair_->distance(which)->value(p);
   if (!v) return std::nullopt;
-  Measured m{v->value, v->nearest, std::nullopt, {}};
+  Measured m{v->value, v->nearest, std::nullopt, {}, v->minus_infinity};
+  if (m.minus_infinity) return m;
   if (m.nearest || m.value.sign() == 0) add_contact(m, m.nearest.value_or(p), p);
   return m;
 }

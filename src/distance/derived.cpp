@@ -43,6 +43,7 @@ class CutOff : public TDistance {
   std::optional<Value> value(const RealPoint& p) const override {
     auto v = f_->value(p);
     if (!v) return negated_ ? std::optional(Value{floor_, std::nullopt}) : std::nullopt;
+    if (v->minus_infinity) return negated_ ? std::nullopt : std::optional(Value{floor_, std::nullopt});
     if (negated_) v->value = -v->value;
     if (v->value < floor_) v->value = floor_;
     return v;
@@ -87,7 +88,7 @@ class Greater : public TDistance {
   std::optional<Value> value(const RealPoint& p) const override {
     auto f = f_->value(p), g = g_->value(p);
     if (!f || !g) return std::nullopt;
-    return f->value < g->value ? g : f;
+    return f->minus_infinity || (!g->minus_infinity && f->value < g->value) ? g : f;
   }
 
   RealPoint seed() const override { return f_->seed(); }

@@ -3,6 +3,8 @@
 
 #include "situation/solve_space.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -33,7 +35,10 @@ SpaceShape space_shape(const plane::Shape& shape) {
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
   }
-  if (out.boxes && out.boxes->empty()) throw Error(ErrorCode::kGeometry, "the shape is empty", shape.place);
+  if (out.boxes && out.boxes->empty()) {
+    out.refused = "the shape is empty";
+    return out;
+  }
   if (out.boxes) {
     auto made = space::body_of(out.boxes->simplified());
     if (made) out.body = std::make_shared<const space::Body>(std::move(*made));
@@ -80,8 +85,11 @@ SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
     for (const std::string& n : names) {
       const auto found = world_.shapes.find(n);
       if (found == world_.shapes.end()) throw Error(ErrorCode::kUnknownName, "there is no shape '" + n + "'");
-      parts.push_back(&found->second);
+      if (!found->second.boxes || !found->second.boxes->empty()) parts.push_back(&found->second);
     }
+    if (parts.empty())
+      throw Error(ErrorCode::kGeometry,
+                  fmt::format("shape '{}' is empty: there is no distance to it", fmt::join(names, "+")));
     return parts;
   };
   const std::lock_guard lock(cache_->guard);
@@ -110,6 +118,8 @@ SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<S
   };
   if (v->nearest) out.nearest = place(*v->nearest);
   if (v->points) out.points = {place((*v->points)[0]), place((*v->points)[1])};
+  const bool moves = std::find(world_.moving.begin(), world_.moving.end(), wanted.first.at(0)) != world_.moving.end();
+  if (out.points && !moves) std::swap((*out.points)[0], (*out.points)[1]);
   return out;
 }
 
@@ -153,6 +163,16 @@ std::optional<distance::SolidLeast> SpaceSolver::nearly_least(const Distance& wa
   return found;
 }
 
+/// By the exact map of all positions, where there is one.
+std::optional<int> SpaceSolver::sign_on_map(const SignMap& map, const RealVector& p) const {
+  try {
+    return sign_map(map).mark(p);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return std::nullopt;
+  }
+}
+
 /// Where the value is not computed, its sign may be.
 SpaceSolver::SignedValue SpaceSolver::signed_value(const SignMap& map, const RealVector& p) const {
   if (map.minimum) return minimal(map, p);
@@ -161,7 +181,8 @@ SpaceSolver::SignedValue SpaceSolver::signed_value(const SignMap& map, const Rea
     return {shown(map.distance, v), sign(map, v)};
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
-    const auto sign = world_.rays ? sign_at_position(*world_.rays, map, p) : std::nullopt;
+    auto sign = sign_on_map(map, p);
+    if (!sign && world_.rays) sign = sign_at_position(*world_.rays, map, p);
     if (!sign) throw;
     SpaceDistanceAt at{text(map.distance), {}, {}, {}, e.message()};
     return {std::move(at), *sign};

@@ -49,7 +49,7 @@ struct SpaceDistanceAt {
   std::string text;
   std::optional<double> value;  // nothing: undefined, +infinity, or refused
   std::optional<SpacePlace> nearest;
-  std::optional<std::array<SpacePlace, 2>> points;  // of the moving shape and of the fixed one
+  std::optional<std::array<SpacePlace, 2>> points;  // of the first shape and of the second one
   std::string refused;                              // why it is not computed
 };
 
@@ -116,6 +116,7 @@ class SpaceSolver {
   };
 
   Named named(const Distance& distance) const;
+  std::optional<int> sign_on_map(const SignMap& map, const space::RealVector& p) const;
   SignedValue signed_value(const SignMap& map, const space::RealVector& p) const;
   SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
   SignedValue minimal(const SignMap& map, const space::RealVector& p) const;

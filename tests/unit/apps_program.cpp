@@ -77,6 +77,16 @@ TEST_F(Program, WrongUsage) {
   EXPECT_TRUE(contains(run("mpa scene.json").err, "did you mean 'map'?"));
 }
 
+TEST_F(Program, WitnessPointsStandInTheOrderOfTheArguments) {
+  const std::string scene = R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}},
+    "B": {"box": {"min": [0, 0, 0], "max": [2, 1, 1]}}}, "moving": "B", "where": "true"})json";
+  const json found = json::parse(run("measure scene.json --at 3,0,0 --json", scene).out).at("witnesses");
+  EXPECT_EQ(found.at("mu(B, A)").at("points")[0][0], 5);  // of B, the farthest from A
+  EXPECT_EQ(found.at("mu(B, A)").at("points")[1][0], 1);
+  EXPECT_EQ(found.at("mu(A, B)").at("points")[0][0], 0);  // of A
+  EXPECT_EQ(found.at("mu(A, B)").at("points")[1][0], 3);
+}
+
 TEST_F(Program, BadInputHasAPlaceAndWritesNothing) {
   Result r = run("map scene.json -o x.svg", "{\"findspace\": 1,\n  \"shapes\": {},}");
   EXPECT_EQ(r.status, 3);
