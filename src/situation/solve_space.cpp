@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "findspace/error.h"
@@ -202,7 +203,11 @@ SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& 
   out.holds = evaluate(formula, signs);
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
-    out.atoms.push_back({atom, values[formula.sign_map_of(k)], holds(atom, signs[formula.sign_map_of(k)])});
+    const std::size_t map = formula.sign_map_of(k);
+    SpaceAtomAt a{atom, values[map], holds(atom, signs[map]), std::nullopt};
+    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum)
+      a.lacks = std::abs(*a.distance.value - atom.level.to_double());
+    out.atoms.push_back(std::move(a));
   }
   return out;
 }

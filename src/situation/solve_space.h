@@ -57,6 +57,13 @@ struct SpaceAtomAt {
   Atom atom;
   SpaceDistanceAt distance;
   bool holds = false;
+  std::optional<double> lacks;  // as AtomAt::lacks
+};
+
+struct SpaceNearest {
+  space::RealVector at;  // this and the distance in the scene's unit
+  exact::Real distance;
+  bool attained = false;  // it is feasible itself, not only others as near to it as you like
 };
 
 struct SpaceOptimum {
@@ -76,6 +83,8 @@ class SpaceSolver {
   };
   /// `p` in the scene's unit.
   Check check(const Formula& formula, const space::RealVector& p) const;
+  /// `p` in the scene's unit. Nothing if there is none, or the region is neither made of boxes nor a convex polytope.
+  std::optional<SpaceNearest> nearest_feasible(const Formula& formula, const space::RealVector& p) const;
   std::vector<SpaceDistanceAt> measure(const space::RealVector& p) const;
 
   /// One distance at p, in grid steps; nothing where it is undefined.

@@ -87,6 +87,21 @@ TEST_F(Program, WitnessPointsStandInTheOrderOfTheArguments) {
   EXPECT_EQ(found.at("mu(A, B)").at("points")[1][0], 3);
 }
 
+TEST_F(Program, CheckInSpaceSaysWhatLacksAndWhereItWouldHold) {
+  const auto check = [&](const std::string& container, const std::string& arguments) {
+    const std::string scene = R"json({"findspace": 1, "shapes": {"A": )json" + container +
+                              R"json(, "B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}},
+      "moving": "B", "where": "eta1(B, A) < 0"})json";
+    return json::parse(run("check scene.json --json --at " + arguments, scene).out);
+  };
+  const json box = check(R"({"box": {"min": [0, 0, 0], "max": [4, 4, 4]}})", "5,1,1");
+  EXPECT_EQ(box.at("atoms")[0].at("lacks"), 2);
+  EXPECT_EQ(box.at("nearest_feasible"), json::parse(R"({"at": [3, 1, 1], "distance": 2, "attained": false})"));
+  const json corner = check(R"({"polytope": [[0, 0, 0], [6, 0, 0], [0, 6, 0], [0, 0, 6]]})", "2,2,2");
+  EXPECT_EQ(corner.at("nearest_feasible").at("at"), json::parse("[1, 1, 1]"));
+  EXPECT_FALSE(check(R"({"box": {"min": [0, 0, 0], "max": [1, 1, 1]}})", "0,0,0").contains("nearest_feasible"));
+}
+
 TEST_F(Program, BadInputHasAPlaceAndWritesNothing) {
   Result r = run("map scene.json -o x.svg", "{\"findspace\": 1,\n  \"shapes\": {},}");
   EXPECT_EQ(r.status, 3);
