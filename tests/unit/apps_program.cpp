@@ -68,7 +68,8 @@ TEST_F(Program, WrongUsage) {
   for (const char* arguments :
        {"", "mpa scene.json", "map", "map scene.json --aply closure", "map scene.json --apply close",
         "map scene.json -o x.png", "check scene.json", "check scene.json --at 1", "check scene.json --at 1,b",
-        "check scene.json --at 1e30,0", "describe scene.json", "map scene.json --threads x"}) {
+        "check scene.json --at 1e30,0", "describe scene.json", "map scene.json --threads x",
+        "convert scene.json A --layer cut", "convert scene.json A --constructive -o x.svg"}) {
     Result r = run(arguments);
     EXPECT_EQ(r.status, 2) << arguments;
     EXPECT_TRUE(contains(r.err, "findspace:")) << arguments;
