@@ -33,7 +33,7 @@ struct Measured {
   std::optional<exact::RealPoint> nearest;   // the nearest position where a signed distance is 0, if its value is not
   std::optional<exact::RealPoint> farthest;  // of eta2, delta2: the position of the farthest touching
   std::vector<Feature> witness;  // two features, of B + p first (of a diameter within one shape both of that)
-  bool minus_infinity = false;   // f(p) is -infinity, and `value` means nothing
+  bool minus_infinity = false;   // and `value` means nothing
 };
 
 /// Of the scale: a positive distance below counts as 0.

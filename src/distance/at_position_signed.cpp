@@ -61,10 +61,9 @@ std::optional<Measured> AtPosition::signed_value(Which which, const Standing& s,
   }
   WayOut::Answer answer = holds ? way->nearest(at) : way->nearest_inside(at);
   if (!answer.known) return by_map(which, p);
-  if (!answer.nearest) {  // O is everything
-    if (which != Which::kGamma1) return std::nullopt;
-    m.minus_infinity = true;
-    return m;
+  if (!answer.nearest) {
+    m.minus_infinity = true;  // of contact: it holds everywhere
+    return positive ? std::nullopt : std::optional(std::move(m));
   }
   m.value = positive ? answer.nearest->distance : -answer.nearest->distance;
   const RealPoint& q = answer.nearest->at;

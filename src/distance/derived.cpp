@@ -88,7 +88,8 @@ class Greater : public TDistance {
   std::optional<Value> value(const RealPoint& p) const override {
     auto f = f_->value(p), g = g_->value(p);
     if (!f || !g) return std::nullopt;
-    return f->minus_infinity || (!g->minus_infinity && f->value < g->value) ? g : f;
+    if (f->minus_infinity || g->minus_infinity) return f->minus_infinity ? g : f;
+    return f->value < g->value ? g : f;
   }
 
   RealPoint seed() const override { return f_->seed(); }

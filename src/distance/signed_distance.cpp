@@ -53,7 +53,7 @@ std::optional<Value> SignedDistance::value(const exact::RealPoint& p) const {
                           base_, [](Mark m) { return m <= 0; }, p)
                     : nearest(
                           base_, [](Mark m) { return m >= 0; }, p);
-  if (!n) return Value{exact::Real(), std::nullopt, true};  // it is negative everywhere
+  if (!n) return Value{exact::Real(), std::nullopt, true};  // inside everywhere
   return Value{sign > 0 ? n->distance : -n->distance, n->at};
 }
 

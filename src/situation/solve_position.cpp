@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "findspace/error.h"
 #include "plane/nearest.h"
@@ -38,7 +39,7 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
   }
   auto v = function(wanted)->value(p);
   if (v && v->minus_infinity)
-    out.value = -exact::kInfinity;
+    out.value = -std::numeric_limits<double>::infinity();
   else if (v)
     out.value = (v->value * world_.step).to_double(), out.nearest = v->nearest;
   return out;
@@ -46,7 +47,7 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
 
 void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
                          const distance::Measured& m, const RealPoint& p) const {
-  out.value = m.minus_infinity ? -exact::kInfinity : (m.value * world_.step).to_double();
+  out.value = m.minus_infinity ? -std::numeric_limits<double>::infinity() : (m.value * world_.step).to_double();
   out.nearest = m.nearest, out.farthest = m.farthest;
   for (const distance::Feature& f : m.witness)
     out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
