@@ -51,11 +51,23 @@ std::optional<io::Surface> one_surface(const plane::Shape& shape, const Real& st
   return std::nullopt;
 }
 
+/// Of what a surface bounds; the rest is lost.
+io::Surface box_surface(const Session& session, const plane::Shape& shape, const space::BoxComplex& boxes) {
+  const space::SpaceSummary set = space::summarize(boxes, session.step());
+  if (!set.bounded) throw Error(ErrorCode::kGeometry, "a mesh cannot hold an unbounded set", shape.place);
+  io::Surface found = io::box_surface(boxes, session.step());
+  if (found.faces.empty()) throw Error(ErrorCode::kGeometry, "a mesh cannot hold a set without volume", shape.place);
+  if (set.dangling_area > 0 || set.dangling_length > 0 || !set.isolated.empty())
+    session.talk().note("a mesh cannot hold sheets, lines and points: lost");
+  return found;
+}
+
 /// Where the shape is made of boxes or is a convex polytope; nothing else.
-std::optional<io::Surface> simple_surface(const plane::Shape& shape, const Real& step) {
+std::optional<io::Surface> simple_surface(const Session& session, const plane::Shape& shape) {
+  const Real step = session.step();
   try {
     const situation::SpaceShape made = situation::space_shape(shape);
-    if (made.boxes) return io::box_surface(*made.boxes, step);
+    if (made.boxes) return box_surface(session, shape, *made.boxes);
     if (made.body && made.body->convex() && !made.body->round())
       return surface(*made.body->parts[0].core, step / Real(made.body->scale));
   } catch (const Error& e) {
@@ -64,11 +76,11 @@ std::optional<io::Surface> simple_surface(const plane::Shape& shape, const Real&
   return std::nullopt;
 }
 
-io::Surface boundary_of(const plane::Shape& shape, const Real& step) {
+io::Surface boundary_of(const Session& session, const plane::Shape& shape) {
   const space::Solid* solid = space::solid_of(shape);
   const bool polytope = solid && solid->form == space::Solid::Form::kPolytope;  // its facets stay whole
-  std::optional<io::Surface> found = polytope ? std::nullopt : one_surface(shape, step);
-  if (!found) found = simple_surface(shape, step);
+  std::optional<io::Surface> found = polytope ? std::nullopt : one_surface(shape, session.step());
+  if (!found) found = simple_surface(session, shape);
   if (found) return *std::move(found);
   throw Error(ErrorCode::kUnsupported,
               "this is not bounded by one surface of flat faces; describe -o writes its surface as found on lines",
@@ -94,7 +106,7 @@ Outcome convert_space(const Session& session, const std::string& name) {
   endings.insert(endings.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   check_outputs(session.options(), endings);
   session.talk().stage(fmt::format("shape {}", name));
-  const io::Surface found = boundary_of(*session.scene().shape(name), session.step());
+  const io::Surface found = boundary_of(session, *session.scene().shape(name));
   const auto json = [&] { return scene_text(found, name, session.unit()); };
   Writers writers{{".json", json}};
   for (const char* ending : io::kSurfaceEndings)

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "commands.h"
 #include "io/write_constructive.h"
 #include "io/write_json.h"
@@ -60,6 +62,10 @@ Outcome run_describe(const Options& options, Talk& talk) {
 
 Outcome run_convert(const Options& options, Talk& talk) {
   const Session session(options, talk);
+  const bool json_asked = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
+                                                      [](const auto& file) { return file.extension() == ".json"; });
+  if (options.constructive && (session.in_space() || !json_asked))
+    throw Error(ErrorCode::kUsage, "--constructive is for the JSON of plane shapes: -o NAME.json or --json");
   const std::string name = chosen_shape(session);
   if (session.in_space()) return convert_space(session, name);
   check_outputs(options, {".svg", ".wkt", ".json"});

@@ -41,13 +41,15 @@ std::string scene_around(const std::filesystem::path& drawing, const Options& o)
 }
 
 io::Scene read(const Options& o) {
+  const std::filesystem::path path(o.scene);
+  const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
+  if (!drawing && (o.unit || o.id || o.layer || o.index))
+    throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
   if (o.scene == "-") {
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
     return io::read_scene_text(text, std::filesystem::current_path(), "standard input");
   }
-  const std::filesystem::path path(o.scene);
-  if (std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) == kDrawings.end())
-    return io::read_scene(path);
+  if (!drawing) return io::read_scene(path);
   return io::read_scene_text(scene_around(path, o), path.parent_path(), path.filename().string());
 }
 

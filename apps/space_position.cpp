@@ -51,7 +51,9 @@ Outcome check_space(const Session& session) {
   const situation::SpaceSolver solver(space_world(session));
   session.talk().stage("checking");
   const situation::SpaceSolver::Check check = solver.check(formula, at);
-  const auto json = [&] { return io::space_check_json(check, at, session.unit()); };
+  const auto nearest = check.holds ? std::nullopt : solver.nearest_feasible(formula, at);
+  const situation::SpaceNearest* near = nearest ? &*nearest : nullptr;
+  const auto json = [&] { return io::space_check_json(check, at, session.unit(), near); };
   const auto svg = [&] {
     std::vector<std::string> lines;
     std::vector<situation::SpaceDistanceAt> distances;
@@ -65,7 +67,7 @@ Outcome check_space(const Session& session) {
                       std::move(lines), distances);
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : space_check_text(check, where_text(at), session.unit()),
+  return {options.json ? json() : space_check_text(check, where_text(at), session.unit(), near),
           check.holds ? kDone : kEmpty};
 }
 

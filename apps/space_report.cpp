@@ -82,13 +82,22 @@ std::string space_summary_text(std::string_view title, const space::SpaceSummary
   return out;
 }
 
-std::string space_check_text(const situation::SpaceSolver::Check& check, std::string_view at, std::string_view unit) {
+std::string space_check_text(const situation::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
+                             const situation::SpaceNearest* nearest) {
   std::size_t width = 0;
   for (const auto& a : check.atoms) width = std::max(width, situation::text(a.atom).size());
   std::string out = fmt::format("{} {}\n", at, check.holds ? "is feasible" : "is not feasible");
-  for (const auto& a : check.atoms)
-    put(out, "  {}  {:<{}}  {}\n", a.holds ? "yes" : "no ", situation::text(a.atom), width,
-        value_text(a.distance, unit));
+  for (const auto& a : check.atoms) {
+    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", situation::text(a.atom), width, value_text(a.distance, unit));
+    if (a.lacks) put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", size(*a.lacks, unit));
+    out += "\n";
+  }
+  if (nearest != nullptr) {
+    const auto& at = nearest->at;
+    put(out, "nearest feasible position {}, {} away{}\n",
+        point({at[0].to_double(), at[1].to_double(), at[2].to_double()}), size(nearest->distance.to_double(), unit),
+        nearest->attained ? "" : ", not feasible itself: the region is open there");
+  }
   return out;
 }
 

@@ -17,7 +17,8 @@ namespace findspace::app {
 /// `extreme` may be null.
 std::string space_summary_text(std::string_view title, const space::SpaceSummary& summary, std::string_view unit,
                                const io::ExtremeValue* extreme);
-std::string space_check_text(const situation::SpaceSolver::Check& check, std::string_view at, std::string_view unit);
+std::string space_check_text(const situation::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
+                             const situation::SpaceNearest* nearest);
 std::string space_measure_text(const std::vector<situation::SpaceDistanceAt>& distances, std::string_view at,
                                std::string_view unit);
 

@@ -9,6 +9,7 @@
 #include "distance/farthest_place.h"
 #include "distance/hausdorff.h"
 #include "plane/real_vector.h"
+#include "plane/topology.h"
 
 namespace findspace::distance {
 
@@ -17,6 +18,7 @@ using exact::RealPoint;
 using plane::operator+;
 using plane::operator-;
 using plane::Index;
+using plane::is_bounded;
 using plane::Region;
 
 namespace {
@@ -63,8 +65,8 @@ AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
 
 /// mu(B + p, A), or mu(A, B + p) if `back`.
 std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, double floor) const {
-  if (back && fixed_.region().faces[0].mark > 0) return std::nullopt;
   const SiteTree &from = back ? fixed_ : moving_, &to = back ? moving_ : fixed_;
+  if (!is_bounded(from.region())) return std::nullopt;
   const RealPoint by = back ? -p : p;
   double scale = from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
   auto search = [&](double least) -> std::optional<FarthestPlace> {
@@ -79,7 +81,7 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
       return Measured{-s.pair->distance, std::nullopt, std::nullopt, features(*s.pair)};
     // One touches the other from inside, or all but: containment decides.
     auto margin = signed_value(back ? Which::kDelta1 : Which::kEta1, s, p);
-    if (margin && margin->value.sign() <= 0) return margin;
+    if (margin && (margin->minus_infinity || margin->value.sign() <= 0)) return margin;
     place = search(scale * kHardlyOut);
     if (!place) return Measured{};
   }
@@ -90,6 +92,8 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
   if (back) std::swap(m.witness[0], m.witness[1]);
   return m;
 }
+
+bool AtPosition::bounded() const { return is_bounded(moving_.region()) && is_bounded(fixed_.region()); }
 
 /// The greater of the two directed ones; of the second only what could be greater than the first is looked for.
 std::optional<Measured> AtPosition::hausdorff(const RealPoint& p) const {
@@ -136,7 +140,7 @@ std::optional<Measured> AtPosition::plain(const RealPoint& p) const {
 }
 
 std::optional<Measured> AtPosition::diameter(const RealPoint& p) const {
-  if (fixed_.region().faces[0].mark > 0) return std::nullopt;
+  if (!bounded()) return std::nullopt;
   std::call_once(diameters_made_, [&] {
     const RealPoint origin{Real(), Real()};
     diameters_ = {farthest_pair(fixed_, fixed_, origin), farthest_pair(moving_, moving_, origin)};
@@ -176,7 +180,7 @@ std::optional<Measured> AtPosition::measure(Which which, const RealPoint& p) con
     case Which::kDelta1:
       return signed_distance(which, Kind::kAround, p);
     case Which::kGamma2: {
-      if (fixed_.region().faces[0].mark > 0) return std::nullopt;
+      if (!bounded()) return std::nullopt;
       SitePair k = farthest_pair(fixed_, moving_, p);
       return Measured{k.distance, std::nullopt, std::nullopt, features(k)};
     }

@@ -77,6 +77,7 @@ class AtPosition {
   std::optional<Measured> hausdorff(const exact::RealPoint& p) const;
   std::optional<Measured> plain(const exact::RealPoint& p) const;
   std::optional<Measured> diameter(const exact::RealPoint& p) const;
+  bool bounded() const;
   std::optional<Measured> cut(std::optional<Measured> m, bool negated) const;
   void add_contact(Measured& m, const exact::RealPoint& position, const exact::RealPoint& p) const;
   std::vector<Feature> common_point(const Standing& s, const exact::RealPoint& p) const;

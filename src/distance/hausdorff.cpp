@@ -50,7 +50,7 @@ std::optional<Value> DirectedHausdorff::value(const RealPoint& p) const {
   if (auto h = search_.greatest(p, scale * kClearlyOut)) return Value{h->value, std::nullopt};
   // B+p lies in A, or all but: containment decides.
   auto margin = containment().value(p);
-  if (margin && margin->value.sign() <= 0) return margin;
+  if (margin && (margin->minus_infinity || margin->value.sign() <= 0)) return margin;
   auto h = search_.greatest(p, scale * kHardlyOut);
   return Value{h ? h->value : Real(), std::nullopt};
 }

@@ -151,9 +151,13 @@ std::optional<Real> svg_millimetres(const pugi::xml_node& root) {
   if (box.size() != 4 || box[2].sign() <= 0 || box[3].sign() <= 0) {
     throw Error(ErrorCode::kBadValue, "a viewBox is x, y, width and height, both more than 0");
   }
-  if (width && height) {  // the default of preserveAspectRatio: the smaller scale in both directions
-    Real x = *width / box[2], y = *height / box[3];
-    return x < y ? x : y;
+  if (width && height) {
+    const Real x = *width / box[2], y = *height / box[3];
+    const std::string_view kept = root.attribute("preserveAspectRatio").value();
+    if (kept.find("none") != std::string_view::npos && compare(x, y) != 0)
+      throw Error(ErrorCode::kUnsupported, "preserveAspectRatio=\"none\" stretches the drawing in one direction");
+    const bool fills = kept.find("slice") != std::string_view::npos;
+    return (x < y) != fills ? x : y;  // by default the smaller scale in both directions
   }
   return width ? *width / box[2] : *height / box[3];
 }

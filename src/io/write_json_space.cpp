@@ -102,7 +102,7 @@ std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s
 }
 
 std::string space_check_json(const situation::SpaceSolver::Check& check, const space::RealVector& at,
-                             std::string_view unit) {
+                             std::string_view unit, const situation::SpaceNearest* nearest) {
   std::string out = fmt::format("{{{}\"at\": {}, \"true\": {},\n  \"atoms\": ", unit_key(unit), triple(place(at)),
                                 truth(check.holds));
   std::map<std::string, std::optional<double>> distances;
@@ -110,8 +110,9 @@ std::string space_check_json(const situation::SpaceSolver::Check& check, const s
       check.atoms,
       [&](const situation::SpaceAtomAt& a) {
         distances[a.distance.text] = a.distance.value;
-        return fmt::format(R"({{"text": {}, "value": {}, "true": {}, "witness": {{{}}}}})",
-                           json_string(situation::text(a.atom)), number(a.distance.value), truth(a.holds),
+        const std::string lacks = a.lacks ? fmt::format(R"( "lacks": {},)", json_number(*a.lacks)) : "";
+        return fmt::format(R"({{"text": {}, "value": {}, "true": {},{} "witness": {{{}}}}})",
+                           json_string(situation::text(a.atom)), number(a.distance.value), truth(a.holds), lacks,
                            witness_text(a.distance));
       },
       true);
@@ -121,7 +122,12 @@ std::string space_check_json(const situation::SpaceSolver::Check& check, const s
     put(out, "{}{}: {}", separator, json_string(text), number(value));
     separator = ", ";
   }
-  return out + "}\n}\n";
+  out += "}";
+  if (nearest != nullptr) {
+    put(out, ",\n  \"nearest_feasible\": {{\"at\": {}, \"distance\": {}, \"attained\": {}}}",
+        triple(place(nearest->at)), json_number(nearest->distance.to_double()), truth(nearest->attained));
+  }
+  return out + "\n}\n";
 }
 
 std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,

@@ -22,8 +22,9 @@ std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& 
 /// The polytope with its facets instead of boxes.
 std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& summary, const exact::Real& step,
                        std::string_view unit, const ExtremeValue* extreme = nullptr);
+/// `nearest` may be null.
 std::string space_check_json(const situation::SpaceSolver::Check& check, const space::RealVector& at,
-                             std::string_view unit);
+                             std::string_view unit, const situation::SpaceNearest* nearest = nullptr);
 std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,
                                std::string_view unit);
 

@@ -24,7 +24,7 @@ GridBox box_of(std::span<const GridFace> faces) {
 }
 
 std::optional<GridBox> boundary_box(std::span<const GridFace> a, std::span<const GridFace> b) {
-  if (has_unbounded(b)) return boundary_box(b, a);
+  if (has_unbounded(b)) return has_unbounded(a) ? std::nullopt : boundary_box(b, a);
   auto corners = [](const GridFace& f) { return !f.corners.empty(); };
   if (std::none_of(a.begin(), a.end(), corners) || std::none_of(b.begin(), b.end(), corners)) return std::nullopt;
   const GridBox p = box_of(a), q = box_of(b);

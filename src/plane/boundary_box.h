@@ -23,7 +23,7 @@ bool has_unbounded(std::span<const GridFace> faces);
 /// Of all finite corners; of no faces nothing sensible.
 GridBox box_of(std::span<const GridFace> faces);
 
-/// A step more than needed on every side; nothing where the sum is empty or everything. At least one is bounded.
+/// A step more than needed on every side; nothing where the sum is empty or everything.
 std::optional<GridBox> boundary_box(std::span<const GridFace> a, std::span<const GridFace> b);
 
 }  // namespace findspace::plane

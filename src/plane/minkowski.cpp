@@ -44,8 +44,11 @@ SignMap open_sum(const Operand& a, const Operand& b) {
   return std::move(sum).open_sum();
 }
 
+bool unbounded(const Operand& a) { return a.wanted(a.cells.faces[0].mark); }
+
 /// {a + b} for a in A, b in B: -1 on the open part U, 0 on the rest of the sum, +1 elsewhere.
 SignMap sum_map(const Operand& a, const Operand& b) {
+  if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : sum_map(b, a);
   if (auto map = open_grid_sum(a, b)) return *std::move(map);
   SignMap open = open_sum(a, b);
   std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
@@ -65,9 +68,7 @@ SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, in}, 
 SignMap containment_map(const Region& a, const Region& b) {
   // B + p leaves A where it meets the open complement; it leaves int A where it meets the closure of that.
   Operand outside{a, out, false, false}, moving{b, in, true};
-  auto grid = open_grid_sum(outside, moving);
-  SignMap leaves = grid ? *std::move(grid) : open_sum(outside, moving);
-  return remark(std::move(leaves), [](Mark m) { return Mark(-m); });
+  return remark(sum_map(outside, moving), [](Mark m) { return Mark(-m); });
 }
 
 Region minkowski_sum(const Region& a, const Region& b) {

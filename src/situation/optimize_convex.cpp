@@ -50,12 +50,14 @@ std::optional<ConvexOptimum> optimize(const space::ConvexSet& set, const Real& s
     out.value = value * step;
     return out;
   }
-  if (objective.kind != Kind::kDistanceToPoint || greatest || !set.frontier) return std::nullopt;
+  if (objective.kind != Kind::kDistanceToPoint || greatest) return std::nullopt;
   if (solid && !set.inside) return std::nullopt;
   RealVector p;
   for (std::size_t k = 0; k < 3; ++k) p[k] = objective.point.at(k) / step;
   const auto q = space::nearest_in(set.region.planes(), p);
   if (!q) return out;
+  const auto planes = set.region.planes();
+  out.attained |= std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) { return h.value(*q).sign() < 0; });
   const RealVector off = space::minus(*q, p);
   out.value = sqrt(space::dot(off, off)) * step;
   out.at.region = ConvexRegion(*q, *q);

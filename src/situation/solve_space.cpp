@@ -3,7 +3,10 @@
 
 #include "situation/solve_space.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "findspace/error.h"
@@ -33,7 +36,10 @@ SpaceShape space_shape(const plane::Shape& shape) {
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
   }
-  if (out.boxes && out.boxes->empty()) throw Error(ErrorCode::kGeometry, "the shape is empty", shape.place);
+  if (out.boxes && out.boxes->empty()) {
+    out.refused = "the shape is empty";
+    return out;
+  }
   if (out.boxes) {
     auto made = space::body_of(out.boxes->simplified());
     if (made) out.body = std::make_shared<const space::Body>(std::move(*made));
@@ -73,8 +79,11 @@ SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
     for (const std::string& n : names) {
       const auto found = world_.shapes.find(n);
       if (found == world_.shapes.end()) throw Error(ErrorCode::kUnknownName, "there is no shape '" + n + "'");
-      parts.push_back(&found->second);
+      if (!found->second.boxes || !found->second.boxes->empty()) parts.push_back(&found->second);
     }
+    if (parts.empty())
+      throw Error(ErrorCode::kGeometry,
+                  fmt::format("shape '{}' is empty: there is no distance to it", fmt::join(names, "+")));
     return parts;
   };
   const std::lock_guard lock(cache_->guard);
@@ -104,6 +113,8 @@ SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<S
   };
   if (v->nearest) out.nearest = place(*v->nearest);
   if (v->points) out.points = {place((*v->points)[0]), place((*v->points)[1])};
+  const bool moves = std::find(world_.moving.begin(), world_.moving.end(), wanted.first.at(0)) != world_.moving.end();
+  if (out.points && !moves) std::swap((*out.points)[0], (*out.points)[1]);
   return out;
 }
 
@@ -147,6 +158,16 @@ std::optional<distance::SolidLeast> SpaceSolver::nearly_least(const Distance& wa
   return found;
 }
 
+/// By the exact map of all positions, where there is one.
+std::optional<int> SpaceSolver::sign_on_map(const SignMap& map, const RealVector& p) const {
+  try {
+    return sign_map(map).mark(p);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return std::nullopt;
+  }
+}
+
 /// Where the value is not computed, its sign may be.
 SpaceSolver::SignedValue SpaceSolver::signed_value(const SignMap& map, const RealVector& p) const {
   if (map.minimum) return minimal(map, p);
@@ -155,7 +176,8 @@ SpaceSolver::SignedValue SpaceSolver::signed_value(const SignMap& map, const Rea
     return {shown(map.distance, v), sign(map, v)};
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
-    const auto sign = world_.rays ? sign_at_position(*world_.rays, map, p) : std::nullopt;
+    auto sign = sign_on_map(map, p);
+    if (!sign && world_.rays) sign = sign_at_position(*world_.rays, map, p);
     if (!sign) throw;
     SpaceDistanceAt at{text(map.distance), {}, {}, {}, e.message()};
     return {std::move(at), *sign};
@@ -175,7 +197,11 @@ SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& 
   out.holds = evaluate(formula, signs);
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
-    out.atoms.push_back({atom, values[formula.sign_map_of(k)], holds(atom, signs[formula.sign_map_of(k)])});
+    const std::size_t map = formula.sign_map_of(k);
+    SpaceAtomAt a{atom, values[map], holds(atom, signs[map]), std::nullopt};
+    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum)
+      a.lacks = std::abs(*a.distance.value - atom.level.to_double());
+    out.atoms.push_back(std::move(a));
   }
   return out;
 }

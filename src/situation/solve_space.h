@@ -51,7 +51,7 @@ struct SpaceDistanceAt {
   std::string text;
   std::optional<double> value;  // nothing: undefined, +infinity, or refused
   std::optional<SpacePlace> nearest;
-  std::optional<std::array<SpacePlace, 2>> points;  // of the moving shape and of the fixed one
+  std::optional<std::array<SpacePlace, 2>> points;  // of the first shape and of the second one
   std::string refused;                              // why it is not computed
 };
 
@@ -59,6 +59,13 @@ struct SpaceAtomAt {
   Atom atom;
   SpaceDistanceAt distance;
   bool holds = false;
+  std::optional<double> lacks;  // as AtomAt::lacks
+};
+
+struct SpaceNearest {
+  space::RealVector at;  // this and the distance in the scene's unit
+  exact::Real distance;
+  bool attained = false;  // it is feasible itself, not only others as near to it as you like
 };
 
 struct SpaceOptimum {
@@ -83,6 +90,8 @@ class SpaceSolver {
   };
   /// `p` in the scene's unit.
   Check check(const Formula& formula, const space::RealVector& p) const;
+  /// `p` in the scene's unit. Nothing if there is none, or the region is neither made of boxes nor a convex polytope.
+  std::optional<SpaceNearest> nearest_feasible(const Formula& formula, const space::RealVector& p) const;
   std::vector<SpaceDistanceAt> measure(const space::RealVector& p) const;
 
   /// One distance at p, in grid steps; nothing where it is undefined.
@@ -122,6 +131,7 @@ class SpaceSolver {
   };
 
   Named named(const Distance& distance) const;
+  std::optional<int> sign_on_map(const SignMap& map, const space::RealVector& p) const;
   SignedValue signed_value(const SignMap& map, const space::RealVector& p) const;
   SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
   SignedValue minimal(const SignMap& map, const space::RealVector& p) const;

@@ -8,6 +8,7 @@
 
 #include "findspace/error.h"
 #include "situation/solve_space.h"
+#include "space/box_shape.h"
 #include "space/deepest.h"
 
 namespace findspace::situation {
@@ -38,7 +39,12 @@ std::optional<BoxComplex> united_boxes(const std::vector<const SpaceShape*>& sha
       .closure();
 }
 
-std::shared_ptr<const Body> united_bodies(const std::vector<const SpaceShape*>& shapes, std::string& refused) {
+/// The union as a body; `boxes`: the same set as boxes, where it is made of them. Null: `refused` says why.
+std::shared_ptr<const Body> united_bodies(const std::vector<const SpaceShape*>& shapes,
+                                          const std::optional<BoxComplex>& boxes, std::string& refused) {
+  if (boxes && shapes.size() > 1) {
+    if (auto made = space::body_of(boxes->simplified())) return std::make_shared<const Body>(*std::move(made));
+  }
   std::vector<const Body*> bodies;
   for (const SpaceShape* s : shapes) {
     if (!s->body) {
@@ -47,7 +53,14 @@ std::shared_ptr<const Body> united_bodies(const std::vector<const SpaceShape*>& 
     }
     bodies.push_back(s->body.get());
   }
-  return bodies.size() == 1 ? shapes[0]->body : std::make_shared<const Body>(united(bodies));
+  if (bodies.size() == 1) return shapes[0]->body;
+  try {
+    return std::make_shared<const Body>(united(bodies));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    refused = e.what();
+    return nullptr;
+  }
 }
 
 void scale_down(SolidValue& v, const Real& scale) {
@@ -63,9 +76,9 @@ void scale_down(SolidValue& v, const Real& scale) {
 
 SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed) {
   auto b = united_boxes(moving), a = united_boxes(fixed);
-  if (b && a) boxes_ = std::make_unique<BoxPair>(std::move(*b), std::move(*a));
-  b_ = united_bodies(moving, refused_);
-  a_ = united_bodies(fixed, refused_);
+  b_ = united_bodies(moving, b, refused_);
+  a_ = united_bodies(fixed, a, refused_);
+  if (b && a) boxes_ = std::make_unique<BoxPair>(*std::move(b), *std::move(a));
   if (!b_ || !a_) return;
   if (b_->outside) {
     if (!boxes_) throw Error(ErrorCode::kUnsupported, "a moving shape has to be bounded");

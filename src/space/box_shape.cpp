@@ -5,6 +5,7 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <map>
 
 #include "space/convex_polygon.h"
 #include "space/mesh.h"
@@ -16,11 +17,18 @@ using Kind = plane::Shape::Kind;
 
 namespace {
 
-/// A horizontal face: its rings at height z; `sense` is +1 where the solid lies above it.
+/// The edges of rings, `times` each, against their direction where negative.
+struct Edge {
+  Point2 from, to;
+  int times = 1;
+};
+
+/// Horizontal faces at height z. `sense` is +1 where the solid lies above them; 0: to the left of their edges it lies
+/// below them.
 struct Level {
   std::int64_t z = 0;
   int sense = 0;
-  std::vector<std::vector<Point2>> rings;
+  std::vector<Edge> edges;
 };
 
 /// The levels and all vertices of a solid, if its faces are axis-parallel.
@@ -31,17 +39,30 @@ struct Faces {
 
 bool one_axis(const Wide3& n) { return (n.x != 0) + (n.y != 0) + (n.z != 0) == 1; }
 
+/// Edges between faces of one level, diagonals among them, cancel out.
 std::optional<Faces> faces_of(const Mesh& mesh) {
-  Faces out;
-  out.vertices = mesh.vertices;
+  using Ends = std::pair<Point2, Point2>;
+  std::map<std::int64_t, std::map<Ends, int>> edges;
   for (const auto& face : mesh.faces) {
     const Wide3 n = area_vector(mesh, face);
     if (!one_axis(n)) return std::nullopt;
     if (n.z == 0) continue;
-    Level level{mesh.vertices[std::size_t(face[0])].z, n.z < 0 ? 1 : -1, {{}}};
-    for (const int v : face)
-      level.rings[0].push_back({mesh.vertices[std::size_t(v)].x, mesh.vertices[std::size_t(v)].y});
-    out.levels.push_back(std::move(level));
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Point &v = mesh.vertices[std::size_t(face[i])],
+                  &w = mesh.vertices[std::size_t(face[(i + 1) % face.size()])];
+      const Point2 a{v.x, v.y}, b{w.x, w.y};
+      edges[v.z][std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  }
+  Faces out;
+  out.vertices = mesh.vertices;
+  for (const auto& [z, ends] : edges) {
+    Level& level = out.levels.emplace_back(Level{z, 0, {}});
+    for (const auto& [e, times] : ends) {
+      if (times == 0) continue;
+      if (e.first.x != e.second.x && e.first.y != e.second.y) return std::nullopt;
+      level.edges.push_back({e.first, e.second, times});
+    }
   }
   return out;
 }
@@ -56,31 +77,29 @@ std::optional<Faces> faces_of(const Solid& solid) {
     return faces_of(mesh);
   }
   Faces out;
-  std::vector<std::vector<Point2>> rings;
+  std::vector<Edge> edges;
   for (const plane::Contour& contour : solid.contours) {
-    std::vector<Point2>& ring = rings.emplace_back();
     for (std::size_t i = 0; i < contour.size(); ++i) {
       const plane::GridPoint a = contour[i].start, b = contour[(i + 1) % contour.size()].start;
       if (contour[i].arc || (a.x != b.x && a.y != b.y)) return std::nullopt;
-      ring.push_back({a.x, a.y});
+      edges.push_back({{a.x, a.y}, {b.x, b.y}});
       out.vertices.push_back({a.x, a.y, solid.low});
     }
   }
   out.vertices.push_back({out.vertices[0].x, out.vertices[0].y, solid.high});
-  out.levels = {{solid.low, 1, rings}, {solid.high, -1, rings}};
+  out.levels = {{solid.low, 1, edges}, {solid.high, -1, edges}};
   return out;
 }
 
-/// Whether (x, y), given twice as large and on no edge, lies in the rings: an odd number of edges lie to the right.
-bool holds(const Level& level, std::int64_t x, std::int64_t y) {
-  bool inside = false;
-  for (const auto& ring : level.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      if ((2 * a.y > y) != (2 * b.y > y) && 2 * a.x > x) inside = !inside;
-    }
+/// How much deeper it is in the solid above the level than below it, at (x, y), given twice as large and on no edge: by
+/// the edges that lie to the right.
+int step_at(const Level& level, std::int64_t x, std::int64_t y) {
+  int rounds = 0;
+  for (const Edge& e : level.edges) {
+    const bool up = 2 * e.to.y > y;
+    if (up != (2 * e.from.y > y) && 2 * e.from.x > x) rounds += up ? e.times : -e.times;
   }
-  return inside;
+  return level.sense == 0 ? -rounds : rounds % 2 != 0 ? level.sense : 0;
 }
 
 /// Columns of open boxes between the coordinates of all vertices, filled between the levels over them.
@@ -96,7 +115,8 @@ std::optional<BoxComplex> filled(const Faces& faces) {
     for (std::size_t j = 0; j + 1 < at[1].size(); ++j) {
       std::vector<std::pair<std::int64_t, int>> steps;
       for (const Level& level : faces.levels) {
-        if (holds(level, at[0][i] + at[0][i + 1], at[1][j] + at[1][j + 1])) steps.emplace_back(level.z, level.sense);
+        const int step = step_at(level, at[0][i] + at[0][i + 1], at[1][j] + at[1][j + 1]);
+        if (step != 0) steps.emplace_back(level.z, step);
       }
       std::sort(steps.begin(), steps.end());
       int depth = 0;

@@ -170,7 +170,7 @@ ConvexParts clipped(const plane::Shape& shape) {
     const std::vector<Polytope> a = at_scale(result, scale), b = at_scale(other, scale);
     ConvexParts next =
         parts_of_cells(shape.kind == Kind::kIntersection ? intersection_cells(a, b) : difference_cells(a, b));
-    if (next.parts.empty()) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
+    if (next.parts.empty()) throw Error(ErrorCode::kUnsupported, "nothing with interior is left of the shape");
     next.scale *= scale;
     next.rounded += result.rounded + other.rounded;
     next.moved = std::max({next.moved / static_cast<double>(scale), result.moved, other.moved});

@@ -68,13 +68,39 @@ TEST_F(Program, WrongUsage) {
   for (const char* arguments :
        {"", "mpa scene.json", "map", "map scene.json --aply closure", "map scene.json --apply close",
         "map scene.json -o x.png", "check scene.json", "check scene.json --at 1", "check scene.json --at 1,b",
-        "check scene.json --at 1e30,0", "describe scene.json", "map scene.json --threads x"}) {
+        "check scene.json --at 1e30,0", "describe scene.json", "map scene.json --threads x",
+        "convert scene.json A --layer cut", "convert scene.json A --constructive -o x.svg"}) {
     Result r = run(arguments);
     EXPECT_EQ(r.status, 2) << arguments;
     EXPECT_TRUE(contains(r.err, "findspace:")) << arguments;
     EXPECT_EQ(r.out, "") << arguments;
   }
   EXPECT_TRUE(contains(run("mpa scene.json").err, "did you mean 'map'?"));
+}
+
+TEST_F(Program, WitnessPointsStandInTheOrderOfTheArguments) {
+  const std::string scene = R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}},
+    "B": {"box": {"min": [0, 0, 0], "max": [2, 1, 1]}}}, "moving": "B", "where": "true"})json";
+  const json found = json::parse(run("measure scene.json --at 3,0,0 --json", scene).out).at("witnesses");
+  EXPECT_EQ(found.at("mu(B, A)").at("points")[0][0], 5);  // of B, the farthest from A
+  EXPECT_EQ(found.at("mu(B, A)").at("points")[1][0], 1);
+  EXPECT_EQ(found.at("mu(A, B)").at("points")[0][0], 0);  // of A
+  EXPECT_EQ(found.at("mu(A, B)").at("points")[1][0], 3);
+}
+
+TEST_F(Program, CheckInSpaceSaysWhatLacksAndWhereItWouldHold) {
+  const auto check = [&](const std::string& container, const std::string& arguments) {
+    const std::string scene = R"json({"findspace": 1, "shapes": {"A": )json" + container +
+                              R"json(, "B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}},
+      "moving": "B", "where": "eta1(B, A) < 0"})json";
+    return json::parse(run("check scene.json --json --at " + arguments, scene).out);
+  };
+  const json box = check(R"({"box": {"min": [0, 0, 0], "max": [4, 4, 4]}})", "5,1,1");
+  EXPECT_EQ(box.at("atoms")[0].at("lacks"), 2);
+  EXPECT_EQ(box.at("nearest_feasible"), json::parse(R"({"at": [3, 1, 1], "distance": 2, "attained": false})"));
+  const json corner = check(R"({"polytope": [[0, 0, 0], [6, 0, 0], [0, 6, 0], [0, 0, 6]]})", "2,2,2");
+  EXPECT_EQ(corner.at("nearest_feasible").at("at"), json::parse("[1, 1, 1]"));
+  EXPECT_FALSE(check(R"({"box": {"min": [0, 0, 0], "max": [1, 1, 1]}})", "0,0,0").contains("nearest_feasible"));
 }
 
 TEST_F(Program, BadInputHasAPlaceAndWritesNothing) {
