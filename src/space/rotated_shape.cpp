@@ -73,7 +73,7 @@ class Rotator {
         edge.start = {at.x, at.y};
         if (!edge.arc) continue;
         const RealVector center = r({edge.arc->cx, edge.arc->cy, Real(0)});
-        edge.arc = std::make_shared<const plane::ArcCircle>(center[0], center[1], edge.arc->r);
+        edge.arc = std::make_shared<const plane::ArcCircle>(plane::ArcCircle{center[0], center[1], edge.arc->r});
       }
     }
     const Point low = rounded(r({Real(0), Real(0), Real(s.low)})), high = rounded(r({Real(0), Real(0), Real(s.high)}));
