@@ -16,27 +16,23 @@ bool is_lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0);
 
 class Walk {
  public:
-  Walk(const CellComplex& c, bool mirrored, Memory memory)
-      : c_(c), mirrored_(mirrored), seen_(c.half_edges.size(), 0, memory) {}
+  Walk(const CellComplex& c, bool mirrored) : c_(c), mirrored_(mirrored) {}
 
-  /// The ring of a half-edge that has not been walked yet.
+  /// The ring of a half-edge.
   void ring(Index start, std::vector<GridCorner>& out) {
-    Index first = Index(out.size());
-    for (Index h = start; !seen_[h]; h = c_.next(h)) {
-      seen_[h] = 1;
+    const Index first = Index(out.size());
+    Index h = start, k = first;
+    do {
       out.push_back(corner(h));
-      out.back().next = Index(out.size());
-      out.back().before = Index(out.size()) - 2;
-    }
-    out.back().next = first;
-    out[first].before = Index(out.size()) - 1;
-    for (Index k = first; k < out.size(); ++k) {
-      const GridCorner& in = out[out[k].before];
-      out[k].turn = std::int8_t(sign(int128(in.dx) * out[k].dy - int128(in.dy) * out[k].dx));
-    }
+      GridCorner& c = out.back();
+      c.next = k + 1, c.before = k - 1;
+      if (k > first) c.turn = turn(out[k - 1], c);
+      ++k, h = c_.next(h);
+    } while (h != start);
+    out[k - 1].next = first;
+    out[first].before = k - 1;
+    out[first].turn = turn(out[k - 1], out[first]);
   }
-
-  bool seen(Index h) const { return seen_[h] != 0; }
 
  private:
   GridCorner corner(Index h) const {
@@ -51,9 +47,12 @@ class Walk {
     return g;
   }
 
+  static std::int8_t turn(const GridCorner& in, const GridCorner& out) {
+    return std::int8_t(sign(int128(in.dx) * out.dy - int128(in.dy) * out.dx));
+  }
+
   const CellComplex& c_;
   bool mirrored_;
-  std::pmr::vector<char> seen_;
 };
 
 bool on_grid(const CellComplex& c, Index e) {
@@ -87,7 +86,7 @@ std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wan
   for (Index v = 0; v < c.vertices.size(); ++v)
     if (!near[v] && wanted(c.vertices[v].mark)) return std::nullopt;
   std::vector<GridFace> faces;
-  Walk walk(c, mirrored, scratch.memory());
+  Walk walk(c, mirrored);
   for (Index f = 0; f < c.faces.size(); ++f) {
     if (!in(f)) continue;
     for (Index v : c.faces[f].isolated)
