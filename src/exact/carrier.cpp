@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include <bit>
+#include <numeric>
 
 #include "exact/geometry_stages.h"
 
@@ -16,27 +16,8 @@ void set_line_filter(Carrier& l) {
   l.z = l.displaced() ? from_int(l.c) / normal_length(l) + from_real(l.w) : line_offset(l) / normal_length(l);
 }
 
-namespace {
-
-/// Stein's algorithm without branches that depend on the numbers: which of two is larger cannot be foreseen.
-std::int64_t greatest_divisor(std::int64_t x, std::int64_t y) {
-  std::uint64_t a = x < 0 ? 0 - std::uint64_t(x) : std::uint64_t(x),
-                b = y < 0 ? 0 - std::uint64_t(y) : std::uint64_t(y);
-  if (a == 0 || b == 0) return std::int64_t(a | b);
-  const int twos = std::countr_zero(a | b);
-  a >>= std::countr_zero(a), b >>= std::countr_zero(b);
-  while (a != b) {
-    const std::uint64_t gap = a - b, below = 0 - std::uint64_t(a < b);
-    b += gap & below;
-    a = ((gap ^ below) - below) >> std::countr_zero(gap);
-  }
-  return std::int64_t(a << twos);
-}
-
-}  // namespace
-
 std::int64_t make_primitive(std::int64_t& a, std::int64_t& b) {
-  std::int64_t f = greatest_divisor(a, b);
+  std::int64_t f = std::gcd(a, b);
   if (a < 0 || (a == 0 && b < 0)) f = -f;
   a /= f;
   b /= f;

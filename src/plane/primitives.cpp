@@ -3,6 +3,7 @@
 
 #include "plane/primitives.h"
 
+#include "exact/primitive.h"
 #include "plane/piece_builder.h"
 #include "plane/ring_map.h"
 #include "plane/scratch.h"
@@ -22,12 +23,13 @@ void add_edge(PieceBuilder& b, const ContourEdge& e, const GridPoint& to) {
 /// Valid rings need no arrangement: their edges, cut into x-monotone curves, are those of the region, in order.
 class RingBuilder {
  public:
-  RingBuilder(std::span<const Contour> rings, Memory memory) : edges_(memory), starts_(memory) {
+  RingBuilder(std::span<const Contour> rings, Memory memory) : edges_(memory), starts_(memory), normals_(memory) {
     std::size_t count = 0;
     for (const Contour& ring : rings) count += ring.size();
     curves_.geometry.carriers.reserve(count);
     curves_.geometry.points.reserve(count);
     edges_.reserve(count);
+    normals_.reserve(count);
     for (const Contour& ring : rings) add(ring);
   }
 
@@ -41,16 +43,27 @@ class RingBuilder {
   void add(const Contour& ring) {
     const Index first = Index(edges_.size()), corner = Index(curves_.geometry.points.size()), n = Index(ring.size());
     starts_.push_back(first);
-    for (const ContourEdge& e : ring) curves_.geometry.add_grid_point(e.start.x, e.start.y);
+    normals_.clear();
+    for (Index k = 0; k < n; ++k) {
+      const GridPoint &p = ring[k].start, &q = ring[k + 1 == n ? 0 : k + 1].start;
+      curves_.geometry.add_grid_point(p.x, p.y);
+      normals_.push_back(ring[k].arc ? exact::Normal{1, 0} : exact::Normal{q.y - p.y, p.x - q.x});
+    }
+    exact::make_primitive(normals_);
     for (Index k = 0; k < n; ++k) {
       const Index next = k + 1 == n ? 0 : k + 1, at = Index(edges_.size());
       if (ring[k].arc)
         add_arc(ring[k], corner + k, corner + next);
       else
-        edges_.push_back({corner + k, curves_.line(ring[k].start, ring[next].start), ring[k].start < ring[next].start});
+        add_segment(normals_[k], corner + k, ring[k].start, ring[next].start);
       if (at > first) could_merge_ |= could_continue(edges_[at - 1], edges_[at]);
     }
     could_merge_ |= could_continue(edges_.back(), edges_[first]);
+  }
+
+  void add_segment(const exact::Normal& n, Index from, const GridPoint& p, const GridPoint& q) {
+    const Index line = curves_.geometry.add_line(n.a, n.b, exact::int128(n.a) * p.x + exact::int128(n.b) * p.y);
+    edges_.push_back({from, line, p < q});
   }
 
   void add_arc(const ContourEdge& e, Index from, Index to) {
@@ -72,6 +85,7 @@ class RingBuilder {
   PieceBuilder curves_;
   std::pmr::vector<RingEdge> edges_;
   std::pmr::vector<Index> starts_;
+  std::pmr::vector<exact::Normal> normals_;  // of the segments of one ring
   bool could_merge_ = false;
 };
 
