@@ -33,7 +33,7 @@ bool comes_first(const Arm& from, const Arm& p, const Arm& q) {
 }  // namespace
 
 Index& Knots::parent(Index point) {
-  if (point >= knot_of_.size()) knot_of_.resize(point + 1, kNone);
+  if (point >= knot_of_.size()) knot_of_.resize(std::max<std::size_t>(point + 1, points_), kNone);
   Index& knot = knot_of_[point];
   if (knot == kNone) same_.push_back(knot = Index(same_.size()));
   while (same_[knot] != knot) knot = same_[knot] = same_[same_[knot]];

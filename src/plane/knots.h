@@ -25,7 +25,9 @@ struct Arm {
 
 class Knots {
  public:
-  explicit Knots(Memory memory) : knot_of_(memory), same_(memory), arms_(memory), first_arm_(memory), memory_(memory) {}
+  /// `points`: about how many there will be.
+  Knots(std::size_t points, Memory memory)
+      : points_(points), knot_of_(memory), same_(memory), arms_(memory), first_arm_(memory), memory_(memory) {}
 
   bool empty() const { return same_.empty(); }
   /// A point becomes a knot, or stays one.
@@ -41,6 +43,7 @@ class Knots {
   /// One of its points.
   Index point(Index knot) const { return Index(std::find(knot_of_.begin(), knot_of_.end(), knot) - knot_of_.begin()); }
 
+  void reserve_arms(std::size_t most) { arms_.reserve(most); }
   void add(const Arm& arm) { arms_.push_back(arm); }
   /// After the last arm.
   void group_arms();
@@ -56,6 +59,7 @@ class Knots {
   }
   Index& parent(Index point);
 
+  std::size_t points_;
   std::pmr::vector<Index> knot_of_;  // point -> knot; empty while there is none
   std::pmr::vector<Index> same_;     // knot -> one with a smaller number at the same place, or itself
   std::pmr::vector<Arm> arms_;

@@ -29,9 +29,10 @@ MeetingCurves::MeetingCurves(ReducedConvolution& c, Memory memory)
       first_stop_(memory),
       ends_at_(g_.points.size(), kNone, memory),
       opposite_(memory),
-      knots_(memory),
+      knots_(g_.points.size() + size(), memory),
       memory_(memory) {
   for (Index i = 0; i < size(); ++i) ends_at_[end(i)] = i;
+  stops_.reserve(size());
   CellGrid(g_, c_.pieces, {}, memory_).pairs([&](Index i, Index j) { cross(i, j); });
   sort_stops();
   if (!knots_.empty()) add_arms();
@@ -167,6 +168,7 @@ void MeetingCurves::find_twins() {
 }
 
 void MeetingCurves::add_arms() {
+  knots_.reserve_arms(2 * stops_.size() + 2 * size());
   for (Index i = 0; i < size(); ++i) {
     const InnerSide& side = c_.sides[i];
     if (const Index from = knots_.at(start(i)); from != kNone)

@@ -16,7 +16,9 @@ namespace {
 class OuterWalks {
  public:
   OuterWalks(const MeetingCurves& curves, Memory memory)
-      : curves_(curves), state_(curves.part_count(), kNew, memory), parts_(memory) {}
+      : curves_(curves), state_(curves.part_count(), kNew, memory), parts_(memory) {
+    parts_.reserve(curves.size());
+  }
 
   /// The walk from a part of a curve, if it is closed and new.
   std::span<const CurvePart> walk(CurvePart from) {
@@ -141,6 +143,7 @@ class TransversalSum {
   /// False where the ring passes a knot that a ring has passed before.
   bool add_ring(std::span<const CurvePart> walk) {
     starts_.push_back(Index(rings_.size()));
+    if (rings_.empty()) rings_.reserve(walk.size());
     for (std::size_t k = walk.size(); k-- > 0;) {
       CurvePart p = walk[k], before = walk[k + 1 == walk.size() ? 0 : k + 1];
       if (Index knot = curves_.knot_before(p); knot != kNone && passed_[knot]++ > 0) return false;
