@@ -3,6 +3,8 @@
 
 #include "plane/grid_faces.h"
 
+#include <span>
+
 #include "plane/scratch.h"
 
 namespace findspace::plane {
@@ -18,20 +20,19 @@ class Walk {
  public:
   Walk(const CellComplex& c, bool mirrored) : c_(c), mirrored_(mirrored) {}
 
-  /// The ring of a half-edge.
-  void ring(Index start, std::vector<GridCorner>& out) {
-    const Index first = Index(out.size());
-    Index h = start, k = first;
+  void ring(Index start, std::vector<GridCorner>& out) const {
+    Index first = Index(out.size()), k = first, h = start;
     do {
-      out.push_back(corner(h));
-      GridCorner& c = out.back();
-      c.next = k + 1, c.before = k - 1;
-      if (k > first) c.turn = turn(out[k - 1], c);
-      ++k, h = c_.next(h);
+      GridCorner& g = out.emplace_back(corner(h));
+      g.before = k - 1, g.next = ++k;
+      h = c_.next(h);
     } while (h != start);
-    out[k - 1].next = first;
-    out[first].before = k - 1;
-    out[first].turn = turn(out[k - 1], out[first]);
+    out[k - 1].next = first, out[first].before = k - 1;
+    const GridCorner* in = &out[k - 1];
+    for (GridCorner& g : std::span(out).subspan(first)) {
+      g.turn = std::int8_t(sign(int128(in->dx) * g.dy - int128(in->dy) * g.dx));
+      in = &g;
+    }
   }
 
  private:
@@ -45,10 +46,6 @@ class Walk {
     if (flipped != mirrored_) g.dx = -g.dx, g.dy = -g.dy;
     if (mirrored_) g.at = {-g.at.x, -g.at.y};
     return g;
-  }
-
-  static std::int8_t turn(const GridCorner& in, const GridCorner& out) {
-    return std::int8_t(sign(int128(in.dx) * out.dy - int128(in.dy) * out.dx));
   }
 
   const CellComplex& c_;
@@ -74,21 +71,21 @@ bool GridFace::is_convex() const {
 }
 
 std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
-  auto in = [&](Index face) { return wanted(c.faces[face].mark); };
   Scratch scratch(c.edges.size() / 4);
-  std::pmr::vector<char> near(c.vertices.size(), 0, scratch.memory());
+  std::pmr::vector<char> in(c.faces.size(), 0, scratch.memory()), near(c.vertices.size(), 0, scratch.memory());
+  for (Index f = 0; f < c.faces.size(); ++f) in[f] = wanted(c.faces[f].mark);
   for (Index e = 0; e < c.edges.size(); ++e) {
     Index left = c.face(2 * e), right = c.face(2 * e + 1);
-    bool beside = in(left) || in(right);
+    const bool beside = in[left] || in[right];
     if (beside ? left == right || !on_grid(c, e) : wanted(c.edges[e].mark)) return std::nullopt;
     if (beside) near[c.edges[e].v0] = near[c.edges[e].v1] = 1;
   }
   for (Index v = 0; v < c.vertices.size(); ++v)
     if (!near[v] && wanted(c.vertices[v].mark)) return std::nullopt;
   std::vector<GridFace> faces;
-  Walk walk(c, mirrored);
+  const Walk walk(c, mirrored);
   for (Index f = 0; f < c.faces.size(); ++f) {
-    if (!in(f)) continue;
+    if (!in[f]) continue;
     for (Index v : c.faces[f].isolated)
       if (!wanted(c.vertices[v].mark)) return std::nullopt;
     GridFace& face = faces.emplace_back();

@@ -12,6 +12,8 @@
 namespace findspace::plane {
 namespace {
 
+constexpr std::size_t kLittle = 8192;  // bytes that may lie idle
+
 /// Numbers what is used (not 0) in its order, the rest kNone, and drops the rest of the things.
 template <class Thing>
 void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
@@ -24,8 +26,8 @@ void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
     if (count != k) things[count] = std::move(things[k]);
     used[k] = count++;
   }
-  things.resize(count);
-  if (2 * things.size() < things.capacity()) things.shrink_to_fit();
+  things.erase(things.begin() + std::ptrdiff_t(count), things.end());
+  if (2 * count < things.capacity() && things.capacity() * sizeof(Thing) > kLittle) things.shrink_to_fit();
 }
 
 /// What the rings use of a geometry; carriers keep their order, as crossings need.
