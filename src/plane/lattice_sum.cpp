@@ -13,7 +13,8 @@ namespace {
 using Two [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = std::uint64_t;
 
 /// Words first to last of to |= from << up.
-void or_shifted(std::uint64_t* to, const std::uint64_t* from, std::int64_t first, std::int64_t last, unsigned up) {
+inline void or_shifted(std::uint64_t* to, const std::uint64_t* from, std::int64_t first, std::int64_t last,
+                       unsigned up) {
   const unsigned down = 63 - up;  // by one more, in two steps, so that it may be by 64
   std::int64_t k = first;
   for (; k < last; k += 2) {
@@ -71,6 +72,13 @@ class WidenedCells {
   std::vector<Bitmap> widened_;
 };
 
+/// A run of points as two of a power of two, maybe the same, and the cells widened by it.
+struct Step {
+  std::int64_t first, last, second;  // columns; the second of the two starts at `second`
+  std::int64_t grown;                // by so much
+  const Bitmap* cells;
+};
+
 /// One row of the sum.
 class RowOfSums {
  public:
@@ -80,35 +88,40 @@ class RowOfSums {
   }
 
   /// Adds a row of cells, moved by a row of points.
-  void add(std::span<const LatticeRun> points, std::int64_t row) {
+  void add(std::span<const Step> points, std::int64_t row) {
     const auto& used = cells_.used(row);
     if (used.last < used.first) return;
-    const std::int64_t low = full_.first * 64 + column0_ - used.first, high = full_.end * 64 + column0_ - used.last;
-    auto from = std::partition_point(points.begin(), points.end(), [&](const LatticeRun& p) { return p.first < low; });
-    auto till = std::partition_point(from, points.end(), [&](const LatticeRun& p) { return p.last < high; });
+    auto from = points.end(), till = from;  // those between add nothing
+    if (full_.first < full_.end) {
+      const std::int64_t low = full_.first * 64 + column0_ - used.first, high = full_.end * 64 + column0_ - used.last;
+      from = std::partition_point(points.begin(), points.end(), [&](const Step& p) { return p.first < low; });
+      till = std::partition_point(from, points.end(), [&](const Step& p) { return p.last < high; });
+    }
     for (auto p = points.begin(); p != from; ++p) add(*p, row, used);
     for (auto p = till; p != points.end(); ++p) add(*p, row, used);
     if (done_ > kRowsOfWork * words_) note_full();
   }
 
  private:
+  struct Words {
+    std::int64_t first, end;
+  };
   static constexpr std::int64_t kRowsOfWork = 4;  // before the words that are all ones are looked for again
 
-  void add(const LatticeRun& p, std::int64_t row, const WidenedCells::Columns& used) {
-    const int k = std::bit_width(std::uint64_t(p.last - p.first + 1)) - 1;
-    const std::int64_t width = std::int64_t(1) << k, second = p.last + 1 - width;
-    add(cells_.widened(k), row, {used.first, used.last + width - 1}, p.first);
-    if (second != p.first) add(cells_.widened(k), row, {used.first, used.last + width - 1}, second);
+  void add(const Step& p, std::int64_t row, const WidenedCells::Columns& used) {
+    const std::int64_t column0 = cells_.box().column0;
+    const Words of_cells{(used.first - column0) >> 6, ((used.last + p.grown - column0) >> 6) + 2};
+    const std::uint64_t* from = p.cells->line(row);
+    add(from, of_cells, column0 + p.first - column0_);
+    if (p.second != p.first) add(from, of_cells, column0 + p.second - column0_);
   }
 
-  void add(const Bitmap& cells, std::int64_t row, const WidenedCells::Columns& used, std::int64_t by) {
-    const std::int64_t shift = cells.box().column0 + by - column0_, base = shift / 64;
-    const std::int64_t first = (used.first - cells.box().column0) / 64,
-                       last = (used.last - cells.box().column0) / 64 + 1;
-    const unsigned up = unsigned(shift % 64);
-    or_shifted(to_ + base, cells.line(row), first, std::min(last, full_.first - base - 1), up);
-    or_shifted(to_ + base, cells.line(row), std::max(first, full_.end - base), last, up);
-    done_ += last - first + 1;
+  void add(const std::uint64_t* from, const Words& words, std::int64_t shift) {
+    const std::int64_t base = shift >> 6, first = std::max(words.first, full_.end - base);
+    const unsigned up = unsigned(shift & 63);
+    or_shifted(to_ + base, from, first, words.end - 1, up);
+    if (first > words.first) or_shifted(to_ + base, from, words.first, std::min(words.end, full_.first - base) - 1, up);
+    done_ += words.end - words.first;
   }
 
   /// The longest stretch.
@@ -120,9 +133,6 @@ class RowOfSums {
     }
   }
 
-  struct Words {
-    std::int64_t first, end;
-  };
   const WidenedCells& cells_;
   std::uint64_t* to_;
   const std::int64_t words_, column0_;
@@ -130,15 +140,32 @@ class RowOfSums {
   std::int64_t done_ = 0;  // words, since these were looked for
 };
 
-/// Row by row, those of all parts of the set early, so that the middle of the sum fills early.
-std::vector<std::span<const LatticeRun>> scattered_rows(std::span<const LatticeRun> runs) {
+struct RowOfPoints {
+  std::int64_t row;
+  std::span<const Step> steps;
+};
+
+std::vector<Step> steps(std::span<const LatticeRun> points, const WidenedCells& cells) {
+  std::vector<Step> out;
+  out.reserve(points.size());
+  for (const LatticeRun& p : points) {
+    const int k = std::bit_width(std::uint64_t(p.last - p.first + 1)) - 1;
+    const std::int64_t width = std::int64_t(1) << k;
+    out.push_back({p.first, p.last, p.last + 1 - width, width - 1, &cells.widened(k)});
+  }
+  return out;
+}
+
+/// Those of all parts of the set early, so that the middle of the sum fills early.
+std::vector<RowOfPoints> scattered_rows(std::span<const LatticeRun> points, std::span<const Step> steps) {
   constexpr std::size_t kStride = 16;
-  std::vector<std::span<const LatticeRun>> rows, out;
-  for (std::size_t k = 0, first = 0; k < runs.size(); ++k) {
-    if (k + 1 < runs.size() && runs[k + 1].row == runs[first].row) continue;
-    rows.push_back(runs.subspan(first, k + 1 - first));
+  std::vector<RowOfPoints> rows, out;
+  for (std::size_t k = 0, first = 0; k < points.size(); ++k) {
+    if (k + 1 < points.size() && points[k + 1].row == points[first].row) continue;
+    rows.push_back({points[first].row, steps.subspan(first, k + 1 - first)});
     first = k + 1;
   }
+  out.reserve(rows.size());
   for (std::size_t start = 0; start < kStride; ++start)
     for (std::size_t k = start; k < rows.size(); k += kStride) out.push_back(rows[k]);
   return out;
@@ -149,13 +176,12 @@ std::vector<std::span<const LatticeRun>> scattered_rows(std::span<const LatticeR
 void add_sums(std::span<const LatticeRun> points, std::span<const LatticeRun> cells, Bitmap& to) {
   const WidenedCells widened(cells, longest(points));
   const LatticeBox& box = widened.box();
-  const auto rows = scattered_rows(points);
+  const auto all = steps(points, widened);
+  const auto rows = scattered_rows(points, all);
   for (std::int64_t row = to.box().row0; row <= to.box().row1; ++row) {
     RowOfSums sums(widened, to, row);
-    for (const auto& of_points : rows) {
-      const std::int64_t of_cells = row - of_points.front().row;
-      if (box.row0 <= of_cells && of_cells <= box.row1) sums.add(of_points, of_cells);
-    }
+    for (const RowOfPoints& p : rows)
+      if (box.row0 <= row - p.row && row - p.row <= box.row1) sums.add(p.steps, row - p.row);
   }
 }
 
