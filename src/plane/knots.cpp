@@ -83,7 +83,10 @@ bool Knots::is_surrounded(Index knot) const {
   // A curve hides the half plane on its left. Some direction is left over if and only if the ways of the curves lie in
   // an open half plane: then there is one among them with none of the others to its right or straight behind it.
   const auto all = arms(knot);
-  auto way = [](const Arm& a) { return a.starts ? a : Arm{.dx = -a.dx, .dy = -a.dy}; };
+  auto way = [](Arm a) {
+    if (!a.starts) a.dx = -a.dx, a.dy = -a.dy;
+    return a;
+  };
   for (const Arm& a : all) {
     if (!a.hides) continue;
     const Arm first = way(a);
