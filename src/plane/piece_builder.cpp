@@ -51,6 +51,13 @@ void PieceBuilder::arc(Index circle, Index from, Index to, bool ccw) {
   }
 }
 
+void PieceBuilder::edge(const ContourEdge& e, const GridPoint& to) {
+  if (!e.arc) return segment(e.start, to);
+  Index from = geometry.add_grid_point(e.start.x, e.start.y);
+  Index end = e.start == to ? from : geometry.add_grid_point(to.x, to.y);
+  arc(geometry.add(Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, end, e.ccw);
+}
+
 void PieceBuilder::circle(Index circle) {
   Index start = extreme(circle, -1);
   arc(circle, start, start, true);

@@ -13,13 +13,6 @@
 namespace findspace::plane {
 namespace {
 
-void add_edge(PieceBuilder& b, const ContourEdge& e, const GridPoint& to) {
-  if (!e.arc) return b.segment(e.start, to);
-  Index from = b.geometry.add_grid_point(e.start.x, e.start.y);
-  Index end = e.start == to ? from : b.geometry.add_grid_point(to.x, to.y);
-  b.arc(b.geometry.add(exact::Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, end, e.ccw);
-}
-
 /// Valid rings need no arrangement: their edges, cut into x-monotone curves, are those of the region, in order.
 class RingBuilder {
  public:
@@ -136,7 +129,7 @@ Region region_of_points(std::span<const GridPoint> points) {
 
 Region region_of_chain(const Contour& chain) {
   PieceBuilder b;
-  for (std::size_t k = 0; k + 1 < chain.size(); ++k) add_edge(b, chain[k], chain[k + 1].start);
+  for (std::size_t k = 0; k + 1 < chain.size(); ++k) b.edge(chain[k], chain[k + 1].start);
   return all_cells(std::move(b), {});
 }
 
