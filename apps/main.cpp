@@ -147,7 +147,7 @@ int finish(const Outcome& outcome, const Options& options, Talk& talk) {
   talk.stage("");
   const bool wanted = !outcome.text.empty() && (options.json || !options.quiet || options.outputs.empty());
   if (wanted) std::fwrite(outcome.text.data(), 1, outcome.text.size(), stdout);
-  if (std::fflush(stdout) != 0) {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     talk.error("standard output cannot be written");
     return kBadInput;
   }
