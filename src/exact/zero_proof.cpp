@@ -5,36 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <span>
+
+#include "exact/modular_tower.h"
 
 namespace findspace::exact::detail {
 
 namespace {
 
-using Word = std::uint32_t;
-using Coefficients = std::vector<Word>;  // of the products of the t_i, by bits; empty for 0, else a power of 2 many
-using Powers = std::map<int, int>;       // from factors to how often
+using Word = ModularTower::Word;
+using Coefficients = ModularTower::Coefficients;
+using Powers = std::map<int, int>;  // from factors to how often
 
-constexpr int kMostRoots = 9;
-constexpr std::size_t kMostPrimes = 512;
-
-/// The largest primes below 2^31, descending.
-const std::vector<Word>& primes() {
-  static const std::vector<Word> found = [] {
-    constexpr Word kTop = Word(1) << 31, kSpan = 16384, kRoot = 46341;
-    std::vector<char> composite(kSpan), small(kRoot);
-    for (Word d = 2; d < kRoot; ++d) {
-      if (small[d] != 0) continue;
-      for (Word m = d * d; d < 216 && m < kRoot; m += d) small[m] = 1;
-      for (Word m = kTop - kTop % d; kTop - m < kSpan; m -= d) composite[kTop - m] = 1;
-    }
-    std::vector<Word> out;
-    for (Word k = 1; k < kSpan && out.size() < kMostPrimes; ++k)
-      if (composite[k] == 0) out.push_back(kTop - k);
-    return out;
-  }();
-  return found;
-}
+constexpr std::size_t kMostCoefficients = 768;
 
 double up(double bits) { return bits + std::abs(bits) * 0x1p-40 + 0x1p-40; }  // no sign: more than log2 loses
 
@@ -57,7 +39,7 @@ Powers lacking(const Powers& from, const Powers& to) {
 struct Fraction {
   double size = 0;  // log2 of a bound of the sum of the numerator's coefficients
   Powers below, times_a, times_b;
-  int root = -1;  // of kSqrt and kPlainRoot
+  std::vector<Powers> times;  // of a polynomial's coefficients
 };
 
 /// What divides: an integer, or the numerator of a step.
@@ -78,7 +60,6 @@ class Shape {
   const Plan& plan() const { return plan_; }
   const std::vector<Fraction>& fractions() const { return fractions_; }
   const std::vector<Factor>& factors() const { return factors_; }
-  int roots() const { return roots_; }
 
  private:
   int integer_factor(const mpz_class& q) {
@@ -106,15 +87,43 @@ class Shape {
   }
 
   Fraction over(double size, const mpz_class& q) {
-    Fraction out{size, {}, {}, {}};
+    Fraction out{size, {}, {}, {}, {}};
     if (q != 1) out.below[integer_factor(q)] = 1;
     return out;
   }
 
-  Fraction root_of(double radicand) {
-    Fraction out{up(radicand / 2), {}, {}, {}};
-    out.root = roots_++;
-    if (roots_ > kMostRoots) possible_ = false;
+  Fraction variable(double size, std::size_t degree) {
+    coefficients_ *= degree;
+    if (coefficients_ > kMostCoefficients) possible_ = false;
+    return {size, {}, {}, {}, {}};
+  }
+
+  Fraction root_of(double radicand) { return variable(std::max(0.0, up(radicand / 2)), 2); }
+
+  /// A root of a_n r^n + ... is t / a_n, with t^n = -(a_(n-1) t^(n-1) + a_n a_(n-2) t^(n-2) + ...). That t is bounded
+  /// by the greatest of the n-th part's k-th roots: then each term is at most an n-th of t^n.
+  Fraction polynomial(const Step& step) {
+    const std::size_t degree = step.polynomial->coefficients.size() - 1;
+    const int* of = plan_.coefficients().data() + step.first;
+    const auto coefficient = [&](std::size_t k) -> const Fraction& { return fractions_[std::size_t(of[k])]; };
+    Powers common;
+    for (std::size_t k = 0; k <= degree; ++k)
+      for (const auto& [f, power] : coefficient(k).below) common[f] = std::max(common[f], power);
+    std::vector<Powers> times;
+    std::vector<double> sizes;
+    for (std::size_t k = 0; k <= degree; ++k) {
+      times.push_back(lacking(coefficient(k).below, common));
+      sizes.push_back(std::max(0.0, coefficient(k).size) + size_of(times.back()));
+    }
+    double most = 0;
+    for (std::size_t k = 0; k < degree; ++k) {
+      const double term = sizes[k] + double(degree - 1 - k) * sizes[degree] + std::log2(double(degree));
+      most = std::max(most, up(term / double(degree - k)));
+    }
+    Fraction out = variable(most, degree);
+    out.below = times[degree];
+    ++out.below[step_factor(of[degree])];
+    out.times = std::move(times);
     return out;
   }
 
@@ -133,7 +142,7 @@ class Shape {
   }
 
   static Fraction product(const Fraction& a, const Fraction& b) {
-    Fraction out{up(a.size + b.size), a.below, {}, {}};
+    Fraction out{up(a.size + b.size), a.below, {}, {}, {}};
     for (const auto& [f, power] : b.below) out.below[f] += power;
     return out;
   }
@@ -168,11 +177,11 @@ class Shape {
       case StepKind::kPlainRoot:
         return root_of(log2_of(step.leaf->n));
       case StepKind::kPolynomialRoot:
-        break;
+        return polynomial(step);
       case StepKind::kLeaf:
         return leaf(step, step.a < 0 ? 0 : operand(step.a).size);
       case StepKind::kNeg:
-        return {operand(step.a).size, operand(step.a).below, {}, {}};
+        return {operand(step.a).size, operand(step.a).below, {}, {}, {}};
       case StepKind::kAdd:
       case StepKind::kSub:
         return sum(operand(step.a), operand(step.b));
@@ -183,21 +192,20 @@ class Shape {
       case StepKind::kSqrt:
         return square_root(operand(step.a));
     }
-    possible_ = false;
     return {};
   }
 
   const Plan& plan_;
   std::vector<Fraction> fractions_;
   std::vector<Factor> factors_;
-  int roots_ = 0;
+  std::size_t coefficients_ = 1;
   bool possible_ = true;
 };
 
 /// The numerators modulo one prime.
 class Modulo {
  public:
-  Modulo(const Shape& shape, Word prime) : shape_(shape), prime_(prime), radicands_(std::size_t(shape.roots())) {
+  Modulo(const Shape& shape, Word prime) : shape_(shape), tower_(prime) {
     const std::vector<Step>& steps = shape.plan().steps();
     for (std::size_t k = 0; k < steps.size(); ++k) values_.push_back(value(steps[k], shape.fractions()[k]));
   }
@@ -206,64 +214,31 @@ class Modulo {
 
  private:
   Coefficients number(const mpz_class& z) const {
-    const auto rest = Word(mpz_fdiv_ui(z.get_mpz_t(), prime_));
+    const auto rest = Word(mpz_fdiv_ui(z.get_mpz_t(), tower_.prime()));
     return rest == 0 ? Coefficients{} : Coefficients{rest};
-  }
-
-  Coefficients variable(int root) const {
-    Coefficients out(std::size_t(2) << root);
-    out[out.size() / 2] = 1;
-    return out;
-  }
-
-  /// a + sign * b.
-  Coefficients sum(Coefficients a, const Coefficients& b, int sign) const {
-    if (a.size() < b.size()) a.resize(b.size());
-    for (std::size_t k = 0; k < b.size(); ++k) {
-      const Word plus = sign > 0 || b[k] == 0 ? b[k] : prime_ - b[k];
-      a[k] = Word((std::uint64_t(a[k]) + plus) % prime_);
-    }
-    return trimmed(std::move(a));
-  }
-
-  static Coefficients trimmed(Coefficients a) {
-    std::size_t used = a.size();
-    while (used > 0 && a[used - 1] == 0) --used;
-    std::size_t size = used == 0 ? 0 : 1;
-    while (size < used) size *= 2;
-    a.resize(size);
-    return a;
-  }
-
-  Coefficients product(std::span<const Word> a, std::span<const Word> b) const {
-    if (a.size() < b.size()) std::swap(a, b);
-    while (!b.empty() && b.back() == 0 && std::all_of(b.begin(), b.end(), [](Word w) { return w == 0; })) b = {};
-    if (b.empty()) return {};
-    if (a.size() == 1) return {Word(std::uint64_t(a[0]) * b[0] % prime_)};
-    const std::size_t half = a.size() / 2;
-    const auto low = a.first(half), high = a.subspan(half);
-    if (b.size() <= half) return joined(product(low, b), product(high, b), half);
-    const auto first = b.first(half), second = b.subspan(half);
-    const Coefficients& square = radicands_[std::size_t(std::countr_zero(half))];
-    return joined(sum(product(low, first), product(product(high, second), square), 1),
-                  sum(product(low, second), product(high, first), 1), half);
-  }
-
-  static Coefficients joined(Coefficients low, const Coefficients& high, std::size_t half) {
-    if (high.empty()) return trimmed(std::move(low));
-    low.resize(half);
-    low.insert(low.end(), high.begin(), high.end());
-    low.resize(2 * half);
-    return low;
   }
 
   Coefficients times(Coefficients a, const Powers& factors) const {
     for (const auto& [f, power] : factors) {
       const Factor& factor = shape_.factors()[std::size_t(f)];
       const Coefficients by = factor.step < 0 ? number(factor.integer) : values_[std::size_t(factor.step)];
-      for (int k = 0; k < power; ++k) a = product(a, by);
+      for (int k = 0; k < power; ++k) a = tower_.product(a, by);
     }
     return a;
+  }
+
+  Coefficients polynomial(const Step& step, const Fraction& f) {
+    const std::size_t degree = f.times.size() - 1;
+    std::vector<Coefficients> a;
+    for (std::size_t k = 0; k <= degree; ++k) {
+      const int of = shape_.plan().coefficients()[std::size_t(step.first) + k];
+      a.push_back(times(values_[std::size_t(of)], f.times[k]));
+    }
+    Coefficients leading{1};
+    for (std::size_t k = degree; k-- > 0; leading = tower_.product(leading, a[degree]))
+      a[k] = tower_.negative(tower_.product(a[k], leading));
+    a.pop_back();
+    return tower_.add_variable(std::move(a));
   }
 
   Coefficients value(const Step& step, const Fraction& f) {
@@ -275,33 +250,31 @@ class Modulo {
         return number(p);
       }
       case StepKind::kPlainRoot:
-        radicands_[std::size_t(f.root)] = number(step.leaf->n);
-        return variable(f.root);
+        return tower_.add_variable({number(step.leaf->n), {}});
       case StepKind::kLeaf:
         if (step.leaf->rational()) return number(step.leaf->p);
-        return sum(product(operand(step.a), number(step.leaf->r)), number(step.leaf->p), 1);
+        return tower_.sum(tower_.product(operand(step.a), number(step.leaf->r)), number(step.leaf->p));
       case StepKind::kNeg:
-        return sum({}, operand(step.a), -1);
+        return tower_.negative(operand(step.a));
       case StepKind::kAdd:
+        return tower_.sum(times(operand(step.a), f.times_a), times(operand(step.b), f.times_b));
       case StepKind::kSub:
-        return sum(times(operand(step.a), f.times_a), times(operand(step.b), f.times_b),
-                   step.kind == StepKind::kAdd ? 1 : -1);
+        return tower_.sum(times(operand(step.a), f.times_a), tower_.negative(times(operand(step.b), f.times_b)));
       case StepKind::kMul:
-        return product(operand(step.a), operand(step.b));
+        return tower_.product(operand(step.a), operand(step.b));
       case StepKind::kDiv:
         return times(operand(step.a), f.times_a);
       case StepKind::kSqrt:
-        radicands_[std::size_t(f.root)] = times(operand(step.a), f.times_a);
-        return variable(f.root);
+        return tower_.add_variable({times(operand(step.a), f.times_a), {}});
       case StepKind::kPolynomialRoot:
-        break;  // no Shape
+        return polynomial(step, f);
     }
     return {};
   }
 
   const Shape& shape_;
-  Word prime_;
-  std::vector<Coefficients> radicands_, values_;
+  ModularTower tower_;
+  std::vector<Coefficients> values_;
 };
 
 }  // namespace
@@ -310,7 +283,7 @@ bool proves_zero(const Plan& plan) {
   const Shape shape(plan);
   if (!shape.possible()) return false;
   double open = shape.fractions()[std::size_t(plan.root())].size;
-  for (const Word prime : primes()) {
+  for (const Word prime : tower_primes()) {
     if (!Modulo(shape, prime).is_zero()) return false;
     open -= 30.9;  // no sign: less than log2 of the prime
     if (open < 0) return true;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exact/angle.h"
+#include "exact/polynomial_root.h"
 #include "exact/real_sign.h"
 #include "exact/stages.h"
 #include "exact/zero_proof.h"
@@ -58,6 +59,22 @@ TEST(ZeroProof, TurnedPointsLieWhereTheyWereTurnedTo) {
     }
   }
   EXPECT_GT(stage_counts().zero_identity, 20u);
+}
+
+/// Values of polynomials at their roots, and what follows from them; with roots among the coefficients, and several.
+TEST(ZeroProof, RootsOfPolynomials) {
+  const Polynomial p{Real(-7), root(3), Real(0), Real::ratio(5, 3), Real(1), root(2) + 1};
+  const Polynomial q{Real(-11), Real(2), Real(4) * root(5), Real(3)};
+  const std::vector<Real> x = roots_between(p, Real(0), Real(4)), y = roots_between(q, Real(0), Real(4));
+  ASSERT_EQ(x.size(), 1u);
+  ASSERT_EQ(y.size(), 1u);
+  const Real f = value_at(p, x[0]), g = value_at(q, y[0]);
+  EXPECT_TRUE(proven(f * root(7) - g / (x[0] + y[0])));
+  EXPECT_TRUE(proven((x[0] + y[0]) * (x[0] - y[0]) - x[0] * x[0] + y[0] * y[0]));
+  EXPECT_TRUE(proven(sqrt(x[0]) * sqrt(x[0]) / y[0] - x[0] / y[0] + f));
+  EXPECT_FALSE(proven(f + Real::ratio(1, int128(1) << 90)));
+  EXPECT_FALSE(proven(value_at(p, y[0])));
+  EXPECT_FALSE(proven(x[0] * x[0] - y[0]));
 }
 
 /// Random expressions, of which many are 0: what is proven is 0 by the bound, too, and what is not 0 is never proven.
