@@ -66,6 +66,13 @@ Coefficients ModularTower::negative(Coefficients a) const {
   return a;
 }
 
+Coefficients ModularTower::flipped(Coefficients a, std::size_t variable) const {
+  const std::size_t degree = relations_[variable].size();
+  for (std::size_t k = 0; k < a.size(); ++k)
+    if (k / sizes_[variable] % degree % 2 != 0 && a[k] != 0) a[k] = prime_ - a[k];
+  return a;
+}
+
 Coefficients ModularTower::product(std::span<const Word> a, std::span<const Word> b) const {
   if (a.size() < b.size()) std::swap(a, b);
   if (is_zero(b) || is_zero(a)) return {};

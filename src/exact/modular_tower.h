@@ -28,6 +28,8 @@ class ModularTower {
 
   Coefficients sum(Coefficients a, const Coefficients& b) const;
   Coefficients negative(Coefficients a) const;
+  /// With another sign of the variable.
+  Coefficients flipped(Coefficients a, std::size_t variable) const;
   Coefficients product(std::span<const Word> a, std::span<const Word> b) const;
 
  private:

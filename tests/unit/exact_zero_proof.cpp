@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Zeros of nested roots by algebra: where there is an identity it is found, and nothing else counts as one.
+// Zeros of roots by algebra: where there is an identity it is found, and nothing else counts as one.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -37,11 +37,24 @@ TEST(ZeroProof, NestedRootsAndQuotients) {
   EXPECT_FALSE(proven(c * (a + b * root(7)) - a - b));
 }
 
-/// True, but no identity of the roots as they stand: sqrt(5 + 2 sqrt 6) = sqrt 2 + sqrt 3. The bound tells.
-TEST(ZeroProof, ARootThatLiesInTheFieldOfOthers) {
-  const Real x = sqrt(Real(5) + Real(2) * root(6)) - root(2) - root(3);
-  EXPECT_FALSE(proven(x));
-  EXPECT_EQ(x.sign(), 0);
+/// No identities of the roots as they stand, but the value times those with other signs of the roots is 0.
+TEST(ZeroProof, RootsThatLieInTheFieldOfOthers) {
+  const Real x = sqrt(Real(5) + Real(2) * root(6));
+  EXPECT_TRUE(proven(x - root(2) - root(3)));
+  EXPECT_FALSE(proven(x - root(3) + root(2)));
+  EXPECT_FALSE(proven(x + root(2) - root(3)));
+  const Real y = sqrt(Real(3) + root(2)), z = sqrt((y + root(7)) * (y + root(7)) / (y + 1));
+  EXPECT_TRUE(proven(z * z * (y + 1) - (y + root(7)) * (y + root(7))));
+  EXPECT_TRUE(proven(z * sqrt(y + 1) - y - root(7)));
+  EXPECT_FALSE(proven(z * sqrt(y + 1) + y - root(7)));
+}
+
+/// A root of a polynomial that has factors: the bound tells.
+TEST(ZeroProof, NotOfOneFactorOfAPolynomial) {
+  const std::vector<Real> x = roots_between({Real(6), Real(0), Real(-5), Real(0), Real(1)}, Real(1), Real::ratio(3, 2));
+  ASSERT_EQ(x.size(), 1u);
+  EXPECT_FALSE(proven(x[0] - root(2)));
+  EXPECT_EQ((x[0] - root(2)).sign(), 0);
 }
 
 /// A point turned by the angle that puts it onto a circle lies on it; the point and the radius being made of roots.
@@ -82,8 +95,9 @@ TEST(ZeroProof, NeverOfWhatIsNotZero) {
   std::mt19937 random(11);
   const auto pick = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
   int zeros = 0, others = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
-    std::vector<Real> made{Real(pick(4) + 1), root(pick(3) + 2), root(pick(5) + 5)};
+  for (int trial = 0; trial < 12000; ++trial) {
+    // Roots of products, so that some are combinations of others.
+    std::vector<Real> made{Real(pick(4) + 1), root(pick(3) + 2), root(pick(5) + 5), root(6), root(10) + root(15)};
     for (int k = 0; k < 6; ++k) {
       const Real a = made[std::size_t(pick(int(made.size())))], b = made[std::size_t(pick(int(made.size())))];
       const int what = pick(5);
