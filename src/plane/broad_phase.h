@@ -58,6 +58,8 @@ class CellGrid {
   void set_resolution(std::size_t pieces);
   void enter_sorted();
   void enter(const exact::Geometry& g, std::span<const Piece> pieces);
+  /// The rows of a column into which a piece comes.
+  Rows rows_in(const exact::Geometry& g, const Piece& piece, const PieceBox& box, Index column) const;
   bool first_common_cell(Index i, Index j, Index column, Index row) const;
 
   std::pmr::vector<PieceBox> boxes_;
