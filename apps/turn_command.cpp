@@ -91,11 +91,9 @@ std::string picture(const Session& session, const situation::World& world, const
   p.position = {plane::Twofold(at.x).value(), plane::Twofold(at.y).value()};
   session.add_scenery(p, world, &formula);
   const auto shown = stations(world, about(session), angles);
-  const std::size_t shapes = p.moving.size();
   for (const Station& w : shown) {
-    for (std::size_t k = 0; k < shapes; ++k) {
-      const std::string& name = p.moving[k].name;
-      p.moving.push_back({fmt::format("{} at {}°", name, io::shown(w.degrees)), &w.world.shapes.at(name)});
+    for (const io::NamedRegion& r : p.moving) {
+      p.turned.push_back({fmt::format("{}°", io::shown(w.degrees)), &w.world.shapes.at(r.name)});
     }
   }
   return io::turns_svg(io::picture_svg(p), angles);
