@@ -95,6 +95,11 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   }
   if (is(verb, "check") || is(verb, "measure"))
     command.add_option("--time", o.time, "the instant of the motion, a decimal taken exactly")->type_name("T");
+  if (is(verb, "place")) {
+    command.add_option("--resolution", o.resolution, "3D: N x N lines where positions are taken on lines")
+        ->type_name("N")
+        ->check(CLI::Range(1, 16384));
+  }
   if (is(verb, "map")) {
     command.add_option("--apply", o.apply, "an operation on the region")
         ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));

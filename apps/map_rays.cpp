@@ -129,7 +129,7 @@ bool has_ray_map(const RaySet& set) {
 
 situation::RayWorld ray_world(const Session& session) {
   situation::RayWorld world;
-  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, situation::RayShape(*shape));
+  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, situation::RayShape(shape));
   world.moving = session.scene().moving;
   world.step = session.step();
   return world;

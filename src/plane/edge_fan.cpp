@@ -27,8 +27,6 @@ int compare(const EdgeFan& p, const EdgeFan::Ray& r, const EdgeFan& q, const Edg
   return (cross < 0) - (cross > 0);
 }
 
-bool lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
-
 }  // namespace
 
 EdgeFan::EdgeFan(const GridFace& face, Memory memory) : corners(face.corners), rays(memory), rank(memory) {
@@ -52,14 +50,6 @@ void EdgeFan::place(EdgeFan& first, EdgeFan& other) {
     else
       other.rank[other.rays[j].corner] = i, ++j;
   }
-}
-
-EdgeFan::Sweep EdgeFan::sweep(Index corner) const {
-  const GridCorner& c = corners[corner];
-  if (c.turn == 0) return {};
-  Index from = c.turn > 0 ? c.before : corner, to = c.turn > 0 ? corner : c.before;
-  // A turn that sweeps the direction 0 ends below where it starts; so does none else.
-  return {rank[from], rank[to], lower(corners[from]) && !lower(corners[to])};
 }
 
 }  // namespace findspace::plane
