@@ -11,7 +11,7 @@ using exact::int128;
 Index PieceBuilder::line(const GridPoint& p, const GridPoint& q) {
   std::int64_t a = q.y - p.y, b = p.x - q.x;
   exact::make_primitive(a, b);
-  return geometry.add(Carrier::line(a, b, int128(a) * p.x + int128(b) * p.y));
+  return geometry.add_line(a, b, int128(a) * p.x + int128(b) * p.y);
 }
 
 void PieceBuilder::segment(Index carrier, Index from, Index to, bool right) {
