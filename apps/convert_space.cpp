@@ -76,6 +76,8 @@ std::optional<io::Surface> simple_surface(const Session& session, const plane::S
   return std::nullopt;
 }
 
+}  // namespace
+
 io::Surface boundary_of(const Session& session, const plane::Shape& shape) {
   const space::Solid* solid = space::solid_of(shape);
   const bool polytope = solid && solid->form == space::Solid::Form::kPolytope;  // its facets stay whole
@@ -86,6 +88,8 @@ io::Surface boundary_of(const Session& session, const plane::Shape& shape) {
               "this is not bounded by one surface of flat faces; describe -o writes its surface as found on lines",
               shape.place);
 }
+
+namespace {
 
 std::string scene_text(const io::Surface& surface, const std::string& name, const std::string& unit) {
   std::vector<std::string> vertices, faces;

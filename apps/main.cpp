@@ -8,9 +8,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "commands.h"
 #include "deadline.h"
@@ -57,6 +60,14 @@ constexpr VerbEntry kVerbs[] = {
 
 bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
 
+/// What is wrong with a time limit, or nothing. The system's clock takes no more than 1e9.
+std::string seconds(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size() && value >= 0 && value <= 1e9) return "";
+  return fmt::format("a number of seconds from 0 to 1e9 is meant, not '{}'", text);
+}
+
 void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required();
   if (is(verb, "describe") || is(verb, "convert")) {
@@ -84,6 +95,11 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   }
   if (is(verb, "check") || is(verb, "measure"))
     command.add_option("--time", o.time, "the instant of the motion, a decimal taken exactly")->type_name("T");
+  if (is(verb, "place")) {
+    command.add_option("--resolution", o.resolution, "3D: N x N lines where positions are taken on lines")
+        ->type_name("N")
+        ->check(CLI::Range(1, 16384));
+  }
   if (is(verb, "map")) {
     command.add_option("--apply", o.apply, "an operation on the region")
         ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));
@@ -108,7 +124,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("--threads", o.threads, "threads to use; 0: one for each core")->type_name("N");
   command.add_option("--time-limit", o.time_limit, "seconds after which to give up; 0: never")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds);
   command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written");
 }
 
@@ -142,7 +158,7 @@ int finish(const Outcome& outcome, const Options& options, Talk& talk) {
   talk.stage("");
   const bool wanted = !outcome.text.empty() && (options.json || !options.quiet || options.outputs.empty());
   if (wanted) std::fwrite(outcome.text.data(), 1, outcome.text.size(), stdout);
-  if (std::fflush(stdout) != 0) {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     talk.error("standard output cannot be written");
     return kBadInput;
   }

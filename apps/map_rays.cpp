@@ -35,11 +35,12 @@ std::string summary_text(const RaySet& set, const space::RaySummary& summary, do
   if (set.unbounded) return out + "  the region is unbounded\n";
   const auto certified = std::count_if(summary.components.begin(), summary.components.end(),
                                        [](const space::RayComponent& c) { return c.certified; });
-  return out + fmt::format("  volume {} {} {}3, {} components by {}\n",
+  return out + fmt::format("  volume {} {:.9g}{}, {} component{} by {}\n",
                            set.side == Side::kInner   ? "at least"
                            : set.side == Side::kOuter ? "at most"
                                                       : "about",
-                           summary.volume * step * step * step, unit, summary.components.size(),
+                           summary.volume * step * step * step, unit.empty() ? "" : " " + unit + "³",
+                           summary.components.size(), summary.components.size() == 1 ? "" : "s",
                            set.axes ? fmt::format("crossing lines ({} certified)", certified)
                                     : "overlap of neighbouring lines");
 }
@@ -128,7 +129,7 @@ bool has_ray_map(const RaySet& set) {
 
 situation::RayWorld ray_world(const Session& session) {
   situation::RayWorld world;
-  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, situation::RayShape(*shape));
+  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, situation::RayShape(shape));
   world.moving = session.scene().moving;
   world.step = session.step();
   return world;
@@ -168,7 +169,8 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   writers[".svg"] = [&] {
     const auto [low, high] = shown_box(set, cast.summary);
     const space::RayGrid slices = io::slice_grid(low, high, kLayers, set.resolution);
-    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, set.title, session.unit());
+    const io::SlicesText text{set.title, set.subtitle, session.unit(), set.meaning};
+    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, text);
   };
   write_outputs(options, writers);
   std::string text = options.json ? json() : summary_text(set, cast.summary, step, session.unit());
@@ -227,6 +229,8 @@ Outcome map_rays(const Session& session, int resolution, bool axes) {
   const situation::RayWindow window = situation::window(world, formula);
   RaySet set;
   set.title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
+  set.subtitle = session.scene().where.text;
+  set.meaning = "positions";
   set.resolution = resolution;
   set.axes = axes;
   set.low = window.low, set.high = window.high;

@@ -6,12 +6,16 @@
 #include <algorithm>
 
 #include "commands.h"
+#include "findspace/error.h"
+#include "io/write_json.h"
 #include "io/write_placement.h"
 #include "placement_problem.h"
 #include "plane/moved.h"
+#include "plane/summary.h"
 #include "planning/sequential.h"
 #include "planning/simultaneous.h"
 #include "session.h"
+#include "space_commands.h"
 
 namespace findspace::app {
 namespace {
@@ -19,10 +23,8 @@ namespace {
 using planning::Body;
 using planning::Problem;
 
-/// A result with the regions it points to.
 struct Answer {
   io::PlacementResult result;
-  std::vector<planning::AtAngle> kept;
   planning::Poses poses;
   bool complete = true;  // every body has a position
 };
@@ -34,23 +36,20 @@ io::PlacedResult placed(const Body& body, const std::optional<planning::Pose>& p
   io::PlacedResult out;
   out.shape = body.name, out.copy = body.copy;
   if (!pose) return out;
-  out.at = pose->at;
+  out.at = {pose->at.x, pose->at.y};
   if (turns(body)) out.angle = body.angles[pose->angle];
   return out;
 }
 
 /// Regions of bodies that are placed once; of copies they would be many and alike.
-void add_regions(Answer& answer, const Problem& problem, std::vector<std::vector<planning::AtAngle>> regions) {
-  std::vector<std::size_t> owner;
+void add_regions(Answer& answer, const Problem& problem, const std::vector<std::vector<planning::AtAngle>>& regions) {
+  const exact::Real& step = problem.world.step;
   for (std::size_t b = 0; b < regions.size(); ++b) {
-    if (problem.bodies[b].copy > 0) continue;
-    for (planning::AtAngle& r : regions[b]) answer.kept.push_back(std::move(r)), owner.push_back(b);
-  }
-  for (std::size_t k = 0; k < owner.size(); ++k) {
-    const Body& body = problem.bodies[owner[k]];
-    answer.result.regions.push_back({body.name,
-                                     turns(body) ? std::optional(body.angles[answer.kept[k].angle]) : std::nullopt,
-                                     &answer.kept[k].region});
+    const Body& body = problem.bodies[b];
+    if (body.copy > 0) continue;
+    for (const planning::AtAngle& r : regions[b])
+      answer.result.regions.push_back({body.name, turns(body) ? std::optional(body.angles[r.angle]) : std::nullopt,
+                                       io::region_json(r.region, plane::summarize(r.region, step), step, "")});
   }
 }
 
@@ -72,7 +71,7 @@ Answer sequential(const planning::Relations& relations, const planning::Limit& l
   }
   if (found.limit_reached) answer.result.unproven = "the time limit came before all shapes were placed";
   answer.poses = std::move(found.poses);
-  add_regions(answer, problem, std::move(regions));
+  add_regions(answer, problem, regions);
   return answer;
 }
 
@@ -87,7 +86,7 @@ Answer simultaneous(const planning::Relations& relations, const planning::Limit&
       std::all_of(found.witness.begin(), found.witness.end(), [](const auto& p) { return p.has_value(); });
   answer.result.unproven = found.unproven;
   answer.poses = std::move(found.witness);
-  add_regions(answer, problem, std::move(found.positions));
+  add_regions(answer, problem, found.positions);
   return answer;
 }
 
@@ -123,9 +122,11 @@ std::string picture(const Session& session, const Problem& problem, const Answer
 }  // namespace
 
 Outcome run_place(const Options& options, Talk& talk) {
-  check_outputs(options, {".svg", ".json"});
-  const planning::Limit limit(options.time_limit);
   const Session session(options, talk);
+  if (session.in_space()) return place_space(session);
+  check_outputs(options, {".svg", ".json"});
+  if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
+  const planning::Limit limit(options.time_limit);
   const Problem problem = placement_problem(session);
   talk.stage("placing");
   const planning::Relations relations(problem);

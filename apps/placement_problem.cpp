@@ -3,23 +3,16 @@
 
 #include "placement_problem.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <set>
 
+#include "placement_demands.h"
 #include "plane/shape.h"
-#include "planning/relations.h"
-#include "situation/text.h"
 
 namespace findspace::app {
 namespace {
 
 using planning::Body;
-using planning::Condition;
 using planning::Problem;
-using planning::Role;
-using planning::Roles;
 
 plane::ShapePtr turned(const plane::ShapePtr& shape, const exact::Real& degrees, const std::string& name) {
   plane::Shape turn;
@@ -32,162 +25,22 @@ plane::ShapePtr turned(const plane::ShapePtr& shape, const exact::Real& degrees,
   return std::make_shared<const plane::Shape>(std::move(turn));
 }
 
-class Maker {
- public:
-  explicit Maker(const Session& session) : session_(session), place_(session.scene().place) {}
-
-  Problem run() {
-    add_bodies();
-    build_world();
-    add_each();
-    add_pairs();
-    add_constraints();
-    add_objectives();
-    return std::move(problem_);
-  }
-
- private:
-  void add_bodies() {
-    for (const plane::ShapePtr& s : session_.scene().shapes) {
-      shapes_.push_back(s);
-      taken_.insert(s->name);
-    }
-    for (const io::PlacedBody& placed : place_.bodies) {
-      Body body{placed.name, 0, placed.shapes, placed.angles, {}};
-      for (const exact::Real& angle : placed.angles) body.variants.push_back(variant(placed, angle));
-      for (int copy = 1; copy <= placed.count; ++copy) {
-        body.copy = placed.count > 1 ? copy : 0;
-        problem_.bodies.push_back(body);
-      }
-      if (placed.count == 1) add_names(problem_.bodies.size() - 1);
-    }
-  }
-
-  std::vector<std::string> variant(const io::PlacedBody& body, const exact::Real& angle) {
-    std::vector<std::string> names;
-    for (const std::string& shape : body.shapes) {
-      names.push_back(shape);
-      if (angle.sign() == 0) continue;
-      std::string name = fmt::format("{} turned by {}", shape, situation::decimal_text(angle));
-      while (!taken_.insert(name).second) name += "'";
-      shapes_.push_back(turned(session_.scene().shape(shape), angle, name));
-      names.back() = name;
-    }
-    return names;
-  }
-
-  void add_names(std::size_t index) {
-    const Body& body = problem_.bodies[index];
-    problem_.names[body.name] = {index, std::nullopt};
-    for (std::size_t k = 0; body.shapes.size() > 1 && k < body.shapes.size(); ++k)
-      problem_.names[body.shapes[k]] = {index, k};
-  }
-
-  void build_world() {
-    session_.talk().stage("building the shapes");
-    std::vector<plane::Region> built = session_.regions(shapes_);
-    for (std::size_t k = 0; k < built.size(); ++k) problem_.world.shapes.emplace(shapes_[k]->name, std::move(built[k]));
-    std::set<std::string> moving;
-    for (const Body& body : problem_.bodies)
-      for (const auto& names : body.variants) moving.insert(names.begin(), names.end());
-    problem_.world.moving.assign(moving.begin(), moving.end());
-    problem_.world.step = session_.step();
-  }
-
-  /// What stands still: the scene without the placed shapes.
-  situation::Context fixed_context() const {
-    situation::Context context = session_.context();
-    context.moving = {"self"};
-    context.shapes.clear();
-    for (const plane::ShapePtr& s : session_.scene().shapes) {
-      const bool placed = std::any_of(place_.bodies.begin(), place_.bodies.end(), [&](const io::PlacedBody& b) {
-        return std::find(b.shapes.begin(), b.shapes.end(), s->name) != b.shapes.end();
-      });
-      if (!placed) context.shapes.push_back(s->name);
-    }
-    return context;
-  }
-
-  situation::Context named_context() const {
-    situation::Context context = fixed_context();
-    context.moving.clear();
-    context.independent = true;
-    for (const auto& [name, role] : problem_.names) context.moving.push_back(name);
-    return context;
-  }
-
-  using FormulaPointer = std::shared_ptr<const situation::Formula>;
-  FormulaPointer parsed(const io::FormulaText& text, const situation::Context& context) const {
-    return std::make_shared<const situation::Formula>(session_.formula(text, context));
-  }
-
-  void add_each() {
-    if (place_.each.empty()) return;
-    const FormulaPointer formula = parsed(place_.each, fixed_context());
-    for (std::size_t i = 0; i < problem_.bodies.size(); ++i)
-      problem_.conditions.push_back({formula, {{"self", {i, {}}}}});
-  }
-
-  void add_pairs() {
-    if (place_.pairs.empty()) return;
-    situation::Context context = fixed_context();
-    context.extra = {"other"};
-    const FormulaPointer formula = parsed(place_.pairs, context);
-    for (std::size_t i = 0; i < problem_.bodies.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        problem_.conditions.push_back({formula, {{"self", {i, {}}}, {"other", {j, {}}}}});
-  }
-
-  void add_constraints() {
-    for (const io::FormulaText& text : place_.constraints) {
-      const FormulaPointer formula = parsed(text, named_context());
-      Roles roles;
-      for (const situation::Atom& atom : formula->atoms()) check_and_note(atom, text, roles);
-      problem_.conditions.push_back({formula, std::move(roles)});
-    }
-  }
-
-  void check_and_note(const situation::Atom& atom, const io::FormulaText& text, Roles& roles) const {
-    std::set<std::size_t> first, second;
-    for (const auto& [names, bodies] :
-         {std::pair(&atom.distance.first, &first), std::pair(&atom.distance.second, &second)})
-      for (const std::string& name : *names)
-        if (auto found = problem_.names.find(name); found != problem_.names.end()) {
-          roles.insert(*found);
-          bodies->insert(found->second.body);
-        }
-    if (!first.empty() && first == second) {
-      throw Error(ErrorCode::kBadValue,
-                  fmt::format("{}: the two move together, so their distance never changes", situation::text(atom)),
-                  fmt::format("{}:{}:{}", text.file, text.line, text.column));
-    }
-  }
-
-  void add_objectives() {
-    situation::Context context = named_context();
-    context.moving.push_back("self");
-    for (const io::FormulaText& text : place_.minimize) problem_.goals.push_back(session_.goal(text, context));
-  }
-
-  const Session& session_;
-  const io::Placement& place_;
-  Problem problem_;
-  std::vector<plane::ShapePtr> shapes_;
-  std::set<std::string> taken_;
-};
-
 }  // namespace
 
 Problem placement_problem(const Session& session) {
-  const io::Scene& scene = session.scene();
-  auto refuse = [&](const std::string& what) { throw Error(ErrorCode::kUnsupported, what, scene.file); };
-  if (!scene.place.given())
-    throw Error(ErrorCode::kBadValue, "the scene has no \"place\": nothing says what to place", scene.file);
-  if (scene.dimension != 2) refuse("a placement of 3D shapes is not computed by this version");
-  if (scene.motion.given()) refuse("a placement over a \"motion\" is not computed");
-  if (scene.free.kind != io::Free::Kind::kPosition)
-    refuse("a placement ranges over positions: \"free\" has no meaning with it");
-  return Maker(session).run();
+  PlacementDemands asked = placement_demands(session);
+  Problem problem{std::move(asked.demands), {}};
+  session.talk().stage("building the shapes");
+  std::vector<plane::ShapePtr> shapes = session.scene().shapes;
+  for (const TurnedShape& t : asked.turned) shapes.push_back(turned(session.scene().shape(t.shape), t.degrees, t.name));
+  std::vector<plane::Region> built = session.regions(shapes);
+  for (std::size_t k = 0; k < built.size(); ++k) problem.world.shapes.emplace(shapes[k]->name, std::move(built[k]));
+  std::set<std::string> moving;
+  for (const Body& body : problem.bodies)
+    for (const auto& names : body.variants) moving.insert(names.begin(), names.end());
+  problem.world.moving.assign(moving.begin(), moving.end());
+  problem.world.step = session.step();
+  return problem;
 }
 
 }  // namespace findspace::app

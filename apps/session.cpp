@@ -297,9 +297,9 @@ void check_outputs(const Options& options, const std::vector<std::string>& forma
 }
 
 void write_outputs(const Options& options, const Writers& writers) {
-  std::vector<std::string> texts;
-  for (const auto& path : options.outputs) texts.push_back(writers.at(path.extension().string())());
-  for (std::size_t i = 0; i < texts.size(); ++i) io::write_file(options.outputs[i], texts[i]);
+  std::vector<io::FileText> files;
+  for (const auto& path : options.outputs) files.push_back({path, writers.at(path.extension().string())()});
+  io::write_files(files);
 }
 
 }  // namespace findspace::app

@@ -149,24 +149,30 @@ Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& 
 
 }  // namespace
 
-situation::SpaceWorld space_world(const Session& session) {
+std::map<std::string, situation::SpaceShape> space_shapes(const Session& session,
+                                                          const std::vector<plane::ShapePtr>& shapes) {
   session.talk().stage("building the shapes");
-  const io::Scene& scene = session.scene();
-  std::vector<situation::SpaceShape> built(scene.shapes.size());
+  std::vector<situation::SpaceShape> built(shapes.size());
   plane::parallel_for(built.size(), [&](std::size_t k) {
     try {
-      built[k] = situation::space_shape(*scene.shapes[k]);
+      built[k] = situation::space_shape(*shapes[k]);
     } catch (const Error& e) {
       if (e.code() != ErrorCode::kUnsupported) throw;
       built[k].refused = e.what();  // its surface may do
     }
   });
-  situation::SpaceWorld world;
+  std::map<std::string, situation::SpaceShape> out;
   for (std::size_t k = 0; k < built.size(); ++k) {
-    note_rounding(session, scene.shapes[k]->name, built[k]);
-    world.shapes.emplace(scene.shapes[k]->name, std::move(built[k]));
+    note_rounding(session, shapes[k]->name, built[k]);
+    out.emplace(shapes[k]->name, std::move(built[k]));
   }
-  world.moving = scene.moving;
+  return out;
+}
+
+situation::SpaceWorld space_world(const Session& session) {
+  situation::SpaceWorld world;
+  world.shapes = space_shapes(session, session.scene().shapes);
+  world.moving = session.scene().moving;
   world.step = session.step();
   world.rays = std::make_shared<const situation::RayWorld>(ray_world(session));
   return world;
@@ -237,6 +243,8 @@ Outcome describe_rays(const Session& session, const std::string& name) {
   note_lines(session, "shape");
   RaySet set;
   set.title = name;
+  set.subtitle = session.scene().file;
+  set.meaning = "the shape";
   set.resolution = kLinesUnasked;
   set.axes = true;
   set.low = box.low, set.high = box.high;

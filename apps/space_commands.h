@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verbs map, check, measure, describe and convert for 3D scenes: the same options and the same results as in the
-// plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
+// The verbs map, check, measure, describe, convert and place for 3D scenes: the same options and the same results as in
+// the plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
 #pragma once
 
+#include "io/write_mesh.h"
 #include "session.h"
 #include "situation/solve_space.h"
 
 namespace findspace::app {
 
-/// The scene's shapes as sets and bodies.
+/// Shapes of the scene, and such made of them, as sets and bodies, by name; what had to be rounded is said.
+std::map<std::string, situation::SpaceShape> space_shapes(const Session& session,
+                                                          const std::vector<plane::ShapePtr>& shapes);
 situation::SpaceWorld space_world(const Session& session);
 
 Outcome map_space(const Session& session);
@@ -22,5 +25,9 @@ Outcome check_space(const Session& session);
 Outcome measure_space(const Session& session);
 Outcome describe_space(const Session& session, const std::string& shape);
 Outcome convert_space(const Session& session, const std::string& shape);
+Outcome place_space(const Session& session);
+
+/// The boundary of a shape that one surface of flat faces bounds; throws Error(kUnsupported) for others.
+io::Surface boundary_of(const Session& session, const plane::Shape& shape);
 
 }  // namespace findspace::app

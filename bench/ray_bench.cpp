@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "differential/space_wheels.h"
 #include "plane/parallel.h"
 #include "ray_inputs.h"
 #include "space/ray_ball.h"
@@ -152,9 +153,11 @@ int main(int argc, char** argv) {
   only = argc > 3 ? argv[3] : "";
   const Triangles spot = ray_bench::read_obj(argv[1]), spot2000 = ray_bench::coarser(spot, 2000);
   pair_line("spot and octahedron", spot2000, ray_bench::octahedron(0.2), n);
-  pair_line("spot and torus", spot2000, ray_bench::torus(0.25, 0.08, 24, 10), n);
+  using ray_bench::kUnit;
+  const Triangles torus = findspace::space::torus(0.25 * kUnit, 0.08 * kUnit, 24, 10);
+  pair_line("spot and torus", spot2000, torus, n);
   const Triangles bumpy = ray_bench::bumpy_sphere(1, 0.3, 4, 40, 26);
-  pair_line("bumpy sphere and torus", bumpy, ray_bench::torus(0.25, 0.08, 24, 10), n);
+  pair_line("bumpy sphere and torus", bumpy, torus, n);
   ball_line("bumpy sphere", ray_bench::bumpy_sphere(1, 0.3, 4, 320, 158), 0.1, n);
   ball_line("spot", spot, 0.1, n);
   return 0;

@@ -17,25 +17,15 @@ Point grid(double x, double y, double z) {
   return {std::llround(x * kUnit), std::llround(y * kUnit), std::llround(z * kUnit)};
 }
 
-/// Faces of a ring of rings, closed both ways.
-void add_ring_faces(Triangles& t, int around, int across) {
-  for (int i = 0; i < around; ++i) {
-    for (int k = 0; k < across; ++k) {
-      const int a = i * across + k, b = (i + 1) % around * across + k;
-      const int c = (i + 1) % around * across + (k + 1) % across, d = i * across + (k + 1) % across;
-      t.faces.push_back({a, b, c});
-      t.faces.push_back({a, c, d});
-    }
-  }
-}
-
 double squared(const Point& p, const Point& q) {
   const double x = static_cast<double>(p.x - q.x), y = static_cast<double>(p.y - q.y),
                z = static_cast<double>(p.z - q.z);
   return x * x + y * y + z * z;
 }
 
-/// Edge collapses on faces listed by vertex.
+using Face = std::array<int, 3>;
+
+/// Edge collapses on faces listed by vertex, none of which makes the surface meet itself anew.
 class Collapse {
  public:
   explicit Collapse(const Triangles& mesh) : t_(mesh), at_(mesh.points.size()), dead_(mesh.faces.size(), false) {
@@ -99,12 +89,51 @@ class Collapse {
       const double dot = before.x * after.x + before.y * after.y + before.z * after.z;
       const double size = std::sqrt((before.x * before.x + before.y * before.y + before.z * before.z) *
                                     (after.x * after.x + after.y * after.y + after.z * after.z));
-      if (!(dot > 0.3 * size)) return false;
+      if (!(dot > 0.3 * size) || crosses(face, a)) return false;
     }
     return true;
   }
 
-  findspace::exact::Shadow3 normal(const std::array<int, 3>& f) const {
+  /// Whether a face that has got another corner in place of a would meet one that keeps its place.
+  bool crosses(const Face& face, int a) const {
+    const auto at = [&](int v) { return std::find(face.begin(), face.end(), v) != face.end(); };
+    for (std::size_t g = 0; g < t_.faces.size(); ++g) {
+      const Face& other = t_.faces[g];
+      const int shared = at(other[0]) + at(other[1]) + at(other[2]);
+      const bool moves = std::find(other.begin(), other.end(), a) != other.end();
+      if (!dead_[g] && !moves && shared < 2 && boxes_meet(face, other) && (pass(face, other) || pass(other, face)))
+        return true;
+    }
+    return false;
+  }
+
+  bool boxes_meet(const Face& f, const Face& g) const {
+    for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
+      const auto ends = [&](const Face& h) {
+        return std::minmax({t_.points[h[0]].*axis, t_.points[h[1]].*axis, t_.points[h[2]].*axis});
+      };
+      const auto p = ends(f), q = ends(g);
+      if (p.second < q.first || q.second < p.first) return false;
+    }
+    return true;
+  }
+
+  /// Whether an edge of f that has no corner of g meets g.
+  bool pass(const Face& f, const Face& g) const {
+    const auto corner = [&](int v) { return std::find(g.begin(), g.end(), v) != g.end(); };
+    const auto sign = [&](int p, int q, int r, int s) {
+      return findspace::exact::sign_volume(t_.points[p], t_.points[q], t_.points[r], t_.points[s]);
+    };
+    for (int k = 0; k < 3; ++k) {
+      const int p = f[k], q = f[(k + 1) % 3];
+      if (corner(p) || corner(q) || sign(g[0], g[1], g[2], p) * sign(g[0], g[1], g[2], q) > 0) continue;
+      const int u = sign(p, q, g[0], g[1]), v = sign(p, q, g[1], g[2]), w = sign(p, q, g[2], g[0]);
+      if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) return true;
+    }
+    return false;
+  }
+
+  findspace::exact::Shadow3 normal(const Face& f) const {
     return findspace::exact::shadow(
         findspace::exact::cross(t_.points[f[1]] - t_.points[f[0]], t_.points[f[2]] - t_.points[f[0]]));
   }
@@ -140,19 +169,6 @@ Triangles octahedron(double r) {
   Triangles t;
   t.points = {grid(r, 0, 0), grid(-r, 0, 0), grid(0, r, 0), grid(0, -r, 0), grid(0, 0, r), grid(0, 0, -r)};
   t.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  return t;
-}
-
-Triangles torus(double radius, double tube, int around, int across) {
-  Triangles t;
-  for (int i = 0; i < around; ++i) {
-    for (int k = 0; k < across; ++k) {
-      const double u = 2 * M_PI * i / around, v = 2 * M_PI * (k + 0.5 * (i % 2)) / across,
-                   r = radius + tube * std::cos(v);
-      t.points.push_back(grid(r * std::cos(u), r * std::sin(u), tube * std::sin(v)));
-    }
-  }
-  add_ring_faces(t, around, across);
   return t;
 }
 

@@ -17,13 +17,12 @@ using findspace::space::Triangles;
 inline constexpr double kUnit = 1e6;
 
 Triangles octahedron(double radius);
-/// A torus about z of 2 * around * across triangles.
-Triangles torus(double radius, double tube, int around, int across);
 /// A bumpy sphere of 2 * around * across - 2 * around triangles, or a little more: non-convex, closed.
 Triangles bumpy_sphere(double radius, double bump, int waves, int around, int across);
 /// Vertices and faces of an OBJ file, in units.
 Triangles read_obj(const std::string& path);
-/// Collapses shortest edges, ends kept where they are, until at most `faces` are left.
+/// Collapses shortest edges, ends kept where they are, until at most `faces` are left. Edges whose collapse would turn
+/// a face over by much, or make it meet another one (exactly decided), are left out.
 Triangles coarser(const Triangles& mesh, int faces);
 
 }  // namespace ray_bench

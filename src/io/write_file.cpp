@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <system_error>
 
 #include "findspace/error.h"
@@ -19,7 +20,7 @@ namespace {
 /// A new file beside the target, removed again unless it is kept.
 class Temporary {
  public:
-  explicit Temporary(const std::filesystem::path& target) : name_(target.string() + ".XXXXXX") {
+  explicit Temporary(std::filesystem::path target) : target_(std::move(target)), name_(target_.string() + ".XXXXXX") {
     descriptor_ = mkstemp(name_.data());
   }
   ~Temporary() {
@@ -40,19 +41,22 @@ class Temporary {
     return true;
   }
 
-  /// Takes the target's place, with the permissions a plain new file would have.
-  bool keep(const std::filesystem::path& target) {
+  /// All is on the disk, with the permissions a plain new file would have.
+  bool finish() {
     const mode_t mask = umask(0);
     umask(mask);
     if (fchmod(descriptor_, 0666 & ~mask) != 0) return false;
     const bool closed = close(descriptor_) == 0;
     descriptor_ = kClosed;
-    kept_ = closed && rename(name_.c_str(), target.c_str()) == 0;
-    return kept_;
+    return closed;
   }
+
+  /// Takes the target's place.
+  bool keep() { return kept_ = rename(name_.c_str(), target_.c_str()) == 0; }
 
  private:
   static constexpr int kNever = -1, kClosed = -2;
+  std::filesystem::path target_;
   std::string name_;
   int descriptor_ = kNever;
   bool kept_ = false;
@@ -85,20 +89,30 @@ void write_special(const std::filesystem::path& path, std::string_view text) {
   close(descriptor);
 }
 
-}  // namespace
-
-void write_file(const std::filesystem::path& path, std::string_view text) {
-  if (is_special(path)) return write_special(path, text);
-  if (std::filesystem::is_directory(path)) {
+std::unique_ptr<Temporary> temporary(const FileText& file) {
+  if (std::filesystem::is_directory(file.path)) {
     errno = EISDIR;
-    fail(path);
+    fail(file.path);
   }
   std::error_code none;
   // A link stays a link: what it points to is replaced.
-  const std::filesystem::path target =
-      std::filesystem::is_symlink(path, none) ? std::filesystem::weakly_canonical(path, none) : path;
-  Temporary file(target);
-  if (!file.write(text) || !file.keep(target)) fail(path);
+  const bool link = std::filesystem::is_symlink(file.path, none);
+  auto out = std::make_unique<Temporary>(link ? std::filesystem::weakly_canonical(file.path, none) : file.path);
+  if (!out->write(file.text) || !out->finish()) fail(file.path);
+  return out;
+}
+
+}  // namespace
+
+void write_files(const std::vector<FileText>& files) {
+  std::vector<std::unique_ptr<Temporary>> written;
+  for (const FileText& f : files) written.push_back(is_special(f.path) ? nullptr : temporary(f));
+  for (const FileText& f : files) {
+    if (is_special(f.path)) write_special(f.path, f.text);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (written[i] && !written[i]->keep()) fail(files[i].path);
+  }
 }
 
 }  // namespace findspace::io

@@ -3,12 +3,13 @@
 
 #include "io/write_placement.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "io/draw_layout.h"
 #include "io/json_text.h"
+#include "plane/measure_cells_twofold.h"
 
 namespace findspace::io {
 namespace {
@@ -23,8 +24,10 @@ std::string scaled(const Real& steps, const Real& step) {
 std::string placed_json(const PlacedResult& p, const Real& step) {
   std::string out = fmt::format("{{\"shape\": {}", json_string(p.shape));
   if (p.copy > 0) put(out, ", \"copy\": {}", p.copy);
-  if (p.at) {
-    put(out, ", \"at\": [{}, {}]", scaled(p.at->x, step), scaled(p.at->y, step));
+  if (!p.at.empty()) {
+    std::vector<std::string> at;
+    for (const Real& c : p.at) at.push_back(scaled(c, step));
+    put(out, ", \"at\": [{}]", fmt::join(at, ", "));
     if (p.angle) put(out, ", \"angle\": {}", json_number(p.angle->to_double()));
     return out + "}";
   }
@@ -38,26 +41,26 @@ std::string placed_json(const PlacedResult& p, const Real& step) {
   return out + "}";
 }
 
-/// The object of region_json without its last line end.
-std::string region_text(const PositionsResult& p, const Real& step) {
-  std::string text = region_json(*p.region, plane::summarize(*p.region, step), step, "");
-  while (!text.empty() && text.back() == '\n') text.pop_back();
+/// Without its last line end.
+std::string_view region_text(const PositionsResult& p) {
+  std::string_view text = p.region;
+  while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
   return text;
 }
 
-std::string regions_json(const PlacementResult& result, const Real& step) {
+std::string regions_json(const PlacementResult& result) {
   std::string out = "{";
   const auto& all = result.regions;
   for (std::size_t k = 0; k < all.size();) {
     put(out, "{}\n{}: ", k > 0 ? "," : "", json_string(all[k].shape));
     if (!all[k].angle) {
-      out += region_text(all[k++], step);
+      out += region_text(all[k++]);
       continue;
     }
     out += "[";
     for (std::size_t first = k; k < all.size() && all[k].shape == all[first].shape; ++k)
       put(out, "{}{{\"angle\": {}, \"positions\": {}}}", k > first ? ",\n" : "", json_number(all[k].angle->to_double()),
-          region_text(all[k], step));
+          region_text(all[k]));
     out += "]";
   }
   return out + "}";
@@ -73,7 +76,7 @@ std::string placement_json(const PlacementResult& result, const Real& step, std:
   out += "\n\"positions\": [";
   for (std::size_t k = 0; k < result.placed.size(); ++k)
     put(out, "{}\n  {}", k > 0 ? "," : "", placed_json(result.placed[k], step));
-  return out + "],\n\"regions\": " + regions_json(result, step) + "}\n";
+  return out + "],\n\"regions\": " + regions_json(result) + "}\n";
 }
 
 std::string placement_text(const PlacementResult& result, const Real& step, std::string_view unit) {
@@ -84,9 +87,10 @@ std::string placement_text(const PlacementResult& result, const Real& step, std:
   for (const PlacedResult& p : result.placed) {
     const std::string name = p.copy > 0 ? fmt::format("{} {}", p.shape, p.copy) : p.shape;
     put(out, "  {:<{}}  ", name, width);
-    if (p.at) {
-      put(out, "({}, {}){}", shown((Twofold(p.at->x) * Twofold(step)).value()),
-          shown((Twofold(p.at->y) * Twofold(step)).value()), suffix);
+    if (!p.at.empty()) {
+      std::vector<std::string> at;
+      for (const Real& c : p.at) at.push_back(shown((Twofold(c) * Twofold(step)).value()));
+      put(out, "({}){}", fmt::join(at, ", "), suffix);
       if (p.angle) put(out, ", turned by {} deg", shown(p.angle->to_double()));
     } else {
       out += p.attained ? "no room" : "no best position: the least value is not taken";

@@ -10,26 +10,24 @@
 #include <vector>
 
 #include "exact/real.h"
-#include "plane/cell_complex.h"
-#include "plane/summary.h"
 
 namespace findspace::io {
 
-/// Of one body; lengths in grid steps, values in the scene's unit.
+/// Of one body, in the plane or in space; lengths in grid steps, values in the scene's unit.
 struct PlacedResult {
   std::string shape;
   int copy = 0;                      // 0: the only one
   std::optional<exact::Real> angle;  // where the scene allows other angles than 0
-  std::optional<exact::RealPoint> at;
+  std::vector<exact::Real> at;       // none: it has no position
   bool attained = true;
   std::vector<std::optional<exact::Real>> infimum;  // of the objectives, where it is not attained
 };
 
-/// All positions of a body (at one angle, if it may turn).
+/// All positions of a body (at one angle, if it may turn), as `map` writes them.
 struct PositionsResult {
   std::string shape;
   std::optional<exact::Real> angle;
-  const plane::Region* region = nullptr;
+  std::string region;
 };
 
 struct PlacementResult {

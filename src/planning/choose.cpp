@@ -39,7 +39,7 @@ struct ScaledForm {
   Real factor;
 };
 
-ScaledForm scaled(const std::array<Real, 2>& form) {
+ScaledForm scaled(const std::array<Real, 3>& form) {
   // Decimals: a power of ten makes both whole.
   Real scale(1), a = form[0], b = form[1];
   for (int digits = 0; !a.integer() || !b.integer(); ++digits) {

@@ -43,12 +43,16 @@ struct Condition {
   Roles roles;  // every name that is not here stands still
 };
 
-struct Problem {
-  situation::World world;  // every shape, and every turned one; all variants of all bodies are `moving`
+/// What is asked for, in the plane or in space.
+struct Demands {
   std::vector<Body> bodies;
   std::vector<Condition> conditions;
   std::vector<situation::Goal> goals;  // the first first; "self" is the body at hand
   Roles names;                         // bodies and shapes as goals name them
+};
+
+struct Problem : Demands {
+  situation::World world;  // every shape, and every turned one; all variants of all bodies are `moving`
 };
 
 /// Where a body stands.

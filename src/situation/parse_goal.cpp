@@ -27,7 +27,7 @@ bool at_linear(const Reader& reader) {
   return coordinate_at(reader, ahead) >= 0;
 }
 
-void add_term(Reader& reader, std::array<exact::Real, 2>& form) {
+void add_term(Reader& reader, std::array<exact::Real, 3>& form) {
   exact::Real factor(1);
   if (at_sign(reader) && reader.take().kind == K::kMinus) factor = -factor;
   if (reader.at(K::kNumber)) {
@@ -37,8 +37,9 @@ void add_term(Reader& reader, std::array<exact::Real, 2>& form) {
     factor = factor * reader.level(number, Quantity::kPure).value;
   }
   const int k = coordinate_at(reader, 0);
-  if (k < 0) reader.fail_syntax("x or y is meant here, found {}", reader.found());
-  if (k == 2) reader.fail_syntax("'z' is an objective in 3 dimensions; the scene has 2");
+  const bool plane = reader.context().dimension == 2;
+  if (k < 0) reader.fail_syntax("{} is meant here, found {}", plane ? "x or y" : "x, y or z", reader.found());
+  if (k == 2 && plane) reader.fail_syntax("'z' is an objective in 3 dimensions; the scene has 2");
   reader.take();
   form[std::size_t(k)] = form[std::size_t(k)] + factor;
 }
@@ -50,7 +51,8 @@ Goal linear(std::string_view text, const Context& context) {
   do {
     add_term(reader, *goal.form);
   } while (at_sign(reader));
-  if ((*goal.form)[0].sign() == 0 && (*goal.form)[1].sign() == 0)
+  const auto& f = *goal.form;
+  if (f[0].sign() == 0 && f[1].sign() == 0 && f[2].sign() == 0)
     reader.fail(ErrorCode::kBadValue, Span{0, reader.end()}, "this form is 0 everywhere");
   if (reader.at(K::kRelation)) {
     if (reader.peek().relation != Relation::kEqual)

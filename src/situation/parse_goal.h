@@ -3,7 +3,7 @@
 //
 // Reads the entries of a placement's "minimize": what `minimize` of a scene takes (parse.h), and besides
 //     goal    := ["-" | "+"] objective | linear ["=" number] | "grid"
-//     linear  := ["-" | "+"] term (("+" | "-") term)*        term := [DECIMAL] ("x" | "y")
+//     linear  := ["-" | "+"] term (("+" | "-") term)*        term := [DECIMAL] ("x" | "y" | "z")
 // "form = value" is no objective but a condition; "grid" asks for a grid point near the minimiser.
 // Guarantee: errors as parse_objective(). Keywords: linear form, lexicographic objectives.
 #pragma once
@@ -19,12 +19,11 @@ namespace findspace::situation {
 struct Goal {
   std::optional<Objective> objective;              // a distance, or distance to a point ...
   bool negated = false;                            // ... minus it
-  std::optional<std::array<exact::Real, 2>> form;  // or a*x + b*y, not 0 everywhere ...
+  std::optional<std::array<exact::Real, 3>> form;  // or a*x + b*y + c*z, not 0 everywhere, c = 0 in 2D ...
   std::optional<exact::Real> equals;               // ... with the value it must have, in the scene's unit
   bool grid = false;                               // or "grid"
 };
 
-/// In two dimensions.
 Goal parse_goal(std::string_view text, const Context& context);
 
 }  // namespace findspace::situation

@@ -13,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plane/section.h"
@@ -26,8 +27,7 @@ namespace findspace::situation {
 /// A shape as closed surfaces, or as convex parts, each made when first asked for.
 class RayShape {
  public:
-  /// Keeps a reference.
-  explicit RayShape(const plane::Shape& shape) : shape_(&shape) {}
+  explicit RayShape(plane::ShapePtr shape) : shape_(std::move(shape)) {}
   /// Null where the shape is no union of solids.
   const std::vector<space::RaySolid>* solids() const;
   /// Throws Error(kUnsupported) for shapes that have none.
@@ -43,7 +43,7 @@ class RayShape {
     std::optional<std::vector<space::RaySolid>> solids;
     std::shared_ptr<const space::Body> body;
   };
-  const plane::Shape* shape_;
+  plane::ShapePtr shape_;
   std::shared_ptr<Made> made_ = std::make_shared<Made>();
 };
 

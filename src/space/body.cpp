@@ -42,17 +42,6 @@ std::int64_t in_range(int128 c) {
   return static_cast<std::int64_t>(c);
 }
 
-Body moved_by(Body body, const Point& t) {
-  const auto by = [&](std::int64_t c, std::int64_t d) { return in_range(c + int128(d) * body.scale); };
-  for (BodyPart& part : body.parts) {
-    part.center = {by(part.center.x, t.x), by(part.center.y, t.y), by(part.center.z, t.z)};
-    if (!part.core) continue;
-    for (const Point& v : part.core->vertices()) by(v.x, t.x), by(v.y, t.y), by(v.z, t.z);
-    part.core = part.core->translated({t.x * body.scale, t.y * body.scale, t.z * body.scale});
-  }
-  return body;
-}
-
 /// The hull of bodies that are all of one radius.
 Body grown(Body body, const Real& by) {
   if (by.sign() < 0) refuse("an offset by a negative amount is computed for shapes with axis-parallel faces only");
@@ -95,7 +84,7 @@ Body mixed(const plane::Shape& shape) {
     case Kind::kRegularize:
       return child();
     case Kind::kTranslate:
-      return moved_by(child(), {shape.points[0].x, shape.points[0].y, shape.lift});
+      return translated(child(), {shape.points[0].x, shape.points[0].y, shape.lift});
     case Kind::kMirror:
       return mirrored(child());
     case Kind::kOffset:
@@ -119,6 +108,17 @@ Body body(const plane::Shape& shape) {
     if (shape.place.empty() || !e.place().empty()) throw;
     throw e.within(shape.place);
   }
+}
+
+Body translated(Body body, const Point& t) {
+  const auto by = [&](std::int64_t c, std::int64_t d) { return in_range(c + int128(d) * body.scale); };
+  for (BodyPart& part : body.parts) {
+    part.center = {by(part.center.x, t.x), by(part.center.y, t.y), by(part.center.z, t.z)};
+    if (!part.core) continue;
+    for (const Point& v : part.core->vertices()) by(v.x, t.x), by(v.y, t.y), by(v.z, t.z);
+    part.core = part.core->translated({t.x * body.scale, t.y * body.scale, t.z * body.scale});
+  }
+  return body;
 }
 
 Body at_scale(const Body& body, std::int64_t scale) {

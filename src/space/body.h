@@ -42,6 +42,8 @@ struct Body {
 Body body(const plane::Shape& shape);
 /// The same set in finer steps; `scale` is a multiple of its own.
 Body at_scale(const Body& body, std::int64_t scale);
+/// Moved by whole grid steps.
+Body translated(Body body, const Point& by);
 /// The union; all of the same scale and none `outside`.
 Body united(const std::vector<const Body*>& bodies);
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The verb place for 3D scenes: bodies one after another (planning/space_sequence.h), the positions each had, and the
+// placed shapes as one mesh.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "findspace/error.h"
+#include "io/write_json_rays.h"
+#include "io/write_json_space.h"
+#include "io/write_placement.h"
+#include "placement_demands.h"
+#include "planning/space_sequence.h"
+#include "space/rotated_shape.h"
+#include "space_commands.h"
+
+namespace findspace::app {
+namespace {
+
+using exact::Real;
+using planning::Body;
+using planning::SpaceProblem;
+
+/// About the z axis, through the pole.
+plane::ShapePtr turned(const Session& session, const TurnedShape& t) {
+  plane::Rounding rounding;
+  plane::Shape out = *space::rotated(*session.scene().shape(t.shape),
+                                     space::Rotation::about_axis(2, t.degrees, space::Point{}), rounding);
+  out.name = t.name;
+  if (rounding.points > 0)
+    session.talk().note(fmt::format("shape '{}': {} points were put on the grid, moved by at most {:.2g} {}", t.name,
+                                    rounding.points, rounding.largest * session.scene().grid.step_size(),
+                                    session.unit()));
+  return std::make_shared<const plane::Shape>(std::move(out));
+}
+
+SpaceProblem problem_of(const Session& session) {
+  if (session.scene().place.method != io::Placement::Method::kSequential)
+    throw Error(ErrorCode::kUnsupported, "a placement of 3D shapes all at once is not computed; one after another is",
+                session.scene().file);
+  PlacementDemands asked = placement_demands(session);
+  SpaceProblem problem;
+  static_cast<planning::Demands&>(problem) = std::move(asked.demands);
+  std::vector<plane::ShapePtr> shapes = session.scene().shapes;
+  for (const TurnedShape& t : asked.turned) shapes.push_back(turned(session, t));
+  for (const plane::ShapePtr& s : shapes) problem.shapes.emplace(s->name, s);
+  problem.built = space_shapes(session, shapes);
+  problem.step = session.step();
+  if (session.options().resolution > 0) problem.lines = session.options().resolution;
+  return problem;
+}
+
+bool turns(const Body& body) { return body.angles.size() > 1 || body.angles[0].sign() != 0; }
+
+std::string region_text(const planning::SpacePositions& positions, const SpaceProblem& problem) {
+  const double step = problem.step.to_double();
+  if (positions.boxes)
+    return io::space_json(*positions.boxes, summarize(*positions.boxes, problem.step), problem.step, "");
+  const situation::RayWindow box = positions.window();
+  const space::RayGrid grid = space::ray_grid(box.low, box.high, 2, problem.lines);
+  space::RaySummarizer summarizer(grid);
+  io::RayLines lines(grid, step);
+  space::each_row(*positions.lines(grid), [&](int j, space::RayRow&& row) {
+    summarizer.add(j, row);
+    lines.add(j, row);
+  });
+  const std::string marked = lines.text();
+  io::RaysText text;
+  text.lines = marked;
+  text.unbounded = !positions.flat && situation::holds_far_away(*positions.rays, *positions.formula);
+  return io::rays_json(summarizer.finish(), grid, step, text);
+}
+
+io::PlacementResult result_of(const SpaceProblem& problem, const planning::SpacePlacement& found) {
+  io::PlacementResult out;
+  out.method = "sequential";
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    const Body& body = problem.bodies[b];
+    io::PlacedResult& placed = out.placed.emplace_back();
+    placed.shape = body.name, placed.copy = body.copy;
+    if (b >= found.steps.size()) continue;
+    const planning::SpaceStep& step = found.steps[b];
+    placed.attained = step.best.attained;
+    if (!placed.attained) placed.infimum = step.best.values, out.attained = false;
+    if (step.pose) {
+      placed.at.assign(step.pose->at.begin(), step.pose->at.end());
+      if (turns(body)) placed.angle = body.angles[step.pose->angle];
+    }
+    if (step.best.on_lines && !out.unproven)
+      out.unproven = fmt::format("'{}' was placed on {} x {} lines: between them there may be better positions",
+                                 body.name, problem.lines, problem.lines);
+    if (body.copy > 0) continue;
+    for (const planning::SpacePositions& p : step.positions)
+      out.regions.push_back(
+          {body.name, turns(body) ? std::optional(body.angles[p.angle]) : std::nullopt, region_text(p, problem)});
+  }
+  if (found.limit_reached) out.unproven = "the time limit came before all shapes were placed";
+  return out;
+}
+
+/// What is placed, as one mesh whose faces are labelled by shape.
+io::Surface scenery(const Session& session, const SpaceProblem& problem, const planning::SpacePoses& poses) {
+  io::Surface out;
+  const auto add = [&](const std::string& name, const space::RealVector& at) {
+    const io::Surface one = boundary_of(session, *problem.shapes.at(name));
+    const auto first = static_cast<int>(out.vertices.size());
+    for (auto v : one.vertices) {
+      for (std::size_t k = 0; k < 3; ++k) v[k] += (at[k] * problem.step).to_double();
+      out.vertices.push_back(v);
+    }
+    for (auto face : one.faces) {
+      for (int& v : face) v += first;
+      out.faces.push_back(std::move(face));
+      out.labels.push_back(name);
+    }
+  };
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    if (!poses[b]) continue;
+    for (const std::string& name : problem.bodies[b].variants[poses[b]->angle]) add(name, poses[b]->at);
+  }
+  return out;
+}
+
+}  // namespace
+
+Outcome place_space(const Session& session) {
+  const Options& options = session.options();
+  std::vector<std::string> endings{".json"};
+  endings.insert(endings.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+  check_outputs(options, endings);
+  const planning::Limit limit(options.time_limit);
+  const SpaceProblem problem = problem_of(session);
+  session.talk().stage("placing");
+  const planning::SpacePlacement found = planning::place_in_space(problem, limit);
+  const io::PlacementResult result = result_of(problem, found);
+  session.talk().stage("writing");
+  const auto json = [&] { return io::placement_json(result, session.step(), session.unit()); };
+  Writers writers{{".json", json}};
+  for (const char* ending : io::kSurfaceEndings)
+    writers.emplace(ending, [&, ending] {
+      return io::surface_text(scenery(session, problem, found.poses), "placement", ending, session.unit());
+    });
+  write_outputs(options, writers);
+  // A shape without a position found on lines may have one between them.
+  ExitStatus status = found.limit_reached ? kLimit : kDone;
+  for (const planning::SpaceStep& step : found.steps)
+    if (!step.pose && status != kLimit) status = step.best.on_lines ? kLimit : kEmpty;
+  return {options.json ? json() : io::placement_text(result, session.step(), session.unit()), status};
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The scene's "place" as bodies, conditions and objectives of the planning layer, the same in the plane and in space,
+// and which shapes have to be turned for it.
+#pragma once
+
+#include "planning/problem.h"
+#include "session.h"
+
+namespace findspace::app {
+
+struct TurnedShape {
+  std::string name, shape;  // a name of its own, and the shape of the scene
+  exact::Real degrees;
+};
+
+struct PlacementDemands {
+  planning::Demands demands;
+  std::vector<TurnedShape> turned;
+};
+
+PlacementDemands placement_demands(const Session& session);
+
+}  // namespace findspace::app
