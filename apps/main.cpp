@@ -8,9 +8,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "commands.h"
 #include "deadline.h"
@@ -56,6 +59,14 @@ constexpr VerbEntry kVerbs[] = {
 };
 
 bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
+
+/// What is wrong with a time limit, or nothing. The system's clock takes no more than 1e9.
+std::string seconds(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size() && value >= 0 && value <= 1e9) return "";
+  return fmt::format("a number of seconds from 0 to 1e9 is meant, not '{}'", text);
+}
 
 void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required();
@@ -113,7 +124,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("--threads", o.threads, "threads to use; 0: one for each core")->type_name("N");
   command.add_option("--time-limit", o.time_limit, "seconds after which to give up; 0: never")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds);
   command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written");
 }
 

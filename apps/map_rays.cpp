@@ -169,7 +169,8 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   writers[".svg"] = [&] {
     const auto [low, high] = shown_box(set, cast.summary);
     const space::RayGrid slices = io::slice_grid(low, high, kLayers, set.resolution);
-    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, set.title, session.unit());
+    const io::SlicesText text{set.title, set.subtitle, session.unit(), set.meaning};
+    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, text);
   };
   write_outputs(options, writers);
   std::string text = options.json ? json() : summary_text(set, cast.summary, step, session.unit());
@@ -228,6 +229,8 @@ Outcome map_rays(const Session& session, int resolution, bool axes) {
   const situation::RayWindow window = situation::window(world, formula);
   RaySet set;
   set.title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
+  set.subtitle = session.scene().where.text;
+  set.meaning = "positions";
   set.resolution = resolution;
   set.axes = axes;
   set.low = window.low, set.high = window.high;

@@ -243,6 +243,8 @@ Outcome describe_rays(const Session& session, const std::string& name) {
   note_lines(session, "shape");
   RaySet set;
   set.title = name;
+  set.subtitle = session.scene().file;
+  set.meaning = "the shape";
   set.resolution = kLinesUnasked;
   set.axes = true;
   set.low = box.low, set.high = box.high;

@@ -136,7 +136,7 @@ Outcome measure_at_angle(const Session& session) {
   say_rounding(session, turned.rounding());
   const double degrees = pose.degrees.to_double();
   const auto json = [&] { return io::measure_json(distances, pose.at, session.step(), session.unit(), degrees); };
-  const auto svg = [&] { return picture_at(session, solver, turned, pose, nullptr, "Measured here"); };
+  const auto svg = [&] { return picture_at(session, solver, turned, pose, nullptr, "Measured"); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   return {session.options().json ? json() : measure_text(distances, pose.at, session.step(), session.unit()), kDone};
 }
