@@ -32,10 +32,14 @@ int compare(const EdgeFan& p, const EdgeFan::Ray& r, const EdgeFan& q, const Edg
 EdgeFan::EdgeFan(const GridFace& face, Memory memory) : corners(face.corners), rays(memory), rank(memory) {
   rays.reserve(corners.size());
   for (Index k = 0; k < corners.size(); ++k) rays.push_back({diamond_angle(corners[k]), k});
-  std::sort(rays.begin(), rays.end(), [this](const Ray& p, const Ray& q) {
+  auto before = [this](const Ray& p, const Ray& q) {
     int order = compare(*this, p, *this, q);
     return order != 0 ? order < 0 : p.corner < q.corner;
-  });
+  };
+  // Nearly, and then exactly.
+  std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
+  for (auto k = rays.begin(); k != rays.end(); ++k)
+    for (auto at = k; at != rays.begin() && before(*at, *(at - 1)); --at) std::iter_swap(at, at - 1);
 }
 
 void EdgeFan::place(EdgeFan& first, EdgeFan& other) {

@@ -59,45 +59,39 @@ void Knots::settle(std::size_t points) {
     if (knot != kNone) knot = same_[knot];
 }
 
-void Knots::group_arms() {
-  first_arm_.assign(count_ + 1, 0);
-  for (const Arm& arm : arms_) ++first_arm_[arm.knot + 1];
-  for (Index k = 0; k < count_; ++k) first_arm_[k + 1] += first_arm_[k];
-  std::pmr::vector<Index> at(first_arm_.begin(), first_arm_.end() - 1, memory_);
-  std::pmr::vector<Arm> grouped(arms_.size(), Arm{}, memory_);
-  for (const Arm& arm : arms_) grouped[at[arm.knot]++] = arm;
-  arms_.swap(grouped);
+void Knots::reserve(std::size_t arms) {
+  arms_.reserve(arms);
+  first_arm_.assign(count_, kNone);
 }
 
 const Arm& Knots::clockwise(Index knot, Index curve, Index slot) const {
-  const auto all = arms(knot);
-  const Arm& from = *std::find_if(all.begin(), all.end(),
-                                  [&](const Arm& a) { return a.starts && a.curve == curve && a.slot == slot; });
-  const Arm* best = nullptr;
-  for (const Arm& arm : all)
-    if (&arm != &from && (!best || comes_first(from, arm, *best))) best = &arm;
+  const Arm *from = first(knot), *best = nullptr;
+  while (!from->starts || from->curve != curve || from->slot != slot) from = next(*from);
+  for (const Arm* arm = first(knot); arm; arm = next(*arm))
+    if (arm != from && (!best || comes_first(*from, *arm, *best))) best = arm;
   return *best;
 }
 
 bool Knots::is_surrounded(Index knot) const {
   // A curve hides the half plane on its left. Some direction is left over if and only if the ways of the curves lie in
   // an open half plane: then there is one among them with none of the others to its right or straight behind it.
-  const auto all = arms(knot);
   auto way = [](Arm a) {
     if (!a.starts) a.dx = -a.dx, a.dy = -a.dy;
     return a;
   };
-  for (const Arm& a : all) {
-    if (!a.hides) continue;
-    const Arm first = way(a);
-    const bool alone = std::all_of(all.begin(), all.end(), [&](const Arm& b) {
-      if (!b.hides) return true;
-      const Turn t = turn(first, way(b));
-      return t == kLeft || t == kSame;
-    });
-    if (alone) return false;
+  bool any = false;
+  for (const Arm* a = first(knot); a; a = next(*a)) {
+    if (!a->hides) continue;
+    any = true;
+    const Arm rightmost = way(*a);
+    bool is_rightmost = true;
+    for (const Arm* b = first(knot); b && is_rightmost; b = next(*b)) {
+      const Turn t = b->hides ? turn(rightmost, way(*b)) : kSame;
+      is_rightmost = t == kLeft || t == kSame;
+    }
+    if (is_rightmost) return false;
   }
-  return std::any_of(all.begin(), all.end(), [](const Arm& a) { return a.hides; });
+  return any;
 }
 
 }  // namespace findspace::plane

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <algorithm>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "plane/cell_complex.h"
@@ -21,13 +21,14 @@ struct Arm {
   bool starts;          // part `slot` of the curve starts there, or ends there
   bool hides;           // the curve's inner side hides directions at the knot
   std::int64_t dx, dy;  // away from the knot
+  Index next = kNone;   // another arm of the knot
 };
 
 class Knots {
  public:
   /// `points`: about how many there will be.
   Knots(std::size_t points, Memory memory)
-      : points_(points), knot_of_(memory), same_(memory), arms_(memory), first_arm_(memory), memory_(memory) {}
+      : points_(points), knot_of_(memory), same_(memory), arms_(memory), first_arm_(memory) {}
 
   bool empty() const { return same_.empty(); }
   /// A point becomes a knot, or stays one.
@@ -43,10 +44,12 @@ class Knots {
   /// One of its points.
   Index point(Index knot) const { return Index(std::find(knot_of_.begin(), knot_of_.end(), knot) - knot_of_.begin()); }
 
-  void reserve_arms(std::size_t most) { arms_.reserve(most); }
-  void add(const Arm& arm) { arms_.push_back(arm); }
-  /// After the last arm.
-  void group_arms();
+  /// After settling; `arms`: about how many there will be.
+  void reserve(std::size_t arms);
+  void add(Arm arm) {
+    arm.next = std::exchange(first_arm_[arm.knot], Index(arms_.size()));
+    arms_.push_back(arm);
+  }
 
   /// Of the other arms, the first clockwise from the one of a part that starts at the knot.
   const Arm& clockwise(Index knot, Index curve, Index slot) const;
@@ -54,18 +57,16 @@ class Knots {
   bool is_surrounded(Index knot) const;
 
  private:
-  std::span<const Arm> arms(Index knot) const {
-    return {arms_.data() + first_arm_[knot], first_arm_[knot + 1] - first_arm_[knot]};
-  }
+  const Arm* first(Index knot) const { return &arms_[first_arm_[knot]]; }
+  const Arm* next(const Arm& arm) const { return arm.next == kNone ? nullptr : &arms_[arm.next]; }
   Index& parent(Index point);
 
   std::size_t points_;
   std::pmr::vector<Index> knot_of_;  // point -> knot; empty while there is none
   std::pmr::vector<Index> same_;     // knot -> one with a smaller number at the same place, or itself
   std::pmr::vector<Arm> arms_;
-  std::pmr::vector<Index> first_arm_;
+  std::pmr::vector<Index> first_arm_;  // knot -> the last one added
   Index count_ = 0;
-  Memory memory_;
 };
 
 }  // namespace findspace::plane

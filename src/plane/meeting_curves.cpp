@@ -168,7 +168,7 @@ void MeetingCurves::find_twins() {
 }
 
 void MeetingCurves::add_arms() {
-  knots_.reserve_arms(2 * stops_.size() + 2 * size());
+  knots_.reserve(2 * stops_.size() + 2 * size());
   for (Index i = 0; i < size(); ++i) {
     const InnerSide& side = c_.sides[i];
     if (const Index from = knots_.at(start(i)); from != kNone)
@@ -181,14 +181,19 @@ void MeetingCurves::add_arms() {
       knots_.add(arm(stop(i, k).twin, {i, k + 1}, true, true));
     }
   }
-  knots_.group_arms();
 }
 
 Arm MeetingCurves::arm(Index knot, CurvePart part, bool starts, bool hides) const {
   const exact::Carrier& k = g_.carriers[carrier(part.curve)];
   // To the right along a*x + b*y = c: (b, -a) or its opposite.
   const bool forward = ((k.b > 0) == right(part.curve)) == starts;
-  return {knot, part.curve, part.slot, starts, hides, forward ? k.b : -k.b, forward ? -k.a : k.a};
+  return {.knot = knot,
+          .curve = part.curve,
+          .slot = part.slot,
+          .starts = starts,
+          .hides = hides,
+          .dx = forward ? k.b : -k.b,
+          .dy = forward ? -k.a : k.a};
 }
 
 std::pmr::vector<CurvePart> MeetingCurves::parts_with_two_inner_sides() const {
