@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "io/draw_bodies.h"
+#include "io/draw_layout.h"
 #include "io/write_json_rays.h"
 #include "io/write_json_space.h"
 #include "io/write_placement.h"
@@ -123,6 +125,56 @@ io::Surface scenery(const Session& session, const SpaceProblem& problem, const p
   return out;
 }
 
+/// A line a body: where it is placed.
+std::vector<std::string> placed_lines(const io::PlacementResult& result, const Session& session) {
+  constexpr std::size_t kMost = 12;
+  std::vector<std::string> lines;
+  for (const io::PlacedResult& p : result.placed) {
+    if (lines.size() == kMost) {
+      lines.push_back(fmt::format("and {} more", result.placed.size() - kMost));
+      break;
+    }
+    std::string line = p.copy > 0 ? fmt::format("{} {}", p.shape, p.copy) : p.shape;
+    if (p.at.empty()) {
+      lines.push_back(line + ": no room");
+      continue;
+    }
+    std::vector<std::string> at;
+    for (const Real& x : p.at) at.push_back(io::shown((x * session.step()).to_double()));
+    line += fmt::format(" at ({})", fmt::join(at, ", "));
+    if (p.angle && p.angle->sign() != 0) line += fmt::format(", turned by {}°", io::shown(p.angle->to_double()));
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// What stands still, and in blue what is placed.
+std::string picture(const Session& session, const SpaceProblem& problem, const planning::SpacePlacement& found,
+                    const io::PlacementResult& result) {
+  io::BodiesPicture out{"Placement, one after another", session.unit(), placed_lines(result, session), {}, {},
+                        problem.step.to_double()};
+  const auto is_placed = [&](const std::string& name) {
+    return std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& b) {
+      return std::find(b.shapes.begin(), b.shapes.end(), name) != b.shapes.end();
+    });
+  };
+  for (const plane::ShapePtr& s : session.scene().shapes) {
+    const auto& body = problem.built.at(s->name).body;
+    if (body && !is_placed(s->name)) out.bodies.push_back({body.get(), {}, false});
+  }
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    const auto& pose = found.poses[b];
+    if (!pose) continue;
+    for (const std::string& name : problem.bodies[b].variants[pose->angle]) {
+      const auto& body = problem.built.at(name).body;
+      if (!body) continue;
+      out.bodies.push_back({body.get(), {}, true});
+      for (std::size_t k = 0; k < 3; ++k) out.bodies.back().by[k] = (pose->at[k] * problem.step).to_double();
+    }
+  }
+  return io::bodies_svg(out);
+}
+
 }  // namespace
 
 Outcome place_space(const Session& session) {
@@ -142,6 +194,7 @@ Outcome place_space(const Session& session) {
     writers.emplace(ending, [&, ending] {
       return io::surface_text(scenery(session, problem, found.poses), "placement", ending, session.unit());
     });
+  writers[".svg"] = [&] { return picture(session, problem, found, result); };
   write_outputs(options, writers);
   // A shape without a position found on lines may have one between them.
   ExitStatus status = found.limit_reached ? kLimit : kDone;

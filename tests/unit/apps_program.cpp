@@ -248,4 +248,17 @@ TEST_F(Program, PictureAtAnInstant) {
   EXPECT_EQ(words(at_instant), words(standing));
 }
 
+/// What is placed in space is drawn among what stands, round shapes too, with a line for each.
+TEST_F(Program, PlacementInSpaceIsDrawn) {
+  const Result r = run("place scene.json --resolution 8 -o placed.svg", R"json({"findspace": 1, "shapes": {
+    "bin": {"box": {"min": [0, 0, 0], "max": [4, 4, 2]}}, "ball": {"ball": {"center": [0, 0, 0], "radius": 1}},
+    "slab": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}}},
+    "place": {"shapes": ["ball", "slab"], "each": "inside(self, bin)", "minimize": ["x", "y"]}})json");
+  EXPECT_LE(r.status, 4) << r.err;
+  const std::string svg = read("placed.svg");
+  EXPECT_TRUE(contains(svg, ">ball at (1, 1, 1)<")) << svg.substr(0, 600);
+  EXPECT_TRUE(contains(svg, ">slab: no room<"));
+  EXPECT_TRUE(contains(svg, "stroke=\"#555\""));  // the bin's edges
+}
+
 }  // namespace
