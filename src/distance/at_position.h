@@ -6,7 +6,7 @@
 // (gamma1 < 0, eta, delta) the pair are the points that come together: B + p moved by (point of A) - (point of B)
 // touches A there, and the move is as long as the value. Values come from the boundaries alone where these decide:
 // shapes that are clearly apart or clearly inside each other, gamma2, mu, h, Hausdorff and diameter; gamma1 < 0, eta1 >
-// 0 and delta1 > 0 of polygons from the boundary of the sum near p (way_out.h) where its map is large; else from the
+// 0 and delta1 > 0 from the boundary of the sum near p (way_out.h) where its map is large; else from the
 // map of the family (t_distance.h), which is made once. Guarantee: as the families'. Cost: about log n boxes for
 // boundaries, a map where these meet; of d1 where a vertex is found inside the other shape, not even trees are made.
 // Prepared once, asked at many positions; threads: safe. Keywords: witness, closest

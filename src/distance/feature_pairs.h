@@ -40,7 +40,7 @@ inline bool segments_cross(const Site& s, const Site& t, double room) {
   double a = cross(dx, dy, t.x0 - s.x0, t.y0 - s.y0), b = cross(dx, dy, t.x1 - s.x0, t.y1 - s.y0);
   double c = cross(ex, ey, s.x0 - t.x0, s.y0 - t.y0), d = cross(ex, ey, s.x1 - t.x0, s.y1 - t.y0);
   if ((a > 0) == (b > 0) || (c > 0) == (d > 0)) return false;
-  double wide = std::hypot(dx, dy) * room, high = std::hypot(ex, ey) * room;
+  double wide = plain_length(dx, dy) * room, high = plain_length(ex, ey) * room;
   return std::min(std::abs(a), std::abs(b)) > wide && std::min(std::abs(c), std::abs(d)) > high;
 }
 
@@ -56,17 +56,17 @@ std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const Site& ot
   }
   double ux, uy, fx, fy, h2;
   if (other.arc) {
-    double dx = other.cx - arc.cx, dy = other.cy - arc.cy, d = std::hypot(dx, dy);
+    double dx = other.cx - arc.cx, dy = other.cy - arc.cy, d = plain_length(dx, dy);
     if (d == 0) return std::nullopt;
     double along = (d * d + arc.r * arc.r - other.r * other.r) / (2 * d);
     ux = -dy / d, uy = dx / d, fx = arc.cx + along * dx / d, fy = arc.cy + along * dy / d,
     h2 = arc.r * arc.r - along * along;
   } else {
-    double dx = other.x1 - other.x0, dy = other.y1 - other.y0, n = std::hypot(dx, dy);
+    double dx = other.x1 - other.x0, dy = other.y1 - other.y0, n = plain_length(dx, dy);
     ux = dx / n, uy = dy / n;
     double t = (arc.cx - other.x0) * ux + (arc.cy - other.y0) * uy;
     fx = other.x0 + t * ux, fy = other.y0 + t * uy;
-    double off = std::hypot(fx - arc.cx, fy - arc.cy);
+    double off = plain_length(fx - arc.cx, fy - arc.cy);
     h2 = (arc.r - off) * (arc.r + off);
   }
   if (h2 < -room * arc.r) return std::nullopt;
@@ -87,7 +87,7 @@ inline std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const S
 inline bool edges_cross(const Site& s, const Site& t, double room, double slack) {
   if (!s.arc && !t.arc) return segments_cross(s, t, room + slack);
   const auto tangent = [](const Site& e, double x, double y) {
-    const double dx = e.arc ? e.cy - y : e.x1 - e.x0, dy = e.arc ? x - e.cx : e.y1 - e.y0, n = std::hypot(dx, dy);
+    const double dx = e.arc ? e.cy - y : e.x1 - e.x0, dy = e.arc ? x - e.cx : e.y1 - e.y0, n = plain_length(dx, dy);
     return std::array{dx / n, dy / n};
   };
   const auto wanted = [&](double x, double y) {
@@ -95,7 +95,7 @@ inline bool edges_cross(const Site& s, const Site& t, double room, double slack)
     const double sine = std::abs(cross(u[0], u[1], v[0], v[1]));
     double reach = std::numeric_limits<double>::infinity();
     for (const Site* e : {&s, &t}) {
-      reach = std::min({reach, std::hypot(x - e->x0, y - e->y0), std::hypot(x - e->x1, y - e->y1)});
+      reach = std::min({reach, plain_length(x - e->x0, y - e->y0), plain_length(x - e->x1, y - e->y1)});
       if (e->arc) reach = std::min(reach, e->r * sine / 4);
     }
     return reach * sine / 2 > room + slack + slack / sine;
@@ -116,7 +116,7 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
   for (int i = 0; i < (s.is_vertex() ? 1 : 2); ++i) {
     double x = i ? s.x1 : s.x0, y = i ? s.y1 : s.y0;
     for (int k = 0; k < (t.is_vertex() ? 1 : 2); ++k)
-      take(Candidate{std::hypot(x - (k ? t.x1 : t.x0), y - (k ? t.y1 : t.y0)), {0, p.vertex[i]}, {0, q.vertex[k]}});
+      take(Candidate{plain_length(x - (k ? t.x1 : t.x0), y - (k ? t.y1 : t.y0)), {0, p.vertex[i]}, {0, q.vertex[k]}});
     if (!t.is_vertex() && t.faces(x, y)) take(Candidate{t.distance(x, y), {0, p.vertex[i]}, t.cell});
   }
   for (int k = 0; k < (t.is_vertex() ? 1 : 2); ++k) {
@@ -124,7 +124,7 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
     if (!s.is_vertex() && s.faces(x, y)) take(Candidate{s.distance(x, y), s.cell, {0, q.vertex[k]}});
   }
   if (s.arc && t.arc) {
-    double dx = t.cx - s.cx, dy = t.cy - s.cy, d = std::hypot(dx, dy);
+    double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
     if (d == 0) return;
     double room = (s.r + t.r) * kPairMeets;  // circles that touch may seem to cross
     if (d > s.r + t.r - room && s.has_direction(dx, dy) && t.has_direction(-dx, -dy))
@@ -137,7 +137,7 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
     const Site &arc = s.arc ? s : t, &line = s.arc ? t : s;
     double dx = line.x1 - line.x0, dy = line.y1 - line.y0,
            at = ((arc.cx - line.x0) * dx + (arc.cy - line.y0) * dy) / (dx * dx + dy * dy);
-    double fx = line.x0 + at * dx - arc.cx, fy = line.y0 + at * dy - arc.cy, d = std::hypot(fx, fy);
+    double fx = line.x0 + at * dx - arc.cx, fy = line.y0 + at * dy - arc.cy, d = plain_length(fx, fy);
     if (at >= 0 && at <= 1 && d > arc.r * (1 - kPairMeets) && arc.has_direction(fx, fy))
       take(Candidate{std::abs(d - arc.r), s.cell, t.cell});
   }
@@ -149,16 +149,16 @@ void farthest_features(const Placed& p, const Placed& q, Take&& take) {
   for (int i = 0; i < (s.is_vertex() ? 1 : 2); ++i) {
     double x = i ? s.x1 : s.x0, y = i ? s.y1 : s.y0;
     for (int k = 0; k < (t.is_vertex() ? 1 : 2); ++k)
-      take(Candidate{std::hypot(x - (k ? t.x1 : t.x0), y - (k ? t.y1 : t.y0)), {0, p.vertex[i]}, {0, q.vertex[k]}});
+      take(Candidate{plain_length(x - (k ? t.x1 : t.x0), y - (k ? t.y1 : t.y0)), {0, p.vertex[i]}, {0, q.vertex[k]}});
     if (t.arc && t.has_direction(t.cx - x, t.cy - y))
-      take(Candidate{std::hypot(t.cx - x, t.cy - y) + t.r, {0, p.vertex[i]}, t.cell});
+      take(Candidate{plain_length(t.cx - x, t.cy - y) + t.r, {0, p.vertex[i]}, t.cell});
   }
   for (int k = 0; k < (t.is_vertex() ? 1 : 2) && s.arc; ++k) {
     double dx = s.cx - (k ? t.x1 : t.x0), dy = s.cy - (k ? t.y1 : t.y0);
-    if (s.has_direction(dx, dy)) take(Candidate{std::hypot(dx, dy) + s.r, s.cell, {0, q.vertex[k]}});
+    if (s.has_direction(dx, dy)) take(Candidate{plain_length(dx, dy) + s.r, s.cell, {0, q.vertex[k]}});
   }
   if (!s.arc || !t.arc) return;
-  double dx = t.cx - s.cx, dy = t.cy - s.cy, d = std::hypot(dx, dy);
+  double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
   if (d == 0 ? s.half != t.half || s.cell == t.cell : s.has_direction(-dx, -dy) && t.has_direction(dx, dy))
     take(Candidate{d + s.r + t.r, s.cell, t.cell});
 }

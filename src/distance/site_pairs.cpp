@@ -242,8 +242,8 @@ SitePair nearest_point(const SiteTree& a, const RealPoint& at) {
       const Site& s = a.sites()[k];
       if (s.distance(x, y) > limit) continue;
       Placed p = placed(a.region(), s, 0, 0);
-      if (std::hypot(x - s.x0, y - s.y0) <= limit) take({0, p.vertex[0]});
-      if (std::hypot(x - s.x1, y - s.y1) <= limit) take({0, p.vertex[1]});
+      if (plain_length(x - s.x0, y - s.y0) <= limit) take({0, p.vertex[0]});
+      if (plain_length(x - s.x1, y - s.y1) <= limit) take({0, p.vertex[1]});
       if (!s.is_vertex() && s.faces(x, y)) take(s.cell);
     }
   }

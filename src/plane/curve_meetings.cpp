@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace findspace::plane {
 namespace {
 
 using exact::Real;
+
+constexpr double kNormals = 1e-7;  // no sign: of directions; candidates too many do no harm
 
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
 double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
@@ -109,6 +112,48 @@ std::vector<RealVector> exact_meetings(const ExactCurve& c, const ExactCurve& d)
   if (way == RealVector{}) return {};
   const auto power = [](const ExactCurve& k) { return plane::dot(k.center, k.center) - k.radius * k.radius; };
   return line_meets_circle(way, (power(d) - power(c)) / Real(2), c);
+}
+
+std::optional<RealVector> exact_meeting(const ExactCurve& c, const ExactCurve& d, RoughPoint at) {
+  std::optional<RealVector> best;
+  double least = 0;
+  for (RealVector& s : exact_meetings(c, d)) {
+    const double off = length(RoughPoint(rough(s.x), rough(s.y)) - at);
+    if (!best || off < least) best = std::move(s), least = off;
+  }
+  return best;
+}
+
+std::vector<RoughPoint> rough_feet(const RoughCurve& c, double room) {
+  std::vector<RoughPoint> out;
+  const auto add = [&](RoughPoint s) {
+    if (c.holds(s, room)) out.push_back(s);
+  };
+  const double far = length(c.center), radius = std::abs(c.radius);
+  if (c.line) {
+    add(c.offset() * c.normal);
+  } else if (radius <= room) {
+    out.push_back(c.center);
+  } else if (far <= room) {
+    for (const Cone& k : {c.normals, c.opposed})
+      for (double part : {0.0, 0.5, 1.0}) {
+        const RoughPoint u = std::polar(1.0, k.from + part * k.width);
+        if (c.allows(u, kNormals)) out.push_back(c.center + c.radius * u);
+      }
+  } else {
+    for (double side : {-1.0, 1.0}) add(c.center + side * radius * c.center / far);
+  }
+  return out;
+}
+
+RealVector exact_foot(const ExactCurve& c, RoughPoint at) {
+  if (c.line) return c.offset / plane::dot(c.normal, c.normal) * c.normal;
+  if (c.radius.sign() == 0) return c.center;
+  const Real square = plane::dot(c.center, c.center);
+  const RoughPoint center(rough(c.center.x), rough(c.center.y)), way = at - center;
+  if (square.sign() == 0) return abs(c.radius) * exact::Turn::near(std::arg(way) * 180 / std::numbers::pi, 30)({1, 0});
+  const Real part = abs(c.radius) / sqrt(square);
+  return (Real(1) + (dot(way, center) > 0 ? part : -part)) * c.center;
 }
 
 std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& c, double room) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "plane/curve_meetings.h"
 #include "plane/topology.h"
@@ -19,9 +18,8 @@ using exact::Turn;
 
 namespace {
 
-constexpr double kRoom = 1e-9;     // no sign: of the sizes; what is nearer is decided exactly
-constexpr double kError = 1e-4;    // no sign: of the room; more than rough curves are off
-constexpr double kNormals = 1e-7;  // no sign: of directions; candidates too many do no harm
+constexpr double kRoom = 1e-9;   // no sign: of the sizes; what is nearer is decided exactly
+constexpr double kError = 1e-4;  // no sign: of the room; more than rough curves are off
 
 constexpr double kBeside = 64;    // rooms: how far beside a point a position is tried
 constexpr double kOpposed = 0.1;  // no sign: curves that leave less room between them are left to exact numbers
@@ -144,7 +142,7 @@ class FreePlaces::From::Search {
     for (Index k : which) pairs_.push_back(f_.curves_[k].pair), names_.push_back(k);
     for (const ContactPair& k : pairs_) rough_.push_back(curves_.rough(k, 0));
     for (std::size_t i = 0; i < rough_.size(); ++i) {
-      add_feet(i);
+      for (RoughPoint s : rough_feet(rough_[i], f_.room_)) add(s, 0, i, i);
       for (std::size_t k = i + 1; k < rough_.size(); ++k) add_meetings(i, k);
     }
     std::sort(candidates_.begin(), candidates_.end(), [&](const Candidate& c, const Candidate& d) {
@@ -193,27 +191,6 @@ class FreePlaces::From::Search {
     }
   }
 
-  void add_feet(std::size_t i) {
-    const RoughCurve& c = rough_[i];
-    if (c.line) {
-      const RoughPoint foot = c.offset() * c.normal;
-      if (c.holds(foot, f_.room_)) add(foot, 0, i, i);
-    } else if (std::abs(c.radius) <= f_.room_) {
-      add(c.center, 0, i, i);
-    } else if (length(c.center) <= f_.room_) {  // all its points are as far: one of each of its ends
-      for (const Cone& k : {c.normals, c.opposed})
-        for (double part : {0.0, 0.5, 1.0}) {
-          const RoughPoint u = std::polar(1.0, k.from + part * k.width);
-          if (c.allows(u, kNormals)) add(c.center + c.radius * u, 0, i, i);
-        }
-    } else {
-      for (double side : {-1.0, 1.0}) {
-        const RoughPoint s = c.center + side * std::abs(c.radius) * c.center / length(c.center);
-        if (c.holds(s, f_.room_)) add(s, 0, i, i);
-      }
-    }
-  }
-
   /// By a position beside it, if numbers tell.
   std::optional<bool> is_free(const Candidate& c) const {
     const double step = kBeside * (f_.room_ + c.off), reach = 2 * step;
@@ -244,29 +221,11 @@ class FreePlaces::From::Search {
     return rough_[i].line ? std::numeric_limits<double>::infinity() : std::abs(rough_[i].radius);
   }
 
-  RealVector foot(const Candidate& c) const {
-    const ExactCurve e = curves_.exact(pairs_[c.first], Turn{});
-    if (e.line) return e.offset / plane::dot(e.normal, e.normal) * e.normal;
-    if (e.radius.sign() == 0) return e.center;
-    const Real square = plane::dot(e.center, e.center);
-    const RoughPoint way = c.at - rough_[c.first].center;
-    if (square.sign() == 0) return abs(e.radius) * Turn::near(std::arg(way) * 180 / std::numbers::pi, 30)({1, 0});
-    const bool outwards = way.real() * rough_[c.first].center.real() + way.imag() * rough_[c.first].center.imag() > 0;
-    const Real part = abs(e.radius) / sqrt(square);
-    return (Real(1) + (outwards ? part : -part)) * e.center;
-  }
-
   /// Nothing where the curves do not meet after all.
   std::optional<RealVector> exact_point(const Candidate& c) const {
-    if (c.first == c.second) return foot(c);
-    std::optional<RealVector> best;
-    double least = 0;
-    for (RealVector& s :
-         exact_meetings(curves_.exact(pairs_[c.first], Turn{}), curves_.exact(pairs_[c.second], Turn{}))) {
-      const double off = length(RoughPoint(rough(s.x), rough(s.y)) - c.at);
-      if (!best || off < least) best = std::move(s), least = off;
-    }
-    return best;
+    const ExactCurve e = curves_.exact(pairs_[c.first], Turn{});
+    if (c.first == c.second) return exact_foot(e, c.at);
+    return exact_meeting(e, curves_.exact(pairs_[c.second], Turn{}), c.at);
   }
 
   const FreePlaces& f_;

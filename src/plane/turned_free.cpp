@@ -82,7 +82,7 @@ class TurnedFree::Look {
         add_crossings(i, f_.way_->rough(angle, 1));
         continue;
       }
-      add_feet(i);
+      for (RoughPoint s : rough_feet(rough_[i], f_.room_)) add({s, 0}, i, i);
       for (std::size_t k = i + 1; k < rough_.size(); ++k) {
         if (!far_ && rough_[k].least() > rough_level_ + f_.room_) continue;
         if (never_cross(i, k)) continue;
@@ -118,28 +118,6 @@ class TurnedFree::Look {
     candidates_.push_back({m.at, d, m.off, first, second});
   }
 
-  void add_feet(std::size_t i) {
-    const RoughCurve& c = rough_[i];
-    if (c.line) {
-      const RoughPoint foot = c.offset() * c.normal;
-      if (c.holds(foot, f_.room_)) add({foot, 0}, i, i);
-      return;
-    }
-    if (std::abs(c.radius) <= f_.room_) return add({c.center, 0}, i, i);
-    if (std::abs(c.center) <= f_.room_) {  // all its points are as far: one of each of its ends
-      for (const Cone& k : {c.normals, c.opposed})
-        for (double part : {0.0, 0.5, 1.0}) {
-          const RoughPoint u = std::polar(1.0, k.from + part * k.width);
-          if (c.allows(u, kNormals)) add({c.center + c.radius * u, 0}, i, i);
-        }
-      return;
-    }
-    for (double side : {-1.0, 1.0}) {
-      const RoughPoint s = c.center + side * std::abs(c.radius) * c.center / std::abs(c.center);
-      if (c.holds(s, f_.room_)) add({s, 0}, i, i);
-    }
-  }
-
   void add_crossings(std::size_t i, const RoughCurve& way) {
     for (const RoughMeeting& m : rough_meetings(rough_[i], way, kError * f_.room_)) {
       const double room = f_.room_ + m.off;
@@ -161,32 +139,13 @@ class TurnedFree::Look {
     return (back_->marks_met(-turn_, kNegative, -((-turn_)(s))) & kNegative) == 0;
   }
 
-  RealVector foot(const Candidate& c) const {
-    const ExactCurve e = f_.curves_.exact(pairs_[c.first], turn_);
-    if (e.line) return e.offset / plane::dot(e.normal, e.normal) * e.normal;
-    const Real square = plane::dot(e.center, e.center);
-    if (e.radius.sign() == 0) return e.center;
-    const RoughPoint way = c.at - rough_[c.first].center;
-    if (square.sign() == 0) {
-      const RealVector u = Turn::near(std::arg(way) * 180 / kPi, 30)({1, 0});
-      return abs(e.radius) * u;
-    }
-    const bool outwards = way.real() * rough_[c.first].center.real() + way.imag() * rough_[c.first].center.imag() > 0;
-    const Real part = abs(e.radius) / sqrt(square);
-    return (Real(1) + (outwards ? part : -part)) * e.center;
-  }
-
   /// The exact point; nothing where the curves do not meet after all.
   std::optional<RealVector> exact_point(const Candidate& c) const {
     if (c.first == kNone) return RealVector{};
-    if (c.first == c.second) return foot(c);
-    std::optional<RealVector> best;
-    double least = 0;
+    const ExactCurve first = f_.curves_.exact(pairs_[c.first], turn_);
+    if (c.first == c.second) return exact_foot(first, c.at);
     const ExactCurve other = c.second == kNone ? f_.way_->exact(turn_) : f_.curves_.exact(pairs_[c.second], turn_);
-    for (RealVector& s : exact_meetings(f_.curves_.exact(pairs_[c.first], turn_), other)) {
-      const double off = std::abs(RoughPoint(rough(s.x), rough(s.y)) - c.at);
-      if (!best || off < least) best = std::move(s), least = off;
-    }
+    const std::optional<RealVector> best = exact_meeting(first, other, c.at);
     if (best && f_.way_ && !f_.way_->both_ways) {
       const RealVector& u = f_.way_->along;
       if (plane::dot(f_.way_->turns ? turn_(u) : u, *best).sign() < 0) return std::nullopt;

@@ -187,7 +187,7 @@ TEST(WayOut, AtAPositionOfLargeShapes) {
 TEST(WayOut, AtAPositionOfRoundedShapes) {
   std::mt19937 rng(4);
   const auto rounded_star = [&] {
-    return plane::minkowski_sum(star(rng, 60, 1 << 20), plane::region_of_disc(0, 0, Real(1 << 15)));
+    return plane::minkowski_sum(star(rng, 140, 1 << 20), plane::region_of_disc(0, 0, Real(1 << 15)));
   };
   auto pair = std::make_shared<ShapePair>(rounded_star(), rounded_star());
   const RealPoint p{1 << 18, 1 << 19};
