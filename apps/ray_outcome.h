@@ -10,6 +10,7 @@
 #include <string>
 
 #include "io/write_json_rays.h"
+#include "line_choice.h"
 #include "session.h"
 #include "situation/ray_minima.h"
 #include "situation/solve_rays.h"
@@ -26,8 +27,7 @@ struct RayObjective {
 
 struct RaySet {
   std::string title;
-  int resolution = 0;                                                              // lines each way
-  bool axes = false;                                                               // along all three axes
+  LineChoice lines;
   space::Point low, high;                                                          // a box that holds the frontier
   bool unbounded = false;                                                          // the set goes on beyond it
   std::optional<space::RayAim> aim;                                                // what is looked for in the set
@@ -41,6 +41,11 @@ struct RaySet {
 
 /// The scene's shapes for rays; refers to them.
 situation::RayWorld ray_world(const Session& session);
+
+/// What --side asks for.
+void take_side(const Session& session, RaySet& set);
+/// How far a place of a line's cell may be from the line, rounded up; in grid steps.
+exact::Real cell_radius(const RaySet& set);
 
 Outcome rays_outcome(const Session& session, const RaySet& set);
 
