@@ -9,9 +9,9 @@
 #include "io/write_constructive.h"
 #include "io/write_json.h"
 #include "io/write_wkt.h"
+#include "line_choice.h"
 #include "report.h"
 #include "session.h"
-#include "line_choice.h"
 #include "space_commands.h"
 
 namespace findspace::app {
