@@ -58,7 +58,7 @@ void keep_intervals(const RaySet& set, const space::RayGrid& grid, int j, const 
   });
 }
 
-Cast cast_lines(const RaySet& set, double step) {
+Cast cast_lines(const RaySet& set, double step, bool written) {
   Cast out;
   out.grid = set.lines.grid(set.low, set.high);
   space::RaySummarizer summarizer(out.grid);
@@ -66,17 +66,17 @@ Cast cast_lines(const RaySet& set, double step) {
   space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
   space::each_row(*set.source(out.grid), [&](int j, space::RayRow&& row) {
     summarizer.add(j, row);
-    lines.add(j, row);
+    if (written) lines.add(j, row);
     extreme.add(out.grid, j, row);
     if (set.objective) keep_intervals(set, out.grid, j, row, out.intervals);
   });
   out.summary = summarizer.finish();
   out.extreme = extreme.found();
-  out.lines = lines.text();
+  out.lines = std::move(lines).text();
   return out;
 }
 
-Cast cast_axes(const RaySet& set, double step) {
+Cast cast_axes(const RaySet& set, double step, bool written) {
   Cast out;
   const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
   out.grid = lattice.grid(2);
@@ -87,14 +87,14 @@ Cast cast_axes(const RaySet& set, double step) {
       lattice, [&](int axis) { return set.source(lattice.grid(axis)); }, in_region,
       [&](const space::RayGrid& grid, const space::RayRow& row) {
         const int j = rows[static_cast<std::size_t>(grid.axis)]++;
-        if (grid.axis == 2) lines.add(j, row);
+        if (written && grid.axis == 2) lines.add(j, row);
         extreme.add(grid, j, row);
         if (set.objective) keep_intervals(set, grid, j, row, out.intervals);
       });
   out.summary = std::move(axes.summary);
   out.extreme = extreme.found();
   out.surface = std::move(axes.surface);
-  out.lines = lines.text();
+  out.lines = std::move(lines).text();
   return out;
 }
 
@@ -154,17 +154,23 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply needs an exact map, not one on rays");
   const double step = session.step().to_double();
   session.talk().stage("casting rays");
-  Cast cast = set.lines.axes ? cast_axes(set, step) : cast_lines(set, step);
+  const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
+                                                   [](const auto& file) { return file.extension() == ".json"; });
+  Cast cast = set.lines.axes ? cast_axes(set, step, written) : cast_lines(set, step, written);
   if (set.objective) session.talk().stage("looking for the best place");
   const auto optimum = set.objective ? best_of(set, cast, step)
                        : set.aim     ? std::optional(optimum_of(set, cast, step))
                                      : set.least;
-  const auto json = [&] {
-    const std::string unit = session.unit();
-    return io::rays_json(cast.summary, cast.grid, step,
-                         {unit, cast.lines, set.lines.axes, set.unbounded, situation::name(set.on_lines),
-                          situation::name(set.side), set.somewhere, optimum});
-  };
+  const std::string unit = session.unit();
+  const io::RaysText text_of{unit,
+                             &cast.lines,
+                             set.lines.axes,
+                             set.unbounded,
+                             situation::name(set.on_lines),
+                             situation::name(set.side),
+                             set.somewhere,
+                             optimum};
+  const auto json = [&](const io::Sink& sink) { io::rays_json(cast.summary, cast.grid, step, text_of, sink); };
   const auto surface = [&] {
     if (set.lines.axes) return io::ray_surface_mesh(cast.surface, step);
     const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
@@ -173,7 +179,7 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
                                 step);
   };
   session.talk().stage("writing");
-  Writers writers{{".json", json}};
+  Writers writers;
   for (const char* ending : io::kSurfaceEndings)
     writers.emplace(ending, [=] { return io::surface_text(surface(), set.title, ending, session.unit()); });
   writers[".svg"] = [&] {
@@ -181,8 +187,9 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
     const space::RayGrid slices = io::slice_grid(low, high, kLayers, std::max(cast.grid.nu, cast.grid.nv));
     return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, set.title, session.unit());
   };
-  write_outputs(options, writers);
-  std::string text = options.json ? json() : summary_text(set, cast.summary, step, session.unit());
+  write_outputs(options, writers, {{".json", json}});
+  std::string text = options.json ? io::rays_json(cast.summary, cast.grid, step, text_of)
+                                  : summary_text(set, cast.summary, step, session.unit());
   if (!options.json && optimum && optimum->value) text += optimum_text(*optimum, set.aim || set.objective);
   const bool proven_empty = set.side == situation::Side::kOuter && cast.summary.empty && !set.unbounded;
   return {std::move(text), proven_empty ? kEmpty : kDone};

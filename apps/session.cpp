@@ -296,10 +296,18 @@ void check_outputs(const Options& options, const std::vector<std::string>& forma
   }
 }
 
-void write_outputs(const Options& options, const Writers& writers) {
-  std::vector<std::string> texts;
-  for (const auto& path : options.outputs) texts.push_back(writers.at(path.extension().string())());
-  for (std::size_t i = 0; i < texts.size(); ++i) io::write_file(options.outputs[i], texts[i]);
+void write_outputs(const Options& options, const Writers& writers, const Streams& streams) {
+  std::vector<std::pair<std::filesystem::path, std::string>> texts;
+  std::vector<std::filesystem::path> streamed;
+  for (const auto& path : options.outputs) {
+    const std::string ending = path.extension().string();
+    if (streams.count(ending) != 0)
+      streamed.push_back(path);
+    else
+      texts.emplace_back(path, writers.at(ending)());
+  }
+  for (const auto& [path, text] : texts) io::write_file(path, text);
+  for (const auto& path : streamed) io::write_file(path, streams.at(path.extension().string()));
 }
 
 }  // namespace findspace::app

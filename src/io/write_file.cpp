@@ -29,16 +29,7 @@ class Temporary {
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
-  bool write(std::string_view text) {
-    if (descriptor_ < 0) return false;
-    while (!text.empty()) {
-      const ssize_t n = ::write(descriptor_, text.data(), text.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) return false;
-      text.remove_prefix(std::size_t(n));
-    }
-    return true;
-  }
+  int descriptor() const { return descriptor_; }
 
   /// Takes the target's place, with the permissions a plain new file would have.
   bool keep(const std::filesystem::path& target) {
@@ -70,25 +61,40 @@ bool is_special(const std::filesystem::path& path) {
          !std::filesystem::is_directory(status);
 }
 
-void write_special(const std::filesystem::path& path, std::string_view text) {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(path);
+void write_all(int descriptor, const std::filesystem::path& path, std::string_view text) {
   while (!text.empty()) {
     const ssize_t n = ::write(descriptor, text.data(), text.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) {
-      close(descriptor);
-      fail(path);
-    }
+    if (n <= 0) fail(path);
     text.remove_prefix(std::size_t(n));
   }
-  close(descriptor);
 }
+
+class Special {
+ public:
+  explicit Special(const std::filesystem::path& path) : descriptor_(open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+    if (descriptor_ < 0) fail(path);
+  }
+  ~Special() { close(descriptor_); }
+  Special(const Special&) = delete;
+  Special& operator=(const Special&) = delete;
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
 
 }  // namespace
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
-  if (is_special(path)) return write_special(path, text);
+  write_file(path, [&](const Sink& sink) { sink(text); });
+}
+
+void write_file(const std::filesystem::path& path, const std::function<void(const Sink&)>& make) {
+  if (is_special(path)) {
+    const Special file(path);
+    return make([&](std::string_view text) { write_all(file.descriptor(), path, text); });
+  }
   if (std::filesystem::is_directory(path)) {
     errno = EISDIR;
     fail(path);
@@ -98,7 +104,9 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
   const std::filesystem::path target =
       std::filesystem::is_symlink(path, none) ? std::filesystem::weakly_canonical(path, none) : path;
   Temporary file(target);
-  if (!file.write(text) || !file.keep(target)) fail(path);
+  if (file.descriptor() < 0) fail(path);
+  make([&](std::string_view text) { write_all(file.descriptor(), path, text); });
+  if (!file.keep(target)) fail(path);
 }
 
 }  // namespace findspace::io

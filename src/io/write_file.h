@@ -6,11 +6,16 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
+
+#include "io/spool.h"
 
 namespace findspace::io {
 
 /// Throws Error(kFile) with the path and the system's reason.
 void write_file(const std::filesystem::path& path, std::string_view text);
+/// The same for what `make` gives piece by piece.
+void write_file(const std::filesystem::path& path, const std::function<void(const Sink&)>& make);
 
 }  // namespace findspace::io
