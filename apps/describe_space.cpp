@@ -70,6 +70,8 @@ Outcome describe_rays(const Session& session, const std::string& name, const Lin
   const space::ShapeBox box = space::shape_box(shape);
   RaySet set;
   set.title = name;
+  set.subtitle = session.scene().file;
+  set.meaning = "the shape";
   set.lines = lines;
   set.low = box.low, set.high = box.high;
   set.unbounded = box.unbounded;

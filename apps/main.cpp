@@ -8,9 +8,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "commands.h"
 #include "deadline.h"
@@ -79,6 +82,14 @@ void add_lines(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->excludes(axes);
 }
 
+/// What is wrong with a time limit, or nothing. The system's clock takes no more than 1e9.
+std::string seconds(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size() && value >= 0 && value <= 1e9) return "";
+  return fmt::format("a number of seconds from 0 to 1e9 is meant, not '{}'", text);
+}
+
 void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required();
   if (is(verb, "describe") || is(verb, "convert")) {
@@ -123,7 +134,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("--threads", o.threads, "threads to use; 0: one for each core")->type_name("N");
   command.add_option("--time-limit", o.time_limit, "seconds after which to give up; 0: never")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds);
   command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written");
 }
 
@@ -157,7 +168,7 @@ int finish(const Outcome& outcome, const Options& options, Talk& talk) {
   talk.stage("");
   const bool wanted = !outcome.text.empty() && (options.json || !options.quiet || options.outputs.empty());
   if (wanted) std::fwrite(outcome.text.data(), 1, outcome.text.size(), stdout);
-  if (std::fflush(stdout) != 0) {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     talk.error("standard output cannot be written");
     return kBadInput;
   }

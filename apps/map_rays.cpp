@@ -35,11 +35,12 @@ std::string summary_text(const RaySet& set, const space::RaySummary& summary, do
   if (set.unbounded) return out + "  the region is unbounded\n";
   const auto certified = std::count_if(summary.components.begin(), summary.components.end(),
                                        [](const space::RayComponent& c) { return c.certified; });
-  return out + fmt::format("  volume {} {} {}3, {} components by {}\n",
+  return out + fmt::format("  volume {} {:.9g}{}, {} component{} by {}\n",
                            set.side == Side::kInner   ? "at least"
                            : set.side == Side::kOuter ? "at most"
                                                       : "about",
-                           summary.volume * step * step * step, unit, summary.components.size(),
+                           summary.volume * step * step * step, unit.empty() ? "" : " " + unit + "³",
+                           summary.components.size(), summary.components.size() == 1 ? "" : "s",
                            set.lines.axes ? fmt::format("crossing lines ({} certified)", certified)
                                           : "overlap of neighbouring lines");
 }
@@ -185,7 +186,8 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   writers[".svg"] = [&] {
     const auto [low, high] = shown_box(set, cast.summary);
     const space::RayGrid slices = io::slice_grid(low, high, kLayers, std::max(cast.grid.nu, cast.grid.nv));
-    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, set.title, session.unit());
+    const io::SlicesText layers{set.title, set.subtitle, session.unit(), set.meaning};
+    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, layers);
   };
   write_outputs(options, writers, {{".json", json}});
   std::string text = options.json ? io::rays_json(cast.summary, cast.grid, step, text_of)
@@ -234,6 +236,8 @@ Outcome map_rays(const Session& session, const LineChoice& lines) {
   const situation::RayWindow window = situation::window(world, formula);
   RaySet set;
   set.title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
+  set.subtitle = session.scene().where.text;
+  set.meaning = "positions";
   set.lines = lines;
   set.low = window.low, set.high = window.high;
   set.unbounded = situation::holds_far_away(world, formula);

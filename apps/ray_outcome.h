@@ -26,7 +26,7 @@ struct RayObjective {
 };
 
 struct RaySet {
-  std::string title;
+  std::string title, subtitle, meaning;  // of the picture; what the set consists of
   LineChoice lines;
   space::Point low, high;                                                          // a box that holds the frontier
   bool unbounded = false;                                                          // the set goes on beyond it

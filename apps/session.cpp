@@ -297,17 +297,15 @@ void check_outputs(const Options& options, const std::vector<std::string>& forma
 }
 
 void write_outputs(const Options& options, const Writers& writers, const Streams& streams) {
-  std::vector<std::pair<std::filesystem::path, std::string>> texts;
-  std::vector<std::filesystem::path> streamed;
+  std::vector<io::FileText> files;
   for (const auto& path : options.outputs) {
-    const std::string ending = path.extension().string();
-    if (streams.count(ending) != 0)
-      streamed.push_back(path);
+    const auto stream = streams.find(path.extension().string());
+    if (stream != streams.end())
+      files.push_back({path, {}, stream->second});
     else
-      texts.emplace_back(path, writers.at(ending)());
+      files.push_back({path, writers.at(path.extension().string())(), {}});
   }
-  for (const auto& [path, text] : texts) io::write_file(path, text);
-  for (const auto& path : streamed) io::write_file(path, streams.at(path.extension().string()));
+  io::write_files(files);
 }
 
 }  // namespace findspace::app

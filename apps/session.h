@@ -90,7 +90,7 @@ void check_outputs(const Options& options, const std::vector<std::string>& forma
 /// The same for results that are too long for memory.
 using Streams = std::map<std::string, std::function<void(const io::Sink&)>>;
 
-/// Makes all texts first, then writes them, streams last: a failure to make one leaves no file.
+/// Makes all texts first, then writes them: a failure leaves no file.
 void write_outputs(const Options& options, const Writers& writers, const Streams& streams = {});
 
 }  // namespace findspace::app

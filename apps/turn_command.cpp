@@ -91,11 +91,9 @@ std::string picture(const Session& session, const situation::World& world, const
   p.position = {plane::Twofold(at.x).value(), plane::Twofold(at.y).value()};
   session.add_scenery(p, world, &formula);
   const auto shown = stations(world, about(session), angles);
-  const std::size_t shapes = p.moving.size();
   for (const Station& w : shown) {
-    for (std::size_t k = 0; k < shapes; ++k) {
-      const std::string& name = p.moving[k].name;
-      p.moving.push_back({fmt::format("{} at {}°", name, io::shown(w.degrees)), &w.world.shapes.at(name)});
+    for (const io::NamedRegion& r : p.moving) {
+      p.turned.push_back({fmt::format("{}°", io::shown(w.degrees)), &w.world.shapes.at(r.name)});
     }
   }
   return io::turns_svg(io::picture_svg(p), angles);
@@ -138,7 +136,7 @@ Outcome measure_at_angle(const Session& session) {
   say_rounding(session, turned.rounding());
   const double degrees = pose.degrees.to_double();
   const auto json = [&] { return io::measure_json(distances, pose.at, session.step(), session.unit(), degrees); };
-  const auto svg = [&] { return picture_at(session, solver, turned, pose, nullptr, "Measured here"); };
+  const auto svg = [&] { return picture_at(session, solver, turned, pose, nullptr, "Measured"); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   return {session.options().json ? json() : measure_text(distances, pose.at, session.step(), session.unit()), kDone};
 }

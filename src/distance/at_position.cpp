@@ -46,15 +46,25 @@ int pieces_inside(const SiteTree& inner, const SiteTree& set, const RealPoint& p
 
 }  // namespace
 
+AtPosition::Shape::Shape(const Region& r)
+    : boxed(r),
+      has_boundary(std::any_of(r.edges.begin(), r.edges.end(), [](const auto& e) { return e.mark > 0; }) ||
+                   std::any_of(r.vertices.begin(), r.vertices.end(), [](const auto& v) { return v.mark > 0; })) {}
+
+const SiteTree& AtPosition::Shape::prepared() const {
+  std::call_once(tree_made, [&] { tree.emplace(boxed.region); });
+  return *tree;
+}
+
 AtPosition::AtPosition(std::shared_ptr<const ShapePair> pair)
-    : pair_(std::move(pair)), moving_(pair_->moving()), fixed_(pair_->fixed()) {}
+    : pair_(std::move(pair)), shapes_{Shape(pair_->moving()), Shape(pair_->fixed())} {}
 
 AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
   using Kind = Standing::Kind;
-  if (moving_.empty() || fixed_.empty()) return {Kind::kClose, std::nullopt};
-  auto pair = nearest_pair(fixed_, moving_, p);
+  if (moving().empty() || fixed().empty()) return {Kind::kClose, std::nullopt};
+  auto pair = nearest_pair(fixed(), moving(), p);
   if (!pair) return {Kind::kClose, std::nullopt};
-  int in_fixed = pieces_inside(moving_, fixed_, p), in_moving = pieces_inside(fixed_, moving_, -p);
+  int in_fixed = pieces_inside(moving(), fixed(), p), in_moving = pieces_inside(fixed(), moving(), -p);
   // Boundaries that do not meet: what one piece of a boundary does, all around it does.
   Kind kind = in_fixed < 0 && in_moving < 0   ? Kind::kApart
               : in_fixed > 0 && in_moving < 0 ? Kind::kInside
@@ -65,7 +75,7 @@ AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
 
 /// mu(B + p, A), or mu(A, B + p) if `back`.
 std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, double floor) const {
-  const SiteTree &from = back ? fixed_ : moving_, &to = back ? moving_ : fixed_;
+  const SiteTree &from = back ? fixed() : moving(), &to = back ? moving() : fixed();
   if (!is_bounded(from.region())) return std::nullopt;
   const RealPoint by = back ? -p : p;
   double scale = from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
@@ -93,39 +103,56 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
   return m;
 }
 
-bool AtPosition::bounded() const { return is_bounded(moving_.region()) && is_bounded(fixed_.region()); }
+bool AtPosition::bounded() const { return is_bounded(pair_->moving()) && is_bounded(pair_->fixed()); }
 
 /// The greater of the two directed ones; of the second only what could be greater than the first is looked for.
 std::optional<Measured> AtPosition::hausdorff(const RealPoint& p) const {
   auto f = directed(false, p);
   if (!f) return std::nullopt;
-  const double scale = moving_.scale() + fixed_.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
+  const double scale = moving().scale() + fixed().scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
   auto g = directed(true, p, near_value(f->value) - scale * kHardlyOut);
   return !g ? std::nullopt : f->value < g->value ? g : f;
+}
+
+/// A vertex of one shape (of B + p if `moves`) and the point inside the other where it lies.
+std::vector<Feature> AtPosition::corner_features(bool moves, Index v, const RealPoint& p) const {
+  const Region& of = shapes_[moves ? 0 : 1].boxed.region;
+  RealPoint place = of.geometry.exact(of.vertices[v].point);
+  if (moves) place = place + p;
+  const Feature corner{moves, {0, v}, place}, inside{!moves, {2, 0}, place};
+  return moves ? std::vector{corner, inside} : std::vector{inside, corner};
 }
 
 /// A point of both shapes: their boundaries cross there, touch, or one lies in the other.
 std::vector<Feature> AtPosition::common_point(const Standing& s, const RealPoint& p) const {
   if (s.kind == Standing::Kind::kClose) {
-    return features(distance::common_point(fixed_, moving_, p));
+    return features(distance::common_point(fixed(), moving(), p));
   }
   for (bool moves : {true, false}) {
-    const SiteTree &inner = moves ? moving_ : fixed_, &set = moves ? fixed_ : moving_;
+    const SiteTree &inner = moves ? moving() : fixed(), &set = moves ? fixed() : moving();
     for (Index v : inner.representatives()) {
       if (!is_inside(inner, v, set, moves ? p : -p)) continue;
-      RealPoint place = inner.region().geometry.exact(inner.region().vertices[v].point);
-      if (moves) place = place + p;
-      Feature mine{moves, {0, v}, place}, other{!moves, {2, 0}, place};
-      if (moves) return {mine, other};
-      return {other, mine};
+      return corner_features(moves, v, p);
     }
   }
   return {};
 }
 
-/// d1 = max(0, gamma1). Of shapes that overlap a crossing is mostly found sooner than how they stand.
+/// d1 = 0, from a vertex of one shape inside the other.
+std::optional<Measured> AtPosition::common_corner(const RealPoint& p) const {
+  for (bool moves : {true, false}) {
+    const Boxed &of = shapes_[moves ? 0 : 1].boxed, &in = shapes_[moves ? 1 : 0].boxed;
+    const double sign = moves ? 1 : -1;
+    auto v = vertex_within(of, in, sign * near_value(p.x), sign * near_value(p.y));
+    if (v) return Measured{Real(), std::nullopt, std::nullopt, corner_features(moves, *v, p)};
+  }
+  return std::nullopt;
+}
+
+/// d1 = max(0, gamma1). Of shapes that overlap a common point is mostly found sooner than how they stand.
 std::optional<Measured> AtPosition::plain(const RealPoint& p) const {
-  if (auto crossing = crossing_pair(fixed_, moving_, p))
+  if (auto found = common_corner(p)) return found;
+  if (auto crossing = crossing_pair(fixed(), moving(), p))
     return Measured{Real(), std::nullopt, std::nullopt, features(*crossing)};
   Standing s = standing(p);
   if (s.kind == Standing::Kind::kApart) {
@@ -143,9 +170,9 @@ std::optional<Measured> AtPosition::diameter(const RealPoint& p) const {
   if (!bounded()) return std::nullopt;
   std::call_once(diameters_made_, [&] {
     const RealPoint origin{Real(), Real()};
-    diameters_ = {farthest_pair(fixed_, fixed_, origin), farthest_pair(moving_, moving_, origin)};
+    diameters_ = {farthest_pair(fixed(), fixed(), origin), farthest_pair(moving(), moving(), origin)};
   });
-  SitePair k = farthest_pair(fixed_, moving_, p);
+  SitePair k = farthest_pair(fixed(), moving(), p);
   Measured m{k.distance, std::nullopt, std::nullopt, features(k)};
   for (int i = 0; i < 2; ++i) {
     const SitePair& own = *diameters_[std::size_t(i)];
@@ -168,7 +195,7 @@ std::optional<Measured> AtPosition::cut(std::optional<Measured> m, bool negated)
 
 std::optional<Measured> AtPosition::measure(Which which, const RealPoint& p) const {
   using Kind = Standing::Kind;
-  if (moving_.empty() || fixed_.empty()) {
+  if (!shapes_[0].has_boundary || !shapes_[1].has_boundary) {
     auto v = pair_->distance(which)->value(p);
     return v ? std::optional(Measured{v->value, v->nearest, std::nullopt, {}, v->minus_infinity}) : std::nullopt;
   }
@@ -181,7 +208,7 @@ std::optional<Measured> AtPosition::measure(Which which, const RealPoint& p) con
       return signed_distance(which, Kind::kAround, p);
     case Which::kGamma2: {
       if (!bounded()) return std::nullopt;
-      SitePair k = farthest_pair(fixed_, moving_, p);
+      SitePair k = farthest_pair(fixed(), moving(), p);
       return Measured{k.distance, std::nullopt, std::nullopt, features(k)};
     }
     case Which::kEta2:

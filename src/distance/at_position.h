@@ -8,13 +8,15 @@
 // shapes that are clearly apart or clearly inside each other, gamma2, mu, h, Hausdorff and diameter; gamma1 < 0, eta1 >
 // 0 and delta1 > 0 of polygons from the boundary of the sum near p (way_out.h) where its map is large; else from the
 // map of the family (t_distance.h), which is made once. Guarantee: as the families'. Cost: about log n boxes for
-// boundaries, a map where these meet. Prepared once, asked at many positions; threads: safe. Keywords: witness, closest
+// boundaries, a map where these meet; of d1 where a vertex is found inside the other shape, not even trees are made.
+// Prepared once, asked at many positions; threads: safe. Keywords: witness, closest
 // features, contact, clearance, measure.
 #pragma once
 
 #include <memory>
 #include <mutex>
 
+#include "distance/common_corner.h"
 #include "distance/shape_pair.h"
 #include "distance/site_pairs.h"
 #include "distance/way_out.h"
@@ -50,11 +52,23 @@ class AtPosition {
 
   const ShapePair& pair() const { return *pair_; }
   /// The size of the shapes' coordinates.
-  double scale() const { return moving_.scale() + fixed_.scale(); }
+  double scale() const { return moving().scale() + fixed().scale(); }
   /// f(p); nothing if undefined.
   std::optional<Measured> measure(Which which, const exact::RealPoint& p) const;
 
  private:
+  /// A shape, and its tree once it is asked for.
+  struct Shape {
+    Boxed boxed;
+    bool has_boundary;
+    mutable std::once_flag tree_made;
+    mutable std::optional<SiteTree> tree;
+
+    explicit Shape(const plane::Region& r);
+    const SiteTree& prepared() const;
+  };
+  const SiteTree& moving() const { return shapes_[0].prepared(); }
+  const SiteTree& fixed() const { return shapes_[1].prepared(); }
   /// How B + p and A stand, as far as their boundaries tell.
   struct Standing {
     enum class Kind {
@@ -80,10 +94,12 @@ class AtPosition {
   bool bounded() const;
   std::optional<Measured> cut(std::optional<Measured> m, bool negated) const;
   void add_contact(Measured& m, const exact::RealPoint& position, const exact::RealPoint& p) const;
+  std::optional<Measured> common_corner(const exact::RealPoint& p) const;
+  std::vector<Feature> corner_features(bool moves, plane::Index v, const exact::RealPoint& p) const;
   std::vector<Feature> common_point(const Standing& s, const exact::RealPoint& p) const;
 
   std::shared_ptr<const ShapePair> pair_;
-  SiteTree moving_, fixed_;
+  std::array<Shape, 2> shapes_;  // B, A
   mutable std::array<std::once_flag, 3> ways_made_;
   mutable std::array<std::unique_ptr<const WayOut>, 3> ways_;  // of gamma1, eta1, delta1; null where there is none
   mutable std::once_flag diameters_made_;

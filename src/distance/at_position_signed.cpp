@@ -15,10 +15,10 @@ using plane::operator-;
 
 /// The points that come together when B goes from p to `position`, where it touches A.
 void AtPosition::add_contact(Measured& m, const RealPoint& position, const RealPoint& p) const {
-  SitePair k = touching_pair(fixed_, moving_, position);
+  SitePair k = touching_pair(fixed(), moving(), position);
   // Chains touch where they cross, too.
-  if (near_value(k.distance) > (moving_.scale() + fixed_.scale()) * kHardlyOut)
-    k = distance::common_point(fixed_, moving_, position);
+  if (near_value(k.distance) > (moving().scale() + fixed().scale()) * kHardlyOut)
+    k = distance::common_point(fixed(), moving(), position);
   k.second = k.second - (position - p);
   m.witness = features(k);
 }
@@ -38,10 +38,10 @@ const WayOut* AtPosition::way_out(Which which) const {
   const std::size_t k = which == Which::kGamma1 ? 0 : which == Which::kEta1 ? 1 : 2;
   std::call_once(ways_made_[k], [&] {
     // A lies in B + p where A - p lies in B.
-    ways_[k] =
-        which == Which::kDelta1
-            ? WayOut::make(fixed_, moving_, WayOut::Of::kContainment)
-            : WayOut::make(moving_, fixed_, which == Which::kGamma1 ? WayOut::Of::kContact : WayOut::Of::kContainment);
+    ways_[k] = which == Which::kDelta1
+                   ? WayOut::make(fixed(), moving(), WayOut::Of::kContainment)
+                   : WayOut::make(moving(), fixed(),
+                                  which == Which::kGamma1 ? WayOut::Of::kContact : WayOut::Of::kContainment);
   });
   return ways_[k] && ways_[k]->pays() && !pair_->has(which) ? ways_[k].get() : nullptr;
 }

@@ -8,6 +8,7 @@
 
 #include "plane/primitives.h"
 #include "plane/turned_contact.h"
+#include "plane/turned_free.h"
 
 namespace findspace::distance {
 
@@ -16,6 +17,7 @@ using plane::Mark;
 using plane::MarkSet;
 using plane::SignMap;
 using plane::TurnedContact;
+using plane::TurnedFree;
 using plane::TurnMap;
 
 namespace {
@@ -51,15 +53,43 @@ TurnMap farthest(const TurnedShapes& s, const Track& track, const Real& level) {
   return plane::overlay(all, [](std::span<const Mark> m) { return *std::max_element(m.begin(), m.end()); });
 }
 
+TurnMap negated(const TurnMap& map) {
+  return plane::remark(map, [](Mark k) { return Mark(-k); });
+}
+
+enum class Roles { kStraight, kExchanged };
+
+/// From the positions on the way that keep B in some relation to A; exchanged: A, turned back, to B.
+TurnMap of_positions(const TurnedShapes& s, TurnedFree::Keep keep, Roles roles, const Track& track, const Real& level,
+                     bool far) {
+  if (level.sign() < 0) return TurnMap::uniform(1);
+  const bool back = roles == Roles::kExchanged;
+  const SignMap around_a = of_point(s.fixed), around_b = of_point(s.turning);
+  const TurnedFree::Pair pair = back ? TurnedFree::Pair{s.fixed, s.turning, s.to, s.about, around_b, around_a}
+                                     : TurnedFree::Pair{s.turning, s.fixed, s.about, s.to, around_a, around_b};
+  // B moved by t along the way is A moved back by t, and the way turns back with A.
+  const Real side(back ? -1 : 1);
+  const plane::FreeWay way{{side * Real(track.dx), side * Real(track.dy)}, track.both_ways, back};
+  const TurnedFree free(pair, keep, way);
+  const TurnMap map = far ? free.farthest(level) : free.nearest(level);
+  return back ? plane::mirrored(map) : map;
+}
+
 }  // namespace
 
-std::optional<TurnMap> turned_directional(const TurnedShapes& shapes, Which which, const Track& track,
-                                          const Real& level) {
+TurnMap turned_directional(const TurnedShapes& shapes, Which which, const Track& track, const Real& level) {
+  using Keep = TurnedFree::Keep;
+  const bool exchanged = which == Which::kDelta1 || which == Which::kDelta2;
+  const Roles roles = exchanged ? Roles::kExchanged : Roles::kStraight;
   if (which == Which::kGamma2) return farthest(shapes, track, level);
-  const bool outside = which == Which::kGamma1 && level.sign() > 0;
-  if (!outside && (which != Which::kEta1 || level.sign() >= 0)) return std::nullopt;
-  const SignMap point = DirectionalSigned(of_point(shapes.fixed), track).sign_map(level);
-  return outside ? least(shapes, point) : greatest(shapes, point);
+  if (which == Which::kEta2 || which == Which::kDelta2)
+    return of_positions(shapes, Keep::kInside, roles, track, level, true);
+  const bool apart = which == Which::kGamma1, above = level.sign() > 0;
+  if (apart && above) return least(shapes, DirectionalSigned(of_point(shapes.fixed), track).sign_map(level));
+  if (apart) return negated(of_positions(shapes, Keep::kApart, roles, track, -level, false));
+  if (above) return of_positions(shapes, Keep::kInside, roles, track, level, false);
+  if (exchanged) return negated(of_positions(shapes, Keep::kNotWithin, roles, track, -level, false));
+  return greatest(shapes, DirectionalSigned(of_point(shapes.fixed), track).sign_map(level));
 }
 
 }  // namespace findspace::distance

@@ -12,6 +12,7 @@ void set_line_filter(Carrier& l) {
   double x = a / n, y = b / n;
   l.x = {x, std::abs(x) * (4 * Approx::kUnit)};
   l.y = {y, std::abs(y) * (4 * Approx::kUnit)};
+  if (l.grid) return set_grid_distance(l, n);
   l.z = l.displaced() ? from_int(l.c) / normal_length(l) + from_real(l.w) : line_offset(l) / normal_length(l);
 }
 

@@ -30,7 +30,7 @@ std::uint32_t Geometry::add_parallel(const Carrier& line, std::int64_t x, std::i
   Carrier& l = carriers.emplace_back();
   l.a = line.a, l.b = line.b, l.x = line.x, l.y = line.y;
   l.c = int128(l.a) * x + int128(l.b) * y;
-  l.z = from_int(l.c) / normal_length(l);
+  set_grid_distance(l, normal_length(l).value);
   return std::uint32_t(carriers.size() - 1);
 }
 

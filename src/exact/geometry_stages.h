@@ -72,6 +72,14 @@ inline bool fits(const std::optional<int128>& c) {
   return c && *c <= kMost && *c >= -kMost;
 }
 
+/// Of a grid line, from the rounded length of its normal: that is off by at most 2u, the rounded offset and the
+/// quotient by u each; 8u covers the terms of second order. An integer over a length below 2^54 does not underflow.
+inline void set_grid_distance(Carrier& l, double length) {
+  const std::int64_t narrow = std::int64_t(l.c);
+  const double z = (narrow == l.c ? double(narrow) : double(l.c)) / length;
+  l.z = {z, std::abs(z) * (8 * Approx::kUnit)};
+}
+
 /// |a|, |b| < 2^53, so the doubles are exact. With u = 2^-53 the squared length is off by at most 2u (two roundings on
 /// each path), its root by 2u (half of that and its own rounding), a quotient by 3u; 4u covers the terms of second
 /// order.

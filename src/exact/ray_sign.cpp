@@ -16,6 +16,25 @@ int128 floor_divide(int128 a, int128 b) {
 /// x * y - z * w in 256 bits.
 Int256 cross_term(int128 x, int128 y, int128 z, int128 w) { return multiply(x, y) - multiply(z, w); }
 
+/// x . (y x z) in doubles, and the sum of the magnitudes of its terms.
+struct Determinant {
+  double value, size;
+
+  /// 0 where the rounding may decide: each term has three roundings of factors and at most six of operations, below
+  /// 2^-49 of the magnitudes.
+  int certain_sign() const {
+    const double bound = 0x1p-49 * size;
+    return (value > bound) - (value < -bound);
+  }
+};
+
+Determinant determinant(const Shadow3& x, const Shadow3& y, const Shadow3& z) {
+  const double p = y.y * z.z, q = y.z * z.y, r = y.z * z.x, s = y.x * z.z, t = y.x * z.y, o = y.y * z.x;
+  return {x.x * (p - q) + x.y * (r - s) + x.z * (t - o), std::fabs(x.x) * (std::fabs(p) + std::fabs(q)) +
+                                                             std::fabs(x.y) * (std::fabs(r) + std::fabs(s)) +
+                                                             std::fabs(x.z) * (std::fabs(t) + std::fabs(o))};
+}
+
 }  // namespace
 
 Fraction reduced(const Fraction& f) {
@@ -57,16 +76,9 @@ Fraction between(const Fraction& a, const Fraction& b) {
 
 int sign_volume(const Grid3& a, const Grid3& b, const Grid3& c, const Grid3& d) {
   const Grid3 u = b - a, v = c - a, w = d - a;
-  const Shadow3 x = shadow(u), y = shadow(v), z = shadow(w);
-  const double p = y.y * z.z, q = y.z * z.y, r = y.z * z.x, s = y.x * z.z, t = y.x * z.y, o = y.y * z.x;
-  const double value = x.x * (p - q) + x.y * (r - s) + x.z * (t - o);
-  const double size = std::fabs(x.x) * (std::fabs(p) + std::fabs(q)) + std::fabs(x.y) * (std::fabs(r) + std::fabs(s)) +
-                      std::fabs(x.z) * (std::fabs(t) + std::fabs(o));
-  // Each term has three roundings of factors and at most six of operations: below 2^-49 of the magnitudes.
-  const double bound = 0x1p-49 * size;
-  if (value > bound) return 1;
-  if (value < -bound) return -1;
-  if (size < 0x1p52) return (value > 0) - (value < 0);  // nothing was rounded
+  const Determinant rounded = determinant(shadow(u), shadow(v), shadow(w));
+  if (const int sign = rounded.certain_sign(); sign != 0) return sign;
+  if (rounded.size < 0x1p52) return (rounded.value > 0) - (rounded.value < 0);  // nothing was rounded
   const Wide3 n = cross(v, w);
   return (multiply(n.x, u.x) + multiply(n.y, u.y) + multiply(n.z, u.z)).sign();
 }
@@ -113,14 +125,7 @@ int lexicographic_sign_cross(const Wide3& l, const Wide3& m) {
 }
 
 int sign_triple(const Wide3& l, const Wide3& m, const Wide3& n) {
-  const Shadow3 x = shadow(l), y = shadow(m), z = shadow(n);
-  const double p = y.y * z.z, q = y.z * z.y, r = y.z * z.x, s = y.x * z.z, t = y.x * z.y, o = y.y * z.x;
-  const double value = x.x * (p - q) + x.y * (r - s) + x.z * (t - o);
-  const double size = std::fabs(x.x) * (std::fabs(p) + std::fabs(q)) + std::fabs(x.y) * (std::fabs(r) + std::fabs(s)) +
-                      std::fabs(x.z) * (std::fabs(t) + std::fabs(o));
-  const double bound = 0x1p-49 * size;
-  if (value > bound) return 1;
-  if (value < -bound) return -1;
+  if (const int sign = determinant(shadow(l), shadow(m), shadow(n)).certain_sign(); sign != 0) return sign;
   Int512 sum = multiply(cross_term(m.y, n.z, m.z, n.y), l.x);
   sum += multiply(cross_term(m.z, n.x, m.x, n.z), l.y);
   sum += multiply(cross_term(m.x, n.y, m.y, n.x), l.z);

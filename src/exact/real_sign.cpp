@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The first precision: where the separation bound is small, at once what proves a 0, since a sign that the doubles left
-// open is nearly always a true tie; else 128 bits. Then from what each evaluation has shown about its own error.
+// open is nearly always a true tie; else 128 bits, and if these leave it open, a look for a proof by algebra. Then from
+// what each evaluation has shown about its own error.
 #include "exact/real_sign.h"
 
 #include <cmath>
@@ -10,17 +11,18 @@
 #include "exact/real_balls.h"
 #include "exact/real_bound.h"
 #include "exact/stages.h"
+#include "exact/zero_proof.h"
 #include "findspace/error.h"
 
 namespace findspace::exact::detail {
 
 namespace {
 
-constexpr double kFirst = 128;    // bits
-constexpr double kMost = 0x1p28;  // a sign that needs more is refused: hours, not seconds
+constexpr double kFirst = 128;        // bits
+constexpr double kSmallBound = 1200;  // up to there, one evaluation that proves costs less than two
+constexpr double kMost = 0x1p28;      // a sign that needs more is refused: hours, not seconds
 
 double first_precision(const Plan& plan, double bound_bits) {
-  constexpr double kSmallBound = 1200;  // there, one evaluation that proves costs less than two
   if (bound_bits > kSmallBound) return kFirst;
   const double enough = bound_bits + plan.error_bits() + 8;
   return enough <= 2 * kSmallBound ? std::max(enough, 64.0) : kFirst;
@@ -56,6 +58,10 @@ Evaluation evaluate(const Real& x, int relative_bits, bool count) {
     }
     if (sign == 0 && value.within(bound_bits)) {
       ++counts.zero_bound;
+      return {};
+    }
+    if (precision == kFirst && bound_bits > kSmallBound && proves_zero(plan)) {
+      ++counts.zero_identity;
       return {};
     }
     precision = next_precision(precision, value, bound_bits);

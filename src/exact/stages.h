@@ -10,11 +10,12 @@
 namespace findspace::exact {
 
 struct StageCounts {
-  std::uint64_t filter = 0;      // the double interval excluded 0 (or equality was visible without arithmetic)
-  std::uint64_t fixed = 0;       // integers or rationals
-  std::uint64_t quadratic = 0;   // p + r*sqrt(n), by squaring
-  std::uint64_t bigfloat = 0;    // a ball of higher precision excluded 0
-  std::uint64_t zero_bound = 0;  // a ball inside the root separation bound: exactly 0
+  std::uint64_t filter = 0;         // the double interval excluded 0 (or equality was visible without arithmetic)
+  std::uint64_t fixed = 0;          // integers or rationals
+  std::uint64_t quadratic = 0;      // p + r*sqrt(n), by squaring
+  std::uint64_t bigfloat = 0;       // a ball of higher precision excluded 0
+  std::uint64_t zero_identity = 0;  // 0 as an identity of the roots
+  std::uint64_t zero_bound = 0;     // a ball inside the root separation bound: exactly 0
 };
 
 namespace detail {

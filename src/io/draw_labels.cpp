@@ -21,6 +21,7 @@ using plane::Place;
 
 constexpr int kColumns = 12, kRows = 9;  // places tried in a shape
 constexpr double kClearance = 4;         // pixels kept from lines
+constexpr double kCross = 8;             // half the width of the cross at a position, with some room
 constexpr double kStride = 7;            // pixels between the points that stand for a line
 constexpr double kMostPoints = 20000;
 
@@ -60,24 +61,29 @@ void Labeller::avoid(const Place& point, double radius) {
 
 void Labeller::avoid_region(const CurveNet& region) {
   region_.emplace(region.complex());
+  avoid_curves(region, {});
+}
+
+void Labeller::avoid_curves(const CurveNet& net, const Place& offset) {
   double length = 0;
   std::vector<double> lengths;
-  for (const Curve& k : region.curves()) {
-    const Place from = region.at(k.from), to = region.at(k.to);
+  for (const Curve& k : net.curves()) {
+    const Place from = net.at(k.from), to = net.at(k.to);
     lengths.push_back(frame_.scale * (k.arc ? k.radius * k.angle : std::hypot(to[0] - from[0], to[1] - from[1])));
     length += lengths.back();
   }
   const double stride = std::max(kStride, length / kMostPoints);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const Curve& k = region.curves()[i];
-    const Place from = region.at(k.from), to = region.at(k.to);
+    const Curve& k = net.curves()[i];
+    const Place from = net.at(k.from), to = net.at(k.to);
+    const auto keep = [&](double x, double y) { avoid({x + offset[0], y + offset[1]}, kClearance); };
     const double first = std::atan2(from[1] - k.center[1], from[0] - k.center[0]);
     for (double t = 0; t < lengths[i]; t += stride) {
       const double part = t / lengths[i], angle = first + k.angle * part;
       if (k.arc)
-        avoid({k.center[0] + k.radius * std::cos(angle), k.center[1] + k.radius * std::sin(angle)}, kClearance);
+        keep(k.center[0] + k.radius * std::cos(angle), k.center[1] + k.radius * std::sin(angle));
       else
-        avoid({from[0] + (to[0] - from[0]) * part, from[1] + (to[1] - from[1]) * part}, kClearance);
+        keep(from[0] + (to[0] - from[0]) * part, from[1] + (to[1] - from[1]) * part);
     }
   }
 }
@@ -155,7 +161,8 @@ std::optional<Labeller::Box> Labeller::place_inside(std::size_t shape) {
   return outside == boxes.end() ? boxes.front() : *outside;
 }
 
-/// Above, below, right or left of the largest component; in its middle if all is taken, unless another name is there.
+/// Above, below, right or left of the largest component, or at a corner of its box; in its middle if all is taken,
+/// unless another name is there.
 std::optional<Labeller::Box> Labeller::place_beside(std::size_t shape) const {
   const LabelledShape& s = shapes_[shape];
   const Component& c = *largest(s.summary);
@@ -163,10 +170,20 @@ std::optional<Labeller::Box> Labeller::place_beside(std::size_t shape) const {
   const Box own = box_around(at[0], at[1], s.name);
   if (!c.bbox) return own;
   const Box box = pixel_box(s, *c.bbox);
-  const double w = (own.high[0] - own.low[0]) / 2 + 2, h = (own.high[1] - own.low[1]) / 2 + 1;
+  const auto away = [&](int i) {  // a shape smaller than the cross at its position stands under it
+    return (own.high[i] - own.low[i]) / 2 + std::max(kClearance + 1, kCross - (box.high[i] - box.low[i]) / 2);
+  };
+  const double w = away(0), h = away(1);
   const Place m = middle(box);
-  const std::array<Place, 4> ways{
-      {{m[0], box.low[1] - h}, {m[0], box.high[1] + h}, {box.high[0] + w, m[1]}, {box.low[0] - w, m[1]}}};
+  const double left = box.low[0] - w, right = box.high[0] + w, above = box.low[1] - h, below = box.high[1] + h;
+  const std::array<Place, 8> ways{{{m[0], above},
+                                   {m[0], below},
+                                   {right, m[1]},
+                                   {left, m[1]},
+                                   {right, above},
+                                   {left, above},
+                                   {right, below},
+                                   {left, below}}};
   for (const Place& way : ways) {
     const Box b = box_around(way[0], way[1], s.name);
     if (is_free(b) && !meets_smaller(shape, b)) return b;

@@ -29,8 +29,9 @@ class Labeller {
   /// Keeps references to all of them.
   Labeller(const Frame& frame, const exact::Real& step, std::vector<LabelledShape> shapes);
 
-  /// Keeps labels away from a point, and from the curves of a region.
+  /// Keeps labels away from a point, from the curves of a shape moved by `offset`, and from those of the region.
   void avoid(const plane::Place& point, double radius);
+  void avoid_curves(const CurveNet& shape, const plane::Place& offset);
   void avoid_region(const CurveNet& region);
 
   /// The labels as SVG; smaller shapes choose first.

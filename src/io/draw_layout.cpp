@@ -55,6 +55,8 @@ double text_width(std::string_view text, double font_size) {
     if (c >= 0x80 && c < 0xC0) continue;
     if (std::string_view(" ,.:;'|!()[]ijl-").find(char(c)) != std::string_view::npos)
       units += 0.36;
+    else if (std::string_view("<=>+mwMW%@").find(char(c)) != std::string_view::npos)
+      units += 0.88;
     else
       units += c >= 'A' && c <= 'Z' ? 0.7 : 0.6;
   }

@@ -10,6 +10,7 @@
 
 #include "io/draw_canvas.h"
 #include "io/draw_layout.h"
+#include "io/draw_legend.h"
 
 namespace findspace::io {
 namespace {
@@ -60,7 +61,7 @@ space::RayGrid slice_grid(const space::Point& low, const space::Point& high, int
 }
 
 std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayGrid& grid, const space::Point& low,
-                       const space::Point& high, double step, std::string_view title, std::string_view unit) {
+                       const space::Point& high, double step, const SlicesText& text) {
   const double part = step / static_cast<double>(grid.parts);
   const double x0 = static_cast<double>(low.x) * step, x1 = static_cast<double>(high.x) * step,
                y0 = static_cast<double>(low.y) * step, y1 = static_cast<double>(high.y) * step;
@@ -69,15 +70,16 @@ std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayG
   const double scale = (kWidth - kGap) / across - kGap;
   const double per_unit = scale / std::max(x1 - x0, y1 - y0);
   const double panel_width = (x1 - x0) * per_unit, panel_height = (y1 - y0) * per_unit;
-  const double height = kLine * 2 + down * (panel_height + kLine + kGap), width = kGap + across * (panel_width + kGap);
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
-      "font-size=\"12\" fill=\"#234\">\n<title>{}</title>\n<text x=\"{}\" y=\"{}\">{}</text>\n",
-      width, height, xml_escaped(title), kGap, kLine, xml_escaped(title));
+  const Block title = title_block(text.title, text.subtitle, kGap, kLine, kWidth - 2 * kGap);
+  const double top = kLine + title.height + kLine, below = top + down * (panel_height + kLine + kGap);
+  const double width = std::max(kWidth * 0.6, kGap + across * (panel_width + kGap));
+  const std::string unit = text.unit.empty() ? "" : " " + text.unit;
+  std::string panels;
+  bool points = false;
   for (std::size_t j = 0; j < rows.size(); ++j) {
     const int k = static_cast<int>(j);
     const Panel panel{kGap + (k % across) * (panel_width + kGap),
-                      kLine * 3 + (k / across) * (panel_height + kLine + kGap),
+                      top + (k / across) * (panel_height + kLine + kGap),
                       per_unit,
                       x0,
                       y1,
@@ -85,19 +87,30 @@ std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayG
     std::string strips, dots;
     for (int i = 0; i < grid.nu; ++i)
       put_line(strips, dots, panel, rows[j], i, static_cast<double>(grid.u_at(i)) * part, part, x0, x1);
-    fmt::format_to(std::back_inserter(out),
-                   "<g class=\"layer\">\n<text x=\"{:.2f}\" y=\"{:.2f}\">z = {}{}{}</text>\n"
+    points = points || !dots.empty();
+    fmt::format_to(std::back_inserter(panels),
+                   "<g class=\"layer\">\n<text class=\"note\" x=\"{:.2f}\" y=\"{:.2f}\">z = {}{}</text>\n"
                    "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" "
-                   "stroke=\"#89a\"/>\n",
-                   panel.left, panel.top - 4, shown(static_cast<double>(grid.v_at(k)) * part), unit.empty() ? "" : " ",
-                   unit, panel.left, panel.top, panel_width, panel_height);
-    if (!strips.empty()) fmt::format_to(std::back_inserter(out), "<path fill=\"#8c8\" d=\"{}\"/>\n", strips);
-    if (!dots.empty())
-      fmt::format_to(std::back_inserter(out),
-                     "<path stroke=\"#c33\" stroke-width=\"3\" stroke-linecap=\"round\" d=\"{}\"/>\n", dots);
-    out += "</g>\n";
+                   "stroke=\"#b9c0c6\"/>\n",
+                   panel.left, panel.top - 4, shown(static_cast<double>(grid.v_at(k)) * part), xml_escaped(unit),
+                   panel.left, panel.top, panel_width, panel_height);
+    if (!strips.empty()) fmt::format_to(std::back_inserter(panels), "<path class=\"face strips\" d=\"{}\"/>\n", strips);
+    if (!dots.empty()) fmt::format_to(std::back_inserter(panels), "<path class=\"free dots\" d=\"{}\"/>\n", dots);
+    panels += "</g>\n";
   }
-  return out + "</svg>\n";
+  std::vector<LegendEntry> entries{{LegendEntry::Mark::kFace, text.meaning}};
+  if (points) entries.push_back({LegendEntry::Mark::kPoint, "a single point of a line"});
+  const Block meanings = legend(entries, kGap, below, width - 2 * kGap);
+  const std::string ranges =
+      fmt::format("Each layer is seen from above: x from {} to {}{} to the right, y from {} to {}{} upward.", shown(x0),
+                  shown(x1), unit, shown(y0), shown(y1), unit);
+  const Block says = title_block("", ranges, kGap, below + meanings.height, width - 2 * kGap);
+  const double height = below + meanings.height + says.height;
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+      "{1:.0f}\">\n"
+      "<title>{2}</title>\n{3}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{4}{5}{6}{7}</svg>\n",
+      width, height, xml_escaped(text.title), style_sheet(), title.svg, panels, meanings.svg, says.svg);
 }
 
 }  // namespace findspace::io

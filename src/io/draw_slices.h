@@ -7,7 +7,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "space/ray_map.h"
@@ -17,8 +16,13 @@ namespace findspace::io {
 /// `layers` panels; lines along x, about n a panel. Row j of the grid is layer j.
 space::RayGrid slice_grid(const space::Point& low, const space::Point& high, int layers, int n);
 
+struct SlicesText {
+  std::string title, subtitle, unit;
+  std::string meaning;  // of what is drawn
+};
+
 /// `rows` of a map on a slice grid, at most 0 in the region; `step` is a grid step in the scene's unit.
 std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayGrid& grid, const space::Point& low,
-                       const space::Point& high, double step, std::string_view title, std::string_view unit);
+                       const space::Point& high, double step, const SlicesText& text);
 
 }  // namespace findspace::io

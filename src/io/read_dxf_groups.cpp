@@ -80,7 +80,9 @@ class DxfParser {
       advance();
       if (!units || now_.code != 70) continue;
       int value = 0;
-      std::from_chars(now_.value.data(), now_.value.data() + now_.value.size(), value);
+      const char* end = now_.value.data() + now_.value.size();
+      if (const auto read = std::from_chars(now_.value.data(), end, value); read.ec != std::errc{} || read.ptr != end)
+        fail(fmt::format("'{}' is no code of $INSUNITS", now_.value));
       document_.units = value;
     }
   }

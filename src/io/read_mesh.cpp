@@ -67,8 +67,10 @@ void read_off(const std::string& bytes, MeshBuilder& out) {
 void read_ascii_stl(const std::string& bytes, MeshBuilder& out) {
   TextLines lines(bytes);
   std::vector<int> face;
+  bool ended = false;
   while (lines.next()) {
     const auto& w = lines.words();
+    ended = w[0] == "endsolid";
     if (w[0] == "outer") face.clear();
     if (w[0] == "vertex") {
       if (w.size() < 4) lines.fail("a vertex needs three coordinates");
@@ -78,6 +80,7 @@ void read_ascii_stl(const std::string& bytes, MeshBuilder& out) {
     if (w[0] == "endloop") out.face(std::exchange(face, {}));
   }
   if (!face.empty()) lines.fail("the file ends within a facet");
+  if (!ended) lines.fail("the file does not end with endsolid: it is cut off");
 }
 
 void read_binary_stl(const std::string& bytes, MeshBuilder& out) {

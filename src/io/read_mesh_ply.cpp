@@ -31,16 +31,36 @@ struct Header {
   std::vector<Element> elements;
 };
 
+Encoding encoding(std::string_view name, const TextLines& lines) {
+  if (name == "ascii") return Encoding::kText;
+  if (name == "binary_little_endian") return Encoding::kLittle;
+  if (name == "binary_big_endian") return Encoding::kBig;
+  lines.fail(fmt::format("unknown PLY format '{}'", name));
+}
+
+/// A vertex has the properties x, y and z.
+void require_places(const Header& header, const TextLines& lines) {
+  for (const Element& e : header.elements) {
+    if (e.name != "vertex") continue;
+    for (const char* name : {"x", "y", "z"}) {
+      const auto is = [&](const Property& p) { return p.name == name; };
+      if (std::none_of(e.properties.begin(), e.properties.end(), is))
+        lines.fail(fmt::format("the vertices have no property {}", name));
+    }
+  }
+}
+
 Header read_header(TextLines& lines) {
   Header header;
   if (!lines.next() || lines.words()[0] != "ply") lines.fail("a PLY file begins with ply");
   while (lines.next()) {
     const auto& w = lines.words();
-    if (w[0] == "end_header") return header;
+    if (w[0] == "end_header") {
+      require_places(header, lines);
+      return header;
+    }
     if (w[0] == "format" && w.size() > 1) {
-      header.encoding = w[1] == "ascii"               ? Encoding::kText
-                        : w[1] == "binary_big_endian" ? Encoding::kBig
-                                                      : Encoding::kLittle;
+      header.encoding = encoding(w[1], lines);
     } else if (w[0] == "element" && w.size() == 3) {
       header.elements.push_back({std::string(w[1]), lines.integer(w[2]), {}});
     } else if (w[0] == "property" && !header.elements.empty() && (w.size() == 3 || (w.size() == 5 && w[1] == "list"))) {

@@ -9,6 +9,7 @@
 
 #include "findspace/error.h"
 #include "plane/contour.h"
+#include "plane/touching_rings.h"
 
 namespace findspace::io {
 
@@ -35,6 +36,12 @@ ContourEdge segment(GridPoint from) { return {.start = from}; }
 ShapePtr rings_shape(std::vector<Contour> contours, const std::string& place) {
   Shape shape = make(Shape::Kind::kRings, place);
   shape.contours = std::move(contours);
+  return share(std::move(shape));
+}
+
+ShapePtr cells_shape(plane::Region cells, const std::string& place) {
+  Shape shape = make(Shape::Kind::kCells, place);
+  shape.cells = std::make_shared<const plane::Region>(std::move(cells));
   return share(std::move(shape));
 }
 
@@ -184,6 +191,10 @@ std::vector<ShapePtr> Outline::parts(const std::string& place) {
     all.push_back(share(std::move(shape)));
   } else {
     for (const Disc& disc : discs_) rings.push_back(ring_of(disc));
+    if (auto cells = plane::region_of_touching_rings(rings, plane::RingRule::kEvenOdd)) {
+      all.push_back(cells_shape(*std::move(cells), place));
+      rings.clear();
+    }
     for (plane::RingSet& set : plane::nest_rings(std::move(rings), context_.grid.step_size())) {
       context_.repeated_points += set.repeated_points;
       all.push_back(rings_shape(std::move(set.contours), place));
@@ -221,7 +232,10 @@ ShapePtr Outline::shape(const std::string& place) {
 }
 
 ShapePtr Outline::polygon(const std::string& place) {
-  plane::RingSet set = plane::make_rings(take_rings(), context_.grid.step_size());
+  std::vector<Contour> rings = take_rings();
+  if (auto cells = plane::region_of_touching_rings(rings, plane::RingRule::kHoles))
+    return cells_shape(*std::move(cells), place);
+  plane::RingSet set = plane::make_rings(std::move(rings), context_.grid.step_size());
   context_.repeated_points += set.repeated_points;
   return rings_shape(std::move(set.contours), place);  // formats disagree about the direction of rings: no note
 }

@@ -51,8 +51,9 @@ class Outline {
   /// Whether the chain in hand has come to this point.
   bool is_at(const exact::Real& x, const exact::Real& y);
 
-  /// Closed chains and circles by even-odd nesting, each outer ring with its holes one shape; then the open chains as
-  /// polylines, then the points. Finishes the chain in hand. Throws Error(kGeometry).
+  /// Closed chains and circles by even-odd nesting, each outer ring with its holes one shape, or all as one where rings
+  /// touch in common corners (plane/touching_rings.h); then the open chains as polylines, then the points. Finishes the
+  /// chain in hand. Throws Error(kGeometry).
   std::vector<plane::ShapePtr> parts(const std::string& place);
   /// The same as one shape: the part, or the union of the parts.
   plane::ShapePtr shape(const std::string& place);

@@ -62,16 +62,20 @@ struct LengthUnit {
 };
 constexpr std::array<LengthUnit, 6> kLengthUnits{
     {{"mm", 1, 1}, {"cm", 10, 1}, {"in", 254, 10}, {"pt", 254, 720}, {"pc", 254, 60}, {"Q", 1, 4}}};
+/// Lengths of the page it is shown on.
+constexpr std::string_view kPageUnits[] = {"", "px", "%", "em", "ex", "rem", "ch", "vw", "vh", "vmin", "vmax"};
 
 std::optional<Real> physical(std::string_view text) {
   text = trim(text);
   std::size_t length = scan_number(text);
   if (length == 0) return std::nullopt;
+  const std::string_view name = text.substr(length);
   for (const LengthUnit& unit : kLengthUnits) {
-    if (text.substr(length) != unit.name) continue;
-    return Real::parse_decimal(text.substr(0, length)) * Real::ratio(unit.numerator, unit.denominator);
+    if (name == unit.name)
+      return Real::parse_decimal(text.substr(0, length)) * Real::ratio(unit.numerator, unit.denominator);
   }
-  return std::nullopt;
+  if (std::find(std::begin(kPageUnits), std::end(kPageUnits), name) != std::end(kPageUnits)) return std::nullopt;
+  throw Error(ErrorCode::kUnknownName, fmt::format("a width or height with the unknown unit '{}'", name));
 }
 
 void draw_points(std::string_view text, bool closed, const char* what, Placed& out) {

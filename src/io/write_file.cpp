@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <system_error>
 
 #include "findspace/error.h"
@@ -19,7 +20,7 @@ namespace {
 /// A new file beside the target, removed again unless it is kept.
 class Temporary {
  public:
-  explicit Temporary(const std::filesystem::path& target) : name_(target.string() + ".XXXXXX") {
+  explicit Temporary(std::filesystem::path target) : target_(std::move(target)), name_(target_.string() + ".XXXXXX") {
     descriptor_ = mkstemp(name_.data());
   }
   ~Temporary() {
@@ -31,19 +32,22 @@ class Temporary {
 
   int descriptor() const { return descriptor_; }
 
-  /// Takes the target's place, with the permissions a plain new file would have.
-  bool keep(const std::filesystem::path& target) {
+  /// All is on the disk, with the permissions a plain new file would have.
+  bool finish() {
     const mode_t mask = umask(0);
     umask(mask);
     if (fchmod(descriptor_, 0666 & ~mask) != 0) return false;
     const bool closed = close(descriptor_) == 0;
     descriptor_ = kClosed;
-    kept_ = closed && rename(name_.c_str(), target.c_str()) == 0;
-    return kept_;
+    return closed;
   }
+
+  /// Takes the target's place.
+  bool keep() { return kept_ = rename(name_.c_str(), target_.c_str()) == 0; }
 
  private:
   static constexpr int kNever = -1, kClosed = -2;
+  std::filesystem::path target_;
   std::string name_;
   int descriptor_ = kNever;
   bool kept_ = false;
@@ -61,7 +65,7 @@ bool is_special(const std::filesystem::path& path) {
          !std::filesystem::is_directory(status);
 }
 
-void write_all(int descriptor, const std::filesystem::path& path, std::string_view text) {
+void write_text(int descriptor, const std::filesystem::path& path, std::string_view text) {
   while (!text.empty()) {
     const ssize_t n = ::write(descriptor, text.data(), text.size());
     if (n < 0 && errno == EINTR) continue;
@@ -70,43 +74,47 @@ void write_all(int descriptor, const std::filesystem::path& path, std::string_vi
   }
 }
 
-class Special {
- public:
-  explicit Special(const std::filesystem::path& path) : descriptor_(open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
-    if (descriptor_ < 0) fail(path);
-  }
-  ~Special() { close(descriptor_); }
-  Special(const Special&) = delete;
-  Special& operator=(const Special&) = delete;
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
-}  // namespace
-
-void write_file(const std::filesystem::path& path, std::string_view text) {
-  write_file(path, [&](const Sink& sink) { sink(text); });
+void write_all(int descriptor, const FileText& file) {
+  const Sink sink = [&](std::string_view text) { write_text(descriptor, file.path, text); };
+  file.make ? file.make(sink) : sink(file.text);
 }
 
-void write_file(const std::filesystem::path& path, const std::function<void(const Sink&)>& make) {
-  if (is_special(path)) {
-    const Special file(path);
-    return make([&](std::string_view text) { write_all(file.descriptor(), path, text); });
-  }
-  if (std::filesystem::is_directory(path)) {
+void write_special(const FileText& file) {
+  struct Open {
+    int descriptor;
+    ~Open() { close(descriptor); }
+  };
+  const Open out{open(file.path.c_str(), O_WRONLY | O_CLOEXEC)};
+  if (out.descriptor < 0) fail(file.path);
+  write_all(out.descriptor, file);
+}
+
+std::unique_ptr<Temporary> temporary(const FileText& file) {
+  if (std::filesystem::is_directory(file.path)) {
     errno = EISDIR;
-    fail(path);
+    fail(file.path);
   }
   std::error_code none;
   // A link stays a link: what it points to is replaced.
-  const std::filesystem::path target =
-      std::filesystem::is_symlink(path, none) ? std::filesystem::weakly_canonical(path, none) : path;
-  Temporary file(target);
-  if (file.descriptor() < 0) fail(path);
-  make([&](std::string_view text) { write_all(file.descriptor(), path, text); });
-  if (!file.keep(target)) fail(path);
+  const bool link = std::filesystem::is_symlink(file.path, none);
+  auto out = std::make_unique<Temporary>(link ? std::filesystem::weakly_canonical(file.path, none) : file.path);
+  if (out->descriptor() < 0) fail(file.path);
+  write_all(out->descriptor(), file);
+  if (!out->finish()) fail(file.path);
+  return out;
+}
+
+}  // namespace
+
+void write_files(const std::vector<FileText>& files) {
+  std::vector<std::unique_ptr<Temporary>> written;
+  for (const FileText& f : files) written.push_back(is_special(f.path) ? nullptr : temporary(f));
+  for (const FileText& f : files) {
+    if (is_special(f.path)) write_special(f);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (written[i] && !written[i]->keep()) fail(files[i].path);
+  }
 }
 
 }  // namespace findspace::io

@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Files written whole or not at all: the text goes to a temporary file beside the target, which is then renamed over
-// it. A reader never sees half a file, and a failure leaves what was there before. Keywords: atomic write, rename.
+// Files written whole, and all or none: each text goes to a temporary file beside its target; when all are there,
+// devices and pipes get theirs, and the temporary files are renamed over their targets. A reader never sees half a
+// file, and a failure leaves what was there before (but for one of renaming, of which only a change of the folders
+// meanwhile is left as a cause). Keywords: atomic write, rename.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <string_view>
+#include <string>
+#include <vector>
 
 #include "io/spool.h"
 
 namespace findspace::io {
 
+struct FileText {
+  std::filesystem::path path;
+  std::string text;
+  std::function<void(const Sink&)> make = {};  // gives what is too long for memory, instead of the text
+};
+
 /// Throws Error(kFile) with the path and the system's reason.
-void write_file(const std::filesystem::path& path, std::string_view text);
-/// The same for what `make` gives piece by piece.
-void write_file(const std::filesystem::path& path, const std::function<void(const Sink&)>& make);
+void write_files(const std::vector<FileText>& files);
 
 }  // namespace findspace::io

@@ -46,6 +46,7 @@ class PictureWriter {
     if (p.around != nullptr) around_.emplace(NamedRegion{"", p.around}, p.step);
     for (const NamedRegion& r : p.fixed) fixed_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.moving) moving_.emplace_back(r, p.step);
+    for (const NamedRegion& r : p.turned) moving_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.placed) placed_.emplace_back(r, p.step);
     const plane::Component* c = p.summary != nullptr ? largest(*p.summary) : nullptr;
     if (!position_ && p.of_positions) position_ = c != nullptr ? c->sample : Place{};
@@ -123,6 +124,9 @@ class PictureWriter {
     Labeller labeller(frame_, p_.step, std::move(shapes));
     if (position_ && !moving_.empty()) labeller.avoid(*position_, 7);
     if (region_) labeller.avoid_region(region_->net);
+    if (position_ && moving_.size() > 1) {
+      for (const Drawn& d : moving_) labeller.avoid_curves(d.net, *position_);
+    }
     return labeller.labels();
   }
 
@@ -157,7 +161,8 @@ class PictureWriter {
     if (region_) add_region_entries(out);
     if (position_ && !moving_.empty()) {
       std::string names;
-      for (const Drawn& d : moving_) names += (names.empty() ? "" : ", ") + d.name;
+      for (const NamedRegion& r : p_.moving) names += (names.empty() ? "" : ", ") + r.name;
+      if (!p_.turned.empty()) names += ", as drawn and turned";
       out.push_back({M::kMoving, names});
       out.push_back({M::kPole, fmt::format("at p = ({}, {})", shown((*position_)[0]), shown((*position_)[1]))});
     }

@@ -32,6 +32,7 @@ struct Picture {
   bool of_positions = true;                            // the region is one of positions; else it is a shape
   std::vector<NamedRegion> fixed;                      // in outline
   std::vector<NamedRegion> moving;                     // drawn at `position`
+  std::vector<NamedRegion> turned;                     // there too, turned by the angle that is its name
   std::vector<NamedRegion> placed;                     // as `moving`, each where its region says
   std::optional<plane::Place> position;                // none: the sample of the region's largest component
 };

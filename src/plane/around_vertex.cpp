@@ -23,11 +23,8 @@ Geometry::Heading heading(const Arrangement& a, Index h) {
 bool before(const Arrangement& a, Index v, Index h, Index k) {
   if (h == k) return false;
   const Arrangement::Edge &e = a.edges[h / 2], &f = a.edges[k / 2];
-  if (e.half == 0 && f.half == 0) {
-    const exact::Carrier &p = a.geometry.carriers[e.carrier], &q = a.geometry.carriers[f.carrier];
-    exact::int128 left = exact::int128(p.a) * q.b, right = exact::int128(p.b) * q.a;
-    return (p.b > 0) == (q.b > 0) ? left > right : left < right;
-  }
+  if (e.half == 0 && f.half == 0)
+    return line_comes_before(a.geometry.carriers[e.carrier], a.geometry.carriers[f.carrier]);
   return comes_before(a.geometry, a.vertex_point[v], h & 1u, heading(a, h), e.half, heading(a, k));
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A finite set of lattice cells as bits, row by row, and its sum with runs of lattice points: 64 cells at a time.
-// Cost: O(words) an operation. Keywords: bitmap, morphological dilation by powers of two.
+// A finite set of lattice cells as bits, row by row.
 #pragma once
 
 #include <cstdint>
@@ -31,34 +30,21 @@ class Bitmap {
   explicit Bitmap(const LatticeBox& box);
 
   void add(const LatticeRun& run);
-  /// Adds the cells of `other`, moved; they must fit.
-  void add(const Bitmap& other, std::int64_t rows, std::int64_t columns);
 
   const LatticeBox& box() const { return box_; }
+  /// Of a row, from the first column of the box on; the last of them is 0, and so is what lies before the first.
   std::int64_t words() const { return words_; }
+  std::uint64_t* line(std::int64_t row) { return bits_.data() + 1 + (row - box_.row0) * words_; }
+  const std::uint64_t* line(std::int64_t row) const { return bits_.data() + 1 + (row - box_.row0) * words_; }
   bool holds(std::int64_t row, std::int64_t column) const {
     std::int64_t c = column - box_.column0;
     return line(row)[c / 64] >> (c % 64) & 1u;
   }
 
  private:
-  std::uint64_t* line(std::int64_t row) { return bits_.data() + 1 + (row - box_.row0) * words_; }
-  const std::uint64_t* line(std::int64_t row) const { return bits_.data() + 1 + (row - box_.row0) * words_; }
-
   LatticeBox box_;
   std::int64_t words_;               // a row, the last of them always 0
   std::vector<std::uint64_t> bits_;  // a 0, then the rows
-};
-
-/// Adds the sums of a set of cells and runs of points to a bitmap: a run is two overlapping ones of a power of two.
-class RunAdder {
- public:
-  /// `longest`: most points of a run.
-  RunAdder(std::span<const LatticeRun> cells, std::int64_t longest);
-  void add(const LatticeRun& points, Bitmap& to) const;
-
- private:
-  std::vector<Bitmap> widened_;  // k -> the cells and 2^k - 1 more to the right of each
 };
 
 }  // namespace findspace::plane

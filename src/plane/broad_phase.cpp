@@ -113,6 +113,16 @@ void CellGrid::set_resolution(std::size_t pieces) {
   row_scale_ = rows_ / h;
 }
 
+CellGrid::Rows CellGrid::rows_in(Index c, const exact::Geometry& g, const Piece& piece, const PieceBox& b) const {
+  const exact::Carrier& k = g.carriers[piece.carrier];
+  const double xa = std::clamp(box_.x0 + c / column_scale_ - 2 * slack_, b.x0, b.x1);
+  const double xb = std::clamp(box_.x0 + (c + 1) / column_scale_ + 2 * slack_, b.x0, b.x1);
+  if (piece.half != 0 && xa <= k.x.value && k.x.value <= xb) return {row(b.y0), row(b.y1)};
+  const double ya = y_at(g, piece, xa), yb = y_at(g, piece, xb), lo = std::min(ya, yb), hi = std::max(ya, yb);
+  const double room = 4 * slack_ + (piece.half == 0 ? 0 : k.z.error + k.y.error);
+  return {row(std::max(lo - room, b.y0)), row(std::min(hi + room, b.y1))};
+}
+
 void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
   start_.assign(std::size_t(columns_) * rows_ + 1, 0);
   rows_start_.reserve(pieces.size() + 1);
@@ -123,15 +133,9 @@ void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
     const PieceBox& b = boxes_[i];
     Index c0 = column(b.x0), c1 = column(b.x1);
     first_column_.push_back(c0);
-    const exact::Carrier& k = g.carriers[pieces[i].carrier];
+    const bool thin = c0 == c1 || b.x1 - b.x0 < 8 * slack_;
     for (Index c = c0; c <= c1; ++c) {
-      double xa = std::clamp(box_.x0 + c / column_scale_ - 2 * slack_, b.x0, b.x1);
-      double xb = std::clamp(box_.x0 + (c + 1) / column_scale_ + 2 * slack_, b.x0, b.x1);
-      double ya = y_at(g, pieces[i], xa), yb = y_at(g, pieces[i], xb), lo = std::min(ya, yb), hi = std::max(ya, yb);
-      bool whole = c0 == c1 || b.x1 - b.x0 < 8 * slack_ || (pieces[i].half != 0 && xa <= k.x.value && k.x.value <= xb);
-      double steep = pieces[i].half == 0 ? 0 : k.z.error + k.y.error;
-      Rows r = whole ? Rows{row(b.y0), row(b.y1)}
-                     : Rows{row(std::max(lo - 4 * slack_ - steep, b.y0)), row(std::min(hi + 4 * slack_ + steep, b.y1))};
+      const Rows r = thin ? Rows{row(b.y0), row(b.y1)} : rows_in(c, g, pieces[i], b);
       piece_rows_.push_back(r);
       for (Index y = r.lo; y <= r.hi; ++y) ++start_[std::size_t(c) * rows_ + y + 1];
     }

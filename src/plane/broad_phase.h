@@ -58,6 +58,8 @@ class CellGrid {
   void set_resolution(std::size_t pieces);
   void enter_sorted();
   void enter(const exact::Geometry& g, std::span<const Piece> pieces);
+  /// Of one column, those that a piece may cross.
+  Rows rows_in(Index column, const exact::Geometry& g, const Piece& piece, const PieceBox& box) const;
   bool first_common_cell(Index i, Index j, Index column, Index row) const;
 
   std::pmr::vector<PieceBox> boxes_;

@@ -17,6 +17,7 @@
 #include "plane/overlay.h"
 #include "plane/plain_sum.h"
 #include "plane/primitives.h"
+#include "plane/side_by_side.h"
 #include "plane/topology.h"
 
 namespace findspace::plane {
@@ -83,7 +84,7 @@ class Builder {
   }
 
   Region combine(const Shape& shape) {
-    if (shape.children.size() > kOperands) return in_groups(shape);
+    if (shape.children.size() > kOperands) return of_many(shape);
     std::vector<RegionPtr> leaves;
     Expression expression = compile(shape, leaves);
     return evaluate(expression, leaves);
@@ -122,25 +123,44 @@ class Builder {
     return node;
   }
 
-  /// A union, intersection or difference of many operands, united (intersected) in groups. What is subtracted from the
-  /// first operand of a difference is the union of the others.
-  Region in_groups(const Shape& shape) {
-    bool difference = shape.kind == Kind::kDifference;
-    std::vector<RegionPtr> level;
-    for (auto k = shape.children.begin() + difference; k != shape.children.end(); ++k) level.push_back(region(*k));
+  /// A union, intersection or difference of many operands. What is subtracted from the first operand of a difference
+  /// is the union of the others.
+  Region of_many(const Shape& shape) {
+    const bool difference = shape.kind == Kind::kDifference;
+    std::vector<RegionPtr> all;
+    for (auto k = shape.children.begin() + difference; k != shape.children.end(); ++k) all.push_back(region(*k));
+    if (shape.kind == Kind::kIntersection) return *in_groups(std::move(all), intersect);
+    const Region united = united_apart(all);
+    if (!difference) return united;
+    RegionPtr first = region(shape.children[0]);
+    return subtract(std::vector<const Region*>{first.get(), &united});
+  }
+
+  /// Only operands whose boxes meet are united by arranging them.
+  static Region united_apart(const std::vector<RegionPtr>& all) {
+    std::vector<const Region*> operands, parts;
+    for (const RegionPtr& r : all) operands.push_back(r.get());
+    std::vector<RegionPtr> kept;
+    for (const std::vector<Index>& group : groups_apart(operands)) {
+      std::vector<RegionPtr> members;
+      for (const Index k : group) members.push_back(all[k]);
+      kept.push_back(in_groups(std::move(members), unite));
+      parts.push_back(kept.back().get());
+    }
+    return parts.size() == 1 ? *parts[0] : side_by_side(parts);
+  }
+
+  static RegionPtr in_groups(std::vector<RegionPtr> level, Region (*join)(std::span<const Region* const>)) {
     while (level.size() > 1) {
       std::vector<RegionPtr> next;
       for (std::size_t k = 0; k < level.size(); k += kOperands) {
         std::vector<const Region*> group;
         for (std::size_t i = k; i < std::min(k + kOperands, level.size()); ++i) group.push_back(level[i].get());
-        next.push_back(
-            std::make_shared<const Region>(shape.kind == Kind::kIntersection ? intersect(group) : unite(group)));
+        next.push_back(std::make_shared<const Region>(join(group)));
       }
       level = std::move(next);
     }
-    if (!difference) return *level[0];
-    RegionPtr first = region(shape.children[0]);
-    return subtract(std::vector<const Region*>{first.get(), level[0].get()});
+    return level[0];
   }
 
   Region leaf(const Shape& s) {

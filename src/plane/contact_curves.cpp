@@ -110,11 +110,7 @@ RoughCurve ContactCurves::rough(const ContactPair& k, double angle) const {
 
 RealVector exact_normal(const EdgeFeature& e) { return e.side > 0 ? turned_left(e.q - e.p) : turned_right(e.q - e.p); }
 
-namespace {
-
 Real times_length(const Real& r, const RealVector& n) { return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n)); }
-
-}  // namespace
 
 ExactCurve ContactCurves::exact(const ContactPair& k, const exact::Turn& turn) const {
   ExactCurve c;

@@ -71,5 +71,7 @@ class ContactCurves {
 
 /// Its normal of the edge's length, exact.
 RealVector exact_normal(const EdgeFeature& e);
+/// r times the length of n.
+exact::Real times_length(const exact::Real& r, const RealVector& n);
 
 }  // namespace findspace::plane

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Checking and normalising rings. Pairs of edges whose boxes meet are found by a tree of boxes over all edges (median
-// splits, the tree descended against itself); each pair is then decided exactly in contour_meet.cpp.
+// Checking and normalising rings. A single ring that is seen whole from the mean of its corners is simple. Else pairs
+// of edges whose boxes meet are found by a tree of boxes over all edges (contour_boxes.h); each pair is then decided
+// exactly in contour_meet.cpp.
 #include "plane/contour.h"
 
 #include <fmt/format.h>
@@ -14,16 +15,26 @@
 #include "findspace/error.h"
 #include "plane/contour_boxes.h"
 #include "plane/contour_meet.h"
+#include "plane/scratch.h"
+#include "plane/star_shaped.h"
 
 namespace findspace::plane {
 namespace {
 
+/// How messages call a ring by its number.
+using Label = std::string (*)(std::size_t);
+
+std::string outer_or_hole(std::size_t i) { return i == 0 ? "the ring" : fmt::format("hole {}", i - 1); }
+std::string any_ring(std::size_t i) { return fmt::format("ring {}", i); }
+
 /// A ring without its repeated points, and where its edges stood in the input.
 struct Ring {
   Contour edges;
-  std::vector<std::size_t> source;  // empty where nothing was dropped
-  std::string label;
+  std::size_t number;
+  Label name;
+  std::vector<std::size_t> source{};  // empty where nothing was dropped
 
+  std::string label() const { return name(number); }
   GridPoint end(std::size_t i) const { return edges[i + 1 == edges.size() ? 0 : i + 1].start; }
   Span span(std::size_t i) const { return span_of(edges, i); }
   std::size_t given(std::size_t i) const { return source.empty() ? i : source[i]; }
@@ -46,9 +57,9 @@ void drop_repeated(Ring& ring) {
   ring.edges = std::move(kept);
 }
 
-Ring clean(Contour input, std::string label, std::int64_t& repeated, double step) {
+Ring clean(Contour input, std::size_t number, Label name, std::int64_t& repeated, double step) {
   const GridPoint first = input.empty() ? GridPoint{} : input[0].start;
-  Ring ring{std::move(input), {}, std::move(label)};
+  Ring ring{std::move(input), number, name};
   std::int64_t same = 0;
   bool arcs = false;
   for (std::size_t i = 0; i < ring.edges.size(); ++i) {
@@ -61,8 +72,8 @@ Ring clean(Contour input, std::string label, std::int64_t& repeated, double step
   if (same > 0) drop_repeated(ring);
   repeated += same;
   if (ring.edges.size() < (arcs ? 2u : 3u)) {
-    fail(fmt::format("{} has no area: fewer than three different points", ring.label), double(first.x), double(first.y),
-         step);
+    fail(fmt::format("{} has no area: fewer than three different points", ring.label()), double(first.x),
+         double(first.y), step);
   }
   return ring;
 }
@@ -70,8 +81,8 @@ Ring clean(Contour input, std::string label, std::int64_t& repeated, double step
 /// A ring of segments that all lie on one line: told apart from self-intersection for the sake of the message.
 bool flat(const Ring& ring) {
   GridPoint o = ring.edges[0].start, a = ring.end(0);
-  return straight(ring.edges) && std::all_of(ring.edges.begin(), ring.edges.end(),
-                                             [&](const ContourEdge& e) { return cross(o, a, e.start) == 0; });
+  return std::all_of(ring.edges.begin(), ring.edges.end(),
+                     [&](const ContourEdge& e) { return !e.arc && cross(o, a, e.start) == 0; });
 }
 
 std::string edge_label(const Ring& ring, std::size_t i, double step) {
@@ -87,12 +98,12 @@ struct EdgeId {
 [[noreturn]] void fail_meeting(const Ring& a, std::size_t i, const Ring& b, std::size_t j, const Meeting& m,
                                double step) {
   const char* how = m.along ? "run along each other" : "meet";
-  std::string what = &a == &b ? fmt::format("{} touches or crosses itself", a.label)
-                              : fmt::format("{} touches or crosses {}", b.label, a.label);
+  std::string what = &a == &b ? fmt::format("{} touches or crosses itself", a.label())
+                              : fmt::format("{} touches or crosses {}", b.label(), a.label());
   std::string first = edge_label(a, i, step), second = edge_label(b, j, step);
   if (&a != &b) {
-    first = a.label + ", " + first;
-    second = b.label + ", " + second;
+    first = a.label() + ", " + first;
+    second = b.label() + ", " + second;
   }
   fail(fmt::format("{}: {} and {} {} at {}", what, first, second, how, show(m.x, m.y, step)), m.x, m.y, step);
 }
@@ -118,21 +129,45 @@ Box box_of(const ContourEdge& edge, GridPoint to) {
   return {box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
 }
 
+/// Edges i and i + 1 of a ring share a vertex: of segments only folding back onto each other is a fault.
+void check_neighbours(const std::vector<Ring>& rings, std::uint32_t r, double step) {
+  const Contour& edges = rings[r].edges;
+  const std::size_t n = edges.size();
+  for (std::size_t i = 0, before = n - 1; i < n; before = i++) {
+    const bool segments = !edges[before].arc && !edges[i].arc;
+    if (segments && cross(edges[before].start, edges[i].start, rings[r].end(i)) != 0) continue;
+    check_pair(rings, {r, std::uint32_t(before)}, {r, std::uint32_t(i)}, step);
+  }
+}
+
+bool known_simple(const Contour& ring) {
+  return straight(ring) && star_shaped(ring.size(), [&](std::size_t k) { return ring[k].start; }) != 0;
+}
+
 void check_edges(const std::vector<Ring>& rings, double step) {
+  if (rings.size() == 1 && known_simple(rings[0].edges)) return;
   std::size_t count = 0;
   for (const Ring& ring : rings) count += ring.edges.size();
-  std::vector<Box> boxes;
+  Scratch scratch(count);
+  std::pmr::vector<Box> boxes(scratch.memory());
   boxes.reserve(count);
-  std::vector<std::size_t> first;  // of each ring
-  for (const Ring& ring : rings) {
+  std::pmr::vector<std::size_t> first(scratch.memory());  // of each ring
+  for (std::uint32_t r = 0; r < rings.size(); ++r) {
+    const Ring& ring = rings[r];
     first.push_back(boxes.size());
+    check_neighbours(rings, r, step);
     for (std::size_t e = 0; e < ring.edges.size(); ++e) boxes.push_back(box_of(ring.edges[e], ring.end(e)));
   }
-  auto edge = [&](std::size_t i) -> EdgeId {
-    const std::size_t r = std::size_t(std::upper_bound(first.begin(), first.end(), i) - first.begin()) - 1;
-    return {std::uint32_t(r), std::uint32_t(i - first[r])};
+  auto ring_of = [&](std::size_t i) {
+    if (first.size() == 1) return std::uint32_t(0);
+    return std::uint32_t(std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1);
   };
-  for_meeting_boxes(boxes, [&](std::size_t i, std::size_t j) { check_pair(rings, edge(i), edge(j), step); });
+  for_meeting_boxes(boxes, [&](std::size_t i, std::size_t j) {
+    const std::uint32_t r = ring_of(i), s = ring_of(j);
+    const std::size_t apart = i < j ? j - i : i - j;
+    if (r == s && (apart == 1 || apart + 1 == rings[r].edges.size())) return;  // neighbours
+    check_pair(rings, {r, std::uint32_t(i - first[r])}, {s, std::uint32_t(j - first[s])}, step);
+  });
 }
 
 Box box_of(const Ring& ring) {
@@ -141,15 +176,15 @@ Box box_of(const Ring& ring) {
   return all;
 }
 
-std::vector<Ring> clean_and_check(std::vector<Contour> rings, const std::vector<std::string>& labels,
-                                  std::int64_t& repeated, double step) {
+std::vector<Ring> clean_and_check(std::vector<Contour> rings, Label name, std::int64_t& repeated, double step) {
   std::vector<Ring> clean_rings;
+  clean_rings.reserve(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    clean_rings.push_back(clean(std::move(rings[i]), labels[i], repeated, step));
+    clean_rings.push_back(clean(std::move(rings[i]), i, name, repeated, step));
     const Ring& ring = clean_rings.back();
     GridPoint p = ring.edges[0].start;
     if (flat(ring)) {
-      fail(fmt::format("{} has no area: all its points are on one line", ring.label), double(p.x), double(p.y), step);
+      fail(fmt::format("{} has no area: all its points are on one line", ring.label()), double(p.x), double(p.y), step);
     }
   }
   check_edges(clean_rings, step);
@@ -169,13 +204,13 @@ void check_holes(const std::vector<Ring>& rings, double step) {
   for (std::size_t i = 1; i < rings.size(); ++i) {
     GridPoint p = rings[i].edges[0].start;
     if (!encloses(rings[0].edges, p)) {
-      fail(fmt::format("{} is not inside {}: its vertex {} is outside", rings[i].label, rings[0].label,
+      fail(fmt::format("{} is not inside {}: its vertex {} is outside", rings[i].label(), rings[0].label(),
                        show(double(p.x), double(p.y), step)),
            double(p.x), double(p.y), step);
     }
     for (std::size_t j = 1; j < rings.size(); ++j) {
       if (i == j || !boxes[j].holds(p.x, p.y) || !encloses(rings[j].edges, p)) continue;
-      fail(fmt::format("{} is inside {}", rings[i].label, rings[j].label), double(p.x), double(p.y), step);
+      fail(fmt::format("{} is inside {}", rings[i].label(), rings[j].label()), double(p.x), double(p.y), step);
     }
   }
 }
@@ -183,12 +218,10 @@ void check_holes(const std::vector<Ring>& rings, double step) {
 }  // namespace
 
 RingSet make_rings(std::vector<Contour> input, double step) {
-  std::vector<std::string> labels;
-  labels.reserve(input.size());
-  for (std::size_t i = 0; i < input.size(); ++i) labels.push_back(i == 0 ? "the ring" : fmt::format("hole {}", i - 1));
   RingSet set;
-  std::vector<Ring> rings = clean_and_check(std::move(input), labels, set.repeated_points, step);
+  std::vector<Ring> rings = clean_and_check(std::move(input), outer_or_hole, set.repeated_points, step);
   check_holes(rings, step);
+  set.contours.reserve(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     std::int64_t ignored = 0;  // either direction of a hole is usual
     set.contours.push_back(directed(std::move(rings[i].edges), i == 0 ? 1 : -1, i == 0 ? set.turned_rings : ignored));
@@ -197,10 +230,8 @@ RingSet make_rings(std::vector<Contour> input, double step) {
 }
 
 std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
-  std::vector<std::string> labels;
-  for (std::size_t i = 0; i < input.size(); ++i) labels.push_back(fmt::format("ring {}", i));
   std::int64_t repeated = 0, ignored = 0;
-  std::vector<Ring> rings = clean_and_check(std::move(input), labels, repeated, step);
+  std::vector<Ring> rings = clean_and_check(std::move(input), any_ring, repeated, step);
   std::vector<Box> boxes;
   for (const Ring& ring : rings) boxes.push_back(box_of(ring));
   std::vector<std::vector<std::size_t>> around(rings.size());

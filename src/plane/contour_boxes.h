@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace findspace::plane {
@@ -29,7 +30,7 @@ struct Box {
 
 class BoxTree {
  public:
-  explicit BoxTree(const std::vector<Box>& boxes) : boxes_(boxes) {
+  explicit BoxTree(std::span<const Box> boxes) : boxes_(boxes) {
     if (boxes.empty()) return;
     for (std::size_t i = 0; i < boxes.size(); i += kRun) {
       Box run = boxes[i];
@@ -110,7 +111,7 @@ class BoxTree {
     }
   }
 
-  const std::vector<Box>& boxes_;
+  std::span<const Box> boxes_;
   std::vector<Run> runs_;
   std::vector<Node> nodes_;
 };
@@ -118,7 +119,7 @@ class BoxTree {
 /// The tree over the runs of the list as it is; level 0 holds the runs, each level above the joined pairs of the last.
 class RunTree {
  public:
-  explicit RunTree(const std::vector<Box>& boxes) : boxes_(boxes) {
+  explicit RunTree(std::span<const Box> boxes) : boxes_(boxes) {
     for (std::size_t i = 0; i < boxes.size(); i += kRun) {
       Box run = boxes[i];
       for (std::size_t k = i + 1; k < end_of(i / kRun); ++k) run = run.joined(boxes[k]);
@@ -186,14 +187,14 @@ class RunTree {
     }
   }
 
-  const std::vector<Box>& boxes_;
+  std::span<const Box> boxes_;
   std::vector<Box> nodes_;
   std::vector<Level> levels_;
   std::size_t runs_ = 0, left_ = 0;
 };
 
 template <class Visit>
-void for_meeting_boxes(const std::vector<Box>& boxes, Visit visit) {
+void for_meeting_boxes(std::span<const Box> boxes, Visit visit) {
   constexpr std::size_t kFew = 16;  // up to here the tree costs more than it saves
   if (boxes.size() > kFew) {
     if (!RunTree(boxes).meeting_pairs(visit)) BoxTree(boxes).meeting_pairs(visit);

@@ -93,7 +93,7 @@ std::size_t ConvolutionIndex::convex_count() const {
       for (Index v = 0; v < other.fan.corners.size(); ++v) {
         if (other.fan.corners[v].turn <= 0) continue;
         const EdgeFan::Sweep& sweep = other.sweep[v];
-        count += sweep.end + (sweep.wraps ? moved.place.size() : 0) - sweep.first;
+        count += sweep.size(moved.place.size());
       }
     }
   return count;

@@ -27,17 +27,19 @@ int compare(const EdgeFan& p, const EdgeFan::Ray& r, const EdgeFan& q, const Edg
   return (cross < 0) - (cross > 0);
 }
 
-bool lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
-
 }  // namespace
 
 EdgeFan::EdgeFan(const GridFace& face, Memory memory) : corners(face.corners), rays(memory), rank(memory) {
   rays.reserve(corners.size());
   for (Index k = 0; k < corners.size(); ++k) rays.push_back({diamond_angle(corners[k]), k});
-  std::sort(rays.begin(), rays.end(), [this](const Ray& p, const Ray& q) {
+  auto before = [this](const Ray& p, const Ray& q) {
     int order = compare(*this, p, *this, q);
     return order != 0 ? order < 0 : p.corner < q.corner;
-  });
+  };
+  // Nearly, and then exactly.
+  std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
+  for (auto k = rays.begin(); k != rays.end(); ++k)
+    for (auto at = k; at != rays.begin() && before(*at, *(at - 1)); --at) std::iter_swap(at, at - 1);
 }
 
 void EdgeFan::place(EdgeFan& first, EdgeFan& other) {
@@ -52,14 +54,6 @@ void EdgeFan::place(EdgeFan& first, EdgeFan& other) {
     else
       other.rank[other.rays[j].corner] = i, ++j;
   }
-}
-
-EdgeFan::Sweep EdgeFan::sweep(Index corner) const {
-  const GridCorner& c = corners[corner];
-  if (c.turn == 0) return {};
-  Index from = c.turn > 0 ? c.before : corner, to = c.turn > 0 ? corner : c.before;
-  // A turn that sweeps the direction 0 ends below where it starts; so does none else.
-  return {rank[from], rank[to], lower(corners[from]) && !lower(corners[to])};
 }
 
 }  // namespace findspace::plane

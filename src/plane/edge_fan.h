@@ -34,10 +34,20 @@ class EdgeFan {
   struct Sweep {
     Index first = 0, end = 0;
     bool wraps = false;
+    std::size_t size(std::size_t all) const { return wraps ? all - first + end : end - first; }
     bool holds(Index place) const { return wraps ? place >= first || place < end : place >= first && place < end; }
   };
   /// The directions between the two edges of a corner, counter-clockwise whichever way it turns.
-  Sweep sweep(Index corner) const;
+  Sweep sweep(Index corner) const {
+    const GridCorner& c = corners[corner];
+    if (c.turn == 0) return {};
+    const Index from = c.turn > 0 ? c.before : corner, to = c.turn > 0 ? corner : c.before;
+    // A turn that sweeps the direction 0 ends below where it starts; so does none else.
+    return {rank[from], rank[to], lower(corners[from]) && !lower(corners[to])};
+  }
+
+ private:
+  static bool lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
 };
 
 }  // namespace findspace::plane

@@ -3,6 +3,8 @@
 
 #include "plane/grid_faces.h"
 
+#include <span>
+
 #include "plane/scratch.h"
 
 namespace findspace::plane {
@@ -16,27 +18,22 @@ bool is_lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0);
 
 class Walk {
  public:
-  Walk(const CellComplex& c, bool mirrored, Memory memory)
-      : c_(c), mirrored_(mirrored), seen_(c.half_edges.size(), 0, memory) {}
+  Walk(const CellComplex& c, bool mirrored) : c_(c), mirrored_(mirrored) {}
 
-  /// The ring of a half-edge that has not been walked yet.
-  void ring(Index start, std::vector<GridCorner>& out) {
-    Index first = Index(out.size());
-    for (Index h = start; !seen_[h]; h = c_.next(h)) {
-      seen_[h] = 1;
-      out.push_back(corner(h));
-      out.back().next = Index(out.size());
-      out.back().before = Index(out.size()) - 2;
-    }
-    out.back().next = first;
-    out[first].before = Index(out.size()) - 1;
-    for (Index k = first; k < out.size(); ++k) {
-      const GridCorner& in = out[out[k].before];
-      out[k].turn = std::int8_t(sign(int128(in.dx) * out[k].dy - int128(in.dy) * out[k].dx));
+  void ring(Index start, std::vector<GridCorner>& out) const {
+    Index first = Index(out.size()), k = first, h = start;
+    do {
+      GridCorner& g = out.emplace_back(corner(h));
+      g.before = k - 1, g.next = ++k;
+      h = c_.next(h);
+    } while (h != start);
+    out[k - 1].next = first, out[first].before = k - 1;
+    const GridCorner* in = &out[k - 1];
+    for (GridCorner& g : std::span(out).subspan(first)) {
+      g.turn = std::int8_t(sign(int128(in->dx) * g.dy - int128(in->dy) * g.dx));
+      in = &g;
     }
   }
-
-  bool seen(Index h) const { return seen_[h] != 0; }
 
  private:
   GridCorner corner(Index h) const {
@@ -53,7 +50,6 @@ class Walk {
 
   const CellComplex& c_;
   bool mirrored_;
-  std::pmr::vector<char> seen_;
 };
 
 bool on_grid(const CellComplex& c, Index e) {
@@ -75,21 +71,21 @@ bool GridFace::is_convex() const {
 }
 
 std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
-  auto in = [&](Index face) { return wanted(c.faces[face].mark); };
   Scratch scratch(c.edges.size() / 4);
-  std::pmr::vector<char> near(c.vertices.size(), 0, scratch.memory());
+  std::pmr::vector<char> in(c.faces.size(), 0, scratch.memory()), near(c.vertices.size(), 0, scratch.memory());
+  for (Index f = 0; f < c.faces.size(); ++f) in[f] = wanted(c.faces[f].mark);
   for (Index e = 0; e < c.edges.size(); ++e) {
     Index left = c.face(2 * e), right = c.face(2 * e + 1);
-    bool beside = in(left) || in(right);
+    const bool beside = in[left] || in[right];
     if (beside ? left == right || !on_grid(c, e) : wanted(c.edges[e].mark)) return std::nullopt;
     if (beside) near[c.edges[e].v0] = near[c.edges[e].v1] = 1;
   }
   for (Index v = 0; v < c.vertices.size(); ++v)
     if (!near[v] && wanted(c.vertices[v].mark)) return std::nullopt;
   std::vector<GridFace> faces;
-  Walk walk(c, mirrored, scratch.memory());
+  const Walk walk(c, mirrored);
   for (Index f = 0; f < c.faces.size(); ++f) {
-    if (!in(f)) continue;
+    if (!in[f]) continue;
     for (Index v : c.faces[f].isolated)
       if (!wanted(c.vertices[v].mark)) return std::nullopt;
     GridFace& face = faces.emplace_back();

@@ -5,6 +5,7 @@
 
 #include "plane/convex_sum.h"
 #include "plane/prune_inside.h"
+#include "plane/star_sum.h"
 #include "plane/transversal_sum.h"
 
 namespace findspace::plane {
@@ -16,8 +17,11 @@ SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& i
   std::optional<GridBox> within;  // where what is not in the sum lies
   if (unbounded && !(within = boundary_box(a.faces, b.faces))) return CellComplex::uniform(-1);
   ReducedConvolution curves = reduced_convolution(a, b, within);
+  const bool bounded_pair = a.faces.size() == 1 && b.faces.size() == 1 && !unbounded;
+  if (bounded_pair)
+    if (auto sum = star_sum(curves)) return *std::move(sum);
   if (pruning_pays(curves)) curves = prune_inside(std::move(curves), a, b);
-  if (a.faces.size() == 1 && b.faces.size() == 1 && !unbounded)
+  if (bounded_pair)
     if (auto sum = transversal_sum(curves, inside)) return *std::move(sum);
   Scratch scratch(curves.pieces.size());
   Arrangement arrangement = arrange(std::move(curves.geometry), std::move(curves.pieces), {}, scratch.memory());

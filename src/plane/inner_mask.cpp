@@ -5,10 +5,14 @@
 
 #include <algorithm>
 
+#include "plane/bitmap.h"
+#include "plane/lattice_sum.h"
+
 namespace findspace::plane {
 namespace {
 
 bool longer(const LatticeRun& p, const LatticeRun& q) { return p.last - p.first > q.last - q.first; }
+bool by_place(const LatticeRun& p, const LatticeRun& q) { return p.row != q.row ? p.row < q.row : p.first < q.first; }
 
 /// Lattice points and cells whose sums are cells inside.
 struct Factors {
@@ -25,10 +29,9 @@ struct Factors {
     if (points.size() > most) {
       std::nth_element(points.begin(), points.begin() + std::ptrdiff_t(most), points.end(), longer);
       points.resize(most);
+      std::sort(points.begin(), points.end(), by_place);
     }
-    const LatticeRun& longest = *std::min_element(points.begin(), points.end(), longer);
-    RunAdder adder(cells, longest.last - longest.first + 1);
-    for (const LatticeRun& p : points) adder.add(p, sums);
+    add_sums(points, cells, sums);
   }
 };
 

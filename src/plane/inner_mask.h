@@ -5,8 +5,8 @@
 // point of B, is one, and so is a cell inside int B moved by a point of A. Points find what is thinner than a cell.
 // What lies in such a cell cannot be boundary, so it need not be arranged. Guarantee: every marked cell, closed, lies
 // in the open sum; cells may be missing. Only conservative double arithmetic; no sign is decided. Cost: that of
-// lattice_runs.h, (runs of points) * (words of cells), capped, and the cells. Keywords: bitmap Minkowski sum, pruning,
-// chessboard distance transform.
+// lattice_runs.h and lattice_sum.h, capped, and the cells. Keywords: bitmap Minkowski sum, pruning, chessboard distance
+// transform.
 #pragma once
 
 #include <cmath>

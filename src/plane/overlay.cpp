@@ -10,6 +10,7 @@
 #include "plane/arrangement.h"
 #include "plane/face_walk.h"
 #include "plane/scratch.h"
+#include "plane/side_by_side.h"
 #include "plane/simplify.h"
 
 namespace findspace::plane {
@@ -29,19 +30,6 @@ struct Input {
   std::vector<Index> point_offset;  // operand -> its first point
   std::vector<Index> isolated;
 };
-
-/// Appends a geometry; returns the offset of its points. Carriers keep their order, so crossings keep their roots.
-Index append(Geometry& to, const Geometry& from) {
-  Index carriers = Index(to.carriers.size()), points = Index(to.points.size()), reals = Index(to.reals.size());
-  to.carriers.insert(to.carriers.end(), from.carriers.begin(), from.carriers.end());
-  to.reals.insert(to.reals.end(), from.reals.begin(), from.reals.end());
-  for (exact::Point p : from.points) {
-    if (p.kind == exact::Point::Kind::kCross) p.i += carriers, p.j += carriers;
-    if (p.kind == exact::Point::Kind::kReal) p.i += reals;
-    to.points.push_back(p);
-  }
-  return points;
-}
 
 void make_room(Input& in, std::span<const CellComplex* const> operands) {
   std::size_t carriers = 0, points = 0, edges = 0;

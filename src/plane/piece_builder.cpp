@@ -11,7 +11,7 @@ using exact::int128;
 Index PieceBuilder::line(const GridPoint& p, const GridPoint& q) {
   std::int64_t a = q.y - p.y, b = p.x - q.x;
   exact::make_primitive(a, b);
-  return geometry.add(Carrier::line(a, b, int128(a) * p.x + int128(b) * p.y));
+  return geometry.add_line(a, b, int128(a) * p.x + int128(b) * p.y);
 }
 
 void PieceBuilder::segment(Index carrier, Index from, Index to, bool right) {
@@ -49,6 +49,13 @@ void PieceBuilder::arc(Index circle, Index from, Index to, bool ccw) {
     if (here) return;
     at = next;
   }
+}
+
+void PieceBuilder::edge(const ContourEdge& e, const GridPoint& to) {
+  if (!e.arc) return segment(e.start, to);
+  Index from = geometry.add_grid_point(e.start.x, e.start.y);
+  Index end = e.start == to ? from : geometry.add_grid_point(to.x, to.y);
+  arc(geometry.add(Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, end, e.ccw);
 }
 
 void PieceBuilder::circle(Index circle) {

@@ -25,6 +25,8 @@ class PieceBuilder {
   void segment(const GridPoint& p, const GridPoint& q);
   /// A directed arc of a circle between two of its points; from == to gives the whole circle.
   void arc(Index circle, Index from, Index to, bool ccw);
+  /// An edge of a contour that goes on at `to`.
+  void edge(const ContourEdge& e, const GridPoint& to);
   /// The whole circle, counter-clockwise.
   void circle(Index circle);
   /// The leftmost (side = -1) or rightmost (+1) point of a circle.

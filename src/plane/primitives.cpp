@@ -3,105 +3,82 @@
 
 #include "plane/primitives.h"
 
-#include <algorithm>
-
-#include "plane/around_vertex.h"
+#include "exact/primitive.h"
 #include "plane/piece_builder.h"
+#include "plane/ring_map.h"
+#include "plane/scratch.h"
 #include "plane/simplify.h"
 #include "plane/winding.h"
 
 namespace findspace::plane {
 namespace {
 
-void add_edge(PieceBuilder& b, const ContourEdge& e, const GridPoint& to) {
-  if (!e.arc) return b.segment(e.start, to);
-  Index from = b.geometry.add_grid_point(e.start.x, e.start.y);
-  Index end = e.start == to ? from : b.geometry.add_grid_point(to.x, to.y);
-  b.arc(b.geometry.add(exact::Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, end, e.ccw);
-}
-
-/// Valid rings need no arrangement: their pieces are the edges, in order.
+/// Valid rings need no arrangement: their edges, cut into x-monotone curves, are those of the region, in order.
 class RingBuilder {
  public:
-  Region build(std::span<const Contour> rings) {
-    faces(Index(rings.size()) + 1);
-    for (Index r = 0; r < rings.size(); ++r) add(rings[r], r == 0 ? 0 : r + 1);
-    region_.geometry = std::move(builder_.geometry);
-    for (Index v = 0; v < region_.vertices.size(); ++v) set_first(v);
-    return could_merge_ ? simplify(region_) : std::move(region_);
+  RingBuilder(std::span<const Contour> rings, Memory memory) : edges_(memory), starts_(memory), normals_(memory) {
+    std::size_t count = 0;
+    for (const Contour& ring : rings) count += ring.size();
+    curves_.geometry.carriers.reserve(count);
+    curves_.geometry.points.reserve(count);
+    edges_.reserve(count);
+    normals_.reserve(count);
+    for (const Contour& ring : rings) add(ring);
+  }
+
+  Region build() && {
+    Region region = ring_complex(std::move(curves_.geometry), edges_, rings_of_one_face(starts_), {1, 1, 0});
+    if (could_merge_) return simplify(region);
+    return region;
   }
 
  private:
-  void faces(Index count) {
-    region_.faces.reserve(count);
-    for (Index f = 0; f < count; ++f)
-      region_.faces.push_back(Face{.mark = Mark(f == 1), .outer = kNone, .inner = {}, .isolated = {}});
-  }
-
-  /// One ring with face 1 on its left and `outside` on its right.
-  void add(const Contour& ring, Index outside) {
-    Index first = Index(builder_.pieces.size()), n = Index(ring.size());
-    make_room(n);
-    std::vector<Index> corner;
-    corner.reserve(n);
-    for (const ContourEdge& e : ring) corner.push_back(builder_.geometry.add_grid_point(e.start.x, e.start.y));
+  void add(const Contour& ring) {
+    const Index first = Index(edges_.size()), corner = Index(curves_.geometry.points.size()), n = Index(ring.size());
+    starts_.push_back(first);
+    normals_.clear();
     for (Index k = 0; k < n; ++k) {
-      Index next = k + 1 == n ? 0 : k + 1;
-      const ContourEdge& e = ring[k];
-      if (e.arc)
-        builder_.arc(builder_.geometry.add(exact::Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), corner[k],
-                     corner[next], e.ccw);
+      const GridPoint &p = ring[k].start, &q = ring[k + 1 == n ? 0 : k + 1].start;
+      curves_.geometry.add_grid_point(p.x, p.y);
+      normals_.push_back(ring[k].arc ? exact::Normal{1, 0} : exact::Normal{q.y - p.y, p.x - q.x});
+    }
+    exact::make_primitive(normals_);
+    for (Index k = 0; k < n; ++k) {
+      const Index next = k + 1 == n ? 0 : k + 1, at = Index(edges_.size());
+      if (ring[k].arc)
+        add_arc(ring[k], corner + k, corner + next);
       else
-        builder_.segment(builder_.line(e.start, ring[next].start), corner[k], corner[next], e.start < ring[next].start);
+        add_segment(normals_[k], corner + k, ring[k].start, ring[next].start);
+      if (at > first) could_merge_ |= could_continue(edges_[at - 1], edges_[at]);
     }
-    Index end = Index(builder_.pieces.size());
-    Face &inner = region_.faces[1], &outer = region_.faces[outside];
-    if (outside == 0)
-      inner.outer = along(first), outer.inner.push_back(along(first) ^ 1u);
-    else
-      inner.inner.push_back(along(first)), outer.outer = along(first) ^ 1u;
-    for (Index i = first; i < end; ++i) {
-      const Piece& p = builder_.pieces[i];
-      could_merge_ |= could_continue(builder_.pieces[i == first ? end - 1 : i - 1], p);
-      bool forward = builder_.forward[i];
-      Index from = Index(region_.vertices.size()), to = i + 1 == end ? from - (end - 1 - first) : from + 1;
-      Index before = i == first ? end - 1 : i - 1, after = i + 1 == end ? first : i + 1;
-      region_.vertices.push_back({.point = forward ? p.p0 : p.p1, .mark = 1, .out = along(i), .face = kNone});
-      region_.edges.push_back({forward ? from : to, forward ? to : from, p.carrier, p.half, 1});
-      region_.half_edges.resize(region_.edges.size() * 2);
-      region_.half_edges[along(i)] = {along(after), 1};
-      region_.half_edges[along(i) ^ 1u] = {along(before) ^ 1u, outside};
-    }
+    could_merge_ |= could_continue(edges_.back(), edges_[first]);
   }
 
-  /// For the edges of one more ring, arcs aside.
-  void make_room(std::size_t edges) {
-    auto grow = [edges](auto& v) { v.reserve(std::max(v.size() + edges, 2 * v.size())); };
-    grow(builder_.geometry.carriers), grow(builder_.geometry.points), grow(builder_.pieces), grow(builder_.forward);
-    grow(region_.vertices), grow(region_.edges);
-    region_.half_edges.reserve(std::max(region_.half_edges.size() + 2 * edges, 2 * region_.half_edges.size()));
+  void add_segment(const exact::Normal& n, Index from, const GridPoint& p, const GridPoint& q) {
+    const Index line = curves_.geometry.add_line(n.a, n.b, exact::int128(n.a) * p.x + exact::int128(n.b) * p.y);
+    edges_.push_back({from, line, p < q});
+  }
+
+  void add_arc(const ContourEdge& e, Index from, Index to) {
+    curves_.pieces.clear(), curves_.forward.clear();
+    curves_.arc(curves_.geometry.add(exact::Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, to, e.ccw);
+    for (std::size_t i = 0; i < curves_.pieces.size(); ++i) {
+      const Piece& p = curves_.pieces[i];
+      edges_.push_back({curves_.forward[i] ? p.p0 : p.p1, p.carrier, bool(curves_.forward[i]), p.half});
+    }
   }
 
   /// Parallel lines or halves of the same kind: only such neighbours can be one edge.
-  bool could_continue(const Piece& p, const Piece& q) const {
+  bool could_continue(const RingEdge& p, const RingEdge& q) const {
     if (p.half != q.half) return false;
-    const exact::Carrier &k = builder_.geometry.carriers[p.carrier], &l = builder_.geometry.carriers[q.carrier];
+    const exact::Carrier &k = curves_.geometry.carriers[p.carrier], &l = curves_.geometry.carriers[q.carrier];
     return p.half != 0 || (k.a == l.a && k.b == l.b);
   }
 
-  Index along(Index piece) const { return 2 * piece + (builder_.forward[piece] ? 0 : 1); }
-
-  /// Of the two half-edges at a vertex, the first counter-clockwise from straight down.
-  void set_first(Index v) {
-    Index h = region_.vertices[v].out, k = region_.clockwise(h);
-    bool swap = (h & 1u) != (k & 1u) ? (h & 1u)
-                                     : !comes_before(region_.geometry, region_.vertices[v].point, h & 1u,
-                                                     region_.heading(h), region_.edges[h / 2].half, region_.heading(k));
-    if (swap) region_.vertices[v].out = k;
-  }
-
-  PieceBuilder builder_;
-  Region region_;
+  PieceBuilder curves_;
+  std::pmr::vector<RingEdge> edges_;
+  std::pmr::vector<Index> starts_;
+  std::pmr::vector<exact::Normal> normals_;  // of the segments of one ring
   bool could_merge_ = false;
 };
 
@@ -132,7 +109,10 @@ Region all_cells(PieceBuilder b, std::span<const Index> isolated) {
 
 }  // namespace
 
-Region region_of_rings(std::span<const Contour> rings) { return RingBuilder().build(rings); }
+Region region_of_rings(std::span<const Contour> rings) {
+  Scratch scratch(rings.empty() ? 0 : rings[0].size());
+  return RingBuilder(rings, scratch.memory()).build();
+}
 
 Region region_of_disc(const exact::Real& cx, const exact::Real& cy, const exact::Real& radius) {
   PieceBuilder b;
@@ -149,7 +129,7 @@ Region region_of_points(std::span<const GridPoint> points) {
 
 Region region_of_chain(const Contour& chain) {
   PieceBuilder b;
-  for (std::size_t k = 0; k + 1 < chain.size(); ++k) add_edge(b, chain[k], chain[k + 1].start);
+  for (std::size_t k = 0; k + 1 < chain.size(); ++k) b.edge(chain[k], chain[k + 1].start);
   return all_cells(std::move(b), {});
 }
 

@@ -26,7 +26,7 @@ Extents extents(const ReducedConvolution& c) {
     const exact::Point &a = points[p.p0], &b = points[p.p1];
     e.x0 = std::min(e.x0, a.x), e.x1 = std::max(e.x1, b.x);
     e.y0 = std::min({e.y0, a.y, b.y}), e.y1 = std::max({e.y1, a.y, b.y});
-    e.length += std::hypot(b.x - a.x, b.y - a.y);
+    e.length += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
   }
   return e;
 }

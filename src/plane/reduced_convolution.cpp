@@ -66,11 +66,17 @@ class FacePair {
            std::max(p.y, q.y) + by.y >= within_->y0 && std::min(p.y, q.y) + by.y <= within_->y1;
   }
 
+  std::size_t count_edges(const EdgeFan& moved, const EdgeFan& fan) const {
+    std::size_t count = 0;
+    if (within_) each(moved, fan, [&](Index e, Index v) { count += reaches(moved, e, fan, v); });
+    for (Index v = 0; !within_ && v < fan.corners.size(); ++v)
+      if (fan.corners[v].turn > 0) count += fan.sweep(v).size(moved.rays.size());
+    return count;
+  }
+
   std::size_t place_and_count() {
     EdgeFan::place(a_, b_);
-    std::size_t count = 0;
-    each(b_, a_, [&](Index e, Index v) { count += reaches(b_, e, a_, v); });
-    each(a_, b_, [&](Index e, Index v) { count += reaches(a_, e, b_, v); });
+    const std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
     auto& g = out_.geometry;
     g.carriers.reserve(g.carriers.size() + count);
     g.points.reserve(g.points.size() + 2 * count);

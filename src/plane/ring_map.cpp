@@ -12,6 +12,8 @@
 namespace findspace::plane {
 namespace {
 
+constexpr std::size_t kLittle = 8192;  // bytes that may lie idle
+
 /// Numbers what is used (not 0) in its order, the rest kNone, and drops the rest of the things.
 template <class Thing>
 void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
@@ -24,8 +26,8 @@ void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
     if (count != k) things[count] = std::move(things[k]);
     used[k] = count++;
   }
-  things.resize(count);
-  if (2 * things.size() < things.capacity()) things.shrink_to_fit();
+  things.erase(things.begin() + std::ptrdiff_t(count), things.end());
+  if (2 * count < things.capacity() && things.capacity() * sizeof(Thing) > kLittle) things.shrink_to_fit();
 }
 
 /// What the rings use of a geometry; carriers keep their order, as crossings need.
@@ -58,14 +60,46 @@ class UsedGeometry {
 /// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.
 bool is_first(const SignMap& map, Index vertex, Index h, Index k) {
   if ((h & 1u) != (k & 1u)) return !(h & 1u);
-  return comes_before(map.geometry, map.vertices[vertex].point, h & 1u, map.heading(h), map.edges[h / 2].half,
-                      map.heading(k));
+  const Edge &e = map.edges[h / 2], &f = map.edges[k / 2];
+  if (e.half == 0 && f.half == 0)
+    return line_comes_before(map.geometry.carriers[e.carrier], map.geometry.carriers[f.carrier]);
+  return comes_before(map.geometry, map.vertices[vertex].point, h & 1u, map.heading(h), e.half, map.heading(k));
 }
 
 Index face_count(std::span<const NestedRing> rings) {
   Index last = 0;
   for (const NestedRing& r : rings) last = std::max({last, r.inside, r.outside});
   return last + 1;
+}
+
+/// Joins the edges, which have their carriers, to rings and faces. `point`: of a ring edge.
+template <class PointOf>
+void join_rings(CellComplex& c, std::span<const RingEdge> edges, std::span<const NestedRing> rings, RingMarks marks,
+                bool unbounded, PointOf point) {
+  const Index n = Index(edges.size());
+  c.vertices.resize(n);
+  c.half_edges.resize(2 * n);
+  c.faces.resize(face_count(rings));
+  for (Face& f : c.faces) f.mark = marks.outside;
+  if (unbounded) c.faces[0].mark = marks.inside;
+  auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const NestedRing& ring = rings[r];
+    const Index first = ring.start, end = r + 1 < rings.size() ? rings[r + 1].start : n;
+    for (Index k = first; k < end; ++k) {
+      const Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
+      c.edges[k].v0 = edges[k].right ? k : next;
+      c.edges[k].v1 = edges[k].right ? next : k;
+      c.half_edges[h] = {.next = g, .face = ring.inside};
+      c.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
+      c.vertices[next] = {.point = point(edges[next]), .mark = marks.on};
+      c.vertices[next].out = is_first(c, next, g, back) ? g : back;
+    }
+    c.faces[ring.inside].mark = marks.inside;
+    const Index within = along(first), without = within ^ 1u;
+    c.faces[ring.outer ? ring.inside : ring.outside].outer = ring.outer ? within : without;
+    c.faces[ring.outer ? ring.outside : ring.inside].inner.push_back(ring.outer ? without : within);
+  }
 }
 
 }  // namespace
@@ -80,37 +114,25 @@ std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts, bool un
   return rings;
 }
 
+CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+                         RingMarks marks, bool unbounded) {
+  CellComplex c;
+  c.geometry = std::move(geometry);
+  c.edges.reserve(edges.size());
+  for (const RingEdge& e : edges) c.edges.push_back({.carrier = e.carrier, .half = e.half, .mark = marks.on});
+  join_rings(c, edges, rings, marks, unbounded, [](const RingEdge& e) { return e.point; });
+  return c;
+}
+
 SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                  bool unbounded) {
   Scratch scratch(geometry.carriers.size() / 4);
   SignMap map;
   const UsedGeometry used(geometry, edges, scratch.memory());
   map.geometry = std::move(geometry);
-  const Index n = Index(edges.size());
-  map.vertices.resize(n);
-  map.edges.reserve(n);
-  map.half_edges.resize(2 * n);
-  map.faces.assign(face_count(rings), Face{.mark = 1, .outer = kNone, .inner = {}, .isolated = {}});
-  if (unbounded) map.faces[0].mark = -1;
-  auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
+  map.edges.reserve(edges.size());
   for (const RingEdge& e : edges) map.edges.push_back({.carrier = used.carrier(e.carrier), .half = e.half, .mark = 0});
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const NestedRing& ring = rings[r];
-    const Index first = ring.start, end = r + 1 < rings.size() ? rings[r + 1].start : n;
-    for (Index k = first; k < end; ++k) {
-      const Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
-      map.edges[k].v0 = edges[k].right ? k : next;
-      map.edges[k].v1 = edges[k].right ? next : k;
-      map.half_edges[h] = {.next = g, .face = ring.inside};
-      map.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
-      map.vertices[next] = {.point = used.point(edges[next].point), .mark = 0};
-      map.vertices[next].out = is_first(map, next, g, back) ? g : back;
-    }
-    map.faces[ring.inside].mark = -1;
-    const Index within = along(first), without = within ^ 1u;
-    map.faces[ring.outer ? ring.inside : ring.outside].outer = ring.outer ? within : without;
-    map.faces[ring.outer ? ring.outside : ring.inside].inner.push_back(ring.outer ? without : within);
-  }
+  join_rings(map, edges, rings, {-1, 0, 1}, unbounded, [&](const RingEdge& e) { return used.point(e.point); });
   return map;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The sign map of an open set bounded by rings of segments and arcs: -1 inside, 0 on the boundary, +1 outside.
+// The cell complex of rings of segments and arcs, and the sign map of the open set they bound: -1 inside, 0 on the
+// boundary, +1 outside.
 // Guarantee: exact, for rings that do not touch each other or themselves and have no straight corners. Cost: linear;
 // where the nesting is not known, besides a vertical ray a ring through a tree of boxes. Keywords: boundary cycles.
 #pragma once
@@ -32,7 +33,16 @@ std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts, bool un
 std::vector<NestedRing> nested_rings(const exact::Geometry& geometry, std::span<const RingEdge> edges,
                                      std::span<const Index> starts);
 
-/// Points and carriers that no ring uses are left out. `unbounded`: the unbounded face is inside.
+struct RingMarks {
+  Mark inside, on, outside;
+};
+
+/// The vertices and edges in the order of the ring edges, with the whole geometry. `unbounded`: the unbounded face is
+/// inside.
+CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+                         RingMarks marks, bool unbounded = false);
+
+/// Points and carriers that no ring uses are left out.
 SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                  bool unbounded = false);
 

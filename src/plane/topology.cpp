@@ -82,6 +82,8 @@ bool all_marks_are(const Region& s, Mark mark) {
 
 StarMarks star_marks(const CellComplex& c) {
   StarMarks marks;
+  for (auto* of_edges : {&marks.edge_least, &marks.edge_greatest}) of_edges->reserve(c.edges.size());
+  for (auto* of_vertices : {&marks.vertex_least, &marks.vertex_greatest}) of_vertices->reserve(c.vertices.size());
   for (Index e = 0; e < c.edges.size(); ++e) {
     Extremes x = star_of_edge(c, e);
     marks.edge_least.push_back(x.least);
@@ -103,6 +105,7 @@ Region interior(Region s) {
 
 Region closure(Region s) {
   StarMarks marks = star_marks(s);
+  if (marks_are(s, marks.edge_greatest, marks.vertex_greatest)) return s;
   set_marks(s, marks.edge_greatest, marks.vertex_greatest);
   return simplify(s);
 }

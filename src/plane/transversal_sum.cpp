@@ -4,7 +4,6 @@
 #include "plane/transversal_sum.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "plane/meeting_curves.h"
@@ -17,18 +16,16 @@ namespace {
 class OuterWalks {
  public:
   OuterWalks(const MeetingCurves& curves, Memory memory)
-      : curves_(curves), state_(curves.part_count(), kNew, memory), parts_(memory) {}
-
-  struct Part {
-    Index curve, slot;
-  };
+      : curves_(curves), state_(curves.part_count(), kNew, memory), parts_(memory) {
+    parts_.reserve(curves.size());
+  }
 
   /// The walk from a part of a curve, if it is closed and new.
-  std::span<const Part> walk(Part from) {
+  std::span<const CurvePart> walk(CurvePart from) {
     parts_.clear();
-    Part at = from;
+    CurvePart at = from;
     for (;;) {
-      char& state = state_[curves_.part(at.curve, at.slot)];
+      char& state = state_[curves_.part(at)];
       if (state == kDone || state == kInner) return leave(kInner);
       if (state == kOpen) break;
       state = kOpen;
@@ -37,20 +34,20 @@ class OuterWalks {
     }
     // A walk may start on a curve that runs along another one: then it comes back to a later part.
     auto start = std::find_if(parts_.begin(), parts_.end(),
-                              [&](const Part& p) { return p.curve == at.curve && p.slot == at.slot; });
+                              [&](const CurvePart& p) { return p.curve == at.curve && p.slot == at.slot; });
     leave(kDone);
     return std::span(start, parts_.end());
   }
 
-  bool is_new(Index curve, Index slot) const { return state_[curves_.part(curve, slot)] == kNew; }
+  bool is_new(CurvePart p) const { return state_[curves_.part(p)] == kNew; }
 
  private:
   enum State : char { kNew, kOpen, kInner, kDone };
 
   /// To the part before; false where the walk would pass an inner side.
-  bool advance(Part& at) const {
-    if (Index knot = curves_.knot_before(at.curve, at.slot); knot != kNone) {
-      const Arm& arm = curves_.clockwise(knot, at.curve, at.slot);
+  bool advance(CurvePart& at) const {
+    if (Index knot = curves_.knot_before(at); knot != kNone) {
+      const Arm& arm = curves_.knots().clockwise(knot, at.curve, at.slot);
       if (arm.starts) return false;
       at = {arm.curve, arm.slot};
       return true;
@@ -67,27 +64,29 @@ class OuterWalks {
     return true;
   }
 
-  std::span<const Part> leave(State state) {
-    for (const Part& p : parts_) state_[curves_.part(p.curve, p.slot)] = state;
+  std::span<const CurvePart> leave(State state) {
+    for (const CurvePart& p : parts_) state_[curves_.part(p)] = state;
     return {};
   }
 
   const MeetingCurves& curves_;
   std::pmr::vector<char> state_;
-  std::pmr::vector<Part> parts_;
+  std::pmr::vector<CurvePart> parts_;
 };
 
 class TransversalSum {
  public:
   TransversalSum(ReducedConvolution& c, const InsideTest& inside, Memory memory)
-      : c_(c), inside_(inside), curves_(c, memory), rings_(memory), starts_(memory), memory_(memory) {}
+      : c_(c),
+        inside_(inside),
+        curves_(c, memory),
+        rings_(memory),
+        starts_(memory),
+        passed_(curves_.knots().count(), 0, memory),
+        memory_(memory) {}
 
   std::optional<SignMap> run() {
-    std::size_t known = c_.geometry.points.size();
-    if (!curves_.cross_all() || !find_rings()) {
-      c_.geometry.points.resize(known);
-      return std::nullopt;
-    }
+    if (!find_rings() || has_slot() || has_lonely_point()) return std::nullopt;
     return ring_map(std::move(c_.geometry), rings_, rings_of_one_face(starts_));
   }
 
@@ -100,12 +99,10 @@ class TransversalSum {
     if (outer.empty() || !add_ring(outer)) return false;
     for (Index i = 0; i < curves_.size(); ++i)
       for (Index k = 0; k <= curves_.stop_count(i); ++k) {
-        if (!walks.is_new(i, k)) continue;
+        if (!walks.is_new({i, k})) continue;
         auto walk = walks.walk({i, k});
         if (!walk.empty() && !is_inside(walk.front()) && !add_ring(walk)) return false;
       }
-    for (Index k = 0; k < curves_.knot_count(); ++k)
-      if (passed_[k] == 0 && curves_.could_hide_point(k)) return false;
     return true;
   }
 
@@ -124,22 +121,34 @@ class TransversalSum {
     return best;
   }
 
-  /// Whether the face beside a walk is in the sum all the same: as its parts are, displaced.
-  bool is_inside(OuterWalks::Part p) {
-    Index from = p.slot == 0 ? curves_.start(p.curve) : curves_.stop(p.curve, p.slot - 1).point;
-    Index to = p.slot == curves_.stop_count(p.curve) ? curves_.end(p.curve) : curves_.stop(p.curve, p.slot).point;
-    return inside_(c_.geometry, point_between(c_.geometry, curves_.carrier(p.curve), from, to));
+  /// Is a part of a curve in the sum? If the face on its outer side is, or both its sides are inner sides, it may be.
+  bool is_inside(CurvePart p) {
+    return inside_(c_.geometry, point_between(c_.geometry, curves_.carrier(p.curve), curves_.start(p), curves_.end(p)));
+  }
+
+  /// Between two curves with opposite inner sides.
+  bool has_slot() {
+    const auto parts = curves_.parts_with_two_inner_sides();
+    return std::any_of(parts.begin(), parts.end(), [&](CurvePart p) { return !is_inside(p); });
+  }
+
+  /// With nothing but the sum all round.
+  bool has_lonely_point() {
+    const Knots& knots = curves_.knots();
+    for (Index k = 0; k < knots.count(); ++k)
+      if (passed_[k] == 0 && knots.is_surrounded(k) && !inside_(c_.geometry, knots.point(k))) return true;
+    return false;
   }
 
   /// False where the ring passes a knot that a ring has passed before.
-  bool add_ring(std::span<const OuterWalks::Part> walk) {
+  bool add_ring(std::span<const CurvePart> walk) {
     starts_.push_back(Index(rings_.size()));
+    if (rings_.empty()) rings_.reserve(walk.size());
     for (std::size_t k = walk.size(); k-- > 0;) {
-      OuterWalks::Part p = walk[k], before = walk[k + 1 == walk.size() ? 0 : k + 1];
-      if (Index knot = curves_.knot_before(p.curve, p.slot); knot != kNone && passed_[knot]++ > 0) return false;
+      CurvePart p = walk[k], before = walk[k + 1 == walk.size() ? 0 : k + 1];
+      if (Index knot = curves_.knot_before(p); knot != kNone && passed_[knot]++ > 0) return false;
       if (straight(before.curve, p.curve)) continue;
-      Index point = p.slot == 0 ? curves_.start(p.curve) : curves_.stop(p.curve, p.slot - 1).point;
-      rings_.push_back({point, curves_.carrier(p.curve), curves_.right(p.curve)});
+      rings_.push_back({curves_.start(p), curves_.carrier(p.curve), curves_.right(p.curve)});
     }
     return true;
   }
@@ -154,7 +163,7 @@ class TransversalSum {
   MeetingCurves curves_;
   std::pmr::vector<RingEdge> rings_;
   std::pmr::vector<Index> starts_;
-  std::array<int, kMostKnots> passed_{};  // knot -> times a ring passed it
+  std::pmr::vector<int> passed_;  // knot -> times a ring passed it
   Memory memory_;
 };
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <optional>
 
 #include "plane/curve_meetings.h"
 #include "plane/parallel.h"
@@ -32,9 +31,10 @@ RoughPoint unit(const Turn& t) { return {t.cos.to_double(), t.sin.to_double()}; 
 
 }  // namespace
 
-TurnedFree::TurnedFree(const Pair& pair, Keep keep)
+TurnedFree::TurnedFree(const Pair& pair, Keep keep, std::optional<FreeWay> way)
     : pair_(pair),
       keep_(keep),
+      way_(std::move(way)),
       curves_(contact_features(pair.turning, pair.about, is_in),
               contact_features(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out)),
       turning_(pair.turning, pair.about, is_in),
@@ -62,7 +62,7 @@ class TurnedFree::Look {
   struct Candidate {
     RoughPoint at;
     double distance, off;       // off: how far `at` may be off
-    std::size_t first, second;  // of curves_; equal for a foot, kNone for the origin
+    std::size_t first, second;  // of curves_; equal for a foot, kNone for the origin and for the way
   };
 
   static TurnedContact::Pair contact_pair(const Pair& p) { return {p.turning, p.around_fixed, p.about, p.to}; }
@@ -78,6 +78,10 @@ class TurnedFree::Look {
     add({RoughPoint(), 0}, kNone, kNone);
     for (std::size_t i = 0; i < rough_.size(); ++i) {
       if (!far_ && rough_[i].least() > rough_level_ + f_.room_) continue;
+      if (f_.way_) {
+        add_crossings(i, f_.way_->rough(angle, 1));
+        continue;
+      }
       add_feet(i);
       for (std::size_t k = i + 1; k < rough_.size(); ++k) {
         if (!far_ && rough_[k].least() > rough_level_ + f_.room_) continue;
@@ -136,11 +140,22 @@ class TurnedFree::Look {
     }
   }
 
+  void add_crossings(std::size_t i, const RoughCurve& way) {
+    for (const RoughMeeting& m : rough_meetings(rough_[i], way, kError * f_.room_)) {
+      const double room = f_.room_ + m.off;
+      const bool ahead = way.p != RoughPoint() || m.at.real() * way.q.real() + m.at.imag() * way.q.imag() >= -room;
+      if (ahead && rough_[i].holds(m.at, room)) add(m, i, kNone);
+    }
+  }
+
   bool surely_not_free(const Candidate& c) const {
+    if (f_.keep_ == Keep::kNotWithin) return false;
     return surely_meets(*here_, f_.open_, c.at, f_.keep_ == Keep::kApart, f_.room_ + c.off);
   }
 
   bool is_free(const RealVector& s) {
+    if (f_.keep_ == Keep::kNotWithin)
+      return (contact_.marks_met(turn_, kZero | kPositive, s) & (kZero | kPositive)) != 0;
     if (f_.keep_ == Keep::kInside) return (contact_.marks_met(turn_, kPositive, s) & kPositive) == 0;
     if ((contact_.marks_met(turn_, kNegative, s) & kNegative) != 0) return false;
     return (back_->marks_met(-turn_, kNegative, -((-turn_)(s))) & kNegative) == 0;
@@ -167,10 +182,14 @@ class TurnedFree::Look {
     if (c.first == c.second) return foot(c);
     std::optional<RealVector> best;
     double least = 0;
-    for (RealVector& s :
-         exact_meetings(f_.curves_.exact(pairs_[c.first], turn_), f_.curves_.exact(pairs_[c.second], turn_))) {
+    const ExactCurve other = c.second == kNone ? f_.way_->exact(turn_) : f_.curves_.exact(pairs_[c.second], turn_);
+    for (RealVector& s : exact_meetings(f_.curves_.exact(pairs_[c.first], turn_), other)) {
       const double off = std::abs(RoughPoint(rough(s.x), rough(s.y)) - c.at);
       if (!best || off < least) best = std::move(s), least = off;
+    }
+    if (best && f_.way_ && !f_.way_->both_ways) {
+      const RealVector& u = f_.way_->along;
+      if (plane::dot(f_.way_->turns ? turn_(u) : u, *best).sign() < 0) return std::nullopt;
     }
     return best;
   }
@@ -221,7 +240,8 @@ class TurnedFree::Look {
 };
 
 TurnMap TurnedFree::turn_map(const Real& level, bool far) const {
-  const FreeQuestion question{curves_, turning_, open_, keep_ == Keep::kApart, level, far, room_};
+  const FreeQuestion question{curves_, turning_, open_, keep_ == Keep::kApart,
+                              level,   far,      room_, way_ ? &*way_ : nullptr};
   const std::vector<FreeEvent> events = free_events(question);
   if (events.empty()) return TurnMap::uniform(Look(*this, level, far).sign(Turn{}));
   const std::size_t n = events.size();

@@ -5,7 +5,9 @@
 // int B), or out of all that is not A. With
 //     F = { s : B turned by the angle and moved by s keeps out },
 // closed, these are the signs of  min |s| - level  and  max |s| - level  over s in F; + where F is empty. -(the least)
-// is the depth of an overlap, how far B sticks out of a container; the greatest is that of an inner touching.
+// is the depth of an overlap, how far B sticks out of a container; the greatest is that of an inner touching. F may
+// also be the s at which B does not lie in int A (the least is then the margin), and s be held to a way: a line through
+// the origin or half of one.
 //
 // Method: F's points nearest to and farthest from the origin are feet on contact curves (contact_curves.h) or points
 // where two of them meet. The signs can change only where such a point is exactly `level` away, or where a part of F
@@ -17,6 +19,8 @@
 // rotational penetration depth.
 #pragma once
 
+#include <optional>
+
 #include "plane/turn_map.h"
 #include "plane/turned_contact.h"
 #include "plane/turned_free_events.h"
@@ -25,7 +29,7 @@ namespace findspace::plane {
 
 class TurnedFree {
  public:
-  enum class Keep { kApart, kInside };
+  enum class Keep { kApart, kInside, kNotWithin };
   /// B = { to + turned(b - about) + s }, closed and bounded; A closed.
   struct Pair {
     const Region& turning;
@@ -35,7 +39,7 @@ class TurnedFree {
     const SignMap& around_fixed;
     const SignMap& around_turning;
   };
-  TurnedFree(const Pair& pair, Keep keep);
+  TurnedFree(const Pair& pair, Keep keep, std::optional<FreeWay> way = std::nullopt);
 
   TurnMap nearest(const exact::Real& level) const { return turn_map(level, false); }
   TurnMap farthest(const exact::Real& level) const { return turn_map(level, true); }
@@ -46,6 +50,7 @@ class TurnedFree {
 
   Pair pair_;
   Keep keep_;
+  std::optional<FreeWay> way_;
   ContactCurves curves_;
   RoughSet turning_, open_;
   double room_;

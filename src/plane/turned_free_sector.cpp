@@ -20,13 +20,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kFew = 14;
-constexpr double kSlack = 1e-9, kNormals = 1e-6;  // no sign: of sectors and of normals; angles too many do no harm
-constexpr double kNarrow = 0.01;                  // no sign: radians, sectors are not halved below
-constexpr double kWide = 1e-4;                    // no sign: of places; in wider ones nothing is filtered
+constexpr double kNormals = 1e-6;  // no sign: of normals; angles too many do no harm
+constexpr double kNarrow = 0.01;   // no sign: radians, sectors are not halved below
+constexpr double kWide = 1e-4;     // no sign: of places; in wider ones nothing is filtered
 
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-
-Real times_length(const Real& r, const RealVector& n) { return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n)); }
 
 }  // namespace
 
@@ -55,10 +53,14 @@ void FreeSector::run(std::vector<ContactPair> pairs) {
   spots_ = MeetingSpots(q_, pairs_, middle_, half_);
   const std::size_t n = pairs_.size();
   for (std::size_t i = 0; i < n; ++i) {
-    single(i);
+    q_.way ? single_on_way(i) : single(i);
     for (std::size_t k = i + 1; k < n; ++k) {
       touching(i, k);
       if (!spots_.may_meet(i, k)) continue;
+      if (q_.way) {
+        corner_on_way(i, k);
+        continue;
+      }
       if (spots_.may_meet_at_level(i, k)) corner(i, k);
       for (std::size_t m = k + 1; m < n; ++m)
         if (spots_.may_meet(i, k, m)) meeting(i, k, m);
@@ -81,22 +83,7 @@ bool FreeSector::possible(double angle, RoughPoint s, double room) const {
 }
 
 bool FreeSector::in_sector(double angle) const {
-  return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + kSlack;
-}
-
-/// The turns of the equation in the sector that `witness(angle)` admits.
-template <class Witness>
-void FreeSector::solve(const Equation& e, Witness witness) {
-  const double a = rough(e.a), b = rough(e.b), c = rough(e.c), norm = std::hypot(a, b);
-  if (norm == 0 || std::abs(c) > norm * (1 + kSlack)) return;
-  const double spread = std::acos(std::clamp(c / norm, -1.0, 1.0)), to = std::atan2(b, a);
-  bool wanted = false;
-  for (double angle : {to - spread, to + spread}) {
-    const double here = e.back ? -angle : angle;
-    wanted |= in_sector(here) && witness(here);
-  }
-  if (!wanted) return;
-  for (const Turn& t : turns_where(e.a, e.b, e.c)) add(e.back ? -t : t);
+  return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + kSectorSlack;
 }
 
 void FreeSector::add(Turn t) {
@@ -223,18 +210,9 @@ const ExactSectorCurve& FreeSector::exact_form(std::size_t i, int quarters) {
   return *form;
 }
 
-/// The exact roots in a place of those that a rounded polynomial may have.
-template <class Make>
-void FreeSector::add_roots(const RootPlace& place, Make polynomial) {
-  const double from = middle_ + 2 * std::atan(place.u - place.room) - kSlack,
-               to = middle_ + 2 * std::atan(place.u + place.room) + kSlack;
-  const int quarters = int(std::lround(from / (kPi / 2)));
-  for (Turn& t : polynomial(quarters).turns_between(from, to, quarters)) add(std::move(t));
-}
-
 /// Two curves that meet exactly the level away.
 void FreeSector::corner(std::size_t i, std::size_t k) {
-  const double span = std::tan(half_ / 2) * (1 + kSlack),
+  const double span = std::tan(half_ / 2) * (1 + kSectorSlack),
                reach = 4 * std::max(spots_.travel(i), spots_.travel(k)) / half_;
   const auto polynomial = [&](int quarters) {
     const auto [f, g] = corner_lines(exact_form(i, quarters), exact_form(k, quarters), q_.level);
@@ -256,7 +234,7 @@ void FreeSector::corner(std::size_t i, std::size_t k) {
 
 /// Three curves that meet in one point, B being held there.
 void FreeSector::meeting(std::size_t i, std::size_t k, std::size_t m) {
-  const double span = std::tan(half_ / 2) * (1 + kSlack),
+  const double span = std::tan(half_ / 2) * (1 + kSectorSlack),
                reach = 4 * std::max({spots_.travel(i), spots_.travel(k), spots_.travel(m)}) / half_;
   const auto polynomial = [&](int quarters) {
     const auto all = ordered(exact_form(i, quarters), exact_form(k, quarters), exact_form(m, quarters));

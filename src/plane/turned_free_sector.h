@@ -5,6 +5,9 @@
 // many.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -12,6 +15,8 @@
 #include "plane/turned_free_events.h"
 
 namespace findspace::plane {
+
+inline constexpr double kSectorSlack = 1e-9;  // no sign: of sectors; angles too many do no harm
 
 class FreeSector {
  public:
@@ -49,6 +54,13 @@ class FreeSector {
   void corner(std::size_t i, std::size_t k);
   void meeting(std::size_t i, std::size_t k, std::size_t m);
 
+  // On a way only: turned_free_way.cpp.
+  void single_on_way(std::size_t i);
+  void touching_way(std::size_t i);
+  void corner_on_way(std::size_t i, std::size_t k);
+  Equation passing(const ContactPair& k, const RealVector& s) const;
+  bool meet_on_way(std::size_t i, std::size_t k, double angle, double room) const;
+
   const ExactSectorCurve& exact_form(std::size_t i, int quarters);
   template <class Make>
   void add_roots(const RootPlace& place, Make polynomial);
@@ -61,5 +73,29 @@ class FreeSector {
   std::vector<std::optional<ExactSectorCurve>> exact_forms_;  // by quarters and curve, where they were needed
   MeetingSpots spots_;
 };
+
+/// The turns of the equation in the sector that `witness(angle)` admits.
+template <class Witness>
+void FreeSector::solve(const Equation& e, Witness witness) {
+  const double a = rough(e.a), b = rough(e.b), c = rough(e.c), norm = std::hypot(a, b);
+  if (norm == 0 || std::abs(c) > norm * (1 + kSectorSlack)) return;
+  const double spread = std::acos(std::clamp(c / norm, -1.0, 1.0)), to = std::atan2(b, a);
+  bool wanted = false;
+  for (double angle : {to - spread, to + spread}) {
+    const double here = e.back ? -angle : angle;
+    wanted |= in_sector(here) && witness(here);
+  }
+  if (!wanted) return;
+  for (const exact::Turn& t : turns_where(e.a, e.b, e.c)) add(e.back ? -t : t);
+}
+
+/// The exact roots in a place of those that a rounded polynomial may have.
+template <class Make>
+void FreeSector::add_roots(const RootPlace& place, Make polynomial) {
+  const double from = middle_ + 2 * std::atan(place.u - place.room) - kSectorSlack,
+               to = middle_ + 2 * std::atan(place.u + place.room) + kSectorSlack;
+  const int quarters = int(std::lround(from / (std::numbers::pi / 2)));
+  for (exact::Turn& t : polynomial(quarters).turns_between(from, to, quarters)) add(std::move(t));
+}
 
 }  // namespace findspace::plane

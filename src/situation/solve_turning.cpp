@@ -147,10 +147,7 @@ TurnMap TurnSolver::directional_map(const Distance& wanted, const Real& level) c
   const Which base = base_of(which, farthest);
   if (level.sign() == 0 && !farthest) return turned(d, about_, to).pair.sign_map(base, level);
   const plane::Region b = solver_.shape(d.first), a = solver_.shape(d.second);
-  if (auto map = distance::turned_directional({b, a, about_, to}, which, track(d), level)) return *std::move(map);
-  refuse(wanted,
-         "of distances along a direction, computed over all angles are gamma1 from 0 up, eta1 up to 0, gamma2, and "
-         "delta1 at 0");
+  return distance::turned_directional({b, a, about_, to}, which, track(d), level);
 }
 
 TurnMap TurnSolver::sign_map(const SignMap& wanted) const {

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "space/mesh_orientation.h"
 #include "space/triangulate.h"
 
 namespace findspace::space {
@@ -139,57 +139,6 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
   return split > 0;
 }
 
-/// Turns the faces reached from `seed` over edges of two faces so that neighbours agree; returns them all.
-std::vector<int> turn_piece(Mesh& mesh, const std::map<Edge, std::vector<int>>& faces_at, int seed,
-                            std::vector<char>& done) {
-  std::vector<int> piece{seed};
-  done[seed] = 1;
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    const int f = piece[i];
-    each_edge(std::vector<int>(mesh.faces[f]), [&](int a, int b) {
-      const auto& two = faces_at.at(undirected(a, b));
-      const int g = two[0] == f ? two.back() : two[0];
-      if (two.size() != 2 || done[g]) return;
-      bool same = false;
-      each_edge(mesh.faces[g], [&](int c, int d) { same = same || (a == c && b == d); });
-      if (same) std::reverse(mesh.faces[g].begin(), mesh.faces[g].end());
-      done[g] = 1;
-      piece.push_back(g);
-    });
-  }
-  return piece;
-}
-
-/// Turns faces so that neighbours agree, and each piece outward. Where they agree already only the whole is turned, so
-/// that cavities stay cavities.
-void orient(Mesh& mesh, std::vector<std::string>& notes) {
-  const auto counts = edge_counts(mesh);
-  const bool agree = std::all_of(counts.begin(), counts.end(), [](const auto& c) { return c.second.first == 0; });
-  std::map<Edge, std::vector<int>> faces_at;
-  for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
-    each_edge(mesh.faces[f], [&](int a, int b) { faces_at[undirected(a, b)].push_back(f); });
-  }
-  const std::vector<std::vector<int>> stated = mesh.faces;
-  const auto turn_outward = [&](const std::vector<int>& piece) {
-    Mesh part{mesh.vertices, {}};
-    for (const int f : piece) part.faces.push_back(mesh.faces[f]);
-    if (six_volumes(part).sign() >= 0) return;
-    for (const int f : piece) std::reverse(mesh.faces[f].begin(), mesh.faces[f].end());
-  };
-  std::vector<int> all(mesh.faces.size());
-  std::iota(all.begin(), all.end(), 0);
-  if (agree) turn_outward(all);
-  std::vector<char> done(mesh.faces.size(), agree);
-  for (const int seed : all) {
-    if (!done[seed]) turn_outward(turn_piece(mesh, faces_at, seed, done));
-  }
-  int turned = 0;
-  for (const int f : all) turned += mesh.faces[f] != stated[f];
-  if (turned > 0) {
-    notes.push_back(fmt::format("{} face{} turned to point outward", turned, turned == 1 ? " was" : "s were"));
-  }
-}
-
 void check_closed(const Mesh& mesh, double step) {
   constexpr int kListed = 6;
   std::string list;
@@ -253,7 +202,7 @@ std::vector<std::string> clean(Mesh& mesh, double step) {
   drop_empty_faces(mesh, notes);
   flatten(mesh, notes);
   split_edges(mesh, notes);
-  orient(mesh, notes);
+  orient(mesh, step, notes);
   check_closed(mesh, step);
   if (six_volumes(mesh).sign() <= 0) throw Error(ErrorCode::kGeometry, "the mesh encloses no volume");
   return notes;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Sets of many islands, with holes, islands in holes, points, chains, discs and walls that touch: what is near a window
-// is the set itself there, and a sound complex.
+// is the set itself there, and a sound complex. So are sets written side by side.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -10,12 +10,13 @@
 #include "../unit/plane_topology_sets.h"
 #include "plane/extent.h"
 #include "plane/islands.h"
+#include "plane/side_by_side.h"
 #include "plane_invariants.h"
 
 namespace findspace::plane {
 namespace {
 
-Region random_set(std::mt19937& random) {
+std::vector<Region> random_parts(std::mt19937& random) {
   const auto pick = [&](int n) { return static_cast<std::int64_t>(random() % static_cast<unsigned>(n)); };
   std::vector<Region> parts;
   for (int k = 0; k < 14; ++k) {
@@ -38,9 +39,49 @@ Region random_set(std::mt19937& random) {
         parts.push_back(segment({x, y}, {x + w, y + 5}) + segment({x + w, y + 5}, {x + w, y + 20}));
     }
   }
+  return parts;
+}
+
+std::vector<const Region*> pointers(const std::vector<Region>& parts) {
   std::vector<const Region*> all;
   for (const Region& p : parts) all.push_back(&p);
-  return unite(all);
+  return all;
+}
+
+Region random_set(std::mt19937& random) {
+  const std::vector<Region> parts = random_parts(random);
+  return unite(pointers(parts));
+}
+
+TEST(SideBySide, IsTheUnion) {
+  std::mt19937 random(11);
+  std::size_t several = 0, together = 0;
+  for (int k = 0; k < 150; ++k) {
+    const std::vector<Region> parts = random_parts(random);
+    const std::vector<const Region*> all = pointers(parts);
+    std::vector<Region> united;
+    for (const std::vector<Index>& group : groups_apart(all)) {
+      std::vector<const Region*> members;
+      for (const Index i : group) members.push_back(all[i]);
+      united.push_back(unite(members));
+      together += group.size() > 1;
+    }
+    several += united.size() > 1;
+    const Region joined = side_by_side(pointers(united)), whole = unite(all);
+    EXPECT_EQ(fault(joined), "");
+    EXPECT_TRUE(same_set(joined, whole)) << k;
+    EXPECT_EQ(joined.edges.size(), whole.edges.size());
+    EXPECT_EQ(joined.vertices.size(), whole.vertices.size());
+  }
+  EXPECT_GT(several, 100u);
+  EXPECT_GT(together, 100u);
+}
+
+TEST(SideBySide, WhatIsNotBoundedIsTogetherWithAll) {
+  const std::vector<Region> parts{box(0, 0, 10, 10), complement(box(-50, -50, 50, 50)), box(20, 20, 30, 30)};
+  EXPECT_EQ(groups_apart(pointers(parts)).size(), 1u);
+  const std::vector<Region> empty{box(0, 0, 10, 10), Region::uniform(0)};
+  EXPECT_EQ(groups_apart(pointers(empty)).size(), 1u);
 }
 
 TEST(Islands, NearIsTheSetThere) {

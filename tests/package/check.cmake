@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
 #
-# Installs BUILD into a folder of its own, then configures, builds and runs a project that finds it there.
+# Installs BUILD into a folder of its own, then configures, builds and runs a project that finds it there; and configures
+# one that has the sources as a folder.
 set(place ${BUILD}/package)
 file(REMOVE_RECURSE ${place})
 function(run)
@@ -12,3 +13,5 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${place}/build -DCMAKE_PREF
     -DSNIPPET=${BUILD}/tests/readme_snippet.cpp)
 run(${CMAKE_COMMAND} --build ${place}/build)
 run(${place}/build/uses_findspace)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${place}/folder -DSOURCE=${CMAKE_CURRENT_LIST_DIR}/../..
+    -DSNIPPET=${BUILD}/tests/readme_snippet.cpp)

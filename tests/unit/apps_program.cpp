@@ -11,7 +11,10 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -222,6 +225,27 @@ TEST_F(Program, FullDiskIsNotSilent) {
   Result r = run("map scene.json --json -o /dev/full");
   EXPECT_EQ(r.status, 2);  // no ending
   EXPECT_NE(run("map scene.json --json > /dev/full; exit $? #").status, 0);
+}
+
+/// A picture at an instant is that of the shapes where they are then.
+TEST_F(Program, PictureAtAnInstant) {
+  const std::string rest = R"json(, "moving": "B", "where": "clear(B, A)")json";
+  const std::string moving = R"({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [4, 2]}},
+    "B": {"box": {"min": [-1, -1], "max": [1, 1]}}}, "motion": {"time": [0, 2],
+    "A": {"path": [[0, 0], [6, 2]], "angles": [0, 180]}, "B": {"path": [[0, 0], [0, 4]]}})";
+  const std::string there = R"({"findspace": 1, "shapes": {"A": {"box": {"min": [1, 1], "max": [3, 5]}},
+    "B": {"box": {"min": [-1, 1], "max": [1, 3]}}})";  // A turned by 90 degrees and moved by (3, 1), B by (0, 2)
+  run("check scene.json --at 9,1 --time 1 -o moving.svg", moving + rest + "}");
+  run("check scene.json --at 9,1 -o there.svg", there + rest + "}");
+  std::string at_instant = read("moving.svg"), standing = read("there.svg");
+  for (std::size_t at; (at = at_instant.find(", at time 1")) != std::string::npos;) at_instant.erase(at, 11);
+  const auto words = [](std::string text) {  // turning may leave edges in another order, rings another beginning
+    for (char& c : text) c = std::string_view("MLZ\"").find(c) != std::string_view::npos ? ' ' : c;
+    std::istringstream in(text);
+    return std::set<std::string>{std::istream_iterator<std::string>(in), {}};
+  };
+  EXPECT_TRUE(words(standing).contains("463.456"));  // a corner of A
+  EXPECT_EQ(words(at_instant), words(standing));
 }
 
 }  // namespace

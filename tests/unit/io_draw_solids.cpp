@@ -30,13 +30,13 @@ TEST(DrawSlices, OfABall) {
   EXPECT_EQ(grid.nv, 8);
   EXPECT_EQ(grid.axis, 0);
   const space::PieceRays rays({space::ball_piece({}, Real(3))}, 1, grid);
-  const std::string svg = slices_svg(space::all_rows(rays), grid, low, high, 0.5, "a < b", "mm");
+  const std::string svg = slices_svg(space::all_rows(rays), grid, low, high, 0.5, {"a < b", "", "mm", "positions"});
   EXPECT_EQ(count(svg, "class=\"layer\""), 8);
-  EXPECT_EQ(count(svg, "<path fill"), 6);
+  EXPECT_EQ(count(svg, "face strips"), 6);
   EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
   EXPECT_NE(svg.find("z = -0.25 mm"), std::string::npos);
-  const std::size_t last = svg.rfind("<path fill"),
-                    middle = svg.rfind("<path fill", svg.rfind("<path fill", last - 1) - 1);
+  const std::size_t last = svg.rfind("face strips"),
+                    middle = svg.rfind("face strips", svg.rfind("face strips", last - 1) - 1);
   const auto strips = [&](std::size_t from) {
     const std::string path = svg.substr(from, svg.find("/>", from) - from);
     return std::count(path.begin(), path.end(), 'M');
@@ -51,7 +51,7 @@ TEST(DrawSlices, PlacesAreDots) {
   RayGrid grid = slice_grid(low, high, 1, 1);
   grid.u = grid.v = 0;
   const space::PieceRays rays({space::ball_piece({}, Real())}, 1, grid);
-  EXPECT_EQ(count(slices_svg(space::all_rows(rays), grid, low, high, 1, "", ""), "stroke-width=\"3\""), 1);
+  EXPECT_EQ(count(slices_svg(space::all_rows(rays), grid, low, high, 1, {}), "free dots"), 1);
 }
 
 TEST(DrawBodies, OutlinesAndHiddenLines) {

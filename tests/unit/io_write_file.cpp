@@ -29,33 +29,48 @@ class WriteFile : public testing::Test {
 };
 
 TEST_F(WriteFile, WritesAndReplaces) {
-  write_file(folder_ / "a", "first");
-  write_file(folder_ / "a", std::string_view("second\0", 7));
+  write_files({{folder_ / "a", "first"}});
+  write_files({{folder_ / "a", std::string("second\0", 7)}});
   EXPECT_EQ(read(folder_ / "a").size(), 7u);
-  write_file(folder_ / "a", "");
+  write_files({{folder_ / "a", ""}});
   EXPECT_EQ(read(folder_ / "a"), "");
   EXPECT_EQ(entries(), 1u);
 }
 
 TEST_F(WriteFile, MissingFolderAndFolderAsTarget) {
-  EXPECT_THROW(write_file(folder_ / "none" / "a", "x"), Error);
+  EXPECT_THROW(write_files({{folder_ / "none" / "a", "x"}}), Error);
   fs::create_directory(folder_ / "b");
-  EXPECT_THROW(write_file(folder_ / "b", "x"), Error);
+  EXPECT_THROW(write_files({{folder_ / "b", "x"}}), Error);
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(WriteFile, AllOrNone) {
+  write_files({{folder_ / "a", "old"}});
+  const std::vector<FileText> last_fails[] = {
+      {{folder_ / "a", "new"}, {folder_ / "c", "new"}, {folder_ / "none" / "b", "x"}},
+      {{folder_ / "a", "new"}, {folder_ / "c", "new"}, {folder_, "x"}},
+      {{folder_ / "a", "new"}, {folder_ / "c", "new"}, {"/dev/full", "x"}}};
+  for (const auto& files : last_fails) {
+    EXPECT_THROW(write_files(files), Error);
+    EXPECT_EQ(read(folder_ / "a"), "old");
+    EXPECT_EQ(entries(), 1u);
+  }
+  write_files({{folder_ / "a", "new"}, {folder_ / "c", "too"}});
+  EXPECT_EQ(read(folder_ / "a") + read(folder_ / "c"), "newtoo");
+}
+
 TEST_F(WriteFile, LinksStayLinks) {
-  write_file(folder_ / "a", "old");
+  write_files({{folder_ / "a", "old"}});
   fs::create_symlink("a", folder_ / "link");
-  write_file(folder_ / "link", "new");
+  write_files({{folder_ / "link", "new"}});
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
   EXPECT_EQ(read(folder_ / "a"), "new");
 }
 
 TEST_F(WriteFile, DevicesAreWrittenTo) {
-  write_file("/dev/null", "x");
+  write_files({{"/dev/null", "x"}});
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  EXPECT_THROW(write_file("/dev/full", "x"), Error);
+  EXPECT_THROW(write_files({{"/dev/full", "x"}}), Error);
 }
 
 }  // namespace

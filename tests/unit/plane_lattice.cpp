@@ -12,6 +12,7 @@
 #include "plane/bitmap.h"
 #include "plane/inner_mask.h"
 #include "plane/lattice_runs.h"
+#include "plane/lattice_sum.h"
 
 namespace findspace::plane {
 namespace {
@@ -143,16 +144,13 @@ std::vector<LatticeRun> random_runs(std::mt19937& rng, int rows, int width) {
   return runs;
 }
 
-TEST(Bitmap, SumOfRunsAndCells) {
+TEST(LatticeSum, IsTheSetOfSums) {
   std::mt19937 rng(3);
   for (int round = 0; round < 40; ++round) {
     auto points = random_runs(rng, 3, 70 + 20 * round), cells = random_runs(rng, 4, 300);
     LatticeBox box = LatticeBox::around(points) + LatticeBox::around(cells);
     Bitmap sums(box);
-    std::int64_t longest = 0;
-    for (const LatticeRun& p : points) longest = std::max(longest, p.last - p.first + 1);
-    RunAdder adder(cells, longest);
-    for (const LatticeRun& p : points) adder.add(p, sums);
+    add_sums(points, cells, sums);
     std::set<Place> expected;
     for (const LatticeRun& p : points)
       for (const LatticeRun& c : cells)
@@ -160,6 +158,27 @@ TEST(Bitmap, SumOfRunsAndCells) {
     for (std::int64_t r = box.row0; r <= box.row1; ++r)
       for (std::int64_t c = box.column0; c <= box.column1; ++c)
         ASSERT_EQ(sums.holds(r, c), expected.count({r, c}) == 1) << round << ": " << r << " " << c;
+  }
+}
+
+TEST(LatticeSum, WithAFilledMiddle) {
+  std::mt19937 rng(6);
+  for (int round = 0; round < 8; ++round) {
+    auto points = random_runs(rng, 50, 100 + 100 * round), cells = random_runs(rng, 40, 500);
+    LatticeBox box = LatticeBox::around(points) + LatticeBox::around(cells);
+    Bitmap sums(box);
+    add_sums(points, cells, sums);
+    const std::int64_t columns = box.column1 - box.column0 + 1;
+    std::vector<char> expected(std::size_t((box.row1 - box.row0 + 1) * columns));
+    for (const LatticeRun& p : points)
+      for (const LatticeRun& c : cells) {
+        auto line = expected.begin() + (p.row + c.row - box.row0) * columns - box.column0;
+        std::fill(line + p.first + c.first, line + p.last + c.last + 1, 1);
+      }
+    for (std::int64_t r = box.row0; r <= box.row1; ++r)
+      for (std::int64_t c = box.column0; c <= box.column1; ++c)
+        ASSERT_EQ(sums.holds(r, c), expected[std::size_t((r - box.row0) * columns + c - box.column0)] == 1)
+            << round << ": " << r << " " << c;
   }
 }
 

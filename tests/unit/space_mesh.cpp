@@ -66,6 +66,43 @@ void expect_exact_parts(Mesh mesh, std::size_t most) {
   }
 }
 
+/// The cube of edge `size` at (x, x, x), added with its faces inward or outward.
+void add_cube(Mesh& m, std::int64_t x, std::int64_t size, bool inward) {
+  Mesh c = cube(size);
+  const int first = static_cast<int>(m.vertices.size());
+  for (const Point& p : c.vertices) m.vertices.push_back({p.x + x, p.y + x, p.z + x});
+  for (auto& face : c.faces) {
+    if (inward) std::reverse(face.begin(), face.end());
+    for (int& v : face) v += first;
+    m.faces.push_back(face);
+  }
+}
+
+TEST(Mesh, TurnsShellsByTheirNesting) {
+  // A cube, a cavity in it, an island in the cavity, and a cube apart.
+  Mesh right;
+  add_cube(right, 0, 9, false);
+  add_cube(right, 2, 5, true);
+  add_cube(right, 3, 2, false);
+  add_cube(right, 20, 3, false);
+  const exact::Real volume(6 * (729 - 125 + 8 + 27));
+  Mesh as_stated = right;
+  EXPECT_TRUE(clean(as_stated, 1).empty());
+  EXPECT_TRUE(six_volumes(as_stated) == volume);
+  const auto turn = [](Mesh& m, std::size_t from, std::size_t to) {
+    for (std::size_t f = from; f < to; ++f) std::reverse(m.faces[f].begin(), m.faces[f].end());
+  };
+  for (const auto& [from, to] : {std::pair{0, 24}, {18, 24}, {0, 18}, {7, 9}, {0, 1}, {1, 5}, {13, 20}}) {
+    Mesh m = right;
+    turn(m, std::size_t(from), std::size_t(to));
+    EXPECT_EQ(clean(m, 1).size(), 1u) << from;
+    EXPECT_TRUE(six_volumes(m) == volume) << from;
+  }
+  Mesh filled = right;
+  turn(filled, 6, 12);  // what would be a cavity points outward
+  EXPECT_THROW(clean(filled, 1), Error);
+}
+
 TEST(Mesh, TurnsFacesOutward) {
   Mesh m = cube(2);
   std::reverse(m.faces[0].begin(), m.faces[0].end());

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Polynomials in variables t_0, t_1, ..., each with a relation t_i^n_i = r_0 + r_1 t_i + ... whose coefficients are
+// polynomials in the variables before it, modulo a prime. Cost: for D coefficients at most some D^2 products of words,
+// fewer where a polynomial has not all variables. Internal to src/exact. Keywords: triangular set, quotient ring.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace findspace::exact::detail {
+
+class ModularTower {
+ public:
+  using Word = std::uint32_t;
+  /// Of the products of powers of the variables, the first one's running fastest; only as many as the last variable
+  /// that occurs needs, none for 0.
+  using Coefficients = std::vector<Word>;
+
+  /// The prime is below 2^31.
+  explicit ModularTower(Word prime) : prime_(prime) {}
+
+  Word prime() const { return prime_; }
+  /// Adds the next variable, given the r_k; returns it.
+  Coefficients add_variable(std::vector<Coefficients> relation);
+
+  Coefficients sum(Coefficients a, const Coefficients& b) const;
+  Coefficients negative(Coefficients a) const;
+  /// With another sign of the variable.
+  Coefficients flipped(Coefficients a, std::size_t variable) const;
+  Coefficients product(std::span<const Word> a, std::span<const Word> b) const;
+
+ private:
+  Coefficients trimmed(Coefficients a) const;
+  Coefficients joined(const std::vector<Coefficients>& blocks, std::size_t block) const;
+  void reduce(std::vector<Coefficients>& blocks, const std::vector<Coefficients>& relation) const;
+
+  Word prime_;
+  std::vector<std::size_t> sizes_{1};  // how many coefficients the first so many variables need
+  std::vector<std::vector<Coefficients>> relations_;
+};
+
+/// The 512 largest primes below 2^31, descending.
+const std::vector<ModularTower::Word>& tower_primes();
+
+}  // namespace findspace::exact::detail

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// For tests of sums of grid polygons: the sum by arranging the whole convolution, cell by cell, to compare with; and
+// sets full of ties, unions of lattice squares.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plane/boundary.h"
+#include "plane/convolution.h"
+#include "plane/overlay.h"
+#include "plane/primitives.h"
+
+namespace findspace::plane {
+
+inline bool in(Mark m) { return m > 0; }
+inline bool out(Mark m) { return m <= 0; }
+
+inline Region ring(const std::vector<GridPoint>& points) {
+  Contour c;
+  for (auto& p : points) c.push_back({.start = p});
+  return region_of_rings(std::array{c});
+}
+
+inline Region united(const std::vector<Region>& parts) {
+  std::vector<const Region*> all;
+  for (auto& r : parts) all.push_back(&r);
+  return unite(all);
+}
+
+inline Region squares(std::mt19937& rng, int cells, int count, std::int64_t side) {
+  std::vector<Region> parts;
+  for (int k = 0; k < count; ++k) {
+    std::int64_t x = side * std::int64_t(rng() % cells), y = side * std::int64_t(rng() % cells);
+    parts.push_back(ring({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}));
+  }
+  return united(parts);
+}
+
+/// The open sum of the faces of A with the given marks and of -B, by arranging the whole convolution; holes bridged.
+inline Region whole_sum(const Region& a, bool (*wanted)(Mark), const Region& b) {
+  ConvolutionBuilder whole(true);
+  std::int32_t base = 0;
+  for (const Part& p : face_parts(a, wanted))
+    for (const Part& q : face_parts(b, in)) {
+      whole.add(bridged(p, 1 << 24), bridged(mirrored(q), 0));
+      base += p.unbounded;
+    }
+  Arrangement arranged = arrange(whole.curves.geometry, whole.curves.pieces);
+  Windings w = windings(arranged, whole.strands, whole.corners, base);
+  Marks m;
+  for (auto k : w.faces) m.faces.push_back(k > 0);
+  for (auto k : w.edges) m.edges.push_back(k > 0);
+  for (auto k : w.vertices) m.vertices.push_back(k != kUnwanted && k > 0);
+  return extract(arranged, m);
+}
+
+inline void expect_same(const SignMap& found, Mark inside, const Region& expected, const std::string& what) {
+  std::array<const CellComplex*, 2> both{&found, &expected};
+  Region difference =
+      overlay(both, [&](std::span<const Mark> marks) { return Mark((marks[0] == inside) != (marks[1] > 0)); });
+  ASSERT_TRUE(difference.faces.size() == 1 && difference.faces[0].mark == 0 && difference.edges.empty() &&
+              difference.vertices.empty())
+      << what;
+}
+
+}  // namespace findspace::plane
