@@ -9,6 +9,7 @@
 #include "io/write_constructive.h"
 #include "io/write_json.h"
 #include "io/write_wkt.h"
+#include "line_choice.h"
 #include "report.h"
 #include "session.h"
 #include "space_commands.h"
@@ -39,6 +40,7 @@ Outcome run_describe(const Options& options, Talk& talk) {
   const Session session(options, talk);
   const std::string name = chosen_shape(session);
   if (session.in_space()) return describe_space(session, name);
+  refuse_lines(options, "for 3D shapes");
   check_outputs(options, {".svg", ".wkt", ".json"});
   const plane::Region region = session.region(name);
   const plane::Summary summary = plane::summarize(region, session.step());

@@ -60,6 +60,28 @@ constexpr VerbEntry kVerbs[] = {
 
 bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
 
+/// Of maps on lines in space.
+void add_lines(CLI::App& command, const VerbEntry& verb, Options& o) {
+  const bool place = is(verb, "place");
+  if (!place && !is(verb, "map") && !is(verb, "describe")) return;
+  auto* resolution = command.add_option(
+      "--resolution", o.resolution,
+      place ? "3D: N x N lines where positions are taken on lines" : "3D: on N x N lines, for solids of any shape");
+  resolution->type_name("N")->check(CLI::Range(1, 16384));
+  if (place) return;
+  command.add_option("--step", o.spacing, "3D: on lines so far apart, instead of --resolution")
+      ->type_name("S")
+      ->excludes(resolution);
+  auto* axes =
+      command.add_flag("--axes", o.axes, "3D: lines along all three axes: certified components, volume of the surface");
+  command.add_option("--axis", o.axis, "3D: the axis that the lines run along; z if left out")
+      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->excludes(axes);
+  command.add_option("--side", o.side, "3D: cells about the lines that lie in the set, or hold all of it")
+      ->check(CLI::IsMember({"inner", "outer"}))
+      ->excludes(axes);
+}
+
 /// What is wrong with a time limit, or nothing. The system's clock takes no more than 1e9.
 std::string seconds(const std::string& text) {
   double value = 0;
@@ -95,23 +117,11 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   }
   if (is(verb, "check") || is(verb, "measure"))
     command.add_option("--time", o.time, "the instant of the motion, a decimal taken exactly")->type_name("T");
-  if (is(verb, "place")) {
-    command.add_option("--resolution", o.resolution, "3D: N x N lines where positions are taken on lines")
-        ->type_name("N")
-        ->check(CLI::Range(1, 16384));
-  }
   if (is(verb, "map")) {
     command.add_option("--apply", o.apply, "an operation on the region")
         ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));
-    command.add_option("--resolution", o.resolution, "3D: the map on N x N lines, for solids of any shape")
-        ->type_name("N")
-        ->check(CLI::Range(1, 16384));
-    auto* axes = command.add_flag("--axes", o.axes,
-                                  "3D: lines along all three axes: certified components, volume of the surface");
-    command.add_option("--side", o.side, "3D: cells about the lines that lie in the region, or hold all of it")
-        ->check(CLI::IsMember({"inner", "outer"}))
-        ->excludes(axes);
   }
+  add_lines(command, verb, o);
   if (is(verb, "map") || is(verb, "describe"))
     command.add_flag("--exact", o.exact, "2D: JSON has the exact cells too, which read back as the same set");
   if (is(verb, "convert")) {

@@ -10,6 +10,7 @@
 #include "io/draw_layout.h"
 #include "io/write_json.h"
 #include "io/write_wkt.h"
+#include "line_choice.h"
 #include "plane/locate.h"
 #include "plane/overlay.h"
 #include "plane/path_region.h"
@@ -214,16 +215,14 @@ Outcome run_map(const Options& options, Talk& talk) {
     const bool line = free == io::Free::Kind::kLine;
     session.require_positions_in_space(line);
     require_question(session);
-    if (line && (options.resolution > 0 || options.axes || !options.side.empty()))
-      throw Error(ErrorCode::kUsage, "--resolution, --axes and --side are for maps of space, not of a line");
-    if (line) return map_space_line(session);
-    if (!options.side.empty() && options.resolution == 0)
-      throw Error(ErrorCode::kUsage, "--side is for maps on lines: it needs --resolution");
-    return options.resolution > 0 ? map_rays(session, options.resolution, options.axes) : map_space(session);
+    if (line) {
+      refuse_lines(options, "for maps of space, not of a line");
+      return map_space_line(session);
+    }
+    const auto lines = asked_lines(session);
+    return lines ? map_rays(session, *lines) : map_space(session);
   }
-  if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for maps of 3D scenes");
-  if (!options.side.empty()) throw Error(ErrorCode::kUsage, "--side is for maps of 3D scenes");
-  if (options.axes) throw Error(ErrorCode::kUsage, "--axes is for maps of 3D scenes");
+  refuse_lines(options, "for maps of 3D scenes");
   const io::Scene& scene = session.scene();
   const bool line = free == io::Free::Kind::kLine, time = free == io::Free::Kind::kTime;
   check_outputs(options,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Maps of 3D scenes on N x N lines along z, for solids of any shape: with --resolution N, or where no exact map is to
+// Maps of 3D scenes on parallel lines, for solids of any shape: with --resolution N, or where no exact map is to
 // be had.
 #include <fmt/format.h>
 
@@ -41,8 +41,8 @@ std::string summary_text(const RaySet& set, const space::RaySummary& summary, do
                                                       : "about",
                            summary.volume * step * step * step, unit.empty() ? "" : " " + unit + "³",
                            summary.components.size(), summary.components.size() == 1 ? "" : "s",
-                           set.axes ? fmt::format("crossing lines ({} certified)", certified)
-                                    : "overlap of neighbouring lines");
+                           set.lines.axes ? fmt::format("crossing lines ({} certified)", certified)
+                                          : "overlap of neighbouring lines");
 }
 
 bool in_region(std::int8_t sign) { return sign <= 0; }
@@ -59,27 +59,27 @@ void keep_intervals(const RaySet& set, const space::RayGrid& grid, int j, const 
   });
 }
 
-Cast cast_lines(const RaySet& set, double step) {
+Cast cast_lines(const RaySet& set, double step, bool written) {
   Cast out;
-  out.grid = space::ray_grid(set.low, set.high, 2, set.resolution);
+  out.grid = set.lines.grid(set.low, set.high);
   space::RaySummarizer summarizer(out.grid);
   io::RayLines lines(out.grid, step);
   space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
   space::each_row(*set.source(out.grid), [&](int j, space::RayRow&& row) {
     summarizer.add(j, row);
-    lines.add(j, row);
+    if (written) lines.add(j, row);
     extreme.add(out.grid, j, row);
     if (set.objective) keep_intervals(set, out.grid, j, row, out.intervals);
   });
   out.summary = summarizer.finish();
   out.extreme = extreme.found();
-  out.lines = lines.text();
+  out.lines = std::move(lines).text();
   return out;
 }
 
-Cast cast_axes(const RaySet& set, double step) {
+Cast cast_axes(const RaySet& set, double step, bool written) {
   Cast out;
-  const space::RayLattice lattice = space::ray_lattice(set.low, set.high, set.resolution);
+  const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
   out.grid = lattice.grid(2);
   io::RayLines lines(out.grid, step);
   space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
@@ -88,14 +88,14 @@ Cast cast_axes(const RaySet& set, double step) {
       lattice, [&](int axis) { return set.source(lattice.grid(axis)); }, in_region,
       [&](const space::RayGrid& grid, const space::RayRow& row) {
         const int j = rows[static_cast<std::size_t>(grid.axis)]++;
-        if (grid.axis == 2) lines.add(j, row);
+        if (written && grid.axis == 2) lines.add(j, row);
         extreme.add(grid, j, row);
         if (set.objective) keep_intervals(set, grid, j, row, out.intervals);
       });
   out.summary = std::move(axes.summary);
   out.extreme = extreme.found();
   out.surface = std::move(axes.surface);
-  out.lines = lines.text();
+  out.lines = std::move(lines).text();
   return out;
 }
 
@@ -135,6 +135,17 @@ situation::RayWorld ray_world(const Session& session) {
   return world;
 }
 
+exact::Real cell_radius(const RaySet& set) {
+  const space::RayGrid grid = set.lines.grid(set.low, set.high);
+  const double half = std::hypot(static_cast<double>(grid.du), static_cast<double>(grid.dv)) / 2;
+  return exact::Real::from_double(half * (1 + 0x1p-40)) / exact::Real(grid.parts);
+}
+
+void take_side(const Session& session, RaySet& set) {
+  const std::string& side = session.options().side;
+  if (!side.empty()) set.side = side == "inner" ? situation::Side::kInner : situation::Side::kOuter;
+}
+
 Outcome rays_outcome(const Session& session, const RaySet& set) {
   const Options& options = session.options();
   std::vector<std::string> formats{".json"};
@@ -144,36 +155,43 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply needs an exact map, not one on rays");
   const double step = session.step().to_double();
   session.talk().stage("casting rays");
-  Cast cast = set.axes ? cast_axes(set, step) : cast_lines(set, step);
+  const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
+                                                   [](const auto& file) { return file.extension() == ".json"; });
+  Cast cast = set.lines.axes ? cast_axes(set, step, written) : cast_lines(set, step, written);
   if (set.objective) session.talk().stage("looking for the best place");
   const auto optimum = set.objective ? best_of(set, cast, step)
                        : set.aim     ? std::optional(optimum_of(set, cast, step))
                                      : set.least;
-  const auto json = [&] {
-    const std::string unit = session.unit();
-    return io::rays_json(cast.summary, cast.grid, step,
-                         {unit, cast.lines, set.axes, set.unbounded, situation::name(set.on_lines),
-                          situation::name(set.side), set.somewhere, optimum});
-  };
+  const std::string unit = session.unit();
+  const io::RaysText text_of{unit,
+                             &cast.lines,
+                             set.lines.axes,
+                             set.unbounded,
+                             situation::name(set.on_lines),
+                             situation::name(set.side),
+                             set.somewhere,
+                             optimum};
+  const auto json = [&](const io::Sink& sink) { io::rays_json(cast.summary, cast.grid, step, text_of, sink); };
   const auto surface = [&] {
-    if (set.axes) return io::ray_surface_mesh(cast.surface, step);
-    const space::RayLattice lattice = space::ray_lattice(set.low, set.high, set.resolution);
+    if (set.lines.axes) return io::ray_surface_mesh(cast.surface, step);
+    const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
     return io::ray_surface_mesh(space::ray_surface(
                                     lattice, [&](int axis) { return set.source(lattice.grid(axis)); }, in_region),
                                 step);
   };
   session.talk().stage("writing");
-  Writers writers{{".json", json}};
+  Writers writers;
   for (const char* ending : io::kSurfaceEndings)
     writers.emplace(ending, [=] { return io::surface_text(surface(), set.title, ending, session.unit()); });
   writers[".svg"] = [&] {
     const auto [low, high] = shown_box(set, cast.summary);
-    const space::RayGrid slices = io::slice_grid(low, high, kLayers, set.resolution);
-    const io::SlicesText text{set.title, set.subtitle, session.unit(), set.meaning};
-    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, text);
+    const space::RayGrid slices = io::slice_grid(low, high, kLayers, std::max(cast.grid.nu, cast.grid.nv));
+    const io::SlicesText layers{set.title, set.subtitle, session.unit(), set.meaning};
+    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, layers);
   };
-  write_outputs(options, writers);
-  std::string text = options.json ? json() : summary_text(set, cast.summary, step, session.unit());
+  write_outputs(options, writers, {{".json", json}});
+  std::string text = options.json ? io::rays_json(cast.summary, cast.grid, step, text_of)
+                                  : summary_text(set, cast.summary, step, session.unit());
   if (!options.json && optimum && optimum->value) text += optimum_text(*optimum, set.aim || set.objective);
   const bool proven_empty = set.side == situation::Side::kOuter && cast.summary.empty && !set.unbounded;
   return {std::move(text), proven_empty ? kEmpty : kDone};
@@ -183,10 +201,7 @@ namespace {
 
 /// The formula whose places on the lines have cells on that side of the region.
 situation::Formula for_cells(const RaySet& set, const situation::Formula& formula, const exact::Real& step) {
-  const space::RayGrid grid = space::ray_grid(set.low, set.high, 2, set.resolution);
-  const double half = std::hypot(static_cast<double>(grid.du), static_cast<double>(grid.dv)) / 2;
-  // Rounded up: the farthest place of a cell from its line.
-  const exact::Real radius = exact::Real::from_double(half * (1 + 0x1p-40)) / exact::Real(grid.parts) * step;
+  const exact::Real radius = cell_radius(set) * step;
   return set.side == situation::Side::kOuter ? widened(formula, radius) : narrowed(formula, radius);
 }
 
@@ -203,17 +218,9 @@ void take_minima(const situation::MinimaAsLevels& levels, RaySet& set) {
   set.somewhere = levels.formula.atoms().size() == 1 && set.least->value;
 }
 
-void take_side(const Session& session, RaySet& set) {
-  const std::string& side = session.options().side;
-  if (side.empty()) return;
-  if (session.goal())
-    throw Error(ErrorCode::kUnsupported, "cells on one side of the region have no objective", session.scene().file);
-  set.side = side == "inner" ? situation::Side::kInner : situation::Side::kOuter;
-}
-
 }  // namespace
 
-Outcome map_rays(const Session& session, int resolution, bool axes) {
+Outcome map_rays(const Session& session, const LineChoice& lines) {
   situation::MinimaAsLevels levels{session.where(), {}, situation::Side::kExact};
   const auto goal = session.goal();
   const bool by_distance = goal && goal->objective.kind == situation::Objective::Kind::kDistance;
@@ -231,8 +238,7 @@ Outcome map_rays(const Session& session, int resolution, bool axes) {
   set.title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
   set.subtitle = session.scene().where.text;
   set.meaning = "positions";
-  set.resolution = resolution;
-  set.axes = axes;
+  set.lines = lines;
   set.low = window.low, set.high = window.high;
   set.unbounded = situation::holds_far_away(world, formula);
   take_minima(levels, set);

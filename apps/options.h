@@ -25,9 +25,11 @@ struct Options {
   bool exact = false;         // of map, describe: the exact cells in the JSON
   bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
   bool json = false, quiet = false;
-  std::string side;       // of map in 3D: inner or outer cells about lines, or nothing
-  bool axes = false;      // of map in 3D: lines along all three axes
-  int resolution = 0;     // of map in 3D: lines each way of a ray map; 0: an exact map
+  std::string side;       // of map and describe in 3D: inner or outer cells about lines, or nothing
+  bool axes = false;      // of these: lines along all three axes, or
+  std::string axis;       // along this one: x, y, z, or nothing
+  int resolution = 0;     // of these and place: lines each way; 0: an exact map, or by
+  std::string spacing;    // how far the lines are apart, a decimal, or nothing
   unsigned threads = 0;   // 0: one for each core
   double time_limit = 0;  // seconds; 0: none
 };

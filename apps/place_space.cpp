@@ -68,9 +68,8 @@ std::string region_text(const planning::SpacePositions& positions, const SpacePr
     summarizer.add(j, row);
     lines.add(j, row);
   });
-  const std::string marked = lines.text();
   io::RaysText text;
-  text.lines = marked;
+  text.lines = &lines.text();
   text.unbounded = !positions.flat && situation::holds_far_away(*positions.rays, *positions.formula);
   return io::rays_json(summarizer.finish(), grid, step, text);
 }

@@ -23,6 +23,20 @@ space::RayAim aim_of(const Session& session, const Session::Goal& goal) {
   return aim;
 }
 
+namespace {
+
+/// What the places on the lines say of the whole region, if the cells about them are on one side of it: a goal changes
+/// by no more than the length of a step.
+void take_side(const RaySet& set, double step, io::RayOptimum& found) {
+  if (set.side == situation::Side::kInner) found.bound.reset();
+  if (set.side != situation::Side::kOuter || !found.value) return;
+  const double radius = cell_radius(set).to_double() * step * (1 + 0x1p-40), from = found.bound.value_or(*found.value);
+  found.bound = found.maximum ? from + radius : from - radius;
+  found.attained = false;
+}
+
+}  // namespace
+
 std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step) {
   io::RayOptimum out;
   out.maximum = set.objective->greatest != (set.objective->sign < 0);
@@ -33,6 +47,7 @@ std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step
   out.value = best->value * step * set.objective->sign;
   out.bound = best->bound * step * set.objective->sign;
   for (std::size_t k = 0; k < 3; ++k) out.at[k] = best->at[k] * step;
+  take_side(set, step, out);
   return out;
 }
 
@@ -44,6 +59,7 @@ io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step) {
   out.attained = cast.extreme->attained;
   out.value = cast.extreme->value * step;
   for (std::size_t k = 0; k < 3; ++k) out.at[k] = cast.extreme->at[k] * step;
+  take_side(set, step, out);
   return out;
 }
 

@@ -20,7 +20,7 @@ namespace findspace::app {
 struct Cast {
   space::RayGrid grid;
   space::RaySummary summary;
-  std::string lines;
+  io::Spool lines;            // as JSON, where that is written
   space::RaySurface surface;  // of three axes only
   std::optional<space::RayExtreme::Found> extreme;
   std::vector<space::RayInterval> intervals;  // where an objective wants them

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "io/write_json_rays.h"
+#include "line_choice.h"
 #include "session.h"
 #include "situation/ray_minima.h"
 #include "situation/solve_rays.h"
@@ -25,22 +26,26 @@ struct RayObjective {
 };
 
 struct RaySet {
-  std::string title, subtitle, meaning;                // of the picture; what the set consists of
-  int resolution = 0;                                  // lines each way
-  bool axes = false;                                   // along all three axes
-  space::Point low, high;                              // a box that holds the frontier
-  bool unbounded = false;                              // the set goes on beyond it
-  std::optional<space::RayAim> aim;                    // what is looked for in the set
-  std::optional<RayObjective> objective;               // or this
-  bool somewhere = false;                              // it is known not to be empty
-  situation::Side on_lines = situation::Side::kExact;  // of the set on the lines
-  situation::Side side = situation::Side::kNone;       // of the cells about the lines
-  std::optional<io::RayOptimum> least;                 // of a formula with `-> min`
+  std::string title, subtitle, meaning;  // of the picture; what the set consists of
+  LineChoice lines;
+  space::Point low, high;                                                          // a box that holds the frontier
+  bool unbounded = false;                                                          // the set goes on beyond it
+  std::optional<space::RayAim> aim;                                                // what is looked for in the set
+  std::optional<RayObjective> objective;                                           // or this
+  bool somewhere = false;                                                          // it is known not to be empty
+  situation::Side on_lines = situation::Side::kExact;                              // of the set on the lines
+  situation::Side side = situation::Side::kNone;                                   // of the cells about the lines
+  std::optional<io::RayOptimum> least;                                             // of a formula with `-> min`
   std::function<std::unique_ptr<space::RaySource>(const space::RayGrid&)> source;  // at most 0 in the set
 };
 
 /// The scene's shapes for rays; refers to them.
 situation::RayWorld ray_world(const Session& session);
+
+/// What --side asks for.
+void take_side(const Session& session, RaySet& set);
+/// How far a place of a line's cell may be from the line, rounded up; in grid steps.
+exact::Real cell_radius(const RaySet& set);
 
 Outcome rays_outcome(const Session& session, const RaySet& set);
 

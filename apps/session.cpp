@@ -296,9 +296,15 @@ void check_outputs(const Options& options, const std::vector<std::string>& forma
   }
 }
 
-void write_outputs(const Options& options, const Writers& writers) {
+void write_outputs(const Options& options, const Writers& writers, const Streams& streams) {
   std::vector<io::FileText> files;
-  for (const auto& path : options.outputs) files.push_back({path, writers.at(path.extension().string())()});
+  for (const auto& path : options.outputs) {
+    const auto stream = streams.find(path.extension().string());
+    if (stream != streams.end())
+      files.push_back({path, {}, stream->second});
+    else
+      files.push_back({path, writers.at(path.extension().string())(), {}});
+  }
   io::write_files(files);
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/scene.h"
+#include "io/spool.h"
 #include "io/write_svg.h"
 #include "options.h"
 #include "situation/optimize.h"
@@ -86,7 +87,10 @@ using Writers = std::map<std::string, std::function<std::string()>>;
 
 /// Throws Error(kUsage) where an output has an ending that is not among the formats.
 void check_outputs(const Options& options, const std::vector<std::string>& formats);
+/// The same for results that are too long for memory.
+using Streams = std::map<std::string, std::function<void(const io::Sink&)>>;
+
 /// Makes all texts first, then writes them: a failure leaves no file.
-void write_outputs(const Options& options, const Writers& writers);
+void write_outputs(const Options& options, const Writers& writers, const Streams& streams = {});
 
 }  // namespace findspace::app

@@ -13,37 +13,13 @@
 #include "plane/parallel.h"
 #include "ray_outcome.h"
 #include "situation/optimize_convex.h"
-#include "space/shape_rays.h"
+#include "space_outcome.h"
 #include "space_report.h"
 
 namespace findspace::app {
 namespace {
 
 using exact::Real;
-
-constexpr int kLinesUnasked = 128;
-
-std::vector<std::string> formats() {
-  std::vector<std::string> out{".json"};
-  out.insert(out.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
-  return out;
-}
-
-/// JSON, and the surface in every format.
-Writers writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title,
-                const std::string& unit) {
-  Writers out{{".json", std::move(json)}};
-  for (const char* ending : io::kSurfaceEndings)
-    out.emplace(ending, [=] { return io::surface_text(surface(), title, ending, unit); });
-  return out;
-}
-
-void note_rounding(const Session& session, const std::string& name, const situation::SpaceShape& shape) {
-  if (!shape.body || shape.body->rounded == 0) return;
-  session.talk().note(
-      fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}", name,
-                  shape.body->rounded, shape.body->moved * session.scene().grid.step_size(), session.unit()));
-}
 
 /// The region among the shapes that have boxes; the moving ones stand at a sample position.
 std::string picture(const Session& session, const situation::SpaceWorld& world, const space::BoxComplex& region,
@@ -66,29 +42,6 @@ std::string title_of(const Session& session) {
   return fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
 }
 
-/// A convex body as a closed set.
-space::ConvexSet whole(const space::Body& body) {
-  const space::BodyPart& part = body.parts[0];
-  space::Body core = body;
-  core.parts[0].radius = Real();
-  const space::Bounds3 box = space::bounds(core);
-  space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, true, false, part.radius};
-  if (!part.core) return set;
-  for (const space::Plane& plane : part.core->planes()) set.region.cut(space::HalfSpace(plane));
-  return set;
-}
-
-Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const Real& step,
-                         const std::string& title, const io::ExtremeValue* extreme = nullptr) {
-  const Options& options = session.options();
-  const space::SpaceSummary summary = space::summarize(set, step);
-  const auto json = [&] { return io::space_json(set, summary, step, session.unit(), extreme); };
-  const auto surface = [&] { return io::convex_surface(set, step); };
-  write_outputs(options, writers(json, surface, title, session.unit()));
-  return {options.json ? json() : space_summary_text(title, summary, session.unit(), extreme),
-          summary.empty ? kEmpty : kDone};
-}
-
 /// The region as boxes; nothing where it has other faces.
 std::optional<space::BoxComplex> box_region(const situation::SpaceSolver& solver, const situation::Formula& formula) {
   try {
@@ -108,23 +61,7 @@ space::ConvexSet applied(const std::string& operation, space::ConvexSet set) {
   return set;
 }
 
-/// What the facets of a grown polytope do not give.
-bool wants_surface(const Session& session) {
-  const auto& outputs = session.options().outputs;
-  return std::any_of(outputs.begin(), outputs.end(),
-                     [](const std::filesystem::path& name) { return name.extension() != ".json"; });
-}
-
-void note_lines(const Session& session, const char* what) {
-  session.talk().note(fmt::format("the {0} is taken on {1} x {1} lines of each axis, exact on each{2}", what,
-                                  kLinesUnasked,
-                                  what == std::string_view("map") ? " (--resolution N for others)" : ""));
-}
-
-Outcome on_lines(const Session& session) {
-  note_lines(session, "map");
-  return map_rays(session, kLinesUnasked, true);
-}
+Outcome on_lines(const Session& session) { return map_rays(session, lines_unasked(session, "map")); }
 
 /// One convex set, or else the map on lines.
 Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& solver,
@@ -143,7 +80,8 @@ Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& 
                             &extreme);
   }
   if (convex && !(convex->set.radius.sign() > 0 && wants_surface(session)))
-    return polytope_outcome(session, applied(session.options().apply, convex->set), convex->step, title_of(session));
+    return polytope_outcome(session, applied(session.options().apply, convex->set), convex->step, title_of(session),
+                            nullptr);
   return on_lines(session);
 }
 
@@ -180,7 +118,7 @@ situation::SpaceWorld space_world(const Session& session) {
 
 Outcome map_space(const Session& session) {
   const Options& options = session.options();
-  check_outputs(options, formats());
+  check_outputs(options, space_formats());
   const situation::Formula formula = session.where();
   const auto goal = session.goal();
   const situation::SpaceSolver solver(space_world(session));
@@ -215,61 +153,11 @@ Outcome map_space(const Session& session) {
   const std::string title = title_of(session);
   const auto json = [&] { return io::space_json(region, summary, session.step(), session.unit(), shown); };
   session.talk().stage("writing");
-  Writers all = writers(
+  Writers all = space_writers(
       json, [&] { return io::box_surface(region, session.step()); }, title, session.unit());
   all[".svg"] = [&] { return picture(session, solver.world(), region, summary, title); };
   write_outputs(options, all);
   return {options.json ? json() : space_summary_text(title, summary, session.unit(), shown),
-          summary.empty ? kEmpty : kDone};
-}
-
-namespace {
-
-/// The shape, if it is made of boxes or one convex set.
-std::optional<situation::SpaceShape> exact_shape(const Session& session, const std::string& name) {
-  try {
-    situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
-    note_rounding(session, name, shape);
-    if (shape.boxes || (shape.body->convex() && (!shape.body->round() || !wants_surface(session)))) return shape;
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-  }
-  return std::nullopt;
-}
-
-Outcome describe_rays(const Session& session, const std::string& name) {
-  const plane::Shape& shape = *session.scene().shape(name);
-  const space::ShapeBox box = space::shape_box(shape);
-  note_lines(session, "shape");
-  RaySet set;
-  set.title = name;
-  set.subtitle = session.scene().file;
-  set.meaning = "the shape";
-  set.resolution = kLinesUnasked;
-  set.axes = true;
-  set.low = box.low, set.high = box.high;
-  set.unbounded = box.unbounded;
-  set.source = [&](const space::RayGrid& grid) { return space::shape_rays(shape, grid); };
-  return rays_outcome(session, set);
-}
-
-}  // namespace
-
-Outcome describe_space(const Session& session, const std::string& name) {
-  const Options& options = session.options();
-  check_outputs(options, formats());
-  session.talk().stage(fmt::format("shape {}", name));
-  const auto made = exact_shape(session, name);
-  if (!made) return describe_rays(session, name);
-  const situation::SpaceShape& shape = *made;
-  if (!shape.boxes)
-    return polytope_outcome(session, whole(*shape.body), session.step() / Real(shape.body->scale), name);
-  const space::SpaceSummary summary = space::summarize(*shape.boxes, session.step());
-  const auto json = [&] { return io::space_json(*shape.boxes, summary, session.step(), session.unit()); };
-  write_outputs(options,
-                writers(
-                    json, [&] { return io::box_surface(*shape.boxes, session.step()); }, name, session.unit()));
-  return {options.json ? json() : space_summary_text(name, summary, session.unit(), nullptr),
           summary.empty ? kEmpty : kDone};
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "io/write_mesh.h"
+#include "line_choice.h"
 #include "session.h"
 #include "situation/solve_space.h"
 
@@ -17,8 +18,7 @@ std::map<std::string, situation::SpaceShape> space_shapes(const Session& session
 situation::SpaceWorld space_world(const Session& session);
 
 Outcome map_space(const Session& session);
-/// On `resolution` x `resolution` lines, of one axis or of all three.
-Outcome map_rays(const Session& session, int resolution, bool axes);
+Outcome map_rays(const Session& session, const LineChoice& lines);
 /// The positions on the scene's line.
 Outcome map_space_line(const Session& session);
 Outcome check_space(const Session& session);

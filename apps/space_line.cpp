@@ -24,7 +24,8 @@ Outcome map_space_line(const Session& session) {
   const situation::Formula formula = session.where();
   const situation::SpaceSolver solver(space_world(session));
   session.talk().stage("solving");
-  if (situation::side_of_search(*solver.world().rays, formula) != situation::Side::kExact)
+  const situation::Side side = situation::side_of_search(*solver.world().rays, formula);
+  if (side != situation::Side::kExact)
     session.talk().note("how far a shape sticks out is found by search: ends may be off by 2^-30 of the sizes");
   auto set = plane::intervals(solver.feasible_on(formula, line), exact::Real(1));
   std::optional<io::ExtremeValue> extreme;
@@ -38,7 +39,8 @@ Outcome map_space_line(const Session& session) {
     title += fmt::format(" with the {} {}", greatest ? "greatest" : "least", goal->text);
   }
   const auto json = [&] {
-    return io::intervals_json(set, session.step(), session.unit(), extreme ? &*extreme : nullptr);
+    return io::intervals_json(set, session.step(), session.unit(), extreme ? &*extreme : nullptr,
+                              side == situation::Side::kExact ? "" : situation::name(side));
   };
   write_outputs(options, {{".json", json}});
   std::string text = intervals_text(title, set, session.step(), session.unit());

@@ -81,7 +81,7 @@ Run once_ball(const Triangles& a, double radius, int n) {
   const ray_bench::Point margin{r, r, r};
   const RayGrid grid = findspace::space::ray_grid(low - margin, high + margin, 2, n);
   const findspace::space::BallRays rays(a, findspace::exact::Real(r), grid);
-  run.convolution = now() - start;
+  run.convolution = cpu() - start_cpu;
   run.volume = volume(rays);
   run.total = now() - start;
   run.cpu = cpu() - start_cpu;
@@ -96,7 +96,7 @@ Run once(const Triangles& a, const Triangles& b, int n) {
   const RayBody p(a), q(b);
   const RayGrid grid = findspace::space::ray_grid(p.low - q.high, p.high - q.low, 2, n);
   const PairRays rays(a, b, grid);
-  run.convolution = now() - start;
+  run.convolution = cpu() - start_cpu;
   run.volume = volume(rays);
   run.total = now() - start;
   run.cpu = cpu() - start_cpu;

@@ -30,16 +30,7 @@ class Temporary {
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
-  bool write(std::string_view text) {
-    if (descriptor_ < 0) return false;
-    while (!text.empty()) {
-      const ssize_t n = ::write(descriptor_, text.data(), text.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) return false;
-      text.remove_prefix(std::size_t(n));
-    }
-    return true;
-  }
+  int descriptor() const { return descriptor_; }
 
   /// All is on the disk, with the permissions a plain new file would have.
   bool finish() {
@@ -74,19 +65,28 @@ bool is_special(const std::filesystem::path& path) {
          !std::filesystem::is_directory(status);
 }
 
-void write_special(const std::filesystem::path& path, std::string_view text) {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(path);
+void write_text(int descriptor, const std::filesystem::path& path, std::string_view text) {
   while (!text.empty()) {
     const ssize_t n = ::write(descriptor, text.data(), text.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) {
-      close(descriptor);
-      fail(path);
-    }
+    if (n <= 0) fail(path);
     text.remove_prefix(std::size_t(n));
   }
-  close(descriptor);
+}
+
+void write_all(int descriptor, const FileText& file) {
+  const Sink sink = [&](std::string_view text) { write_text(descriptor, file.path, text); };
+  file.make ? file.make(sink) : sink(file.text);
+}
+
+void write_special(const FileText& file) {
+  struct Open {
+    int descriptor;
+    ~Open() { close(descriptor); }
+  };
+  const Open out{open(file.path.c_str(), O_WRONLY | O_CLOEXEC)};
+  if (out.descriptor < 0) fail(file.path);
+  write_all(out.descriptor, file);
 }
 
 std::unique_ptr<Temporary> temporary(const FileText& file) {
@@ -98,7 +98,9 @@ std::unique_ptr<Temporary> temporary(const FileText& file) {
   // A link stays a link: what it points to is replaced.
   const bool link = std::filesystem::is_symlink(file.path, none);
   auto out = std::make_unique<Temporary>(link ? std::filesystem::weakly_canonical(file.path, none) : file.path);
-  if (!out->write(file.text) || !out->finish()) fail(file.path);
+  if (out->descriptor() < 0) fail(file.path);
+  write_all(out->descriptor(), file);
+  if (!out->finish()) fail(file.path);
   return out;
 }
 
@@ -108,7 +110,7 @@ void write_files(const std::vector<FileText>& files) {
   std::vector<std::unique_ptr<Temporary>> written;
   for (const FileText& f : files) written.push_back(is_special(f.path) ? nullptr : temporary(f));
   for (const FileText& f : files) {
-    if (is_special(f.path)) write_special(f.path, f.text);
+    if (is_special(f.path)) write_special(f);
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (written[i] && !written[i]->keep()) fail(files[i].path);

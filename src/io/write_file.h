@@ -8,14 +8,18 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
+
+#include "io/spool.h"
 
 namespace findspace::io {
 
 struct FileText {
   std::filesystem::path path;
   std::string text;
+  std::function<void(const Sink&)> make = {};  // gives what is too long for memory, instead of the text
 };
 
 /// Throws Error(kFile) with the path and the system's reason.

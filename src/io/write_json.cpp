@@ -120,7 +120,7 @@ std::string region_json(const plane::Region& region, const plane::Summary& summa
 }
 
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
-                           std::string_view unit, const ExtremeValue* extreme) {
+                           std::string_view unit, const ExtremeValue* extreme, std::string_view side) {
   const Twofold factor(step);
   auto end = [&](const std::optional<exact::Real>& t) {
     return t ? json_number((Twofold(*t) * factor).value()) : "null";
@@ -131,8 +131,9 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
   };
   std::string best;
   if (extreme != nullptr) put_extreme(best, *extreme);
-  return fmt::format("{{{}\"empty\": {},{} \"intervals\": {}}}\n", unit_key(unit), truth(intervals.empty()), best,
-                     list(intervals, text));
+  const std::string bound = side.empty() ? "" : fmt::format(" \"side\": {},", json_string(side));
+  return fmt::format("{{{}\"empty\": {},{}{} \"intervals\": {}}}\n", unit_key(unit), truth(intervals.empty()), bound,
+                     best, list(intervals, text));
 }
 
 namespace {

@@ -32,9 +32,10 @@ struct ExtremeValue {
 /// (write_cells.h).
 std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
                         std::string_view unit, const ExtremeValue* extreme = nullptr, bool exact = false);
-/// The result of `map` along a line: lengths from the point the line goes through.
+/// The result of `map` along a line: lengths from the point the line goes through. `side`: on which side of the true
+/// set the intervals may lie; empty where they are exact.
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
-                           std::string_view unit, const ExtremeValue* extreme = nullptr);
+                           std::string_view unit, const ExtremeValue* extreme = nullptr, std::string_view side = {});
 
 /// The results of `check` and `measure` at a position in the scene's unit. `nearest` may be null.
 std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,

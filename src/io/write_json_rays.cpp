@@ -46,13 +46,20 @@ void RayLines::add(int j, const space::RayRow& row) {
     }
     if (in) close("null", false);
     if (intervals.empty()) continue;
-    text_ +=
-        fmt::format("{}[{}, {}, [{}]]", text_.empty() ? "" : ",\n    ", static_cast<double>(grid_.u_at(i)) * scale_,
-                    static_cast<double>(grid_.v_at(j)) * scale_, intervals);
+    text_.append(fmt::format("{}[{}, {}, [{}]]", text_.empty() ? "" : ",\n    ",
+                             static_cast<double>(grid_.u_at(i)) * scale_, static_cast<double>(grid_.v_at(j)) * scale_,
+                             intervals));
   }
 }
 
 std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text) {
+  std::string out;
+  rays_json(summary, grid, step, text, [&](std::string_view part) { out += part; });
+  return out;
+}
+
+void rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text,
+               const Sink& sink) {
   const double cube = step * step * step, part = step / static_cast<double>(grid.parts);
   constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
   const bool empty = summary.empty && !text.unbounded && !text.somewhere;
@@ -81,8 +88,12 @@ std::string rays_json(const space::RaySummary& summary, const space::RayGrid& gr
       summary.precision * step, summary.intervals, summary.points, text.on_lines, text.axes ? 3 : 1,
       text.axes ? "crossing lines of three axes where certified, else overlapping intervals of neighbouring lines"
                 : "overlapping intervals of neighbouring lines");
-  if (!text.lines.empty()) out += fmt::format(",\n    \"lines\": [\n    {}]", text.lines);
-  return out + "}\n}\n";
+  if (text.lines != nullptr && !text.lines->empty()) {
+    sink(out + ",\n    \"lines\": [\n    ");
+    text.lines->copy_to(sink);
+    out = "]";
+  }
+  sink(out + "}\n}\n");
 }
 
 Surface ray_surface_mesh(const space::RaySurface& surface, double step) {

@@ -2,14 +2,17 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A region on rays as JSON: the summary of docs/results.md as far as samples tell it, and every line with its marked
-// intervals. Written line by line: the rows are not kept. Keywords: serialisation, linear ray representation.
+// intervals. Written line by line to a file of its own: neither the rows nor the text is kept in memory. Keywords:
+// serialisation, linear ray representation.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "io/spool.h"
 #include "io/write_mesh.h"
 #include "space/ray_summary.h"
 #include "space/ray_surface.h"
@@ -22,12 +25,13 @@ class RayLines {
  public:
   RayLines(const space::RayGrid& grid, double step) : grid_(grid), scale_(step / static_cast<double>(grid.parts)) {}
   void add(int j, const space::RayRow& row);
-  const std::string& text() const { return text_; }
+  const Spool& text() const& { return text_; }
+  Spool text() && { return std::move(text_); }
 
  private:
   space::RayGrid grid_;
   double scale_;
-  std::string text_;
+  Spool text_;
 };
 
 /// What an objective has on the lines, in the scene's unit.
@@ -40,7 +44,8 @@ struct RayOptimum {
 };
 
 struct RaysText {
-  std::string_view unit, lines;         // `lines` may be empty: then only the summary is written
+  std::string_view unit;
+  const Spool* lines = nullptr;         // null or empty: only the summary is written
   bool axes = false;                    // lines along all three axes (space/ray_axes.h)
   bool unbounded = false;               // the region goes on beyond the window
   std::string_view on_lines = "exact";  // how the lines stand to the region, and
@@ -48,6 +53,8 @@ struct RaysText {
   bool somewhere = false;               // the region is known not to be empty, whether a line meets it or not
   std::optional<RayOptimum> optimum;
 };
+void rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text,
+               const Sink& sink);
 std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text);
 
 /// In the scene's unit.

@@ -10,10 +10,12 @@
 #include "distance/ray_directional.h"
 #include "distance/ray_signs.h"
 #include "situation/evaluate.h"
+#include "situation/room_parts.h"
 #include "situation/solve_space.h"
 #include "situation/surface_rays.h"
 #include "situation/text.h"
 #include "situation/which.h"
+#include "space/shape_rays.h"
 
 namespace findspace::situation {
 namespace {
@@ -69,6 +71,34 @@ space::RaySourcePointer by_parts(const RayWorld& world, const SignMap& map, cons
   return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
 }
 
+SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid);
+
+space::RaySourcePointer as_source(SurfaceRays rays) {
+  if (rays.sources.size() == 1) return std::move(rays.sources[0]);
+  return space::combined_rays(std::move(rays.sources), [least = rays.least](std::span<const std::int8_t> s) {
+    return least ? *std::min_element(s.begin(), s.end()) : *std::max_element(s.begin(), s.end());
+  });
+}
+
+/// Containment up to level 0 in a shape that has no convex parts, by those it is made of (room_parts.h); nothing where
+/// it is made of one.
+SurfaceRays in_room(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
+  SurfaceRays out;
+  out.least = false;
+  if ((d.kind != Kind::kEta1 && d.kind != Kind::kMu) || map.level.sign() > 0 || d.second.size() != 1) return out;
+  const std::vector<RoomPart> room = room_parts(world.shapes.at(d.second[0]).stated());
+  if (room.size() < 2) return out;
+  for (const RoomPart& part : room) {
+    RayWorld one = world;
+    one.shapes.insert_or_assign(d.second[0], RayShape(part.shape));
+    SignMap wanted{d, part.without ? -map.level : map.level, false};
+    wanted.distance.kind = part.without ? Kind::kGamma1 : Kind::kEta1;
+    auto source = as_source(parts(one, wanted, grid));
+    out.sources.push_back(part.without ? space::negated_rays(std::move(source)) : std::move(source));
+  }
+  return out;
+}
+
 SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   Distance d = moving_first(map.distance, world.moving);
   if (d.mode == Mode::kTurning || d.prefix != Extremum::kNone) refuse(map, "only translations are");
@@ -84,7 +114,8 @@ SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid
     result.sources.push_back(by_parts(world, map, d, second, grid));
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
-    throw e.within(text(map.distance));
+    if (!second && !is_directional(d)) result = in_room(world, map, d, grid);
+    if (result.sources.empty()) throw e.within(text(map.distance));
   }
   return result;
 }
@@ -111,50 +142,6 @@ class RegionRays : public RaySource {
 };
 
 }  // namespace
-
-const std::vector<RaySolid>* RayShape::solids() const {
-  std::call_once(made_->solids_once, [&] {
-    try {
-      made_->solids = space::ray_solids(*shape_);
-    } catch (const Error& e) {
-      if (e.code() == ErrorCode::kUnsupported) return;
-      // A surface that meets itself in edges or faces may still have convex parts.
-      if (e.code() != ErrorCode::kGeometry || !has_body()) throw;
-    }
-  });
-  return made_->solids ? &*made_->solids : nullptr;
-}
-
-bool RayShape::has_body() const {
-  try {
-    body();
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-const space::Body& RayShape::body() const {
-  std::call_once(made_->body_once, [&] {
-    const SpaceShape made = space_shape(*shape_);
-    if (!made.body) throw Error(ErrorCode::kUnsupported, made.refused, shape_->place);
-    made_->body = made.body;
-  });
-  return *made_->body;
-}
-
-void RayShape::extend_box(space::Point& low, space::Point& high, bool& any) const {
-  if (const auto* surfaces = solids()) return space::extend_box(*surfaces, low, high, any);
-  const space::Bounds3 box = bounds(body());
-  const Real scale(body().scale);
-  const auto corner = [&](const space::RealVector& p, const Real& round_up) {
-    std::array<std::int64_t, 3> c{};
-    for (std::size_t k = 0; k < 3; ++k) c[k] = static_cast<std::int64_t>(exact::floor(p[k] / scale + round_up));
-    return space::Point{c[0], c[1], c[2]};
-  };
-  space::extend_box(corner(box.low, Real()), low, high, any);
-  space::extend_box(corner(box.high, Real(1)), low, high, any);
-}
 
 RayWindow window(const RayWorld& world, const Formula& formula) {
   RayWindow result;
@@ -247,7 +234,7 @@ bool holds_far_away(const RayWorld& world, const Formula& formula) {
     if (second) std::swap(d.first, d.second);
     const bool outside = std::any_of(d.second.begin(), d.second.end(), [&](const std::string& name) {
       const RayShape& shape = world.shapes.at(name);
-      return !shape.solids() && shape.body().outside;
+      return shape.outside();
     });
     const int level = map.level.sign();
     switch (which(d.kind, second)) {

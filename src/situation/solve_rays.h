@@ -32,6 +32,9 @@ class RayShape {
   const std::vector<space::RaySolid>* solids() const;
   /// Throws Error(kUnsupported) for shapes that have none.
   const space::Body& body() const;
+  /// Whether it goes on for ever.
+  bool outside() const;
+  const plane::ShapePtr& stated() const { return shape_; }
   /// The box around it, or around what it is the complement of.
   void extend_box(space::Point& low, space::Point& high, bool& any) const;
 

@@ -15,8 +15,10 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <vector>
 
+#include "space/ray_cones.h"
 #include "space/ray_distance.h"
 #include "space/ray_map.h"
 
@@ -45,8 +47,9 @@ class BallRays : public RaySource, private RayRoots {
   };
 
   exact::Real root(int patch, int which, int i, int j) const override;
-  void add_patch(Kind kind, int feature, const Point& low, const Point& high, const double low_normal[2],
-                 const double high_normal[2]);
+  void add_patch(std::vector<Patch>& patches, Kind kind, int feature, const Point& low, const Point& high,
+                 const Cone& cone) const;
+  std::vector<Patch> patches_of(const std::vector<Shadow3>& units, std::size_t first, std::size_t last) const;
   void make_patches();
 
   RayGrid grid_;
@@ -54,7 +57,7 @@ class BallRays : public RaySource, private RayRoots {
   bool complement_;
   exact::Real radius_;
   double rounded_radius_;
-  SurfaceDistance distance_;
+  std::optional<SurfaceDistance> distance_;
   std::vector<Patch> patches_;
   std::vector<std::size_t> first_;
   std::vector<int> of_row_;

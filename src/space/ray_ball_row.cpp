@@ -105,8 +105,8 @@ RayPosition BallRow::position(const Hit& h) const {
 
 int BallRow::against_radius(int column, double z) const {
   ++rays_.cell_tests_;
-  return rays_.distance_.compare(rays_.grid_.u_at(column), rays_.grid_.v_at(j_), z, 0,
-                                 [&] { return Real::from_double(z); });
+  return rays_.distance_->compare(rays_.grid_.u_at(column), rays_.grid_.v_at(j_), z, 0,
+                                  [&] { return Real::from_double(z); });
 }
 
 void BallRow::push(RayRow& row, RayPosition at, int before, int here, int after) const {
@@ -188,7 +188,7 @@ void BallRow::emit_exact(int column, RayRow& row) {
   const std::int64_t x = rays_.grid_.u_at(column), y = rays_.grid_.v_at(j_);
   const auto sign_at = [&](const Real& z) {
     const double at = z.to_double();
-    const int s = rays_.distance_.compare(x, y, at, 0x1p-50 * (std::fabs(at) + 1), [&] { return z; });
+    const int s = rays_.distance_->compare(x, y, at, 0x1p-50 * (std::fabs(at) + 1), [&] { return z; });
     return s >= 0 && inside(column, at) > 0 ? -1 : s;
   };
   const int outside = rays_.complement_ ? -1 : 1;

@@ -64,18 +64,29 @@ void pair_group(const RayBody& body, const std::vector<Side>& group, std::vector
   }
 }
 
-std::vector<int> twins(const RayBody& body) {
+/// By their lower vertex, then the higher one, then by number.
+std::vector<Side> sorted_sides(const RayBody& body) {
   const Sides at{body};
-  std::vector<Side> sides;
-  sides.reserve(body.faces.size() * 3);
-  for (int id = 0; id < static_cast<int>(body.faces.size() * 3); ++id) {
+  const int count = static_cast<int>(body.faces.size() * 3);
+  std::vector<std::size_t> first(body.points.size() + 1, 0);
+  for (int id = 0; id < count; ++id) ++first[static_cast<std::size_t>(std::min(at.from(id), at.to(id))) + 1];
+  for (std::size_t v = 0; v < body.points.size(); ++v) first[v + 1] += first[v];
+  std::vector<Side> sides(static_cast<std::size_t>(count));
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (int id = 0; id < count; ++id) {
     const int low = std::min(at.from(id), at.to(id)), high = std::max(at.from(id), at.to(id));
-    sides.push_back({low, high, id, at.from(id) < at.to(id)});
+    sides[next[static_cast<std::size_t>(low)]++] = {low, high, id, at.from(id) < at.to(id)};
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    if (s.low != t.low) return s.low < t.low;
-    return s.high != t.high ? s.high < t.high : s.id < t.id;
-  });
+  for (std::size_t v = 0; v < body.points.size(); ++v) {
+    const auto begin = sides.begin();
+    std::sort(begin + static_cast<std::ptrdiff_t>(first[v]), begin + static_cast<std::ptrdiff_t>(first[v + 1]),
+              [](const Side& s, const Side& t) { return s.high != t.high ? s.high < t.high : s.id < t.id; });
+  }
+  return sides;
+}
+
+std::vector<int> twins(const RayBody& body) {
+  const std::vector<Side> sides = sorted_sides(body);
   std::vector<int> twin(sides.size(), -1);
   std::vector<Side> group;
   for (std::size_t i = 0; i < sides.size(); i += group.size()) {

@@ -43,6 +43,18 @@ RayGrid ray_grid(const Point& low, const Point& high, int axis, int n) {
   return grid;
 }
 
+RayGrid ray_grid_by_step(const Point& low, const Point& high, int axis, std::int64_t step) {
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  const auto lines = [&](int k) {
+    const std::int64_t count = std::max<std::int64_t>((component(high, k) - component(low, k) + step - 1) / step, 1);
+    if (count > kMostLines)
+      throw Error(ErrorCode::kBadValue, "lines so near each other are more than 16384, which a ray map has each way");
+    return static_cast<int>(count);
+  };
+  // Parts of a half: the middle of a cell may lie between two grid points.
+  return {axis, 2, 2 * component(low, a) + step, 2 * component(low, b) + step, 2 * step, 2 * step, lines(a), lines(b)};
+}
+
 bool same_root(const RayPosition& p, const RayPosition& q) {
   return p.roots && p.roots == q.roots && p.patch == q.patch && p.which == q.which && p.i == q.i && p.j == q.j;
 }

@@ -41,6 +41,10 @@ struct RayGrid {
 /// are even to a millionth, and a margin of one cell about it. Throws Error(kBadValue) unless 1 <= n <= 2^14.
 RayGrid ray_grid(const Point& low, const Point& high, int axis, int n);
 
+/// Lines `step` grid steps apart each way, in the middle of cells from `low` on that cover the box. Throws
+/// Error(kBadValue) where that needs more than 2^14 lines.
+RayGrid ray_grid_by_step(const Point& low, const Point& high, int axis, std::int64_t step);
+
 /// Gives places along lines that are no fractions.
 class RayRoots {
  public:

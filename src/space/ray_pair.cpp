@@ -45,10 +45,20 @@ PairRays::PairRays(const Triangles& a, const Triangles& b, const RayGrid& grid, 
     : complement_(side_of_a == Side::kComplement),
       a_(complement_ ? turned_inside_out(prepared(a, grid)) : prepared(a, grid)),
       b_(prepared(b, grid)),
-      base_winding_(complement_ ? b_.euler() : 0),
-      overlap_(a_, b_, complement_) {
+      base_winding_(complement_ ? b_->euler() : 0),
+      overlap_(std::in_place, a_, *b_, complement_) {
   const RayBody mirrored(scaled(prepared(b, grid), -1));
   sheets_ = std::make_unique<Sheets>(convolution(a_, mirrored), grid);
+  spare_ = std::make_unique<Spare>();
+}
+
+PairRays::PairRays(const Triangles& a, const RayGrid& grid)
+    : complement_(false), a_(prepared(a, grid)), base_winding_(0) {
+  std::vector<RayFacet> facets(a_.faces.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    for (int k = 0; k < 3; ++k) facets[f].corner[static_cast<std::size_t>(k)] = a_.corner(static_cast<int>(f), k);
+  }
+  sheets_ = std::make_unique<Sheets>(std::move(facets), grid);
   spare_ = std::make_unique<Spare>();
 }
 

@@ -17,6 +17,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 
 #include "space/ray_overlap.h"
 #include "space/ray_sheets.h"
@@ -35,6 +36,9 @@ class PairRays : public RaySource {
   /// Coordinates in grid steps. Throws Error(kOutOfRange) when coordinates times grid.parts exceed 2^38.
   PairRays(const Triangles& a, const Triangles& b, const RayGrid& grid, Side side_of_a = Side::kSolid);
 
+  /// The solid by itself: - inside, 0 on its surface, + outside.
+  PairRays(const Triangles& a, const RayGrid& grid);
+
   ~PairRays() override;
 
   const RayGrid& grid() const override { return sheets_->grid(); }
@@ -48,10 +52,11 @@ class PairRays : public RaySource {
   struct Spare;
 
   bool complement_;
-  RayBody a_, b_;
+  RayBody a_;
+  std::optional<RayBody> b_;
   int base_winding_;
   std::unique_ptr<Sheets> sheets_;
-  RayOverlap overlap_;
+  std::optional<RayOverlap> overlap_;  // none of a solid by itself
   mutable RayCounts counts_;
   std::unique_ptr<Spare> spare_;
 };

@@ -200,8 +200,9 @@ void RowWork::mark_walls(int column, const std::vector<Wall>& walls) {
   }
 }
 
+/// Of a solid by itself all that is asked lies outside or on its surface.
 bool RowWork::meets(int column, const Fraction& z) {
-  return pair_.overlap_.interiors_meet(ray_place(sheets_.grid().u_at(column), y_, z), recent_);
+  return pair_.overlap_ && pair_.overlap_->interiors_meet(ray_place(sheets_.grid().u_at(column), y_, z), recent_);
 }
 
 /// On a facet, so touching at least. Beside a place that is not in the open set U it is not in U either.

@@ -3,6 +3,7 @@
 #include "space/ray_summary.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace findspace::space {
 
@@ -17,7 +18,7 @@ void RaySummarizer::join(int a, int b) {
   if (a == b) return;
   if (b < a) std::swap(a, b);
   root_[b] = a;
-  RayComponent &p = parts_[a], &q = parts_[b];
+  RayComponent &p = parts_[a].component, &q = parts_[b].component;
   p.volume += q.volume;
   for (int k = 0; k < 3; ++k) {
     p.low[k] = std::min(p.low[k], q.low[k]);
@@ -43,7 +44,7 @@ void RaySummarizer::take(Interval interval, int i, int j) {
   part.sample = part.low;
   part.sample[grid_.axis] = (part.low[grid_.axis] + part.high[grid_.axis]) / 2;
   interval.component = static_cast<int>(parts_.size());
-  parts_.push_back(part);
+  parts_.push_back({part, summary_.intervals});
   root_.push_back(interval.component);
   const auto join_with = [&](const std::vector<Interval>& line) {
     for (const Interval& other : line) {
@@ -74,13 +75,38 @@ void RaySummarizer::add(int j, const RayRow& row) {
     }
     ++summary_.lines;
   }
+  end_row();
+}
+
+/// Components that the row does not meet are done; the others get new numbers, by birth.
+void RaySummarizer::end_row() {
+  std::vector<int> number(parts_.size(), -1);
+  for (const auto& line : now_) {
+    for (const Interval& i : line) number[find(i.component)] = 0;
+  }
+  std::vector<Part> left;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    if (root_[k] != static_cast<int>(k)) continue;
+    if (number[k] < 0) {
+      done_.push_back(std::move(parts_[k]));
+      continue;
+    }
+    number[k] = static_cast<int>(left.size());
+    left.push_back(std::move(parts_[k]));
+  }
+  for (auto& line : now_) {
+    for (Interval& i : line) i.component = number[find(i.component)];
+  }
+  parts_ = std::move(left);
+  root_.resize(parts_.size());
+  std::iota(root_.begin(), root_.end(), 0);
   before_ = std::move(now_);
 }
 
 RaySummary RaySummarizer::finish() {
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    if (root_[k] == static_cast<int>(k)) summary_.components.push_back(parts_[k]);
-  }
+  done_.insert(done_.end(), parts_.begin(), parts_.end());
+  std::sort(done_.begin(), done_.end(), [](const Part& a, const Part& b) { return a.born < b.born; });
+  for (const Part& part : done_) summary_.components.push_back(part.component);
   std::stable_sort(summary_.components.begin(), summary_.components.end(),
                    [](const RayComponent& a, const RayComponent& b) { return a.volume > b.volume; });
   summary_.empty = summary_.components.empty();

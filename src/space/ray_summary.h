@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What a region given on rays is like, in numbers, row by row: only two rows are kept.
+// What a region given on rays is like, in numbers, row by row: only two rows are kept, and the components.
 // Guarantee: exact on the lines; of the region itself these are samples: the volume is that of boxes about the
 // intervals, and components are connections of intervals of neighbouring lines that overlap (parts that only meet
 // between lines count apart, parts nearer than a step may count as one).
@@ -46,12 +46,20 @@ class RaySummarizer {
   int find(int k);
   void join(int a, int b);
   void take(Interval interval, int i, int j);
+  void end_row();
+
+  /// A component as far as it is known; `born`: its first interval.
+  struct Part {
+    RayComponent component;
+    std::int64_t born = 0;
+  };
 
   RayGrid grid_;
   RaySummary summary_;
   std::vector<std::vector<Interval>> before_, now_;  // of each line of the row before and of this one
-  std::vector<RayComponent> parts_;
+  std::vector<Part> parts_;                          // those that the two rows meet
   std::vector<int> root_;
+  std::vector<Part> done_;
 };
 
 }  // namespace findspace::space

@@ -156,17 +156,35 @@ RayGrid RayLattice::grid(int axis) const {
   return {axis, parts, component(origin, a), component(origin, b), step, step, count[a], count[b]};
 }
 
-RayLattice ray_lattice(const Point& low, const Point& high, int n) {
-  const Point size = high - low;
-  const int longest = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+namespace {
+
+/// Cubes like the cells of a grid, from half a cube before the box on.
+RayLattice lattice_of(const Point& low, const Point& size, const RayGrid& even) {
   RayLattice lattice;
-  const RayGrid even = ray_grid(low, high, (longest + 2) % 3, n);  // its first coordinate is the longest
   lattice.parts = even.parts;
   lattice.step = even.du;
   lattice.origin = {low.x * even.parts - even.du / 2, low.y * even.parts - even.du / 2,
                     low.z * even.parts - even.du / 2};
   for (int k = 0; k < 3; ++k) lattice.count[k] = static_cast<int>(component(size, k) * even.parts / even.du) + 3;
   return lattice;
+}
+
+/// The axis of lines whose first coordinate across is the longest.
+int across_longest(const Point& size) {
+  const int longest = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  return (longest + 2) % 3;
+}
+
+}  // namespace
+
+RayLattice ray_lattice(const Point& low, const Point& high, int n) {
+  const Point size = high - low;
+  return lattice_of(low, size, ray_grid(low, high, across_longest(size), n));
+}
+
+RayLattice ray_lattice_by_step(const Point& low, const Point& high, std::int64_t step) {
+  const Point size = high - low;
+  return lattice_of(low, size, ray_grid_by_step(low, high, across_longest(size), step));
 }
 
 RaySurface ray_surface(const RayLattice& lattice, const std::function<std::unique_ptr<RaySource>(int axis)>& source,

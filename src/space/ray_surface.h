@@ -32,6 +32,8 @@ struct RayLattice {
 
 /// Cubes, n along the longest side of the box (grid steps) and one more each way.
 RayLattice ray_lattice(const Point& low, const Point& high, int n);
+/// Cubes with sides of `step` grid steps.
+RayLattice ray_lattice_by_step(const Point& low, const Point& high, std::int64_t step);
 
 struct RaySurface {
   std::vector<std::array<double, 3>> vertices;  // in grid steps

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "findspace/error.h"
+#include "space/ray_body.h"
 #include "space/shape_rays.h"
 #include "space/solid.h"
 #include "unit/space_bodies.h"
@@ -37,6 +38,16 @@ ShapePtr ball(const Point& center, std::int64_t radius) {
 ShapePtr hull(std::vector<Point> points) {
   Solid solid;
   solid.mesh.vertices = std::move(points);
+  return primitive(std::move(solid));
+}
+
+/// The same as a surface of triangles.
+ShapePtr mesh(std::vector<Point> points) {
+  const Triangles surface = triangles(Polytope::hull(points));
+  Solid solid;
+  solid.form = Solid::Form::kMesh;
+  solid.mesh.vertices = surface.points;
+  for (const auto& f : surface.faces) solid.mesh.faces.emplace_back(f.begin(), f.end());
   return primitive(std::move(solid));
 }
 
@@ -88,15 +99,16 @@ ShapePtr random_tree(std::mt19937& random, int depth) {
   if (depth == 0) {
     const Point c{pick(-3, 3), pick(-3, 3), pick(-3, 3)};
     if (pick(0, 2) == 0) return ball(c, pick(1, 4));
+    const auto flat = pick(0, 1) == 0 ? hull : mesh;
     if (pick(0, 1) == 0) {
       const std::int64_t r = pick(1, 4);
-      return hull({c + Point{r, 0, 0}, c - Point{r, 0, 0}, c + Point{0, r, 0}, c - Point{0, r, 0}, c + Point{0, 0, r},
+      return flat({c + Point{r, 0, 0}, c - Point{r, 0, 0}, c + Point{0, r, 0}, c - Point{0, r, 0}, c + Point{0, 0, r},
                    c - Point{0, 0, r}});
     }
     const Point d{c.x + pick(1, 4), c.y + pick(1, 4), c.z + pick(1, 4)};
     std::vector<Point> corners;
     for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? c.x : d.x, i & 2 ? c.y : d.y, i & 4 ? c.z : d.z});
-    return hull(corners);
+    return flat(corners);
   }
   const auto sub = [&] { return random_tree(random, static_cast<int>(pick(0, depth - 1))); };
   switch (pick(0, 5)) {
@@ -151,6 +163,40 @@ TEST(ShapeRays, AgreeWithTheDefinition) {
     }
   }
   EXPECT_GT(events, 2000);
+}
+
+/// At places of the cells about the lines: what the shrunk set holds is in the set, and what is in the set the grown
+/// one holds.
+TEST(ShapeRays, BoundsHoldInTheWholeCell) {
+  std::mt19937 random(8);
+  int certain = 0, outside = 0;
+  for (int round = 0; round < 120; ++round) {
+    const ShapePtr tree = random_tree(random, 3);
+    const RayGrid grid{round % 3, 2, -13, -12, 3, 4, 8, 7};
+    const Real radius = Real::ratio(5, 4);  // half the diagonal of a cell of 3/2 x 2
+    const RaySourcePointer shrunk = shape_rays(*tree, grid, -radius), grown = shape_rays(*tree, grid, radius);
+    const auto inner = all_rows(*shrunk), outer = all_rows(*grown);
+    for (int k = 0; k < 200; ++k) {
+      const int i = static_cast<int>(random() % 8), j = static_cast<int>(random() % 7);
+      const auto within = [&](std::int64_t size) {
+        return std::uniform_int_distribution<std::int64_t>(-size, size)(random);
+      };
+      RealVector p;
+      const auto axis = static_cast<std::size_t>(grid.axis);
+      p[(axis + 1) % 3] = Real::ratio(8 * grid.u_at(i) + within(4 * grid.du), 8 * grid.parts);
+      p[(axis + 2) % 3] = Real::ratio(8 * grid.v_at(j) + within(4 * grid.dv), 8 * grid.parts);
+      p[axis] = Real::ratio(within(60), 8);
+      const Real z = p[axis] * Real(grid.parts);
+      const bool in = holds(*tree, p);
+      const auto row = static_cast<std::size_t>(j);
+      const bool sure = sign_at(inner[row], i, z)<0, never = sign_at(outer[row], i, z)> 0;
+      ASSERT_TRUE(in || !sure) << round;
+      ASSERT_FALSE(in && never) << round;
+      certain += sure, outside += never;
+    }
+  }
+  EXPECT_GT(certain, 1000);
+  EXPECT_GT(outside, 1000);
 }
 
 TEST(ShapeRays, RefusesWhatLinesCannotTell) {

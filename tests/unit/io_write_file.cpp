@@ -73,5 +73,25 @@ TEST_F(WriteFile, DevicesAreWrittenTo) {
   EXPECT_THROW(write_files({{"/dev/full", "x"}}), Error);
 }
 
+TEST_F(WriteFile, TakesTextPieceByPiece) {
+  Spool spool;
+  EXPECT_TRUE(spool.empty());
+  std::string all;
+  for (int k = 0; k < 50000; ++k) {
+    const std::string part = std::to_string(k) + " ";
+    spool.append(part);
+    all += part;
+  }
+  write_files({{folder_ / "a", {}, [&](const Sink& sink) { spool.copy_to(sink), spool.copy_to(sink); }}});
+  EXPECT_EQ(read(folder_ / "a"), all + all);
+  const auto fails = [&](const Sink& sink) {
+    sink("half");
+    throw Error(ErrorCode::kFile, "no more");
+  };
+  EXPECT_THROW(write_files({{folder_ / "b", "x"}, {folder_ / "a", {}, fails}}), Error);
+  EXPECT_EQ(read(folder_ / "a"), all + all);
+  EXPECT_EQ(entries(), 1u);
+}
+
 }  // namespace
 }  // namespace findspace::io
