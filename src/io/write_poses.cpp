@@ -25,6 +25,7 @@ function show(k) {
   k = (k + pages.length) % pages.length;
   pages.forEach((p, i) => p.hidden = i !== k);
   slider.value = k;
+  document.querySelector('output').textContent = (k + 1) + ' of ' + pages.length;
 }
 document.querySelector('nav').hidden = false;
 slider.max = pages.length - 1;
@@ -65,13 +66,14 @@ std::string pages_html(std::string_view title, const std::vector<Page>& pages) {
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
       "<style>body{{font:15px sans-serif;margin:18px;color:#223}}nav{{margin:8px "
       "0}}input{{width:420px;vertical-align:middle}}"
-      "h2{{font-size:17px;margin:6px 0}}button{{font-size:15px}}</style></head><body>\n<h1 "
+      "button{{font-size:15px}}</style></head><body>\n<h1 "
       "style=\"font-size:20px\">{0}</h1>\n"
       "<nav hidden><button id=\"back\">&#9664;</button> <input type=\"range\" min=\"0\" value=\"0\" "
       "aria-label=\"page\"> "
-      "<button id=\"on\">&#9654;</button></nav>\n",
+      "<button id=\"on\">&#9654;</button> <output></output></nav>\n",
       xml_escaped(title));
-  for (const Page& p : pages) out += fmt::format("<section><h2>{}</h2>\n{}</section>\n", xml_escaped(p.title), p.svg);
+  for (const Page& p : pages)  // the picture has the title, too
+    out += fmt::format("<section aria-label=\"{}\">\n{}</section>\n", xml_escaped(p.title), p.svg);
   return out + "<script>" + kScript + "</script></body></html>\n";
 }
 
