@@ -18,8 +18,10 @@
 
 #include "distance/at_position.h"
 #include "plane/contour.h"
+#include "plane/minkowski.h"
 #include "plane/overlay.h"
 #include "plane/primitives.h"
+#include "plane/topology.h"
 #include "situation/evaluate.h"
 #include "situation/parse.h"
 #include "situation/solve.h"
@@ -215,6 +217,21 @@ void depth_table() {
     for (Point& p : polygon) p.x /= 4, p.y /= 4;
     return polygon;
   };
+  // Corners rounded by discs a fiftieth as large; a hole in which the other shape could stand.
+  auto rounded = [&](const Polygon& polygon) {
+    return findspace::plane::minkowski_sum(region(polygon), findspace::plane::region_of_disc(0, 0, Real(size / 50)));
+  };
+  auto ring = [&](const Polygon& polygon) {
+    const Region whole = region(polygon), hole = findspace::plane::interior(region(quarter(polygon)));
+    const Region* both[] = {&whole, &hole};
+    return findspace::plane::subtract(both);
+  };
+  for (int n : {50, 100, 200, 400}) {
+    row("rounded stars", n, "gamma1", Which::kGamma1, rounded(star(n, 1)), rounded(star(n, 2)));
+    row("rounded wavy", n, "gamma1", Which::kGamma1, rounded(smooth(n, 3)), rounded(smooth(n, 4)));
+    row("rounded star in a star", n, "eta1", Which::kEta1, rounded(star(n, 1)), rounded(quarter(star(n, 2))));
+    row("ring, quarter star", n, "gamma1", Which::kGamma1, ring(star(n, 1)), region(quarter(star(n, 2))));
+  }
   for (int n : {125, 250, 500, 1000}) {
     row("stars", n, "gamma1", Which::kGamma1, region(star(n, 1)), region(star(n, 2)));
     row("wavy", n, "gamma1", Which::kGamma1, region(smooth(n, 3)), region(smooth(n, 4)));

@@ -54,12 +54,13 @@ std::optional<Measured> AtPosition::signed_value(Which which, const Standing& s,
   const RealPoint at = back ? -p : p;
   const bool holds = way->holds(at), positive = holds != (which == Which::kGamma1);
   Measured m;
-  if (!holds && s.pair) {  // not overlapping (or not outside), and the boundaries do not meet
-    m = {positive ? s.pair->distance : -s.pair->distance, p + (s.pair->first - s.pair->second), std::nullopt,
-         features(*s.pair)};
+  if (!holds) {  // their insides (or that of B and the outside of A) do not meet
+    const SitePair k = s.pair ? *s.pair : closest_pair(fixed(), moving(), p);
+    m = {positive ? k.distance : -k.distance, std::nullopt, std::nullopt, features(k)};
+    if (k.distance.sign() != 0) m.nearest = p + (k.first - k.second);
     return m;
   }
-  WayOut::Answer answer = holds ? way->nearest(at) : way->nearest_inside(at);
+  const WayOut::Answer answer = way->nearest(at);
   if (!answer.known) return by_map(which, p);
   if (!answer.nearest) {
     m.minus_infinity = true;  // of contact: it holds everywhere

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "distance/exact_pairs.h"
 #include "distance/sites.h"
@@ -46,10 +47,13 @@ inline bool segments_cross(const Site& s, const Site& t, double room) {
 /// Within `room` of the site, for a place on its line or circle.
 inline bool is_on(const Site& s, double x, double y, double room) { return s.distance(x, y) <= room; }
 
-/// Where an arc and another site meet, if they do or seem to.
-inline std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const Site& other, double room) {
-  if (other.is_vertex())
-    return is_on(arc, other.x0, other.y0, room) ? std::optional(std::array{other.x0, other.y0}) : std::nullopt;
+/// The first place where an arc and another site meet or seem to that `wanted(x, y)` takes.
+template <class Wanted>
+std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const Site& other, double room, Wanted&& wanted) {
+  if (other.is_vertex()) {
+    const bool on = is_on(arc, other.x0, other.y0, room) && wanted(other.x0, other.y0);
+    return on ? std::optional(std::array{other.x0, other.y0}) : std::nullopt;
+  }
   double ux, uy, fx, fy, h2;
   if (other.arc) {
     double dx = other.cx - arc.cx, dy = other.cy - arc.cy, d = std::hypot(dx, dy);
@@ -67,10 +71,36 @@ inline std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const S
   }
   if (h2 < -room * arc.r) return std::nullopt;
   double h = std::sqrt(std::max(0.0, h2)), wide = room + std::sqrt(room * arc.r) * (h2 < room * arc.r);
-  for (double side : {-h, h})
-    if (is_on(arc, fx + side * ux, fy + side * uy, wide) && is_on(other, fx + side * ux, fy + side * uy, wide))
-      return std::array{fx + side * ux, fy + side * uy};
+  for (double side : {-h, h}) {
+    const double x = fx + side * ux, y = fy + side * uy;
+    if (is_on(arc, x, y, wide) && is_on(other, x, y, wide) && wanted(x, y)) return std::array{x, y};
+  }
   return std::nullopt;
+}
+
+inline std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const Site& other, double room) {
+  return arc_meeting(arc, other, room, [](double, double) { return true; });
+}
+
+/// Two edges cross, and still do when one is moved by `room`: within reach of the place where they meet, short of all
+/// ends, both bend by less than an eighth of what they part. `slack`: what the place may be off.
+inline bool edges_cross(const Site& s, const Site& t, double room, double slack) {
+  if (!s.arc && !t.arc) return segments_cross(s, t, room + slack);
+  const auto tangent = [](const Site& e, double x, double y) {
+    const double dx = e.arc ? e.cy - y : e.x1 - e.x0, dy = e.arc ? x - e.cx : e.y1 - e.y0, n = std::hypot(dx, dy);
+    return std::array{dx / n, dy / n};
+  };
+  const auto wanted = [&](double x, double y) {
+    const auto u = tangent(s, x, y), v = tangent(t, x, y);
+    const double sine = std::abs(cross(u[0], u[1], v[0], v[1]));
+    double reach = std::numeric_limits<double>::infinity();
+    for (const Site* e : {&s, &t}) {
+      reach = std::min({reach, std::hypot(x - e->x0, y - e->y0), std::hypot(x - e->x1, y - e->y1)});
+      if (e->arc) reach = std::min(reach, e->r * sine / 4);
+    }
+    return reach * sine / 2 > room + slack + slack / sine;
+  };
+  return (s.arc ? arc_meeting(s, t, slack, wanted) : arc_meeting(t, s, slack, wanted)).has_value();
 }
 
 inline bool may_meet(const Site& s, const Site& t, double room) {

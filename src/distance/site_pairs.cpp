@@ -34,6 +34,7 @@ class PairSearch {
   /// Returns false where the boundaries meet or come closer than numbers can tell; not if `touching`.
   bool run_nearest(bool touching);
   void run_farthest();
+  double gap() const { return best_ - slack_; }
   /// A crossing of straight edges, certain; with `arcs` also a place where arcs meet or seem to.
   std::optional<SitePair> run_common(bool arcs);
   bool run_crossing(double margin);
@@ -151,7 +152,7 @@ bool PairSearch::run_crossing(double margin) {
   best_ = 0;
   walk(false, [&](const Placed& p, const Placed& q) {
     const Site &s = p.s, &t = q.s;
-    found = !s.arc && !t.arc && !s.is_vertex() && !t.is_vertex() && segments_cross(s, t, margin + slack_);
+    found = !s.is_vertex() && !t.is_vertex() && edges_cross(s, t, margin, slack_);
     return !found;
   });
   return found;
@@ -182,12 +183,24 @@ std::optional<SitePair> nearest_pair(const SiteTree& a, const SiteTree& b, const
   return search.best(false);
 }
 
+SitePair closest_pair(const SiteTree& a, const SiteTree& b, const RealPoint& p) {
+  PairSearch search(a, b, p);
+  search.run_nearest(true);
+  return search.best(false);
+}
+
 std::optional<SitePair> crossing_pair(const SiteTree& a, const SiteTree& b, const RealPoint& p) {
   return PairSearch(a, b, p).run_common(false);
 }
 
 bool certainly_cross(const SiteTree& a, const SiteTree& b, double x, double y, double margin) {
   return PairSearch(a, b, {Real::from_double(x), Real::from_double(y)}).run_crossing(margin);
+}
+
+bool certainly_apart(const SiteTree& a, const SiteTree& b, double x, double y, double margin) {
+  const RealPoint p{Real::from_double(x), Real::from_double(y)};
+  PairSearch search(a, b, p);
+  return search.run_nearest(false) && search.gap() > margin;
 }
 
 SitePair common_point(const SiteTree& a, const SiteTree& b, const RealPoint& p) {

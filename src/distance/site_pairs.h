@@ -16,10 +16,14 @@ namespace findspace::distance {
 
 /// The pair of nearest boundary points. Nothing where the boundaries meet or numbers do not exclude it.
 std::optional<SitePair> nearest_pair(const SiteTree& a, const SiteTree& b, const exact::RealPoint& p);
+/// The same of sets whose interiors do not meet: the distance may be 0.
+SitePair closest_pair(const SiteTree& a, const SiteTree& b, const exact::RealPoint& p);
 /// A point where straight edges of the two boundaries cross, for certain.
 std::optional<SitePair> crossing_pair(const SiteTree& a, const SiteTree& b, const exact::RealPoint& p);
-/// Two straight edges cross, each end further than the margin from the line of the other edge, for certain.
+/// Two edges cross, and still do when one is moved by the margin, for certain.
 bool certainly_cross(const SiteTree& a, const SiteTree& b, double x, double y, double margin);
+/// The boundaries are farther than the margin from each other, for certain.
+bool certainly_apart(const SiteTree& a, const SiteTree& b, double x, double y, double margin);
 /// A point of both boundaries, which meet; on arcs as good as numbers tell.
 SitePair common_point(const SiteTree& a, const SiteTree& b, const exact::RealPoint& p);
 /// A pair of boundary points that are as near as numbers can tell: where shapes touch, the place.

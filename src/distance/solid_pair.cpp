@@ -182,37 +182,6 @@ SolidValue SolidPair::round_gap(const RealVector& p) const {
   return *best;
 }
 
-SolidValue SolidPair::reach(const RealVector& p) const {
-  const space::Vector near = space::rounded(p);
-  double top = 0;
-  const auto each = [&](const auto& visit) {
-    for (const BodyPart& t : a_->parts) {
-      for (const BodyPart& s : b_->parts) {
-        const double r = (t.radius + s.radius).to_double();
-        for (const space::Point& v : t.vertices()) {
-          const space::Vector at = exact::shadow(v) - near;
-          for (const space::Point& w : s.vertices()) visit(t, s, v, w, space::length(at - exact::shadow(w)) + r);
-        }
-      }
-    }
-  };
-  each([&](const BodyPart&, const BodyPart&, const space::Point&, const space::Point&, double d) {
-    top = std::max(top, d);
-  });
-  std::optional<SolidValue> best;
-  each([&](const BodyPart& t, const BodyPart& s, const space::Point& v, const space::Point& w, double d) {
-    if (d < top * (1 - 0x1p-46)) return;
-    const RealVector a = real(v), b = space::plus(real(w), p), e = space::minus(a, b);
-    const Real core = length(e), value = core + t.radius + s.radius;
-    if (best && !(best->value < value)) return;
-    best = SolidValue{};
-    best->value = value;
-    if (core.sign() == 0) return;
-    best->points = {space::along(b, -(s.radius / core), e), space::along(a, t.radius / core, e)};
-  });
-  return *best;
-}
-
 SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p) const {
   if (side.fixed->convex()) return stick_out_of_convex(*side.moving, side.fixed->parts[0], p);
   if (!side.fixed->round()) {
@@ -322,31 +291,6 @@ std::optional<SolidValue> SolidPair::unbounded(Which which, const RealVector& p)
 
 std::optional<SolidValue> SolidPair::value(Which which, const RealVector& p) const {
   return outside_ ? unbounded(which, p) : bounded(which, p);
-}
-
-Real diameter(const Body& body) {
-  double top = 0;
-  const auto each = [&](const auto& visit) {
-    for (const BodyPart& t : body.parts) {
-      for (const BodyPart& s : body.parts) {
-        const double r = (t.radius + s.radius).to_double();
-        for (const space::Point& v : t.vertices()) {
-          for (const space::Point& w : s.vertices())
-            visit(t, s, v, w, space::length(exact::shadow(v) - exact::shadow(w)) + r);
-        }
-      }
-    }
-  };
-  each([&](const BodyPart&, const BodyPart&, const space::Point&, const space::Point&, double d) {
-    top = std::max(top, d);
-  });
-  Real best;
-  each([&](const BodyPart& t, const BodyPart& s, const space::Point& v, const space::Point& w, double d) {
-    if (d < top * (1 - 0x1p-46)) return;
-    const Real value = length(real(v - w)) + t.radius + s.radius;
-    if (best < value) best = value;
-  });
-  return best;
 }
 
 }  // namespace findspace::distance

@@ -19,18 +19,80 @@ using plane::Nearest;
 
 namespace {
 
-constexpr std::size_t kFewCurves = 100;      // arranged at once
-constexpr std::size_t kManyCurves = 20000;   // not counted further
-constexpr std::int64_t kSmallest = 4;        // of a box, in grid steps
-constexpr int kVainHalvings = 4;             // that leave nearly all curves in the box: they run along each other
-constexpr std::size_t kCurvesOfMap = 10000;  // a map of fewer is cheap
+constexpr std::size_t kFewCurves = 100;        // arranged at once
+constexpr std::size_t kManyCurves = 20000;     // not counted further
+constexpr std::int64_t kSmallest = 4;          // of a box, in grid steps
+constexpr int kVainHalvings = 4;               // that leave nearly all curves in the box: they run along each other
+constexpr std::size_t kCurvesOfMap = 10000;    // a map of fewer is cheap
+constexpr std::size_t kCurvesOfArcMap = 2000;  // with arcs, or where one shape could go round a hole of the other
+constexpr std::size_t kPairsOfMap = 5000;      // of edges: there are no more curves
 // What a map costs, in boxes: the square of the number of curves, in these.
-constexpr double kCurvesPerBox = 1000;
-constexpr double kNearby = 0x1p-30;  // of the coordinates: what numbers cannot tell apart is nearer
-constexpr double kRoom = 0x1p-40;    // of the coordinates: more than doubles lose, no sign
+constexpr double kCurvesPerBox = 1000, kCurvesPerArcBox = 500;
+constexpr double kRoom = 0x1p-40;  // of the coordinates: more than doubles lose, no sign
 
-using Curves = std::vector<plane::ConvolutionIndex::Curve>;
+/// The vertex farthest from p among those whose mark is not negative.
+std::optional<Nearest> farthest_vertex(const plane::SignMap& map, const RealPoint& p) {
+  const double x = near_value(p.x), y = near_value(p.y);
+  double most = -1, scale = std::abs(x) + std::abs(y);
+  auto number = [&](const plane::Vertex& v) {
+    const exact::Point& q = map.geometry.points[v.point];
+    scale = std::max({scale, std::abs(q.x), std::abs(q.y)});
+    return std::hypot(q.x - x, q.y - y);
+  };
+  for (const plane::Vertex& v : map.vertices)
+    if (v.mark >= 0) most = std::max(most, number(v));
+  std::optional<Nearest> best;
+  for (plane::Index k = 0; k < map.vertices.size(); ++k) {
+    const plane::Vertex& v = map.vertices[k];
+    if (v.mark < 0 || number(v) < most - (scale + most) * kRoom) continue;
+    RealPoint at = map.geometry.exact(v.point);
+    exact::Real dx = at.x - p.x, dy = at.y - p.y, d = sqrt(dx * dx + dy * dy);
+    if (!best || d > best->distance) best = Nearest{d, at, {0, k}};
+  }
+  return best;
+}
 
+/// Curves of the boundary of grid polygons, arranged.
+class GridPlaces {
+ public:
+  using Curves = std::vector<plane::ConvolutionIndex::Curve>;
+  GridPlaces(const plane::LocalSum& sum, const RealPoint& p) : sum_(sum), p_(p) {}
+
+  Curves curves_in(const GridBox& w, std::size_t most) const { return plane::curves_in(sum_.index(), w, most); }
+  Curves curves_in(const GridBox& w, const Curves& among) const { return plane::curves_in(sum_.index(), w, among); }
+  std::optional<Nearest> best(const GridBox& w, const Curves& curves, bool far,
+                              const plane::FreePlaces::Certain& certain) const {
+    const plane::SignMap map =
+        sum_.map(w, curves, [&](const exact::Point& q) { return certain.held(q.x, q.y, q.error); });
+    return far ? farthest_vertex(map, p_)
+               : nearest(
+                     map, [](Mark m) { return m >= 0; }, p_);
+  }
+
+ private:
+  const plane::LocalSum& sum_;
+  const RealPoint& p_;
+};
+
+/// Contact curves of sets of any kind, their meetings tried.
+class CurvePlaces {
+ public:
+  using Curves = plane::FreePlaces::Curves;
+  CurvePlaces(const plane::FreePlaces& places, const RealPoint& p) : places_(places), from_(places, p) {}
+
+  Curves curves_in(const GridBox& w, std::size_t most) const { return places_.curves_in(w, most); }
+  Curves curves_in(const GridBox& w, const Curves& among) const { return places_.curves_in(w, among); }
+  std::optional<Nearest> best(const GridBox& w, const Curves& curves, bool far,
+                              const plane::FreePlaces::Certain& certain) const {
+    return from_.best(w, curves, far, certain);
+  }
+
+ private:
+  const plane::FreePlaces& places_;
+  plane::FreePlaces::From from_;
+};
+
+template <class Curves>
 struct Box {
   GridBox window;
   double bound;        // no position in it is better: the least distance from p, or minus the greatest
@@ -57,28 +119,6 @@ double bound(const GridBox& w, double x, double y, bool far) {
   return std::max(0.0, std::hypot(std::max({left, right, 0.0}), std::max({low, high, 0.0})) - room);
 }
 
-/// The vertex farthest from p among those whose mark is not negative.
-std::optional<Nearest> farthest_vertex(const plane::SignMap& map, const RealPoint& p) {
-  const double x = near_value(p.x), y = near_value(p.y);
-  double most = -1, scale = std::abs(x) + std::abs(y);
-  auto number = [&](const plane::Vertex& v) {
-    const exact::Point& q = map.geometry.points[v.point];
-    scale = std::max({scale, std::abs(q.x), std::abs(q.y)});
-    return std::hypot(q.x - x, q.y - y);
-  };
-  for (const plane::Vertex& v : map.vertices)
-    if (v.mark >= 0) most = std::max(most, number(v));
-  std::optional<Nearest> best;
-  for (plane::Index k = 0; k < map.vertices.size(); ++k) {
-    const plane::Vertex& v = map.vertices[k];
-    if (v.mark < 0 || number(v) < most - (scale + most) * kRoom) continue;
-    RealPoint at = map.geometry.exact(v.point);
-    exact::Real dx = at.x - p.x, dy = at.y - p.y, d = sqrt(dx * dx + dy * dy);
-    if (!best || d > best->distance) best = Nearest{d, at, {0, k}};
-  }
-  return best;
-}
-
 /// A step more on every side: the map of a window says nothing certain about its border.
 GridBox grown(const GridBox& w) { return {w.x0 - 1, w.y0 - 1, w.x1 + 1, w.y1 + 1}; }
 
@@ -94,8 +134,7 @@ bool has_vertex_deep(const SiteTree& of, const SiteTree& in, double dx, double d
 
 }  // namespace
 
-WayOut::WayOut(const SiteTree& moving, const SiteTree& fixed, Of of, std::shared_ptr<const plane::LocalSum> sum,
-               std::int64_t boxes)
+WayOut::WayOut(const SiteTree& moving, const SiteTree& fixed, Of of, Sum sum, std::int64_t boxes)
     : moving_(moving),
       fixed_(fixed),
       of_(of),
@@ -106,14 +145,30 @@ WayOut::WayOut(const SiteTree& moving, const SiteTree& fixed, Of of, std::shared
 
 std::unique_ptr<const WayOut> WayOut::make(const SiteTree& moving, const SiteTree& fixed, Of of, When when) {
   const plane::Region &a = fixed.region(), &b = moving.region();
-  auto sum = of == Of::kContact ? plane::LocalSum::contact(a, b) : plane::LocalSum::containment(a, b);
-  if (!sum) return nullptr;
-  const std::size_t curves = sum->index().convex_count();
-  const bool cheap = curves < kCurvesOfMap || sum->index().may_be_unsure();
-  if (when == When::kPaying && sum->bounds() && cheap) return nullptr;
-  auto boxes = when == When::kAlways ? std::numeric_limits<std::int64_t>::max()
-                                     : std::int64_t(std::pow(double(curves) / kCurvesPerBox, 2)) + 1;
-  return std::unique_ptr<const WayOut>(new WayOut(moving, fixed, of, std::move(sum), boxes));
+  const bool always = when == When::kAlways, contact = of == Of::kContact;
+  const auto made = [&](Sum sum, std::size_t curves, double per_box) {
+    const auto boxes =
+        always ? std::numeric_limits<std::int64_t>::max() : std::int64_t(std::pow(double(curves) / per_box, 2)) + 1;
+    return std::unique_ptr<const WayOut>(new WayOut(moving, fixed, of, std::move(sum), boxes));
+  };
+  auto grid = contact ? plane::LocalSum::contact(a, b) : plane::LocalSum::containment(a, b);
+  if (grid && !grid->index().may_be_unsure()) {
+    const std::size_t curves = grid->index().convex_count();
+    if (!always && grid->bounds() && curves < kCurvesOfMap) return nullptr;
+    return made(std::move(grid), curves, kCurvesPerBox);
+  }
+  using Keep = plane::FreePlaces::Keep;
+  if (moving.sites().size() * fixed.sites().size() < kPairsOfMap && !always) return nullptr;
+  auto places = plane::FreePlaces::make(a, b, contact ? Keep::kApart : Keep::kInside);
+  if (!places) return nullptr;
+  const std::size_t curves = places->curve_count();
+  if (!always && curves < kCurvesOfArcMap) return nullptr;
+  return made(std::move(places), curves, kCurvesPerArcBox);
+}
+
+bool WayOut::holds(const RealPoint& p) const {
+  if (const auto* grid = std::get_if<Grid>(&sum_)) return (*grid)->holds(p);
+  return !std::get<Places>(sum_)->is_free(p);
 }
 
 bool WayOut::certainly_holds(double x, double y, double reach) const {
@@ -128,18 +183,43 @@ bool WayOut::certainly_holds(double x, double y, double reach) const {
          has_vertex_deep(fixed_, moving_, -x, -y, margin, true);
 }
 
+bool WayOut::certainly_free(double x, double y, double margin) const {
+  if (!certainly_apart(fixed_, moving_, x, y, margin)) return false;
+  // Boundaries that do not meet: what one vertex of a piece does, all the piece does.
+  const auto lie = [](const SiteTree& of, const SiteTree& in, double dx, double dy, bool inside) {
+    return std::all_of(of.representatives().begin(), of.representatives().end(), [&](plane::Index v) {
+      const exact::Point& p = of.region().point(v);
+      auto depth = depth_in(in, p.x + dx, p.y + dy);
+      return depth && (*depth > 0) == inside;
+    });
+  };
+  return lie(moving_, fixed_, x, y, of_ == Of::kContainment) && lie(fixed_, moving_, -x, -y, false);
+}
+
 bool WayOut::certainly_holds(const GridBox& w) const {
   return certainly_holds((double(w.x0) + double(w.x1)) / 2, (double(w.y0) + double(w.y1)) / 2,
                          std::hypot(double(w.x1 - w.x0), double(w.y1 - w.y0)) / 2);
 }
 
 WayOut::Answer WayOut::search(const RealPoint& p, bool far) const {
+  if (const auto* grid = std::get_if<Grid>(&sum_)) return search(GridPlaces(**grid, p), (*grid)->bounds(), p, far);
+  const Places& places = std::get<Places>(sum_);
+  return search(CurvePlaces(*places, p), places->bounds(), p, far);
+}
+
+template <class Boundary>
+WayOut::Answer WayOut::search(const Boundary& boundary, const std::optional<GridBox>& bounds, const RealPoint& p,
+                              bool far) const {
+  using Curves = typename Boundary::Curves;
+  const plane::FreePlaces::Certain certain{
+      [&](double qx, double qy, double error) { return certainly_holds(qx, qy, error); },
+      [&](double qx, double qy, double margin) { return certainly_free(qx, qy, margin); }};
   const double x = near_value(p.x), y = near_value(p.y);
   std::optional<Nearest> best;
-  std::priority_queue<Box> boxes;
-  if (sum_->bounds()) boxes.push({*sum_->bounds(), bound(*sum_->bounds(), x, y, far), kManyCurves});
+  std::priority_queue<Box<Curves>> boxes;
+  if (bounds) boxes.push({*bounds, bound(*bounds, x, y, far), kManyCurves});
   while (!boxes.empty()) {
-    const Box box = boxes.top();
+    const Box<Curves> box = boxes.top();
     boxes.pop();
     if (best) {
       const double d = best->distance.to_double();
@@ -150,16 +230,12 @@ WayOut::Answer WayOut::search(const RealPoint& p, bool far) const {
     if (certainly_holds(w)) continue;
     const bool small = std::max(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest;
     const std::size_t most = small ? SIZE_MAX : kManyCurves;
-    auto curves = std::make_shared<const Curves>(box.among ? curves_in(sum_->index(), grown(w), *box.among)
-                                                           : curves_in(sum_->index(), grown(w), most));
+    auto curves = std::make_shared<const Curves>(box.among ? boundary.curves_in(grown(w), *box.among)
+                                                           : boundary.curves_in(grown(w), most));
     const std::size_t count = curves->size();
     const int vain = count < most && count * 5 > box.before * 4 ? box.vain + 1 : 0;
     if (count < kFewCurves || vain == kVainHalvings || small) {
-      plane::SignMap map =
-          sum_->map(grown(w), *curves, [&](const exact::Point& q) { return certainly_holds(q.x, q.y, q.error); });
-      auto found = far ? farthest_vertex(map, p)
-                       : plane::nearest(
-                             map, [](Mark m) { return m >= 0; }, p);
+      auto found = boundary.best(grown(w), *curves, far, certain);
       if (found && (!best || (far ? found->distance > best->distance : found->distance < best->distance)))
         best = std::move(found);
       continue;
@@ -168,20 +244,6 @@ WayOut::Answer WayOut::search(const RealPoint& p, bool far) const {
     for (const GridBox& half : halves(w)) boxes.push({half, bound(half, x, y, far), count, vain, curves});
   }
   return {true, std::move(best)};
-}
-
-WayOut::Answer WayOut::nearest_inside(const RealPoint& p) const {
-  const std::int64_t x = std::llround(near_value(p.x)), y = std::llround(near_value(p.y));
-  const double far = std::max((moving_.scale() + fixed_.scale()) * kNearby, double(16 * kSmallest));
-  for (std::int64_t reach = kSmallest; double(reach) < far; reach *= 2) {
-    const GridBox w{x - reach - 1, y - reach - 1, x + reach + 1, y + reach + 1};
-    plane::SignMap map = sum_->map(w, curves_in(sum_->index(), w, SIZE_MAX));
-    if (mark_of(map, locate(map, p)) == 0) return {true, Nearest{exact::Real(), p, {}}};
-    auto near = plane::nearest(
-        map, [](Mark m) { return m <= 0; }, p);
-    if (near && near->distance < exact::Real(reach)) return {true, std::move(near)};
-  }
-  return {false, std::nullopt};
 }
 
 }  // namespace findspace::distance

@@ -23,6 +23,7 @@ class Modulo {
   }
 
   const Coefficients& numerator() const { return values_[std::size_t(shape_.plan().root())]; }
+  bool occurs(int variable) const { return tower_.flipped(numerator(), std::size_t(variable)) != numerator(); }
   /// The numerator times those with the signs of some variables changed, one after the other.
   Coefficients norm(const std::vector<int>& variables) const {
     Coefficients out = numerator();
@@ -204,8 +205,8 @@ bool proves_zero(const Plan& plan) {
   if (first.numerator().empty()) return norm_is_zero(shape, {});
   Conjugate conjugate(shape);
   for (const std::vector<int>& variables : choices(shape)) {
-    if (first.norm(variables).empty() && others_differ(conjugate, variables) && norm_is_zero(shape, variables))
-      return true;
+    if (!first.occurs(variables[0]) || !others_differ(conjugate, variables)) continue;
+    if (first.norm(variables).empty() && norm_is_zero(shape, variables)) return true;
   }
   return false;
 }

@@ -78,7 +78,9 @@ class Collector {
     for (std::size_t k = 0; k < around.size(); ++k) {
       const Leaving &e = around[k], &next = around[(k + 1) % around.size()];
       thin |= e.left == e.right;
-      const double gap = around.size() == 1 ? 2 * kPi : positive(next.direction - e.direction);
+      double gap = around.size() == 1 ? 2 * kPi : positive(next.direction - e.direction);
+      // Two that leave with one tangent: the order of their directions is chance, and one side may be a cusp.
+      if (!e.left && gap < kRoom) gap = 2 * kPi;
       if (e.left || gap < kPi - kRoom) continue;
       found = true;
       // Where two curves join smoothly their own normals are enough.

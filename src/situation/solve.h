@@ -161,6 +161,8 @@ class Solver {
   std::array<plane::Section, 2> turning_instants(const SignMap& wanted, const Roles& roles,
                                                  const exact::RealPoint& p) const;
   std::optional<Trajectory> swinging(const Formula& formula) const;
+  /// Of inf or sup over the time minus the level, where swing() knows the instants.
+  std::optional<std::int8_t> swing_sign(const SignMap& wanted, const exact::RealPoint& p) const;
   std::vector<Distance> all_distances() const;
   distance::Extremum least_directional(const Distance& wanted) const;
   distance::Extremum least_over_time(const Distance& wanted) const;

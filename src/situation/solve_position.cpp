@@ -94,6 +94,9 @@ std::int8_t Solver::sign(const SignMap& wanted, const RealPoint& p) const {
     return mark_of(m, locate(m, p));
   }
   if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
+  const bool at_instant = world_.instant && wanted.distance.prefix == Extremum::kNone;
+  const auto exact = at_instant ? std::nullopt : swing_sign(wanted, {p.x * world_.step, p.y * world_.step});
+  if (exact) return *exact;
   const auto v = turning_value(r, p);
   if (!v) return 1;
   const double over = v->value - (wanted.level / world_.step).to_double();

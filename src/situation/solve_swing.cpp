@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Instants of a shape that swings: Solver::swing. While it only turns, its instants are the angles it passes, and those
-// are known exactly (solve_turning.h). Guarantee: which instants begin and end what, single ones and grazing ones, is
-// exact; their times are the exact angles rounded to about 1e-13 of a turn. Cost: a map over all angles for each place
-// where it turns. Keywords: door leaf, rotational sweep.
+// Instants of a shape that swings: Solver::swing, and what inf and sup over them are: Solver::swing_sign. While it only
+// turns, its instants are the angles it passes, and those are known exactly (solve_turning.h). Guarantee: which
+// instants begin and end what, single ones and grazing ones, is exact; their times are the exact angles rounded to
+// about 1e-13 of a turn. Cost: a map over all angles for each place where it turns. Keywords: door leaf, rotational
+// sweep.
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,23 @@ std::optional<Section> Solver::swing(const Formula& formula, const RealPoint& p)
   for (std::size_t k = 0; k + 1 < times.size(); ++k)
     Leg(out, times[k], times[k + 1]).turn(map, angle_at(*way, times[k]), angle_at(*way, times[k + 1]));
   return out;
+}
+
+std::optional<std::int8_t> Solver::swing_sign(const SignMap& wanted, const RealPoint& p) const {
+  Distance instant = wanted.distance;
+  const bool least = natural_extremum(instant) == Extremum::kInf;
+  instant.prefix = Extremum::kNone;
+  const auto occurs = [&](Relation relation) -> std::optional<bool> {
+    const auto line = swing(Formula(compare(instant, relation, wanted.level)), p);
+    if (!line) return std::nullopt;
+    return std::any_of(line->stops.begin(), line->stops.end(),
+                       [](const Section::Stop& s) { return s.at != 0 || s.after != 0; });
+  };
+  const auto beyond = occurs(least ? Relation::kLess : Relation::kGreater);
+  if (!beyond) return std::nullopt;
+  if (*beyond) return std::int8_t(least ? -1 : 1);
+  if (*occurs(Relation::kEqual)) return std::int8_t(0);
+  return std::int8_t(least ? 1 : -1);
 }
 
 }  // namespace findspace::situation

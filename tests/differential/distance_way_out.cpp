@@ -13,8 +13,10 @@
 #include "distance/at_position.h"
 #include "distance/farthest.h"
 #include "distance/way_out.h"
+#include "plane/minkowski.h"
 #include "plane/overlay.h"
 #include "plane/primitives.h"
+#include "plane/topology.h"
 
 namespace findspace::distance {
 namespace {
@@ -80,10 +82,8 @@ void compare(const Region& a, const Region& b, WayOut::Of of, std::int64_t reach
       }
     }
     if (!way->holds(p)) {
-      const auto in = way->nearest_inside(p);
-      if (!in.known) continue;
       ++count.outside;
-      EXPECT_EQ(in.nearest->distance, abs(value->value));
+      EXPECT_EQ(closest_pair(fixed, moving, p).distance, abs(value->value));
       continue;
     }
     const auto answer = way->nearest(p);
@@ -94,7 +94,8 @@ void compare(const Region& a, const Region& b, WayOut::Of of, std::int64_t reach
       continue;
     }
     ++count.found;
-    EXPECT_EQ(answer.nearest->distance, abs(value->value));
+    EXPECT_EQ(answer.nearest->distance, abs(value->value))
+        << answer.nearest->distance.to_double() << " instead of " << value->value.to_double();
     const RealPoint& at = answer.nearest->at;
     EXPECT_EQ((at.x - p.x) * (at.x - p.x) + (at.y - p.y) * (at.y - p.y), value->value * value->value);
     EXPECT_FALSE(way->holds(at));
@@ -114,6 +115,39 @@ TEST(WayOut, SquaresWithSlotsAndHoles) {
   EXPECT_GT(count.found, 300);
   EXPECT_GT(count.everything, 100);
   EXPECT_GT(count.outside, 50);
+}
+
+/// A polygon with rounded corners, or grown, or discs united or cut out: arcs, holes, several components.
+Region rounded(std::mt19937& rng, std::int64_t size) {
+  auto pick = [&](std::int64_t low, std::int64_t high) {
+    return low + std::int64_t(rng() % std::uint64_t(high - low + 1));
+  };
+  std::vector<Region> discs;
+  for (int k = 0; k < 4; ++k)
+    discs.push_back(plane::region_of_disc(Real(pick(-size, size)), Real(pick(-size, size)), Real(pick(1, size))));
+  const Region square = ring({{-size, -size}, {size, -size}, {size, size}, {-size, size}});
+  std::vector<const Region*> all;
+  for (const Region& d : discs) all.push_back(&d);
+  if (rng() % 2) return plane::regularize(plane::unite(all));
+  all.insert(all.begin(), &square);
+  all.pop_back();
+  return plane::regularize(plane::subtract(all));
+}
+
+TEST(WayOut, ArcsAndHoles) {
+  Count count;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::mt19937 rng(seed);
+    // On a small lattice discs fit holes exactly and touch each other.
+    const std::int64_t size = seed % 2 ? 6 : 1000;
+    const Region a = rounded(rng, 2 * size), b = rounded(rng, size);
+    if (plane::is_empty(a) || plane::is_empty(b)) continue;
+    compare(a, b, WayOut::Of::kContact, 3 * size, rng, count);
+    compare(a, b, WayOut::Of::kContainment, 3 * size, rng, count);
+    if (HasFailure()) FAIL() << "seed " << seed;
+  }
+  EXPECT_GT(count.found, 100);
+  EXPECT_GT(count.outside, 10);
 }
 
 TEST(WayOut, Stars) {
@@ -147,6 +181,20 @@ TEST(WayOut, AtAPositionOfLargeShapes) {
       EXPECT_FALSE(pair->has(w)) << "the map was made";
     }
   }
+}
+
+/// Rounded stars: as the map, without it.
+TEST(WayOut, AtAPositionOfRoundedShapes) {
+  std::mt19937 rng(4);
+  const auto rounded_star = [&] {
+    return plane::minkowski_sum(star(rng, 60, 1 << 20), plane::region_of_disc(0, 0, Real(1 << 15)));
+  };
+  auto pair = std::make_shared<ShapePair>(rounded_star(), rounded_star());
+  const RealPoint p{1 << 18, 1 << 19};
+  const auto m = AtPosition(pair).measure(Which::kGamma1, p);
+  EXPECT_FALSE(pair->has(Which::kGamma1)) << "the map was made";
+  ASSERT_TRUE(m && m->nearest && m->witness.size() == 2);
+  EXPECT_EQ(m->value, pair->distance(Which::kGamma1)->value(p)->value);
 }
 
 }  // namespace
