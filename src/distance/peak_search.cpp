@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kFewSites = 3;
 // Of the scale. Peaks on edges are smooth or sharp; a part this small is left to the exact computation in its place.
-constexpr double kSmallBox = 0x1p-30, kSmallPart = 0x1p-24, kRounding = 0x1p-47;
+constexpr double kSmallBox = 0x1p-30, kSmallPart = 0x1p-44, kRounding = 0x1p-47;
 
 double half_diagonal(const SearchRange& box) { return std::hypot(box.x1 - box.x0, box.y1 - box.y0) / 2; }
 
