@@ -88,9 +88,12 @@ void rays_json(const space::RaySummary& summary, const space::RayGrid& grid, dou
       summary.precision * step, summary.intervals, summary.points, text.on_lines, text.axes ? 3 : 1,
       text.axes ? "crossing lines of three axes where certified, else overlapping intervals of neighbouring lines"
                 : "overlapping intervals of neighbouring lines");
-  if (text.lines != nullptr && !text.lines->empty()) {
-    sink(out + ",\n    \"lines\": [\n    ");
-    text.lines->copy_to(sink);
+  if (text.lines != nullptr) {
+    sink(out + ",\n    \"lines\": [");
+    if (!text.lines->empty()) {
+      sink("\n    ");
+      text.lines->copy_to(sink);
+    }
     out = "]";
   }
   sink(out + "}\n}\n");

@@ -61,9 +61,9 @@ void drop_empty_faces(Mesh& mesh, std::vector<std::string>& notes) {
     take_out_spurs(face);
     if (face.size() >= 3 && !exact::is_zero(area_vector(mesh, face))) kept.push_back(face);
   }
-  if (kept.size() < mesh.faces.size()) {
-    notes.push_back(fmt::format("{} faces without area were dropped", mesh.faces.size() - kept.size()));
-  }
+  if (const std::size_t empty = mesh.faces.size() - kept.size(); empty > 0)
+    notes.push_back(empty == 1 ? "1 face without area was dropped"
+                               : fmt::format("{} faces without area were dropped", empty));
   mesh.faces = std::move(kept);
 }
 
@@ -84,7 +84,9 @@ void flatten(Mesh& mesh, std::vector<std::string>& notes) {
       flat.push_back({face[a], face[b], face[c]});
     }
   }
-  if (bent > 0) notes.push_back(fmt::format("{} faces are not flat and were cut into triangles", bent));
+  if (bent > 0)
+    notes.push_back(bent == 1 ? "1 face is not flat and was cut into triangles"
+                              : fmt::format("{} faces are not flat and were cut into triangles", bent));
   mesh.faces = std::move(flat);
 }
 
