@@ -20,12 +20,22 @@ using plane::Region;
 
 namespace {
 
-constexpr double kSamePlace = 0x1p-20, kRounded = 0x1p-42;  // of the scale
+// Of the scale.
+constexpr double kSamePlace = 0x1p-20, kRounded = 0x1p-42, kNothingMore = 0x1p-45, kSurelyLess = 0x1p-46;
+constexpr PeakEffort kCoarse{0x1p-24}, kFine{0x1p-44};
 constexpr std::size_t kMostPeaks = 10;
 
 bool inside(Mark m) { return m > 0; }
 
 RealPoint operator+(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
+
+/// Whether the level can be the peak's value. That of a place on an edge may still grow beside it, but not fall. Other
+/// fronts meet there, too: the ridge between two lines goes on past the end of an edge, at levels less than the peak's.
+bool is_value(const Real& level, const Peak& peak, double scale) {
+  const auto i = level.interval();
+  if (i.hi < peak.value - scale * kSurelyLess) return false;
+  return peak.cell.dimension == 1 || i.lo <= peak.value + scale * kRounded;
+}
 
 /// In p: where edge e of B + p, a straight one, passes through the place between two lines of A at equal distance
 /// `level`.
@@ -70,11 +80,11 @@ std::vector<Index> FarthestFromSet::near_sites(double x, double y, double room) 
 double FarthestFromSet::scale(double px, double py) const { return scale_ + std::abs(px) + std::abs(py); }
 
 std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, double least_value,
-                                         long most_ranges) const {
+                                         const PeakEffort& effort) const {
   double scale = this->scale(px, py);
   std::vector<Peak> out;
   const PeakSets sets{a_, b_, a_sites_, b_sites_, a_reach_};
-  for (const Peak& k : PeakSearch(sets, px, py, {scale, room, least_value, most_ranges}).run()) {
+  for (const Peak& k : PeakSearch(sets, px, py, {scale, room, least_value, effort}).run()) {
     bool known = std::any_of(out.begin(), out.end(), [&](const Peak& u) {
       return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * kSamePlace;
     });
@@ -85,12 +95,18 @@ std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, doub
 }
 
 std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, double least_value) const {
-  double px = near_value(p.x), py = near_value(p.y);
+  const double px = near_value(p.x), py = near_value(p.y), scale = this->scale(px, py);
   std::optional<FarthestPlace> best;
-  for (const Peak& k : peaks(px, py, scale(px, py) * kSamePlace, least_value)) {
-    FarthestPlace place = exact_place(k, p);
-    if (!best || place.value.to_double() > best->value.to_double()) best = std::move(place);
-  }
+  auto take = [&](double room, double more_than, const PeakEffort& effort) {
+    for (const Peak& k : peaks(px, py, scale * room, more_than, effort)) {
+      FarthestPlace place = exact_place(k, p);
+      if (!best || place.value.to_double() > best->value.to_double()) best = std::move(place);
+    }
+  };
+  take(kSamePlace, least_value, kCoarse);
+  // Where an arc crosses a parabola no formula gives the place, and what was taken for it is less than the greatest.
+  // Only what is more is looked for; all that is about as far would be too much where a ridge touches an edge.
+  take(kRounded, best ? near_value(best->value) + scale * kNothingMore : least_value, kFine);
   return best;
 }
 
@@ -106,7 +122,8 @@ FarthestPlace FarthestFromSet::exact_place(const Peak& peak, const RealPoint& p)
     RealPoint at = b_.geometry.exact(b_.vertices[peak.cell.index].point) + p;
     return {plane::nearest(a_, inside, at)->distance, at, peak.cell};
   }
-  double scale = scale_ + std::abs(peak.x) + std::abs(peak.y), px = near_value(p.x), py = near_value(p.y);
+  double px = near_value(p.x), py = near_value(p.y);
+  double scale = std::max(this->scale(px, py), scale_ + std::abs(peak.x) + std::abs(peak.y));
   std::vector<Front> fronts;
   for (Index k : near_sites(peak.x, peak.y, scale * kSamePlace))
     if (fronts.size() < kMostPeaks) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
@@ -120,6 +137,7 @@ FarthestPlace FarthestFromSet::exact_place(const Peak& peak, const RealPoint& p)
   auto take = [&](const std::vector<Event>& all) {
     for (const Event& e : all) {
       if (!e.at || (best && near_value(e.level) <= near_value(best->value))) continue;
+      if (!is_value(e.level, peak, scale)) continue;
       double x = near_value(e.at->x), y = near_value(e.at->y);
       if (!(std::hypot(x - peak.x, y - peak.y) <= scale * kSamePlace) || !is_distance(e)) continue;
       if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * kRounded)) continue;

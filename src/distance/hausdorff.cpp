@@ -21,7 +21,7 @@ using plane::SignMap;
 namespace {
 
 constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;  // of the scale
-constexpr long kMostRanges = 3000;                             // in search of fronts
+constexpr PeakEffort kToFindFronts{0x1p-24, 3000};             // a place near the peak tells them
 
 }  // namespace
 
@@ -63,7 +63,7 @@ RealPoint DirectedHausdorff::seed() const {
 
 std::vector<NearFront> DirectedHausdorff::fronts(const RealPoint& p, double room) const {
   double x = near_value(p.x), y = near_value(p.y);
-  auto peaks = search_.peaks(x, y, room, search_.scale(x, y) * kClearlyOut, kMostRanges);
+  auto peaks = search_.peaks(x, y, room, search_.scale(x, y) * kClearlyOut, kToFindFronts);
   std::vector<NearFront> out;
   if (peaks.empty() || peaks[0].value < room) out = containment().defined() ? containment().fronts(p, room) : out;
   for (const Peak& k : peaks) {

@@ -15,8 +15,7 @@ using plane::Index;
 namespace {
 
 constexpr std::size_t kFewSites = 3;
-// Of the scale. Peaks on edges are smooth or sharp; a part this small is left to the exact computation in its place.
-constexpr double kSmallBox = 0x1p-30, kSmallPart = 0x1p-44, kRounding = 0x1p-47;
+constexpr double kSmallBox = 0x1p-30, kRounding = 0x1p-47;  // of the scale
 
 double half_diagonal(const SearchRange& box) { return std::hypot(box.x1 - box.x0, box.y1 - box.y0) / 2; }
 
@@ -113,7 +112,7 @@ void PeakSearch::split_edge(SearchRange& part) {
   const plane::Cell cell = b_[std::size_t(part.edge)].cell;
   part.a = close_to(part.a, at, length);
   const double h = height(part.a, at);
-  if (length < wish_.scale * kSmallPart) return record({h, at.x, at.y, cell});
+  if (length < wish_.scale * wish_.effort.short_part) return record({h, at.x, at.y, cell});
   best_ = std::max(best_, h);
   if (agree(part.a, at) && agree(part.a, b_.on_edge(part.edge, part.t0)) &&
       agree(part.a, b_.on_edge(part.edge, part.t1))) {
@@ -219,7 +218,7 @@ void PeakSearch::look(SearchRange& r) {
 std::vector<Peak> PeakSearch::run() {
   if (b_.size() == 0 || a_.empty()) return {};
   push(root());
-  for (long left = wish_.most_ranges; !todo_.empty() && left > 0; --left) {
+  for (long left = wish_.effort.most_ranges; !todo_.empty() && left > 0; --left) {
     SearchRange r = todo_.top();
     todo_.pop();
     if (matters(r)) look(r);

@@ -5,9 +5,10 @@
 // method. A range keeps the parts of A that can be nearest in it (site_reach.h), so that one along which two parts are
 // equally near, or one part is equally far, is not halved on and on: with one part left (or several that agree) the
 // places come from a formula, and only the neighbourhoods of places between two parts of A on an edge, and of places
-// equally far from four and more, are halved down to the precision of doubles. (So are, needlessly, boxes along the
-// common normal of four and more edges that touch in one vertex; `most_ranges` ends that.) Guarantee: bounds hold up to
-// rounding (about 1e-14 of the coordinates).
+// equally far from four and more, are halved down to the precision of doubles, or as far as the effort goes. (So are,
+// needlessly, boxes along the common normal of four and more edges that touch in one vertex; `most_ranges` ends that.)
+// Guarantee: bounds hold up to rounding (about 1e-14 of the coordinates); the greatest value is within
+// the effort's short part.
 #pragma once
 
 #include <queue>
@@ -29,7 +30,7 @@ struct PeakSets {
 /// Which peaks are asked for: those of value at least greatest - room and more than `least_value`.
 struct PeakWish {
   double scale, room, least_value;
-  long most_ranges;  // that are looked at; a search that needs more ends with what it has found
+  PeakEffort effort;  // a search that needs more ranges ends with what it has found
 };
 
 class PeakSearch {
