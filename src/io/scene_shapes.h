@@ -60,7 +60,7 @@ class ShapeReader {
     const JsonValue* value = nullptr;
     plane::ShapePtr shape;
     std::size_t height = 0;  // levels of its tree
-    bool open = false;  // being built: meeting it again is a cycle
+    bool open = false;       // being built: meeting it again is a cycle
   };
 
   plane::ShapePtr object(const JsonValue& value, const Label& label);
