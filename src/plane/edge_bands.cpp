@@ -10,6 +10,7 @@ namespace findspace::plane {
 namespace {
 
 constexpr std::size_t kEdgesPerBand = 4;
+constexpr std::size_t kEntriesPerEdge = 8;  // at most, so that long edges take no more room than that
 
 }  // namespace
 
@@ -25,8 +26,12 @@ EdgeBands::EdgeBands(const GridFace& face) {
     bottom_ = std::min(bottom_, edges.back().y0), top_ = std::max(top_, edges.back().y1);
   }
   std::size_t bands = edges.size() / kEdgesPerBand + 1;
-  per_step_ = top_ > bottom_ ? double(bands) / (top_ - bottom_) : 0;
-  start_.assign(bands + 1, 0);
+  for (std::size_t entries = 0;; bands = bands / 2, entries = 0) {
+    per_step_ = top_ > bottom_ ? double(bands) / (top_ - bottom_) : 0;
+    start_.assign(bands + 1, 0);
+    for (const Entry& e : edges) entries += band(e.y1) - band(e.y0) + 1;
+    if (bands == 1 || entries <= kEntriesPerEdge * edges.size()) break;
+  }
   for (Entry& e : edges) {
     e.band = band(e.y0);
     for (Index b = e.band; b <= band(e.y1); ++b) ++start_[b + 1];

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The edges of a face by bands of y, to find those that reach into a range of y. Guarantee: exact; grid coordinates
-// are exact doubles. Cost: O(n) to build for edges spread evenly; a question looks at the edges in its bands. Keywords:
+// are exact doubles. Cost: O(n log n) to build, O(n) room; a question looks at the edges in its bands. Keywords:
 // bucket grid, interval query.
 #pragma once
 
