@@ -76,7 +76,9 @@ TEST(Rotated, PhiIsTheSame) {
       for (const auto& u : places) {
         const auto x = phi.at(steps(u, true)).at, y = other.at(steps(turned(u, degrees, axis), quarters)).at;
         ASSERT_NEAR(x.normalised, y.normalised, quarters ? 1e-6 : 20) << a << b << degrees << "xyz"[axis];
-        if (quarters) ASSERT_EQ(x.state, y.state);
+        if (quarters) {
+          ASSERT_EQ(x.state, y.state);
+        }
       }
     }
   }

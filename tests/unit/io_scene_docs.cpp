@@ -31,7 +31,9 @@ TEST(SceneDocs, EverySceneIsRead) {
 
 TEST(SceneDocs, EveryExampleIsRead) {
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(FINDSPACE_SOURCE) / "examples")) {
-    if (entry.path().extension() == ".json") EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
+    if (entry.path().extension() == ".json") {
+      EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
+    }
   }
 }
 
