@@ -42,7 +42,41 @@ std::int64_t in_range(int128 c) {
   return static_cast<std::int64_t>(c);
 }
 
-/// The hull of bodies that are all of one radius.
+BodyPart part_of(const std::vector<Point>& core, Real radius) {
+  BodyPart part{std::nullopt, core[0], std::move(radius)};
+  if (core.size() > 1) part.core = Polytope::hull(core);
+  return part;
+}
+
+/// Of parts of one radius: the hull of the cores, grown by it.
+Body hull_of(Body body) {
+  std::vector<Point> points;
+  for (const BodyPart& part : body.parts) {
+    if (part.radius != body.parts[0].radius) refuse("the hull of parts of different radii is not computed in 3D");
+    points.insert(points.end(), part.vertices().begin(), part.vertices().end());
+  }
+  body.parts = {part_of(points, body.parts[0].radius)};
+  return body;
+}
+
+/// Part by part: cores add up, and so do radii.
+Body sum_of(const Body& a, const Body& b) {
+  Body sum;
+  sum.scale = std::lcm(a.scale, b.scale);
+  sum.rounded = a.rounded + b.rounded;
+  sum.moved = std::max(a.moved, b.moved);
+  const Body p = at_scale(a, sum.scale), q = at_scale(b, sum.scale);
+  for (const BodyPart& x : p.parts) {
+    for (const BodyPart& y : q.parts) {
+      std::vector<Point> points;
+      for (const Point& v : x.vertices())
+        for (const Point& w : y.vertices()) points.push_back(v + w);
+      sum.parts.push_back(part_of(points, x.radius + y.radius));
+    }
+  }
+  return sum;
+}
+
 Body grown(Body body, const Real& by) {
   if (by.sign() < 0) refuse("an offset by a negative amount is computed for shapes with axis-parallel faces only");
   if (body.outside) refuse("an offset of a complement is not computed in 3D");
@@ -56,6 +90,16 @@ bool holds_ball(const plane::Shape& shape) {
          std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return holds_ball(*c); });
 }
 
+Body all_children(const plane::Shape& shape) {
+  Body sum;
+  for (const plane::ShapePtr& c : shape.children) {
+    const Body part = body(*c);
+    if (part.outside) refuse("a union or hull with a complement is not computed in 3D for slanted or round shapes");
+    append(sum, part);
+  }
+  return sum;
+}
+
 /// The node, where it is not one of polytopes alone.
 Body mixed(const plane::Shape& shape) {
   if (const Solid* solid = solid_of(shape)) {
@@ -65,14 +109,14 @@ Body mixed(const plane::Shape& shape) {
   }
   const auto child = [&] { return body(*shape.children[0]); };
   switch (shape.kind) {
-    case Kind::kUnion: {
-      Body sum;
-      for (const plane::ShapePtr& c : shape.children) {
-        const Body part = body(*c);
-        if (part.outside) refuse("a union with a complement is not computed in 3D for slanted or round shapes");
-        append(sum, part);
-      }
-      return sum;
+    case Kind::kUnion:
+      return all_children(shape);
+    case Kind::kHull:
+      return hull_of(all_children(shape));
+    case Kind::kMinkowskiSum: {
+      const Body a = child(), b = body(*shape.children[1]);
+      if (a.outside || b.outside) refuse("a Minkowski sum with a complement is not computed in 3D");
+      return sum_of(a, b);
     }
     case Kind::kComplement: {
       Body b = child();
@@ -92,7 +136,7 @@ Body mixed(const plane::Shape& shape) {
     default:
       break;
   }
-  refuse("this kind of node is computed in 3D for polytopes only, not for round shapes");
+  refuse("this kind of shape with round parts is no union of convex parts; state it as one");
 }
 
 }  // namespace
