@@ -13,10 +13,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "space/convex_parts.h"
-#include "space/open_cover.h"
+#include "space/real_vector.h"
 
 namespace findspace::space {
 
@@ -63,14 +64,5 @@ Bounds3 bounds(const Body& body);
 exact::Real support(const BodyPart& part, const RealVector& n);
 /// max n . x over the body.
 exact::Real support(const Body& body, const RealVector& n);
-
-/// Convex sets whose union is the closure of the complement of the body (no part has a radius). The first `unbounded`
-/// ones are half spaces; the others, cells of the bounding box, do not meet in their interiors.
-struct OutsideCell {
-  std::vector<HalfSpace> planes;       // all <= 0
-  std::vector<RealVector> vertices;    // none for a half space
-  std::vector<RealVector> directions;  // of its edges
-};
-std::vector<OutsideCell> outside_cells(const Body& body);
 
 }  // namespace findspace::space
