@@ -41,12 +41,6 @@ struct Map {
   std::optional<plane::Region> outer;  // where the region is certainly feasible, and only this possibly
 };
 
-/// A certified bound from either side: the inner region's JSON, with the outer one in it.
-std::string bounded_json(std::string inner, const std::string& outer) {
-  inner.erase(inner.rfind('}'));
-  return inner + ",\n  \"side\": \"inner\",\n  \"outer\": " + outer + "}\n";
-}
-
 io::ExtremeValue value_of(const situation::Optimum& optimum, bool maximum, Talk& talk) {
   if (optimum.value && !optimum.proven) {
     talk.note("the optimum is no number that square roots express: given to 13 digits, with one position each");
