@@ -169,6 +169,9 @@ std::optional<bool> SiteTree::contains(double x, double y, const Near& near) con
   if (s.is_vertex()) return region_.faces[region_.vertices[s.cell.index].face].mark > 0;
   Index h = 2 * s.cell.index;  // from (x0, y0) to (x1, y1)
   if (s.faces(x, y)) {
+    // At its end an edge may have another one beside it, tangent to it, that the place is behind.
+    const double to_end = std::min(plain_length(x - s.x0, y - s.y0), plain_length(x - s.x1, y - s.y1));
+    if (arcs_ && to_end <= near.distance * (1 + kCertain)) return std::nullopt;
     bool left = s.arc ? (plain_length(x - s.cx, y - s.cy) < s.r) == (s.half < 0)
                       : (s.x1 - s.x0) * (y - s.y0) - (s.y1 - s.y0) * (x - s.x0) > 0;
     return region_.faces[region_.face(left ? h : h + 1)].mark > 0;

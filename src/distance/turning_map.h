@@ -12,13 +12,10 @@
 
 #include <vector>
 
+#include "distance/turning_levels.h"
 #include "distance/turning_motion.h"
 
 namespace findspace::distance {
-
-struct BoundedMaps {
-  plane::SignMap low, high;
-};
 
 /// `poses` as for TurningMotion, `level` in grid steps.
 BoundedMaps turning_maps(const plane::Region& b, const plane::Region& a, Which which,
