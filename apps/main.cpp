@@ -189,8 +189,10 @@ int report(Talk& talk) {
 
 int finish(const Outcome& outcome, const Options& options, Talk& talk) {
   talk.stage("");
-  const bool wanted = !outcome.text.empty() && (options.json || !options.quiet || options.outputs.empty());
-  if (wanted) std::fwrite(outcome.text.data(), 1, outcome.text.size(), stdout);
+  const bool wanted = options.json || !options.quiet || options.outputs.empty();
+  const auto put = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); };
+  if (wanted && outcome.stream) outcome.stream(put);
+  if (wanted) put(outcome.text);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     talk.error("standard output cannot be written");
     return kBadInput;
