@@ -152,4 +152,9 @@ std::string measure_text(const std::vector<situation::DistanceAt>& distances, co
   return out;
 }
 
+std::string bounded_json(std::string inner, const std::string& outer) {
+  inner.erase(inner.rfind('}'));
+  return inner + ",\n  \"side\": \"inner\",\n  \"outer\": " + outer + "}\n";
+}
+
 }  // namespace findspace::app

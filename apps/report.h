@@ -25,5 +25,7 @@ std::string check_text(const situation::Solver::Check& check, const exact::RealP
                        std::string_view unit, const situation::NearestFeasible* nearest);
 std::string measure_text(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
                          const exact::Real& step, std::string_view unit);
+/// A certified bound from either side: the inner set's JSON, with the outer one in it.
+std::string bounded_json(std::string inner, const std::string& outer);
 
 }  // namespace findspace::app

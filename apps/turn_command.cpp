@@ -43,9 +43,8 @@ void say_rounding(const Session& session, const plane::Rounding& rounding) {
                                   session.unit()));
 }
 
-std::string turns_text(const Session& session, const std::vector<io::DegreeInterval>& angles) {
-  std::string out = fmt::format("Angles of {}, in degrees\n", fmt::join(session.scene().moving, ", "));
-  if (angles.empty()) return out + "  none: proven empty\n";
+std::string angles_text(const std::vector<io::DegreeInterval>& angles) {
+  std::string out;
   for (const io::DegreeInterval& i : angles) {
     if (i.from == i.to)
       out += fmt::format("  {} alone\n", io::shown(i.from));
@@ -55,6 +54,16 @@ std::string turns_text(const Session& session, const std::vector<io::DegreeInter
       out +=
           fmt::format("  {}{}, {}{}\n", i.from_in ? "[" : "(", io::shown(i.from), io::shown(i.to), i.to_in ? "]" : ")");
   }
+  return out;
+}
+
+/// `outer` may be null.
+std::string turns_text(const Session& session, const std::vector<io::DegreeInterval>& angles,
+                       const plane::TurnMap* outer) {
+  std::string out = fmt::format("Angles of {}, in degrees\n", fmt::join(session.scene().moving, ", "));
+  const std::string possible = outer != nullptr ? angles_text(io::degree_intervals(*outer)) : "";
+  out += !angles.empty() ? angles_text(angles) : possible.empty() ? "  none: proven empty\n" : "  none certain\n";
+  if (!possible.empty()) out += "possible\n" + possible;
   return out;
 }
 
@@ -121,6 +130,7 @@ std::string picture_at(const Session& session, const situation::Solver& solver, 
 
 bool asks_for_angle(const Session& session) {
   if (session.options().angle || turns(session.scene().free)) return true;
+  if (session.scene().motion.given()) return false;
   const situation::Formula formula = session.where();
   return std::any_of(formula.atoms().begin(), formula.atoms().end(),
                      [](const situation::Atom& a) { return a.distance.mode == situation::Mode::kTurning; });
@@ -191,6 +201,26 @@ std::optional<io::ExtremeValue> optimum(const Session& session, const situation:
   return io::ExtremeValue{maximum, negated ? -value : value, false, best.attained, best.proven};
 }
 
+struct AngleMap {
+  plane::TurnMap set;
+  std::optional<plane::TurnMap> outer;  // where the set is certain, and only this possible
+  std::optional<io::ExtremeValue> best;
+};
+
+AngleMap solve(const Session& session, const situation::TurnSolver& turned, const situation::Formula& formula) {
+  if (!turned.turns_twice(formula)) {
+    AngleMap map{turned.feasible(formula), std::nullopt, std::nullopt};
+    map.best = optimum(session, turned, map.set);
+    return map;
+  }
+  if (session.goal())
+    throw Error(ErrorCode::kUnsupported, "an objective over angles that are known between bounds only is not computed",
+                session.scene().file);
+  session.talk().note("turns about two points: angles that certainly belong, and in \"outer\" the possible ones");
+  situation::TurnSolver::Bounds bounds = turned.feasible_bounds(formula);
+  return {std::move(bounds.inner), std::move(bounds.outer), std::nullopt};
+}
+
 }  // namespace
 
 Outcome map_of_angles(const Session& session) {
@@ -200,17 +230,20 @@ Outcome map_of_angles(const Session& session) {
   session.talk().stage("solving");
   const exact::RealPoint at = session.position();
   const situation::TurnSolver turned(solver, {at, {}, about(session)});
-  plane::TurnMap set = turned.feasible(formula);
-  const std::optional<io::ExtremeValue> best = optimum(session, turned, set);
-  const io::ExtremeValue* extreme = best ? &*best : nullptr;
-  const auto json = [&] { return io::turns_json(set, extreme); };
-  const auto angles = io::degree_intervals(set);
+  AngleMap map = solve(session, turned, formula);
+  const io::ExtremeValue* extreme = map.best ? &*map.best : nullptr;
+  const auto json = [&] {
+    std::string text = io::turns_json(map.set, extreme);
+    return map.outer ? bounded_json(std::move(text), io::turns_json(*map.outer)) : text;
+  };
+  const auto angles = io::degree_intervals(map.set);
   const auto svg = [&] { return picture(session, solver.world(), formula, at, angles); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  std::string text = turns_text(session, angles);
-  if (best && best->value)
-    text += fmt::format("{} {}\n", best->maximum ? "maximum" : "minimum", io::shown(*best->value));
-  return {session.options().json ? json() : text, angles.empty() ? kEmpty : kDone};
+  std::string text = turns_text(session, angles, map.outer ? &*map.outer : nullptr);
+  if (map.best && map.best->value)
+    text += fmt::format("{} {}\n", map.best->maximum ? "maximum" : "minimum", io::shown(*map.best->value));
+  const bool possible = map.outer && !io::degree_intervals(*map.outer).empty();
+  return {session.options().json ? json() : text, !angles.empty() ? kDone : possible ? kLimit : kEmpty};
 }
 
 }  // namespace findspace::app

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "distance/solid_mu.h"
 #include "distance/stick_out_rays.h"
 #include "space/cover_frontier.h"
 #include "space/position_covers.h"
@@ -97,18 +98,11 @@ void RaySignMaker::add_near(const BodyPart& t, const BodyPart& s, const Real& le
   const std::vector<HalfSpace> planes = space::difference_planes(t, s);
   const Real grown = t.radius + s.radius + level;
   if (grown.sign() < 0) return;
-  const RealVector center = real(t.center - s.center);
-  const bool point = planes.empty();
-  const space::Extent extent = space::difference_extent(t, s);
-  if (!point) pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
-  if (grown.sign() == 0) return;
-  if (point) return add_round_pieces(ConvexRegion(center, center), grown, pieces);
-  RealVector low, high;
-  const std::array<double, 6> ends{extent.low.x,  extent.low.y,  extent.low.z,
-                                   extent.high.x, extent.high.y, extent.high.z};
-  for (std::size_t k = 0; k < 3; ++k)
-    low[k] = Real::from_double(std::floor(ends[k]) - 1), high[k] = Real::from_double(std::ceil(ends[k + 3]) + 1);
-  add_round_pieces(cut_from(low, high, planes), grown, pieces);
+  if (!planes.empty()) {
+    const space::Extent extent = space::difference_extent(t, s);
+    pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
+  }
+  if (grown.sign() > 0) add_round_pieces(difference_core(t, s), grown, pieces);
 }
 
 Source RaySignMaker::eta1(const Real& level) const {
@@ -224,7 +218,8 @@ Source RaySignMaker::mu(const Real& level) const {
   }
   if (level.sign() < 0 || (level.sign() == 0 && !a_.round())) return eta1(level);
   if (a_.outside) fail("how far a shape sticks out of a complement is not computed");
-  if (b_.round()) fail("how far a round shape sticks out of one that is not convex is not computed");
+  if (!polyhedra_and_balls(b_))
+    fail("how far a rounded polyhedron sticks out of one that is not convex is not computed");
   return std::make_unique<StickOutRays>(
       b_, a_, level, [&](const Real& l) { return vertices_near(l); }, grid_);
 }

@@ -87,11 +87,15 @@ TurnMap TurnedPair::sign_map(Which which, const Real& level) const {
 
 TurnMap TurnedPair::least(const Real& level) const {
   if (level.sign() < 0) return plane::remark(free(-level, false, false, false), [](Mark k) { return Mark(-k); });
+  return nearest_point(level);
+}
+
+TurnMap TurnedPair::nearest_point(const Real& level) const {
   const SignMap around_a = of_point(a_, Which::kGamma1, level);
   TurnMap map = TurnedContact::turn_map(turned(around_a, false), least_of, plane::kNegative);
   if (level.sign() > 0 || plane::is_regular(a_)) return map;
   // Curves of A inside B: interiors of B and A do not see them, U of distances.md 3.9 does.
-  const SignMap around_b = of_point(b_, Which::kGamma1, Real());
+  const SignMap around_b = of_point(b_, Which::kGamma1, level);
   const TurnMap back = TurnedContact::turn_map(turned(around_b, true), least_of, plane::kNegative);
   return combined(map, plane::mirrored(back), std::min<Mark>);
 }

@@ -25,6 +25,9 @@ class TurnedPair {
   TurnedPair(plane::Region b, plane::Region a, exact::RealPoint about, exact::RealPoint to);
 
   plane::TurnMap sign_map(Which which, const exact::Real& level) const;
+  /// Of the least signed distance of a point of B to A: at level 0 the signs of gamma1, below it of how deep single
+  /// points lie, which changes no faster than the shapes. Where A has no inside, of A's points in B as well.
+  plane::TurnMap nearest_point(const exact::Real& level) const;
 
  private:
   plane::TurnMap least(const exact::Real& level) const;

@@ -3,13 +3,11 @@
 //
 // Bounds of the sign map of a rotational distance (turning.h) as a function of the position: how far the shape B + p
 // has to turn about a fixed point until the answer changes. B + p turned by an angle meets A where B + p meets A turned
-// back, so a level asks for the least or greatest plain distance while A turns through a range of angles:
-//   f <= l (l >= 0)  where  min of gamma1 over |angle| <= l  is at most 0;
-//   f <  l (l < 0)   where  max of gamma1 over |angle| <= -l is below 0;
-//   second kind: f < l where there is contact, but none at angles from l on.
-// eta with mu of B to A in place of gamma1, delta with mu of A to B. Guarantee: certified, low <= true sign <= high, as
-// turning_map.h. Level 0 needs none of this: it is the plain sign map, exactly. Cost: as turning_map.h, twice for the
-// second kind. Source: distances.md 7.2. Keywords: angular clearance map, swept area of a rotation.
+// back, so a level asks for the least or greatest plain distance while A turns through a range of angles
+// (turning_levels.h). Guarantee: certified, low <= true sign <= high, as turning_map.h. Level 0 needs none of this: it
+// is the plain sign map, exactly. Cost: as turning_map.h, twice for the
+// second kind. Over the time of a motion the time is cut as well, where the order of the extrema does not allow to take
+// whole legs. Source: distances.md 7.2, 7.3. Keywords: angular clearance map, swept area of a rotation.
 #pragma once
 
 #include "distance/turning_map.h"
@@ -19,5 +17,9 @@ namespace findspace::distance {
 /// `which`: kGamma1, kEta1, kDelta1 or the second kinds; `centre` in grid steps, the level in degrees.
 BoundedMaps turning_position_maps(const plane::Region& b, const plane::Region& a, Which which,
                                   const exact::RealPoint& centre, const exact::Real& level);
+/// Its inf or sup over a motion.
+BoundedMaps turning_position_maps(const plane::Region& b, const plane::Region& a, Which which,
+                                  const exact::RealPoint& centre, const exact::Real& level,
+                                  const std::vector<TurningPose>& poses, Sense over_time);
 
 }  // namespace findspace::distance

@@ -159,8 +159,8 @@ TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
   }
   const Real& step = solver_.world().step;
   if (d.mode == Mode::kTurning && !is_plain_level(wanted)) {
-    if (!(centre_of(d, step) == about_ + in_steps(pose_.at, step)))
-      refuse(d, "over all angles distances must turn about the point that \"about\" names, but at level 0");
+    if (turns_twice(wanted))
+      refuse(d, "about another point than \"about\" names it is known between bounds only, and has no extremum here");
     const Circle c = circle(d);
     return c.farthest ? farthest_turning_sign_map(c.base, wanted.level) : turning_sign_map(c.base, wanted.level);
   }
@@ -172,6 +172,13 @@ TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
     if (e.code() != ErrorCode::kUnsupported) throw;
     refuse(d, e.message());
   }
+}
+
+bool TurnSolver::turns_twice(const SignMap& wanted) const {
+  const Distance& d = wanted.distance;
+  if (d.mode != Mode::kTurning || (is_plain_level(wanted) && !wanted.minimum)) return false;
+  const Real& step = solver_.world().step;
+  return !(centre_of(d, step) == about_ + in_steps(pose_.at, step));
 }
 
 plane::TurnLeast TurnSolver::least(const Distance& d, const TurnMap& within) const {

@@ -14,6 +14,7 @@
 #include <memory>
 
 #include "distance/turned_pair.h"
+#include "distance/turning_levels.h"
 #include "plane/transform.h"
 #include "plane/turn_least.h"
 #include "situation/solve.h"
@@ -34,6 +35,14 @@ class TurnSolver {
 
   /// {angle : the formula holds}; the angle of the pose plays no part.
   plane::TurnMap feasible(const Formula& formula) const;
+  /// Some distance turns about another point than the shape does, at a level other than 0: feasible() is refused,
+  /// feasible_bounds() is not.
+  bool turns_twice(const Formula& formula) const;
+  /// Angles that certainly and that possibly belong to feasible(formula).
+  struct Bounds {
+    plane::TurnMap inner, outer;
+  };
+  Bounds feasible_bounds(const Formula& formula) const;
   /// Where in a set of angles a distance is least; with its least value in the scene's unit, or in degrees.
   plane::TurnLeast least(const Distance& distance, const plane::TurnMap& within) const;
   /// Where it is greatest, likewise.
@@ -55,6 +64,8 @@ class TurnSolver {
     distance::Which which;
   };
   plane::TurnMap sign_map(const SignMap& wanted) const;
+  bool turns_twice(const SignMap& wanted) const;
+  distance::BoundedTurns bounded_map(const SignMap& wanted) const;
   plane::TurnMap directional_map(const Distance& wanted, const exact::Real& level) const;
   /// The map of -, 0, + that a turning distance is measured in, and where on it the pose is.
   struct Circle {

@@ -14,6 +14,8 @@
 #include "../unit/distance_shapes.h"
 #include "distance/turned_directional.h"
 #include "distance/turned_pair.h"
+#include "distance/turning.h"
+#include "distance/turning_angles.h"
 #include "plane/transform.h"
 
 namespace findspace::distance {
@@ -135,7 +137,9 @@ void expect_same(const TurnMap& f, const TurnMap& g) {
   EXPECT_EQ(f.here, g.here);
   EXPECT_EQ(f.after, g.after);
   for (std::size_t k = 0; k < f.at.size(); ++k) EXPECT_EQ(compare(f.at[k], g.at[k]), 0);
-  if (f.at.empty()) EXPECT_EQ(f.everywhere, g.everywhere);
+  if (f.at.empty()) {
+    EXPECT_EQ(f.everywhere, g.everywhere);
+  }
 }
 
 TEST(TurnedPair, ATurnedShapeShiftsTheMap) {
@@ -282,6 +286,46 @@ TEST(TurnedPair, EndsAreWhereTheSignChanges) {
     }
   }
   EXPECT_GT(ends, 12);
+}
+
+/// The first of the kinds, and whether the second was asked for.
+Which first_kind(Which which) {
+  if (which == Which::kGamma2) return Which::kGamma1;
+  return which == Which::kEta2 ? Which::kEta1 : which == Which::kDelta2 ? Which::kDelta1 : which;
+}
+
+TEST(TurningAngles, BoundWhatShapesTurnedFirstAreAway) {
+  Figures figures(11);
+  constexpr std::int64_t kFine = 1000 * kUnit;
+  int decided = 0, asked = 0, above = 0, below = 0;
+  for (const auto& [which, level] : {std::pair{Which::kGamma1, 25}, {Which::kGamma2, 160}, {Which::kEta1, -5}}) {
+    Figure b = figures.figure().scaled(1000), a = figures.figure().scaled(1000);
+    const bool gamma = plain_of(which) == Which::kGamma1;
+    if (!gamma) a = a.scaled(3);
+    const std::int64_t away = gamma ? figures.number(0, 6) : 0;
+    const exact::RealPoint about{Real(kFine), Real()}, to{Real((1 + away) * kFine), Real()},
+        centre{Real(2 * kFine), Real(kFine)};
+    const Region still = b.region(), fixed = a.region();
+    const BoundedTurns maps = turning_angle_maps({still, fixed, about, to}, which, centre, Real(level));
+    for (const Pythagorean& p : angles()) {
+      // B stands turned about `about`; then only the turn about the centre is left.
+      const Region turned = b.turned(p.c, p.s, p.n).region();
+      const exact::RealPoint pole{(Real(p.c) * about.x - Real(p.s) * about.y) / Real(p.n),
+                                  (Real(p.s) * about.x + Real(p.c) * about.y) / Real(p.n)};
+      const exact::RealPoint own{centre.x - to.x + pole.x, centre.y - to.y + pole.y};
+      const TurnMap base = TurnedPair(turned, fixed, own, centre).sign_map(first_kind(which), Real());
+      const TurnMap exact =
+          is_second_kind(which) ? farthest_turning_sign_map(base, Real(level)) : turning_sign_map(base, Real(level));
+      const int sign = mark_at(exact, Angle{}), low = mark_at(maps.low, p.angle()),
+                high = mark_at(maps.high, p.angle());
+      EXPECT_LE(low, sign) << "which " << int(which) << " level " << level << " angle " << p.c << "," << p.s;
+      EXPECT_GE(high, sign) << "which " << int(which) << " level " << level << " angle " << p.c << "," << p.s;
+      ++asked, decided += low == high, above += sign > 0, below += sign < 0;
+    }
+  }
+  EXPECT_GT(decided, asked * 9 / 10);
+  EXPECT_GT(above, asked / 10);
+  EXPECT_GT(below, asked / 10);
 }
 
 }  // namespace
