@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "io/space_surface.h"
 #include "io/write_json.h"
 #include "io/write_json_space.h"
 #include "io/write_mesh.h"

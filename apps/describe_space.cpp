@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "io/space_surface.h"
 #include "io/write_json_space.h"
 #include "ray_outcome.h"
 #include "space/box_shape.h"

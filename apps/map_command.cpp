@@ -126,14 +126,20 @@ Outcome map_of_line(const Session& session, const Map& map) {
   const plane::Region& region = map.region;
   const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
   const io::Free& free = session.scene().free;
-  const auto intervals =
-      plane::along_line(region, {free.through[0], free.through[1]}, {free.direction[0], free.direction[1]});
-  const auto json = [&] { return io::intervals_json(intervals, session.step(), session.unit(), extreme); };
+  const auto on_it = [&](const plane::Region& set) {
+    return plane::along_line(set, {free.through[0], free.through[1]}, {free.direction[0], free.direction[1]});
+  };
+  const auto intervals = on_it(region);
+  const auto outer = map.outer ? on_it(*map.outer) : std::vector<plane::LineInterval>{};
+  const auto json = [&] {
+    std::string text = io::intervals_json(intervals, session.step(), session.unit(), extreme);
+    return map.outer ? bounded_json(std::move(text), io::intervals_json(outer, session.step(), session.unit())) : text;
+  };
   write_outputs(session.options(), {{".json", json}});
   std::string text = intervals_text(title(session) + " on the line", intervals, session.step(), session.unit());
   if (extreme != nullptr && extreme->value)
     text += fmt::format("{} {}\n", extreme->maximum ? "maximum" : "minimum", io::shown(*extreme->value));
-  return {session.options().json ? json() : text, intervals.empty() ? kEmpty : kDone};
+  return {session.options().json ? json() : text, !intervals.empty() ? kDone : outer.empty() ? kEmpty : kLimit};
 }
 
 Outcome map_of_time(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {

@@ -24,11 +24,19 @@ Real limit_of(const std::string& text, const char* option) {
   throw Error(ErrorCode::kUsage, fmt::format("{} wants a decimal number >= 0, not '{}'", option, text));
 }
 
-void note_parts(const Session& session, const std::string& name, const space::RoundedParts& parts) {
-  if (parts.parts.size() > 1) session.talk().note(fmt::format("{}: {} convex parts", name, parts.parts.size()));
-  if (parts.rounded == 0) return;
+void note_parts(const Session& session, const std::string& name, const space::Body& body) {
+  if (body.parts.size() > 1) session.talk().note(fmt::format("{}: {} convex parts", name, body.parts.size()));
+  if (body.rounded == 0) return;
   session.talk().note(fmt::format("{}: {} vertices of convex parts rounded, by at most {:.3g} grid steps", name,
-                                  parts.rounded, parts.moved));
+                                  body.rounded, body.moved));
+}
+
+space::Body body_of(const Session& session, const std::string& name) {
+  space::Body body = space::body(*session.scene().shape(name));
+  if (body.outside)
+    throw Error(ErrorCode::kUnsupported, "a complement is no union of convex parts", fmt::format("shape '{}'", name));
+  note_parts(session, name, body);
+  return body;
 }
 
 Writers writers(const io::PhiReport& report) {
@@ -60,12 +68,9 @@ Outcome space_phi(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, {".json", ".txt", ".obj", ".off", ".stl", ".svg"});
   const std::string &first = options.shapes[0], &second = options.shapes[1];
-  const space::RoundedParts p = space::rounded_parts(*session.scene().shape(first)),
-                            q = space::rounded_parts(*session.scene().shape(second));
-  note_parts(session, first, p);
-  note_parts(session, second, q);
+  const space::Body p = body_of(session, first), q = body_of(session, second);
   const std::int64_t scale = std::lcm(p.scale, q.scale);
-  const space::RoundedPhi phi(space::at_scale(p, scale), space::at_scale(q, scale));
+  const space::RoundedPhi phi(space::at_scale(p, scale).parts, space::at_scale(q, scale).parts);
   io::PhiReport report;
   report.first = first;
   report.second = second;

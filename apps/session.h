@@ -75,6 +75,7 @@ class Session {
 
  private:
   situation::Motion motion() const;
+  /// position_anywhere() within the grid's range.
   std::vector<exact::Real> coordinates(std::size_t count) const;
 
   const Options& options_;
@@ -84,11 +85,11 @@ class Session {
 
 /// How a verb writes its result in one format, e.g. {".svg", ...}.
 using Writers = std::map<std::string, std::function<std::string()>>;
+/// The same for results that are too long for memory.
+using Streams = std::map<std::string, std::function<void(const io::Sink&)>>;
 
 /// Throws Error(kUsage) where an output has an ending that is not among the formats.
 void check_outputs(const Options& options, const std::vector<std::string>& formats);
-/// The same for results that are too long for memory.
-using Streams = std::map<std::string, std::function<void(const io::Sink&)>>;
 
 /// Makes all texts first, then writes them: a failure leaves no file.
 void write_outputs(const Options& options, const Writers& writers, const Streams& streams = {});

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "io/draw_space.h"
+#include "io/space_surface.h"
 #include "io/write_json_space.h"
 #include "plane/parallel.h"
 #include "ray_outcome.h"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/space_surface.h"
 #include "io/write_json_space.h"
 #include "space_report.h"
 

@@ -51,9 +51,9 @@ AtPosition::Shape::Shape(const Region& r)
       has_boundary(std::any_of(r.edges.begin(), r.edges.end(), [](const auto& e) { return e.mark > 0; }) ||
                    std::any_of(r.vertices.begin(), r.vertices.end(), [](const auto& v) { return v.mark > 0; })) {}
 
-const SiteTree& AtPosition::Shape::prepared() const {
-  std::call_once(tree_made, [&] { tree.emplace(boxed.region); });
-  return *tree;
+const AtPosition::Prepared& AtPosition::Shape::prepared() const {
+  std::call_once(made, [&] { known.emplace(boxed.region); });
+  return *known;
 }
 
 AtPosition::AtPosition(std::shared_ptr<const ShapePair> pair)
@@ -80,7 +80,8 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
   const RealPoint by = back ? -p : p;
   double scale = from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
   auto search = [&](double least) -> std::optional<FarthestPlace> {
-    if (!from.has_arcs() && !to.has_arcs()) return farthest_place(from, to, by, least);
+    if (!from.has_arcs() && !to.has_arcs())
+      return farthest_place(from, to, shapes_[back ? 0 : 1].prepared().boxes, by, least);
     return FarthestFromSet(from.region(), to.region()).greatest(by, least);
   };
   auto place = search(std::max(scale * kClearlyOut, floor));
@@ -95,7 +96,7 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
     place = search(scale * kHardlyOut);
     if (!place) return Measured{};
   }
-  SitePair near = nearest_point(to, place->at);
+  const SitePair near = place->nearest ? *place->nearest : nearest_point(to, place->at);
   Feature out{!back, place->cell, place->at}, in{back, near.first_cell, near.first};
   if (back) out.at = out.at + p, in.at = in.at + p;
   Measured m{place->value, std::nullopt, std::nullopt, {out, in}};
@@ -105,13 +106,30 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
 
 bool AtPosition::bounded() const { return is_bounded(pair_->moving()) && is_bounded(pair_->fixed()); }
 
-/// The greater of the two directed ones; of the second only what could be greater than the first is looked for.
+/// How far B + p (or A, if `back`) sticks out of the other along the line through the middles of their boxes.
+double AtPosition::sticks_out(bool back, double px, double py) const {
+  const SiteTree &b = moving(), &a = fixed();
+  const SiteBox &s = a.nodes()[0].box, &t = b.nodes()[0].box;
+  const double sign = back ? -1 : 1, dx = t.x0 + t.x1 + 2 * px - s.x0 - s.x1, dy = t.y0 + t.y1 + 2 * py - s.y0 - s.y1,
+               size = plain_length(dx, dy), ux = size > 0 ? sign * dx / size : 1, uy = size > 0 ? sign * dy / size : 0;
+  const double ahead = b.extreme(ux, uy).height + ux * px + uy * py - a.extreme(ux, uy).height;
+  return back ? -ahead : ahead;
+}
+
+/// The greater of the two directed ones, the one that promises more first; of the other only what could be greater is
+/// looked for.
 std::optional<Measured> AtPosition::hausdorff(const RealPoint& p) const {
-  auto f = directed(false, p);
+  const double px = near_value(p.x), py = near_value(p.y);
+  const double scale = moving().scale() + fixed().scale() + std::abs(px) + std::abs(py);
+  const bool plain = !moving().has_arcs() && !fixed().has_arcs() && !moving().empty() && !fixed().empty() && bounded();
+  const double out = plain ? sticks_out(false, px, py) : 0, back_out = plain ? sticks_out(true, px, py) : 0;
+  const bool back = back_out > out;
+  auto f = directed(back, p);
   if (!f) return std::nullopt;
-  const double scale = moving().scale() + fixed().scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
-  auto g = directed(true, p, near_value(f->value) - scale * kHardlyOut);
-  return !g ? std::nullopt : f->value < g->value ? g : f;
+  auto g = directed(!back, p, near_value(f->value) - scale * kHardlyOut);
+  if (!g) return std::nullopt;
+  if (back) std::swap(f, g);
+  return f->value < g->value ? g : f;
 }
 
 /// A vertex of one shape (of B + p if `moves`) and the point inside the other where it lies.

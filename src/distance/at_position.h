@@ -17,6 +17,7 @@
 #include <mutex>
 
 #include "distance/common_corner.h"
+#include "distance/peak_boxes.h"
 #include "distance/shape_pair.h"
 #include "distance/site_pairs.h"
 #include "distance/way_out.h"
@@ -57,18 +58,24 @@ class AtPosition {
   std::optional<Measured> measure(Which which, const exact::RealPoint& p) const;
 
  private:
-  /// A shape, and its tree once it is asked for.
+  struct Prepared {
+    SiteTree tree;
+    PeakBoxes boxes;
+
+    explicit Prepared(const plane::Region& r) : tree(r), boxes(tree) {}
+  };
+  /// A shape, and what is prepared of it once that is asked for.
   struct Shape {
     Boxed boxed;
     bool has_boundary;
-    mutable std::once_flag tree_made;
-    mutable std::optional<SiteTree> tree;
+    mutable std::once_flag made;
+    mutable std::optional<Prepared> known;
 
     explicit Shape(const plane::Region& r);
-    const SiteTree& prepared() const;
+    const Prepared& prepared() const;
   };
-  const SiteTree& moving() const { return shapes_[0].prepared(); }
-  const SiteTree& fixed() const { return shapes_[1].prepared(); }
+  const SiteTree& moving() const { return shapes_[0].prepared().tree; }
+  const SiteTree& fixed() const { return shapes_[1].prepared().tree; }
   /// How B + p and A stand, as far as their boundaries tell.
   struct Standing {
     enum class Kind {
@@ -88,6 +95,7 @@ class AtPosition {
   std::optional<Measured> farthest(Which which, const exact::RealPoint& p) const;
   /// A value of `floor` or less may come out as 0.
   std::optional<Measured> directed(bool back, const exact::RealPoint& p, double floor = 0) const;
+  double sticks_out(bool back, double px, double py) const;
   std::optional<Measured> hausdorff(const exact::RealPoint& p) const;
   std::optional<Measured> plain(const exact::RealPoint& p) const;
   std::optional<Measured> diameter(const exact::RealPoint& p) const;

@@ -3,6 +3,7 @@
 #include "distance/convex_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -14,6 +15,16 @@ using space::Vector;
 
 namespace {
 
+/// At most three planes.
+struct Basis {
+  std::array<int, 3> plane{};
+  std::size_t count = 0;
+
+  void push(int k) { plane[count++] = k; }
+  std::span<const int> all() const { return {plane.data(), count}; }
+  bool holds(int k) const { return std::find(all().begin(), all().end(), k) != all().end(); }
+};
+
 /// The dual simplex of foot_search.h for a single set, in doubles.
 class PlanesDistance {
  public:
@@ -22,14 +33,14 @@ class PlanesDistance {
   }
   double operator()(const Vector& x) const {
     Vector y;
-    std::vector<int> basis;
+    Basis basis;
     const double slack = 0x1p-46 * (space::size_of(x) + 1);
     for (int step = 0; step < 100; ++step) {
       int worst = -1;
       double most = slack;
       for (int i = 0; i < static_cast<int>(units_.size()); ++i) {
         const double out = gap(i, x) + dot(units_[i], y);
-        if (out > most && std::find(basis.begin(), basis.end(), i) == basis.end()) most = out, worst = i;
+        if (out > most && !basis.holds(i)) most = out, worst = i;
       }
       if (worst < 0 || !exchange(basis, worst, x, y)) break;
     }
@@ -40,16 +51,18 @@ class PlanesDistance {
   double gap(int i, const Vector& x) const { return dot(units_[i], x) + shifts_[i]; }
 
   /// The foot of x on plane `fresh` and some of the basis that keeps below all of them.
-  bool exchange(std::vector<int>& basis, int fresh, const Vector& x, Vector& y) const {
-    for (int kept = 0; kept < (1 << basis.size()); ++kept) {
-      std::vector<int> on{fresh};
-      for (std::size_t i = 0; i < basis.size(); ++i) {
-        if (kept >> i & 1) on.push_back(basis[i]);
+  bool exchange(Basis& basis, int fresh, const Vector& x, Vector& y) const {
+    for (int kept = 0; kept < (1 << basis.count); ++kept) {
+      if (kept == 7) break;  // four planes
+      Basis on;
+      on.push(fresh);
+      for (std::size_t i = 0; i < basis.count; ++i) {
+        if (kept >> i & 1) on.push(basis.plane[i]);
       }
-      if (on.size() > 3) continue;
-      const auto foot = foot_on(on, x);
+      const auto foot = foot_on(on.all(), x);
       if (!foot) continue;
-      const bool below = std::all_of(basis.begin(), basis.end(), [&](int i) {
+      const auto planes = basis.all();
+      const bool below = std::all_of(planes.begin(), planes.end(), [&](int i) {
         return gap(i, x) + dot(units_[i], *foot) <= 0x1p-44 * (space::size_of(x) + 1);
       });
       if (!below) continue;
@@ -60,7 +73,7 @@ class PlanesDistance {
     return false;
   }
 
-  std::optional<Vector> foot_on(const std::vector<int>& on, const Vector& x) const {
+  std::optional<Vector> foot_on(std::span<const int> on, const Vector& x) const {
     // Gram-Schmidt on the normals, then back substitution for the multipliers.
     const std::size_t n = on.size();
     std::array<std::array<double, 4>, 3> g{};

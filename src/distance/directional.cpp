@@ -9,6 +9,7 @@
 #include "distance/track_value.h"
 #include "plane/locate.h"
 #include "plane/overlay.h"
+#include "plane/topology.h"
 
 namespace findspace::distance {
 
@@ -22,11 +23,7 @@ using plane::SignMap;
 
 namespace {
 
-bool has_mark_up_to_zero(const SignMap& m) {
-  auto in = [](const auto& cell) { return cell.mark <= 0; };
-  return std::any_of(m.faces.begin(), m.faces.end(), in) || std::any_of(m.edges.begin(), m.edges.end(), in) ||
-         std::any_of(m.vertices.begin(), m.vertices.end(), in);
-}
+bool up_to_zero(Mark m) { return m <= 0; }
 
 Section track_section(const SignMap& map, const Track& track, const RealPoint& p) {
   return section(map, p, {Real(track.dx), Real(track.dy)});
@@ -58,7 +55,7 @@ Real extent(const CellComplex& m) {
 }  // namespace
 
 DirectionalSigned::DirectionalSigned(SignMap base, const Track& track)
-    : base_(std::move(base)), track_(track), defined_(has_mark_up_to_zero(base_)) {}
+    : base_(std::move(base)), track_(track), defined_(any_mark(base_, up_to_zero)) {}
 
 SignMap DirectionalSigned::sign_map(const Real& level) const {
   if (!defined_) return CellComplex::uniform(1);
@@ -92,7 +89,7 @@ std::optional<Value> DirectionalSigned::value(const RealPoint& p) const {
 }
 
 DirectionalFarthest::DirectionalFarthest(SignMap base, const Track& track)
-    : base_(std::move(base)), track_(track), defined_(base_.faces[0].mark > 0 && has_mark_up_to_zero(base_)) {}
+    : base_(std::move(base)), track_(track), defined_(base_.faces[0].mark > 0 && any_mark(base_, up_to_zero)) {}
 
 /// -1 where C is met at less than the level, 0 where at the level only, +1 elsewhere.
 SignMap DirectionalFarthest::near_map(const Real& level) const {

@@ -8,6 +8,7 @@
 
 #include "distance/level_probe.h"
 #include "plane/overlay.h"
+#include "plane/topology.h"
 
 namespace findspace::distance {
 

@@ -18,6 +18,8 @@ using plane::Region;
 
 namespace {
 
+constexpr double kNearCentres = 0x1p-40;  // of the coordinates, no sign: below it the exact places are asked
+
 /// A vertex, or the centre and radius of an arc.
 struct Centre {
   RealPoint at;
@@ -73,6 +75,14 @@ SitePair centre_pair(const Centre& f, const Centre& g, Between how) {
       abs(f.radius - g.radius) - d, towards(f, dx, dy, d, s * f.radius), towards(g, dx, dy, d, s * g.radius), {}, {}};
 }
 
+/// A point of the circle of an arc that is moved by `by` lies on the arc.
+bool is_on_arc(const Region& r, Cell arc, const RealPoint& by, const RealPoint& at) {
+  const plane::Edge& e = r.edges[arc.index];
+  const auto x_of = [&](Index v) { return r.geometry.exact(r.vertices[v].point).x + by.x; };
+  return (at.y - r.carrier(arc.index).center_y() - by.y).sign() * e.half >= 0 && at.x >= x_of(e.v0) &&
+         at.x <= x_of(e.v1);
+}
+
 }  // namespace
 
 std::optional<SitePair> exact_pair(const Region& a, const Region& b, const RealPoint& p, const Candidate& k, bool far) {
@@ -92,6 +102,15 @@ std::optional<SitePair> exact_pair(const Region& a, const Region& b, const RealP
     double d = std::hypot(near_value(f.at.x) - near_value(g.at.x), near_value(f.at.y) - near_value(g.at.y));
     bool inside = d < std::max(near_value(f.radius), near_value(g.radius));
     out = centre_pair(f, g, far ? Between::kFar : inside ? Between::kInside : Between::kApart);
+    // Where the centres may be one, numbers do not tell the way from one to the other.
+    const bool arcs = k.first.dimension == 1 && k.second.dimension == 1;
+    if (far && arcs &&
+        d <= kNearCentres * (std::abs(near_value(f.at.x)) + std::abs(near_value(f.at.y)) + near_value(f.radius) +
+                             near_value(g.radius))) {
+      const bool one = compare(f.at.x, g.at.x) == 0 && compare(f.at.y, g.at.y) == 0;
+      if (one || !is_on_arc(a, k.first, origin, out.first) || !is_on_arc(b, k.second, p, out.second))
+        return std::nullopt;
+    }
   }
   out.first_cell = k.first, out.second_cell = k.second;
   return out;

@@ -11,18 +11,20 @@
 // the maximum can lie. Keywords: directed Hausdorff distance, branch and bound, medial axis.
 #pragma once
 
-#include "distance/site_tree.h"
+#include "distance/exact_pairs.h"
+#include "distance/peak_boxes.h"
 
 namespace findspace::distance {
 
 struct FarthestPlace {
-  exact::Real value;    // d(at, A)
-  exact::RealPoint at;  // of B + p
-  plane::Cell cell;     // of B; dimension 2: inside
+  exact::Real value;                  // d(at, A)
+  exact::RealPoint at;                // of B + p
+  plane::Cell cell;                   // of B; dimension 2: inside
+  std::optional<SitePair> nearest{};  // the nearest point of A, where it is known
 };
 
-/// The farthest place if its value is more than `least_value`. No arcs.
-std::optional<FarthestPlace> farthest_place(const SiteTree& b, const SiteTree& a, const exact::RealPoint& p,
-                                            double least_value);
+/// The farthest place if its value is more than `least_value`. No arcs; `boxes` are those of A.
+std::optional<FarthestPlace> farthest_place(const SiteTree& b, const SiteTree& a, const PeakBoxes& boxes,
+                                            const exact::RealPoint& p, double least_value);
 
 }  // namespace findspace::distance

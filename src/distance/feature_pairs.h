@@ -143,6 +143,17 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
   }
 }
 
+/// Circles about one centre, as far as numbers tell.
+inline constexpr double kOneCentre = 0x1p-46;  // of the coordinates, no sign: exact_pair decides
+
+/// Points of both arcs lie opposite each other, seen from a common centre.
+inline bool are_opposite(const Site& s, const Site& t) {
+  const double low = std::max((s.x0 - s.cx) / s.r, (t.cx - t.x1) / t.r),
+               high = std::min((s.x1 - s.cx) / s.r, (t.cx - t.x0) / t.r);
+  return s.half != t.half && low <= high;
+}
+
+/// Of arcs about one centre the farthest points are ends of one or of both.
 template <class Take>
 void farthest_features(const Placed& p, const Placed& q, Take&& take) {
   const Site &s = p.s, &t = q.s;
@@ -158,8 +169,9 @@ void farthest_features(const Placed& p, const Placed& q, Take&& take) {
     if (s.has_direction(dx, dy)) take(Candidate{plain_length(dx, dy) + s.r, s.cell, {0, q.vertex[k]}});
   }
   if (!s.arc || !t.arc) return;
-  double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
-  if (d == 0 ? s.half != t.half || s.cell == t.cell : s.has_direction(-dx, -dy) && t.has_direction(dx, dy))
+  const double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
+  const double scale = std::abs(s.cx) + std::abs(s.cy) + std::abs(t.cx) + std::abs(t.cy) + s.r + t.r;
+  if (d <= scale * kOneCentre ? are_opposite(s, t) : s.has_direction(-dx, -dy) && t.has_direction(dx, dy))
     take(Candidate{d + s.r + t.r, s.cell, t.cell});
 }
 

@@ -22,12 +22,6 @@ CellComplex probe(const PositionFunction& f, const exact::Real& level, const pla
   return plane::overlay(both, [&](std::span<const Mark> k) { return k[1] > 0 ? rule(k[0]) : Mark(0); });
 }
 
-bool has_mark(const CellComplex& c, Mark wanted) {
-  const auto is = [wanted](const auto& cell) { return cell.mark == wanted; };
-  return std::any_of(c.faces.begin(), c.faces.end(), is) || std::any_of(c.edges.begin(), c.edges.end(), is) ||
-         std::any_of(c.vertices.begin(), c.vertices.end(), is);
-}
-
 plane::Region on_level(CellComplex probed) {
   return plane::remark(std::move(probed), [](Mark k) { return Mark(k == kOn); });
 }

@@ -20,14 +20,18 @@ using plane::kNone;
 
 namespace {
 
-constexpr double kSlack = 0x1p-43;     // of the scale: what numbers cannot tell apart
-constexpr double kSmallBox = 0x1p-24;  // of the scale: its place is found exactly from the parts of A around it
+constexpr double kSlack = 0x1p-43;      // of the scale: what numbers cannot tell apart
+constexpr double kShortPart = 0x1p-44;  // of the scale: a part of an edge this short is a place
+constexpr double kSmallBox = 0x1p-24;   // of the scale: its place is found exactly from the parts of A around it,
+constexpr double kTinyBox = 0x1p-44;    // if these are few, and here in any case
 
 }  // namespace
 
-PlaceSearch::PlaceSearch(const SiteTree& b, const SiteTree& a, const RealPoint& p, double least_value)
+PlaceSearch::PlaceSearch(const SiteTree& b, const SiteTree& a, const PeakBoxes& boxes, const RealPoint& p,
+                         double least_value)
     : a_(a),
       b_(b),
+      boxes_(boxes),
       p_(p),
       px_(near_value(p.x)),
       py_(near_value(p.y)),
@@ -63,6 +67,28 @@ void PlaceSearch::record(const Seen& seen, Cell cell, double error) {
   found_.push_back({seen, cell, error});
 }
 
+/// The corner of B farthest from the middle of A in the direction of B's: often the place, or near it.
+Index PlaceSearch::start() {
+  const SiteBox &s = a_.nodes()[0].box, &t = b_.nodes()[0].box;
+  const auto v = b_.extreme(t.x0 + t.x1 + 2 * px_ - s.x0 - s.x1, t.y0 + t.y1 + 2 * py_ - s.y0 - s.y1);
+  const Seen seen = see({v.x + px_, v.y + py_}, kNone);
+  record(seen, {0, v.vertex});
+  return seen.near.site;
+}
+
+/// The distance to one part of A is convex, so a corner of the box has the greatest.
+double PlaceSearch::most(const SiteBox& box, Index site) const {
+  const Site& s = a_.sites()[site];
+  return std::sqrt(std::max(std::max(s.squared_distance(box.x0, box.y0), s.squared_distance(box.x1, box.y0)),
+                            std::max(s.squared_distance(box.x0, box.y1), s.squared_distance(box.x1, box.y1))));
+}
+
+/// A box of B's boundary in its place.
+SiteBox PlaceSearch::placed(Index node) const {
+  const SiteBox& box = b_.nodes()[node].box;
+  return {box.x0 + px_, box.y0 + py_, box.x1 + px_, box.y1 + py_};
+}
+
 /// Boxes of B's boundary, the one with the largest bound first. A box is first bounded by the part of A that was
 /// nearest to the box it is a half of; its own nearest part is looked for when its turn comes.
 void PlaceSearch::walk_boundary() {
@@ -76,32 +102,30 @@ void PlaceSearch::walk_boundary() {
   auto push = [&](const Entry& e) {
     if (e.bound > best_ + slack_) todo.push(e);
   };
-  auto ball = [&](Index node) {
-    const SiteBox& box = b_.nodes()[node].box;
-    return std::pair{Spot{(box.x0 + box.x1) / 2 + px_, (box.y0 + box.y1) / 2 + py_},
-                     plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2};
-  };
-  todo.push({std::numeric_limits<double>::infinity(), 0, kNone});
+  todo.push({std::numeric_limits<double>::infinity(), 0, start(), true});
   while (!todo.empty()) {
     Entry e = todo.top();
     todo.pop();
     if (e.bound <= best_ + slack_) break;
     const SiteTree::Node& n = b_.nodes()[e.node];
     if (!e.sharp) {
-      auto [c, radius] = ball(e.node);
-      auto near = a_.nearest(c.x, c.y, e.guess);
-      bool outside = near.distance + radius > best_ && !in_a(c, near);
-      if (outside || near.distance <= radius) push({(outside ? near.distance : 0) + radius, e.node, near.site, true});
+      const SiteBox box = placed(e.node);
+      const Spot c{(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
+      const double radius = plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2;
+      const auto near = a_.nearest(c.x, c.y, e.guess);
+      const double bound = most(box, near.site);
+      if (bound <= best_ + slack_) continue;
+      if (!in_a(c, near))
+        push({bound, e.node, near.site, true});
+      else if (near.distance <= radius)
+        push({std::min(bound, radius), e.node, near.site, true});
       continue;
     }
     if (n.right == kNone) {
       for (Index k = n.first; k < n.last; ++k) visit_edge(b_.sites()[k], e.guess);
       continue;
     }
-    for (Index child : {e.node + 1, n.right}) {
-      auto [c, radius] = ball(child);
-      push({to_site(c, e.guess) + radius, child, e.guess});
-    }
+    for (Index child : {e.node + 1, n.right}) push({most(placed(child), e.guess), child, e.guess});
   }
 }
 
@@ -146,98 +170,39 @@ void PlaceSearch::visit_edge(const Site& edge, Index guess) {
   }
 }
 
-/// At most two parts of A can be nearest around `middle`: distances to two convex parts have no strict maximum
-/// together.
-bool PlaceSearch::few_sites(Spot middle, double reach) const {
-  int count = 0;
-  std::vector<Index> stack{0};
-  while (!stack.empty() && count < 3) {
-    const SiteTree::Node& node = a_.nodes()[stack.back()];
-    Index first = stack.back() + 1;
-    stack.pop_back();
-    if (node.box.nearest_squared(middle.x, middle.y) > reach * reach) continue;
-    if (node.right != kNone) stack.insert(stack.end(), {node.right, first});
-    for (Index k = node.first; node.right == kNone && k < node.last; ++k)
-      count += a_.sites()[k].distance(middle.x, middle.y) <= reach;
-  }
-  return count < 3;
-}
-
-/// Whether the distance to A grows in one direction from every place within `radius` of `middle`, so that none is a
-/// local maximum.
-bool PlaceSearch::can_grow(Spot middle, const Seen& seen, double radius) const {
-  const Site& s = a_.sites()[seen.near.site];
-  double ux = middle.x - s.x0, uy = middle.y - s.y0;
-  if (!s.is_vertex() && s.faces(middle.x, middle.y)) {
-    double dx = s.x1 - s.x0, dy = s.y1 - s.y0;
-    double side = (middle.y - s.y0) * dx - (middle.x - s.x0) * dy > 0 ? 1 : -1;
-    ux = -dy * side, uy = dx * side;
-  } else if (!s.is_vertex() && plain_length(middle.x - s.x1, middle.y - s.y1) < plain_length(ux, uy)) {
-    ux = middle.x - s.x1, uy = middle.y - s.y1;
-  }
-  double n = plain_length(ux, uy), reach = seen.near.distance + 2 * radius + slack_;
-  ux /= n, uy /= n;
-  double level = ux * middle.x + uy * middle.y - radius - slack_;
-  auto height = [&](double x, double y) { return ux * x + uy * y - level; };
-  std::vector<Index> stack{0};
-  while (!stack.empty()) {
-    Index at = stack.back();
-    stack.pop_back();
-    const SiteTree::Node& node = a_.nodes()[at];
-    if (height(ux > 0 ? node.box.x1 : node.box.x0, uy > 0 ? node.box.y1 : node.box.y0) < 0) continue;
-    if (node.box.nearest_squared(middle.x, middle.y) > reach * reach) continue;
-    if (node.right != kNone) {
-      stack.insert(stack.end(), {node.right, at + 1});
-      continue;
-    }
-    for (Index k = node.first; k < node.last; ++k) {
-      Site part = a_.sites()[k];
-      double h0 = height(part.x0, part.y0), h1 = height(part.x1, part.y1);
-      if (h0 < 0 && h1 < 0) continue;
-      if (h0 < 0 || h1 < 0) {
-        double t = h0 / (h0 - h1), x = part.x0 + t * (part.x1 - part.x0), y = part.y0 + t * (part.y1 - part.y0);
-        (h0 < 0 ? part.x0 : part.x1) = x, (h0 < 0 ? part.y0 : part.y1) = y;
-      }
-      if (part.distance(middle.x, middle.y) <= reach) return false;
-    }
-  }
-  return true;
-}
-
+/// Squares in which the distance to A can have a strict maximum, as far as B + p reaches.
 void PlaceSearch::search_inside() {
   const auto& faces = b_.region().faces;
   if (std::none_of(faces.begin(), faces.end(), [](const plane::Face& f) { return f.mark > 0; })) return;
-  const SiteBox &s = a_.nodes()[0].box, &t = b_.nodes()[0].box;
-  double x0 = std::max(s.x0, t.x0 + px_), x1 = std::min(s.x1, t.x1 + px_);
-  double y0 = std::max(s.y0, t.y0 + py_), y1 = std::min(s.y1, t.y1 + py_);
-  if (!(x0 < x1 && y0 < y1)) return;
-  struct Box {
-    Spot middle;
-    double half;
+  const SiteBox reach = placed(0);
+  struct Entry {
+    PeakBoxes::Part part;
     Index guess;
   };
-  std::vector<Box> stack{{{(x0 + x1) / 2, (y0 + y1) / 2}, std::max(x1 - x0, y1 - y0) / 2, kNone}};
+  std::vector<Entry> stack{{{}, kNone}};
   while (!stack.empty()) {
-    Box box = stack.back();
+    const Entry e = stack.back();
     stack.pop_back();
-    double radius = box.half * std::sqrt(2.0);
-    if (box.guess != kNone && to_site(box.middle, box.guess) + radius <= best_ + slack_) continue;
-    Seen seen = see(box.middle, box.guess);
-    if (seen.value + radius <= best_ + slack_) continue;
-    if (seen.inside ? seen.near.distance >= radius : seen.near.distance > radius && can_grow(box.middle, seen, radius))
-      continue;
-    if (few_sites(box.middle, seen.near.distance + 2 * radius + slack_)) continue;
-    auto to_b = b_.nearest(box.middle.x - px_, box.middle.y - py_);
-    bool in = in_b(box.middle, to_b);
+    const Spot middle = boxes_.middle(e.part);
+    const double half = boxes_.half(e.part), radius = half * std::sqrt(2.0);
+    const SiteBox box{middle.x - half, middle.y - half, middle.x + half, middle.y + half};
+    if (box.x0 >= reach.x1 || box.x1 <= reach.x0 || box.y0 >= reach.y1 || box.y1 <= reach.y0) continue;
+    if (e.guess != kNone && most(box, e.guess) <= best_ + slack_) continue;
+    const auto look = boxes_.look(e.part, e.guess);
+    if (look.barren || most(box, look.near.site) <= best_ + slack_) continue;
+    const auto to_b = b_.nearest(middle.x - px_, middle.y - py_);
+    const bool in = in_b(middle, to_b);
     if (!in && to_b.distance > radius) continue;
-    if (in && !seen.inside) best_ = std::max(best_, seen.value - slack_);
-    if (box.half <= scale_ * kSmallBox) {
-      if (!seen.inside) record(seen, {2, 0}, 4 * radius);
-      continue;
+    const Seen seen{middle, look.inside ? 0 : look.near.distance, look.near, look.inside};
+    if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the peak stays
+    if (half <= scale_ * kSmallBox && !seen.inside) {
+      const bool few = parts_near(middle, seen.value + kMeetingRoom * 4 * radius).size() <= kMostParts;
+      if (few || half <= scale_ * kTinyBox) {
+        record(seen, {2, 0}, 4 * radius);
+        continue;
+      }
     }
-    double h = box.half / 2;
-    for (double dx : {-h, h})
-      for (double dy : {-h, h}) stack.push_back({{box.middle.x + dx, box.middle.y + dy}, h, seen.near.site});
+    for (int k = 0; k < 4; ++k) stack.push_back({e.part.quarter(k), look.near.site});
   }
 }
 

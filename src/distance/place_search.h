@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "distance/farthest_place.h"
-#include "distance/search_range.h"
 
 namespace findspace::distance {
 
-inline constexpr double kShortPart = 0x1p-34;  // of the scale: a part of an edge this short is a place
+inline constexpr std::size_t kMostParts = 10;  // of A at one place: their meetings are all tried
+inline constexpr double kMeetingRoom = 8;      // of a found place's error: so near to it parts of A are to meet
 
 /// A place with its distance to A (0 inside A) and the part of A's boundary that is nearest. Where that part is too
 /// close to matter, the value is its distance and `inside` false, wherever the place lies.
@@ -33,7 +33,8 @@ struct Found {
 
 class PlaceSearch {
  public:
-  PlaceSearch(const SiteTree& b, const SiteTree& a, const exact::RealPoint& p, double least_value);
+  PlaceSearch(const SiteTree& b, const SiteTree& a, const PeakBoxes& boxes, const exact::RealPoint& p,
+              double least_value);
 
   std::optional<FarthestPlace> run();
 
@@ -43,16 +44,20 @@ class PlaceSearch {
   Seen see(Spot at, plane::Index guess) const;
   double to_site(Spot at, plane::Index site) const { return a_.sites()[site].distance(at.x, at.y); }
   void record(const Seen& seen, plane::Cell cell, double error = 0);
+  plane::Index start();
+  double most(const SiteBox& box, plane::Index site) const;
+  SiteBox placed(plane::Index node) const;
   void walk_boundary();
   void visit_edge(const Site& edge, plane::Index guess);
   double split(const Seen& s, const Seen& t) const;
-  bool few_sites(Spot middle, double reach) const;
-  bool can_grow(Spot middle, const Seen& seen, double radius) const;
   void search_inside();
   FarthestPlace exact_vertex(const Found& f) const;
+  std::vector<Site> parts_near(Spot at, double reach) const;
+  bool is_in_b(const Found& f, const exact::RealPoint& at, double room) const;
   std::optional<FarthestPlace> exact_meeting(const Found& f) const;
 
   const SiteTree &a_, &b_;
+  const PeakBoxes& boxes_;
   const exact::RealPoint& p_;
   double px_, py_, scale_, slack_, best_;
   std::vector<Found> found_;

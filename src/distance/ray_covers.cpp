@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/ray_covers.h"
 
+#include <array>
+#include <cmath>
+
 #include "space/position_covers.h"
 
 namespace findspace::distance {
@@ -44,6 +47,21 @@ RayCover overlap_sets(const Body& b, const Body& a) {
 RayCover outside_sets(const Body& b, const Body& a) {
   const std::vector<space::OutsideCell> cells = space::outside_cells(a);
   return cover_of(space::outside_cover(b, cells), bounds(a), bounds(b), true);
+}
+
+ConvexRegion difference_core(const space::BodyPart& a, const space::BodyPart& b) {
+  const std::vector<HalfSpace> planes = space::difference_planes(a, b);
+  if (planes.empty()) {
+    const RealVector center = space::real(a.center - b.center);
+    return ConvexRegion(center, center);
+  }
+  const space::Extent extent = space::difference_extent(a, b);
+  const std::array<double, 6> ends{extent.low.x,  extent.low.y,  extent.low.z,
+                                   extent.high.x, extent.high.y, extent.high.z};
+  RealVector low, high;
+  for (std::size_t k = 0; k < 3; ++k)
+    low[k] = Real::from_double(std::floor(ends[k]) - 1), high[k] = Real::from_double(std::ceil(ends[k + 3]) + 1);
+  return cut_from(low, high, planes);
 }
 
 ConvexRegion cut_from(const RealVector& low, const RealVector& high, std::span<const HalfSpace> planes) {

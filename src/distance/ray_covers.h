@@ -28,6 +28,9 @@ RayCover overlap_sets(const space::Body& b, const space::Body& a);
 /// The complement of E. A bounded and without radii, B without its radii unless A is convex.
 RayCover outside_sets(const space::Body& b, const space::Body& a);
 
+/// {a - b} without the parts' radii.
+space::ConvexRegion difference_core(const space::BodyPart& a, const space::BodyPart& b);
+
 space::ConvexRegion cut_from(const space::RealVector& low, const space::RealVector& high,
                              std::span<const space::HalfSpace> planes);
 

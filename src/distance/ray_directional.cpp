@@ -18,6 +18,7 @@ namespace {
 
 using exact::Real;
 using space::Body;
+using space::BodyPart;
 using space::ConvexRegion;
 using space::HalfSpace;
 using space::LinePiece;
@@ -26,9 +27,15 @@ using space::RealVector;
 using space::Sweep;
 using Source = space::RaySourcePointer;
 
-/// A union of closed convex sets: regions, and half spaces beyond the box that holds the rest.
+/// A convex set grown by a ball.
+struct Grown {
+  ConvexRegion core;
+  Real radius;
+};
+
+/// A union of closed convex sets: grown regions, and half spaces beyond the box that holds the rest.
 struct ClosedSets {
-  std::vector<ConvexRegion> regions;
+  std::vector<Grown> regions;
   std::vector<HalfSpace> beyond;
 };
 
@@ -49,7 +56,7 @@ ClosedSets closures(const RayCover& cover) {
   ClosedSets out;
   for (const auto& set : cover.sets) {
     ConvexRegion region = cut_from(cover.low, cover.high, set);
-    if (!region.empty()) out.regions.push_back(std::move(region));
+    if (!region.empty()) out.regions.push_back({std::move(region), Real()});
   }
   if (cover.beyond) out.beyond = around(cover.low, cover.high);
   return out;
@@ -58,10 +65,20 @@ ClosedSets closures(const RayCover& cover) {
 /// What the open sets leave.
 ClosedSets rest(const RayCover& cover) {
   ClosedSets out;
-  out.regions = space::uncovered_pieces(cover.lazy(), cover.low, cover.high);
+  for (ConvexRegion& piece : space::uncovered_pieces(cover.lazy(), cover.low, cover.high))
+    out.regions.push_back({std::move(piece), Real()});
   for (ConvexRegion& piece : space::cover_frontier(cover.sets, cover.low, cover.high))
-    out.regions.push_back(std::move(piece));
+    out.regions.push_back({std::move(piece), Real()});
   if (!cover.beyond) out.beyond = around(cover.low, cover.high);
+  return out;
+}
+
+/// The positions at which the closed bodies meet, by pairs of parts.
+ClosedSets differences(const Body& b, const Body& a) {
+  ClosedSets out;
+  for (const BodyPart& t : a.parts) {
+    for (const BodyPart& s : b.parts) out.regions.push_back({difference_core(t, s), t.radius + s.radius});
+  }
   return out;
 }
 
@@ -75,14 +92,16 @@ class Directional {
 
   /// gamma1 of the open set that the cover is, its own closed companion being the closures'. Not at level 0.
   Source signed_map(const RayCover& cover, const Real& level) const;
+  /// gamma1 below 0 where the set is one region.
+  Source depth_map(const Grown& set, const Real& level) const;
   /// The greatest distance to a bounded closed set.
   Source farthest_map(const ClosedSets& closed, const Real& level) const;
+  /// From p at most `reach` along the way: sums of what is met with the way back.
+  Source within(const ClosedSets& sets, const Real& reach) const;
 
  private:
   Source constant(int sign) const { return space::constant_rays(grid_, sign); }
   Source swept(const ClosedSets& sets, const Sweep& sweep) const;
-  /// From p at most `reach` along the way: sums of what is met with the way back.
-  Source within(const ClosedSets& sets, const Real& reach) const;
   Source farther(const ClosedSets& sets, const Real& level, const Real& most, bool forward) const;
 
   RealVector unit_;
@@ -93,7 +112,7 @@ class Directional {
 
 Source Directional::swept(const ClosedSets& sets, const Sweep& sweep) const {
   std::vector<LinePiece> pieces;
-  for (const ConvexRegion& region : sets.regions) pieces.push_back(space::swept_piece(region, sweep));
+  for (const Grown& set : sets.regions) space::add_swept_pieces(set.core, set.radius, sweep, pieces);
   for (const HalfSpace& h : sets.beyond) pieces.push_back(space::swept_piece(h, sweep));
   return std::make_unique<space::PieceRays>(pieces, scale_, grid_);
 }
@@ -108,6 +127,24 @@ Source Directional::signed_map(const RayCover& cover, const Real& level) const {
   return space::negated_rays(within(rest(cover), -level));
 }
 
+/// The set and where it is moved by the depth have to hold the position: inside of the convex set is all between.
+Source Directional::depth_map(const Grown& set, const Real& level) const {
+  std::vector<LinePiece> whole{space::whole_piece(set.core)};
+  if (set.radius.sign() > 0) add_round_pieces(set.core, set.radius, whole);
+  std::vector<Source> all;
+  const auto add_moved = [&](const Real& by) {
+    std::vector<LinePiece> pieces;
+    for (const LinePiece& piece : whole) pieces.push_back(moved(piece, space::scaled(by, unit_)));
+    all.push_back(std::make_unique<space::PieceRays>(pieces, scale_, grid_));
+  };
+  add_moved(Real());
+  add_moved(level);
+  if (both_ways_) add_moved(-level);
+  return space::combined_rays(std::move(all), [](std::span<const std::int8_t> s) {
+    return s[0] < 0 ? *std::max_element(s.begin(), s.end()) : std::int8_t(1);
+  });
+}
+
 /// +1 where the set is met farther off than the level, 0 where not but at the level, -1 elsewhere.
 Source Directional::farther(const ClosedSets& sets, const Real& level, const Real& most, bool forward) const {
   return space::negated_rays(forward ? swept(sets, {unit_, -most, -level, true, false})
@@ -117,21 +154,25 @@ Source Directional::farther(const ClosedSets& sets, const Real& level, const Rea
 Source Directional::farthest_map(const ClosedSets& closed, const Real& level) const {
   if (level.sign() < 0 || closed.regions.empty()) return constant(1);
   // A position that meets the set within the level meets nothing of it farther off than the level and its extent.
-  Real extent;
-  const ConvexRegion::Vertex& first = closed.regions[0].vertices()[0];
-  for (const ConvexRegion& region : closed.regions) {
-    for (const ConvexRegion::Vertex& v : region.vertices()) {
+  Real extent, radius;
+  const ConvexRegion::Vertex& first = closed.regions[0].core.vertices()[0];
+  for (const Grown& set : closed.regions) {
+    radius = std::max(radius, set.radius);
+    for (const ConvexRegion::Vertex& v : set.core.vertices()) {
       for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, abs(v.at[k] - first.at[k]));
     }
   }
-  const Real most = Real(2) * level + Real(6) * extent + Real(1);
+  const Real most = Real(2) * level + Real(6) * extent + Real(4) * radius + Real(1);
   std::vector<Source> all;
   if (level.sign() > 0) {
     all.push_back(within(closed, level));
   } else {
     // At level 0 only what is met at once counts.
     std::vector<LinePiece> pieces;
-    for (const ConvexRegion& region : closed.regions) pieces.push_back(space::whole_piece(region));
+    for (const Grown& set : closed.regions) {
+      pieces.push_back(space::whole_piece(set.core));
+      if (set.radius.sign() > 0) add_round_pieces(set.core, set.radius, pieces);
+    }
     all.push_back(space::mapped_rays(std::make_unique<space::PieceRays>(pieces, scale_, grid_),
                                      [](int s) { return s <= 0 ? 0 : 1; }));
   }
@@ -161,7 +202,13 @@ Source eta(const Directional& maker, const Body& b, const Body& a, const Real& l
 }
 
 Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest) {
-  if (a.round() || b.round()) fail("distances of round shapes along a direction are computed on rays at level 0 only");
+  if (a.round() || b.round()) {
+    const ClosedSets closed = differences(b, a);
+    if (farthest) return maker.farthest_map(closed, level);
+    if (level.sign() > 0) return maker.within(closed, level);
+    if (closed.regions.size() == 1) return maker.depth_map(closed.regions[0], level);
+    fail("the depth along a direction in a union of round parts is not computed on rays");
+  }
   const RayCover cover = overlap_sets(b, a);
   return farthest ? maker.farthest_map(closures(cover), level) : maker.signed_map(cover, level);
 }

@@ -4,9 +4,10 @@
 // Sign maps on rays of distances along a direction u (distances.md 7.1; definitions in directional.h), at levels other
 // than 0 of gamma1, eta1 and delta1, and at any level of gamma2, eta2 and delta2. The closed sets are unions of convex
 // polyhedra: those that the open sets of a cover close to, and what the cover leaves (pieces, facets, edges and single
-// points); the regions are their sums with stretches of a line, with or without its ends (space/swept_pieces.h).
-// Guarantee: exact on every line. Error(kUnsupported) for round parts. Cost: the convex pieces of the sets, each made
-// once. Keywords: partial Minkowski sum, directional penetration depth.
+// points); or, of gamma1 and gamma2 of round bodies, of convex differences grown by their radii. The regions are their
+// sums with stretches of a line, with or without its ends (space/swept_pieces.h). Guarantee: exact on every line.
+// Error(kUnsupported) for round bodies where containment is asked, and for their depth but of convex ones. Cost: the
+// convex pieces of the sets, each made once. Keywords: partial Minkowski sum, directional penetration depth.
 #pragma once
 
 #include <memory>

@@ -97,18 +97,11 @@ void RaySignMaker::add_near(const BodyPart& t, const BodyPart& s, const Real& le
   const std::vector<HalfSpace> planes = space::difference_planes(t, s);
   const Real grown = t.radius + s.radius + level;
   if (grown.sign() < 0) return;
-  const RealVector center = real(t.center - s.center);
-  const bool point = planes.empty();
-  const space::Extent extent = space::difference_extent(t, s);
-  if (!point) pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
-  if (grown.sign() == 0) return;
-  if (point) return add_round_pieces(ConvexRegion(center, center), grown, pieces);
-  RealVector low, high;
-  const std::array<double, 6> ends{extent.low.x,  extent.low.y,  extent.low.z,
-                                   extent.high.x, extent.high.y, extent.high.z};
-  for (std::size_t k = 0; k < 3; ++k)
-    low[k] = Real::from_double(std::floor(ends[k]) - 1), high[k] = Real::from_double(std::ceil(ends[k + 3]) + 1);
-  add_round_pieces(cut_from(low, high, planes), grown, pieces);
+  if (!planes.empty()) {
+    const space::Extent extent = space::difference_extent(t, s);
+    pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
+  }
+  if (grown.sign() > 0) add_round_pieces(difference_core(t, s), grown, pieces);
 }
 
 Source RaySignMaker::eta1(const Real& level) const {

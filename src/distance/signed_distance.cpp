@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "plane/minkowski.h"
+#include "plane/topology.h"
 
 namespace findspace::distance {
 
@@ -16,17 +17,8 @@ using plane::CellComplex;
 using plane::Mark;
 using plane::SignMap;
 
-namespace {
-
-bool has_mark_up_to_zero(const SignMap& m) {
-  auto in = [](const auto& cell) { return cell.mark <= 0; };
-  return std::any_of(m.faces.begin(), m.faces.end(), in) || std::any_of(m.edges.begin(), m.edges.end(), in) ||
-         std::any_of(m.vertices.begin(), m.vertices.end(), in);
-}
-
-}  // namespace
-
-SignedDistance::SignedDistance(SignMap base) : base_(std::move(base)), defined_(has_mark_up_to_zero(base_)) {}
+SignedDistance::SignedDistance(SignMap base)
+    : base_(std::move(base)), defined_(plane::any_mark(base_, [](Mark m) { return m <= 0; })) {}
 
 SignedDistance SignedDistance::gamma1(const plane::Region& b, const plane::Region& a) {
   return SignedDistance(contact_map(a, b));

@@ -224,29 +224,21 @@ SitePair nearest_point(const SiteTree& a, const RealPoint& at) {
   double x = near_value(at.x), y = near_value(at.y);
   double limit = a.nearest(x, y).distance + (a.scale() + std::abs(x) + std::abs(y)) * kPairSlack;
   std::optional<SitePair> best;
+  std::vector<Cell> known;  // two edges share a vertex
   auto take = [&](Cell cell) {
+    if (std::find(known.begin(), known.end(), cell) != known.end()) return;
+    known.push_back(cell);
     auto k = exact_pair(a.region(), cell, at);
     if (k && (!best || k->distance < best->distance)) best = std::move(k);
   };
-  std::vector<Index> stack{0};
-  while (!stack.empty()) {
-    const SiteTree::Node& n = a.nodes()[stack.back()];
-    Index first = stack.back() + 1;
-    stack.pop_back();
-    if (n.box.nearest_squared(x, y) > limit * limit) continue;
-    if (n.right != kNone) {
-      stack.insert(stack.end(), {n.right, first});
-      continue;
-    }
-    for (Index k = n.first; k < n.last; ++k) {
-      const Site& s = a.sites()[k];
-      if (s.distance(x, y) > limit) continue;
-      Placed p = placed(a.region(), s, 0, 0);
-      if (plain_length(x - s.x0, y - s.y0) <= limit) take({0, p.vertex[0]});
-      if (plain_length(x - s.x1, y - s.y1) <= limit) take({0, p.vertex[1]});
-      if (!s.is_vertex() && s.faces(x, y)) take(s.cell);
-    }
-  }
+  a.for_near(x, y, limit, [&](Index k) {
+    const Site& s = a.sites()[k];
+    const Placed p = placed(a.region(), s, 0, 0);
+    if (plain_length(x - s.x0, y - s.y0) <= limit) take({0, p.vertex[0]});
+    if (plain_length(x - s.x1, y - s.y1) <= limit) take({0, p.vertex[1]});
+    if (!s.is_vertex() && s.faces(x, y)) take(s.cell);
+    return true;
+  });
   return *best;
 }
 

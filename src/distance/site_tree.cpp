@@ -30,10 +30,6 @@ void SiteBox::add(const SiteBox& o) {
   x0 = std::min(x0, o.x0), y0 = std::min(y0, o.y0), x1 = std::max(x1, o.x1), y1 = std::max(y1, o.y1);
 }
 
-double SiteBox::nearest_squared(double x, double y) const {
-  return square(std::max({x0 - x, 0.0, x - x1})) + square(std::max({y0 - y, 0.0, y - y1}));
-}
-
 double SiteBox::nearest_squared(const SiteBox& o, double px, double py) const {
   return square(std::max({x0 - (o.x1 + px), 0.0, o.x0 + px - x1})) +
          square(std::max({y0 - (o.y1 + py), 0.0, o.y0 + py - y1}));
@@ -98,10 +94,41 @@ Index SiteTree::build(Index first, Index last) {
   return at;
 }
 
+SiteTree::Extreme SiteTree::extreme(double ux, double uy) const {
+  Extreme best{kNone, 0, 0, -std::numeric_limits<double>::infinity()};
+  auto take = [&](Index vertex, double x, double y) {
+    if (const double h = ux * x + uy * y; h > best.height) best = {vertex, x, y, h};
+  };
+  auto bound = [&](Index node) {
+    const SiteBox& box = nodes_[node].box;
+    return ux * (ux > 0 ? box.x1 : box.x0) + uy * (uy > 0 ? box.y1 : box.y0);
+  };
+  std::array<Index, 64> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const Index at = stack[--size];
+    const Node& n = nodes_[at];
+    if (bound(at) <= best.height) continue;
+    if (n.right != kNone) {
+      const bool right_first = bound(n.right) > bound(at + 1);
+      stack[size++] = right_first ? at + 1 : n.right;
+      stack[size++] = right_first ? n.right : at + 1;
+      continue;
+    }
+    for (Index k = n.first; k < n.last; ++k) {
+      const Site& s = sites_[k];
+      take(s.is_vertex() ? s.cell.index : region_.edges[s.cell.index].v0, s.x0, s.y0);
+      if (!s.is_vertex()) take(region_.edges[s.cell.index].v1, s.x1, s.y1);
+    }
+  }
+  return best;
+}
+
 SiteTree::Near SiteTree::nearest(double x, double y, Index guess) const {
-  Near best{std::numeric_limits<double>::infinity(), kNone};
-  if (nodes_.empty()) return best;
-  if (guess != kNone) best = {sites_[guess].distance(x, y), guess};
+  if (nodes_.empty()) return {std::numeric_limits<double>::infinity(), kNone};
+  double best = guess == kNone ? std::numeric_limits<double>::infinity() : sites_[guess].squared_distance(x, y);
+  Index site = guess;
   struct Entry {
     Index node;
     double squared;
@@ -111,20 +138,22 @@ SiteTree::Near SiteTree::nearest(double x, double y, Index guess) const {
   stack[size++] = {0, nodes_[0].box.nearest_squared(x, y)};
   while (size > 0) {
     Entry e = stack[--size];
-    if (e.squared > square(best.distance)) continue;
-    const Node& n = nodes_[e.node];
-    if (n.right == kNone) {
-      for (Index k = n.first; k < n.last; ++k)
-        if (double d = sites_[k].distance(x, y); d < best.distance) best = {d, k};
-      continue;
+    // Walks down to the leaf that is nearest; what is put off is near enough.
+    while (e.squared <= best) {
+      const Node& n = nodes_[e.node];
+      if (n.right == kNone) {
+        for (Index k = n.first; k < n.last; ++k)
+          if (const double d = sites_[k].squared_distance(x, y); d < best) best = d, site = k;
+        break;
+      }
+      Entry near{e.node + 1, nodes_[e.node + 1].box.nearest_squared(x, y)},
+          far{n.right, nodes_[n.right].box.nearest_squared(x, y)};
+      if (far.squared < near.squared) std::swap(near, far);
+      if (far.squared <= best) stack[size++] = far;
+      e = near;
     }
-    Entry near{e.node + 1, nodes_[e.node + 1].box.nearest_squared(x, y)},
-        far{n.right, nodes_[n.right].box.nearest_squared(x, y)};
-    if (far.squared < near.squared) std::swap(near, far);
-    stack[size++] = far;
-    stack[size++] = near;
   }
-  return best;
+  return {std::sqrt(best), site};
 }
 
 /// The face that goes on from the vertex in the direction of the place.
@@ -165,10 +194,15 @@ std::optional<Index> SiteTree::face_around(Index vertex, double x, double y) con
 std::optional<bool> SiteTree::contains(double x, double y, const Near& near) const {
   if (near.site == kNone) return region_.faces[0].mark > 0;
   if (near.distance <= (scale_ + std::abs(x) + std::abs(y)) * kRounding) return std::nullopt;
+  const SiteBox& box = nodes_[0].box;
+  if (x < box.x0 || x > box.x1 || y < box.y0 || y > box.y1) return region_.faces[0].mark > 0;
   const Site& s = sites_[near.site];
   if (s.is_vertex()) return region_.faces[region_.vertices[s.cell.index].face].mark > 0;
   Index h = 2 * s.cell.index;  // from (x0, y0) to (x1, y1)
   if (s.faces(x, y)) {
+    // At its end an edge may have another one beside it, tangent to it, that the place is behind.
+    const double to_end = std::min(plain_length(x - s.x0, y - s.y0), plain_length(x - s.x1, y - s.y1));
+    if (arcs_ && to_end <= near.distance * (1 + kCertain)) return std::nullopt;
     bool left = s.arc ? (plain_length(x - s.cx, y - s.cy) < s.r) == (s.half < 0)
                       : (s.x1 - s.x0) * (y - s.y0) - (s.y1 - s.y0) * (x - s.x0) > 0;
     return region_.faces[region_.face(left ? h : h + 1)].mark > 0;

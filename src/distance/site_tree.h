@@ -8,6 +8,8 @@
 // boxes. Keywords: bounding volume hierarchy, AABB tree, branch and bound, closest feature.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,7 +23,10 @@ struct SiteBox {
 
   void add(const SiteBox& o);
   /// The least distance of a point of the box to (x, y), squared.
-  double nearest_squared(double x, double y) const;
+  double nearest_squared(double x, double y) const {
+    const double dx = std::max(std::max(x0 - x, 0.0), x - x1), dy = std::max(std::max(y0 - y, 0.0), y - y1);
+    return dx * dx + dy * dy;
+  }
   /// The least and the greatest distance of points of two boxes, the second moved by (px, py), squared.
   double nearest_squared(const SiteBox& o, double px, double py) const;
   double farthest_squared(const SiteBox& o, double px, double py) const;
@@ -52,8 +57,17 @@ class SiteTree {
   /// The size of the coordinates.
   double scale() const { return scale_; }
 
+  struct Extreme {
+    plane::Index vertex;
+    double x, y, height;  // of the vertex, along the direction
+  };
+  /// A vertex farthest in a direction, of a set that is not empty; no arcs.
+  Extreme extreme(double ux, double uy) const;
   /// The site nearest to the place; one that is known to be near makes it quicker.
   Near nearest(double x, double y, plane::Index guess = plane::kNone) const;
+  /// visit(site) for the sites within `reach` of the place, until it returns false.
+  template <class Visit>
+  void for_near(double x, double y, double reach, Visit&& visit) const;
   /// Whether the place lies in the set; nothing where the numbers do not decide. `near`: its nearest site.
   std::optional<bool> contains(double x, double y, const Near& near) const;
 
@@ -70,6 +84,25 @@ class SiteTree {
   double scale_ = 1;
   bool arcs_ = false;
 };
+
+template <class Visit>
+void SiteTree::for_near(double x, double y, double reach, Visit&& visit) const {
+  std::array<plane::Index, 64> stack;
+  std::size_t size = 0;
+  if (!nodes_.empty()) stack[size++] = 0;
+  while (size > 0) {
+    const plane::Index at = stack[--size];
+    const Node& n = nodes_[at];
+    if (n.box.nearest_squared(x, y) > reach * reach) continue;
+    if (n.right != plane::kNone) {
+      stack[size++] = n.right;
+      stack[size++] = at + 1;
+      continue;
+    }
+    for (plane::Index k = n.first; k < n.last; ++k)
+      if (sites_[k].distance(x, y) <= reach && !visit(k)) return;
+  }
+}
 
 /// The box around a site, a little larger than the truth.
 SiteBox box_of(const Site& s);

@@ -35,16 +35,9 @@ bool Site::faces(double x, double y) const {
   return t >= 0 && t <= dx * dx + dy * dy;
 }
 
-double Site::distance(double x, double y) const {
-  const double px = x - x0, py = y - y0;
-  if (is_vertex()) return plain_length(px, py);
-  if (arc) {
-    return has_direction(x - cx, y - cy) ? std::abs(plain_length(x - cx, y - cy) - r)
-                                         : std::min(plain_length(px, py), plain_length(x - x1, y - y1));
-  }
-  const double dx = x1 - x0, dy = y1 - y0, t = px * dx + py * dy, square = dx * dx + dy * dy;
-  if (t < 0) return plain_length(px, py);
-  return t > square ? plain_length(x - x1, y - y1) : std::abs(px * dy - py * dx) / std::sqrt(square);
+double Site::arc_distance(double x, double y) const {
+  return has_direction(x - cx, y - cy) ? std::abs(plain_length(x - cx, y - cy) - r)
+                                       : std::min(plain_length(x - x0, y - y0), plain_length(x - x1, y - y1));
 }
 
 double Site::farthest(double x, double y) const {

@@ -34,13 +34,27 @@ struct Site {
 
   bool is_vertex() const { return cell.dimension == 0; }
   /// Of the closed site.
-  double distance(double x, double y) const;
+  double distance(double x, double y) const { return arc ? arc_distance(x, y) : std::sqrt(squared(x, y)); }
+  double squared_distance(double x, double y) const {
+    const double d = arc ? arc_distance(x, y) : 0;
+    return arc ? d * d : squared(x, y);
+  }
   /// The greatest distance of a point of the closed site; of a segment that of an end.
   double farthest(double x, double y) const;
   /// The nearest point lies inside the edge (always for a vertex).
   bool faces(double x, double y) const;
   /// An arc's point in the direction (dx, dy) from its centre lies on it.
   bool has_direction(double dx, double dy) const;
+
+ private:
+  double arc_distance(double x, double y) const;
+  /// Of a vertex or a segment.
+  double squared(double x, double y) const {
+    const double px = x - x0, py = y - y0, dx = x1 - x0, dy = y1 - y0, t = px * dx + py * dy;
+    if (t <= 0) return px * px + py * py;
+    const double size = dx * dx + dy * dy, qx = x - x1, qy = y - y1, area = px * dy - py * dx;
+    return t < size ? area * area / size : qx * qx + qy * qy;
+  }
 };
 
 Site vertex_site(const plane::CellComplex& c, plane::Index v);

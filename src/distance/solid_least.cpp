@@ -11,6 +11,7 @@
 #include "space/cover_frontier.h"
 #include "space/deepest.h"
 #include "space/min_ball.h"
+#include "space/outside_cells.h"
 
 namespace findspace::distance {
 

@@ -27,6 +27,8 @@ using space::Vector;
 constexpr double kBlur = 0x1p-44;
 /// Of the bodies' size: what rounding may do to a distance.
 constexpr double kNoise = 0x1p-46;
+/// What the point found may lack of how far B sticks out. The nearer it is, the fewer cuts until an end.
+constexpr double kShare = 0x1p-10;
 /// Stretches that a line is cut into, at most; kCertain is reached long before.
 constexpr int kMostCuts = 4000;
 /// To the end of a cut; a shorter cut is as good.
@@ -183,7 +185,7 @@ std::vector<StickOutRays::Stretch> StickOutRays::cuts(const Side& side, const Li
   while (!left.empty()) {
     const Stretch s = left.back();
     left.pop_back();
-    const SolidPeak peak = solid_peak(swept(line, s), nearest_, side.enough, 0.5);
+    const SolidPeak peak = solid_peak(swept(line, s), nearest_, side.enough, kShare);
     if (!peak.whole || ++count > kMostCuts)
       throw Error(ErrorCode::kUnsupported, "how far the shape sticks out was not found within the limit of the search");
     if (peak.value <= side.enough) continue;

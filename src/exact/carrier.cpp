@@ -8,11 +8,15 @@
 namespace findspace::exact {
 
 void set_line_filter(Carrier& l) {
-  double a = double(l.a), b = double(l.b), n = std::sqrt(a * a + b * b);
-  double x = a / n, y = b / n;
-  l.x = {x, std::abs(x) * (4 * Approx::kUnit)};
-  l.y = {y, std::abs(y) * (4 * Approx::kUnit)};
-  if (l.grid) return set_grid_distance(l, n);
+  const double a = double(l.a), b = double(l.b), over = 1 / std::sqrt(a * a + b * b), x = a * over, y = b * over;
+  l.x = {x, std::abs(x) * (5 * Approx::kUnit)};
+  l.y = {y, std::abs(y) * (5 * Approx::kUnit)};
+  if (l.grid) {
+    const std::int64_t narrow = std::int64_t(l.c);
+    const double z = (narrow == l.c ? double(narrow) : double(l.c)) * over;
+    l.z = {z, std::abs(z) * (8 * Approx::kUnit)};
+    return;
+  }
   l.z = l.displaced() ? from_int(l.c) / normal_length(l) + from_real(l.w) : line_offset(l) / normal_length(l);
 }
 

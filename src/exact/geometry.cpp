@@ -30,7 +30,7 @@ std::uint32_t Geometry::add_parallel(const Carrier& line, std::int64_t x, std::i
   Carrier& l = carriers.emplace_back();
   l.a = line.a, l.b = line.b, l.x = line.x, l.y = line.y;
   l.c = int128(l.a) * x + int128(l.b) * y;
-  set_grid_distance(l, normal_length(l).value);
+  set_distance_through(l, x, y);
   return std::uint32_t(carriers.size() - 1);
 }
 

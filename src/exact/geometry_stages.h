@@ -55,8 +55,11 @@ inline Approx normal_length(const Carrier& l) {
   return {n, n * (3 * Approx::kUnit)};
 }
 
-/// The length of (a, b) if it is an integer.
+/// The length of (a, b) if it is an integer. Below 2^50 its root in doubles, off by at most 2 ulps, tells most others.
 inline std::optional<int128> integer_length(std::int64_t a, std::int64_t b) {
+  constexpr double kRounding = 0x1.8p52;  // added and taken away again it rounds to an integer
+  const double x = double(a), y = double(b), n = std::sqrt(x * x + y * y);
+  if (n < 0x1p50 && std::abs(n - ((n + kRounding) - kRounding)) > n * (4 * Approx::kUnit)) return std::nullopt;
   int128 square = int128(a) * a + int128(b) * b, root = int128(std::llround(std::sqrt(double(square))));
   return root * root == square ? std::optional(root) : std::nullopt;
 }
@@ -72,17 +75,17 @@ inline bool fits(const std::optional<int128>& c) {
   return c && *c <= kMost && *c >= -kMost;
 }
 
-/// Of a grid line, from the rounded length of its normal: that is off by at most 2u, the rounded offset and the
-/// quotient by u each; 8u covers the terms of second order. An integer over a length below 2^54 does not underflow.
-inline void set_grid_distance(Carrier& l, double length) {
-  const std::int64_t narrow = std::int64_t(l.c);
-  const double z = (narrow == l.c ? double(narrow) : double(l.c)) / length;
-  l.z = {z, std::abs(z) * (8 * Approx::kUnit)};
-}
-
 /// |a|, |b| < 2^53, so the doubles are exact. With u = 2^-53 the squared length is off by at most 2u (two roundings on
-/// each path), its root by 2u (half of that and its own rounding), a quotient by 3u; 4u covers the terms of second
-/// order.
+/// each path), its root by 2u (half of that and its own rounding), the reciprocal by 3u and a product with it by 4u, of
+/// a rounded offset by 5u; 5u and 8u cover the terms of second order. An integer over a length below 2^54 does not
+/// underflow.
 void set_line_filter(Carrier& l);
+
+/// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 5u, the rounded
+/// coordinates, the products and the sum by u each.
+inline void set_distance_through(Carrier& l, std::int64_t x, std::int64_t y) {
+  const double along_x = l.x.value * double(x), along_y = l.y.value * double(y);
+  l.z = {along_x + along_y, (std::abs(along_x) + std::abs(along_y)) * (9 * Approx::kUnit)};
+}
 
 }  // namespace findspace::exact

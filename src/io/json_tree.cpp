@@ -38,7 +38,6 @@ struct CountingIterator {
     ++*this;
     return old;
   }
-  friend bool operator==(const CountingIterator& a, const CountingIterator& b) { return a.at == b.at; }
   friend bool operator!=(const CountingIterator& a, const CountingIterator& b) { return a.at != b.at; }
 };
 
@@ -97,6 +96,10 @@ class TreeBuilder {
     return true;
   }
   bool parse_error(std::size_t, const std::string&, const Json::exception& error) {
+    if (const std::string_view sign = sign_at(std::max<std::size_t>(offset(), 1) - 1); sign.size() > 1) {
+      const std::string hint = sign == "−" ? "; the minus is '-'" : "";
+      fail("this is not JSON: stray character '" + std::string(sign) + "'" + hint, offset() - 1);
+    }
     std::string message = error.what();
     std::size_t cut = message.find("parse error at ");
     cut = cut == std::string::npos ? message.find("] ") : message.find(": ", cut);
@@ -106,6 +109,17 @@ class TreeBuilder {
 
  private:
   std::size_t offset() const { return static_cast<std::size_t>(*reached_ - text_.data()); }
+
+  /// The character that begins there if it is one of several bytes and well formed, else nothing.
+  std::string_view sign_at(std::size_t start) const {
+    const auto byte = [&](std::size_t i) { return i < text_.size() ? static_cast<unsigned char>(text_[i]) : 0u; };
+    const unsigned lead = byte(start);
+    const std::size_t size = lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+    for (std::size_t k = 1; k < size; ++k) {
+      if ((byte(start + k) & 0xc0) != 0x80) return {};
+    }
+    return text_.substr(std::min(start, text_.size()), size);
+  }
 
   /// Start of the token just read: what follows the token before but blanks, separators and comments.
   std::size_t token_start() const {
@@ -201,7 +215,17 @@ const char* JsonValue::kind_name() const {
   return "nothing";
 }
 
+namespace {
+
+/// Of texts of two or four bytes a character: they begin with a mark, or their first characters have bytes of 0.
+bool is_wide(std::string_view text) {
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || text.substr(0, 4).find('\0') < 4;
+}
+
+}  // namespace
+
 JsonValue parse_json(std::string_view text, const std::string& name) {
+  if (is_wide(text)) throw Error(ErrorCode::kSyntax, "this is not JSON in UTF-8 but looks like UTF-16 or UTF-32", name);
   const char* reached = text.data();
   TreeBuilder builder(text, name, &reached);
   CountingIterator first{text.data(), &reached}, last{text.data() + text.size(), &reached};

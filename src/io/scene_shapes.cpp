@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace findspace::io {
 namespace {
 
-constexpr std::size_t kMaxTrail = 500;  // names that refer to names; keeps the stack bounded
+constexpr std::size_t kMostLevels = 1000;  // of shapes made from shapes; keeps the stack bounded
 
 using plane::Shape;
 using plane::ShapePtr;
@@ -60,16 +61,18 @@ ShapePtr ShapeReader::named(const std::string& name, const JsonValue& at, const 
     json_.fail(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, suggestion(name, names_)), label, at);
   }
   Entry& entry = found->second;
-  if (entry.shape) return entry.shape;
-  if (entry.open) fail_cycle(name, at, label);
-  if (trail_.size() >= kMaxTrail) {
-    json_.fail(ErrorCode::kUnsupported, fmt::format("more than {} shapes that each refer to the next", kMaxTrail),
-               label, at);
+  if (entry.shape) {
+    height_ = std::max(height_, entry.height);
+    return entry.shape;
   }
+  if (entry.open) fail_cycle(name, at, label);
   entry.open = true;
   trail_.push_back(name);
   Label own{nullptr, "shape", name};
+  const std::size_t outside = std::exchange(height_, 0);
   Shape copy = *shape(*entry.value, own);
+  entry.height = height_;
+  height_ = std::max(outside, height_);
   copy.name = name;
   copy.place = json_.place(own, *entry.value);
   entry.shape = share(std::move(copy));
@@ -79,18 +82,27 @@ ShapePtr ShapeReader::named(const std::string& name, const JsonValue& at, const 
 }
 
 ShapePtr ShapeReader::shape(const JsonValue& value, const Label& label) {
+  const std::size_t beside = std::exchange(height_, 0);
+  if (++depth_ > kMostLevels) fail_too_deep(value, label);
+  ShapePtr made;
   switch (value.kind) {
     case JsonValue::Kind::kString:
-      return named(value.text, value, label);
-    case JsonValue::Kind::kArray:
-      return list(value, label);
-    case JsonValue::Kind::kObject:
-      return object(value, label);
-    default:
+      made = named(value.text, value, label);
       break;
+    case JsonValue::Kind::kArray:
+      made = list(value, label);
+      break;
+    case JsonValue::Kind::kObject:
+      made = object(value, label);
+      break;
+    default:
+      json_.fail(ErrorCode::kBadValue, fmt::format("a shape is an object, a name or a list, not {}", value.kind_name()),
+                 label, value);
   }
-  json_.fail(ErrorCode::kBadValue, fmt::format("a shape is an object, a name or a list, not {}", value.kind_name()),
-             label, value);
+  --depth_;
+  if (value.kind != JsonValue::Kind::kString && ++height_ > kMostLevels) fail_too_deep(value, label);
+  height_ = std::max(beside, height_);
+  return made;
 }
 
 ShapePtr ShapeReader::list(const JsonValue& value, const Label& label) {
@@ -129,6 +141,11 @@ void ShapeReader::fail_cycle(const std::string& name, const JsonValue& at, const
   auto first = std::find(trail_.begin(), trail_.end(), name);
   json_.fail(ErrorCode::kBadValue,
              fmt::format("'{}' is made from itself: {} -> {}", name, fmt::join(first, trail_.end(), " -> "), name),
+             label, at);
+}
+
+void ShapeReader::fail_too_deep(const JsonValue& at, const Label& label) const {
+  json_.fail(ErrorCode::kUnsupported, fmt::format("more than {} shapes that are each made from the next", kMostLevels),
              label, at);
 }
 

@@ -59,18 +59,22 @@ class ShapeReader {
   struct Entry {
     const JsonValue* value = nullptr;
     plane::ShapePtr shape;
-    bool open = false;  // being built: meeting it again is a cycle
+    std::size_t height = 0;  // levels of its tree
+    bool open = false;       // being built: meeting it again is a cycle
   };
 
   plane::ShapePtr object(const JsonValue& value, const Label& label);
   plane::ShapePtr list(const JsonValue& value, const Label& label);
   [[noreturn]] void fail_unknown_kind(const JsonValue& value, const Label& label) const;
+  [[noreturn]] void fail_too_deep(const JsonValue& at, const Label& label) const;
   [[noreturn]] void fail_cycle(const std::string& name, const JsonValue& at, const Label& label) const;
 
   const SceneReader& json_;
   std::vector<std::string> names_;
   std::map<std::string, Entry, std::less<>> entries_;
   std::vector<std::string> trail_;  // names being built, outermost first
+  std::size_t height_ = 0;  // levels of the highest tree among the operands read so far of the shape that is read
+  std::size_t depth_ = 0;   // shapes that are being read, each an operand of the one before
   int dimension_ = 0;
 };
 

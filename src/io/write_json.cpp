@@ -8,10 +8,9 @@
 #include <cmath>
 #include <map>
 
-#include "io/json_text.h"
+#include "io/json_answers.h"
 #include "io/write_cells.h"
 #include "io/write_witness.h"
-#include "situation/text.h"
 
 namespace findspace::io {
 namespace {
@@ -43,12 +42,6 @@ void put_summary(std::string& out, const plane::Summary& s, std::string_view uni
       json_number(s.dangling_length), json_number(s.crack_length), s.holes);
   put(out, "  \"isolated\": {}, \"bbox\": {},\n", list(s.isolated, pair), box(s.bbox));
   put(out, "  \"components\": {},\n", list(s.components, component_text, true));
-}
-
-void put_extreme(std::string& out, const ExtremeValue& e) {
-  const std::string value = e.unbounded && !e.maximum ? "\"-inf\"" : number(e.value);
-  put(out, "  \"{}\": {}, \"attained\": {},{}\n", e.maximum ? "maximum" : "minimum", value, truth(e.attained),
-      e.proven ? "" : " \"proven\": false,");
 }
 
 std::string curve_text(const CurveNet& net, const Curve& k) {
@@ -87,6 +80,17 @@ void put_cells(std::string& out, const CurveNet& net) {
   out += list(
       c.faces, [&](const plane::Face& f) { return face_text(net, f); }, true);
   out += "\n  }";
+}
+
+/// How far values that are not exact may be from the true ones.
+std::string bounds_text(const std::vector<situation::DistanceAt>& distances) {
+  std::map<std::string, double> bounds;
+  for (const situation::DistanceAt& d : distances)
+    if (d.bound) bounds[d.text] = *d.bound;
+  std::string out;
+  for (const auto& [text, bound] : bounds)
+    put(out, "{}{}: {}", out.empty() ? ",\n  \"bounds\": {" : ", ", json_string(text), json_number(bound));
+  return out.empty() ? out : out + "}";
 }
 
 }  // namespace
@@ -136,48 +140,13 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
                      best, list(intervals, text));
 }
 
-namespace {
-
-/// How far values that are not exact may be from the true ones.
-std::string bounds_text(const std::vector<situation::DistanceAt>& distances) {
-  std::map<std::string, double> bounds;
-  for (const situation::DistanceAt& d : distances)
-    if (d.bound) bounds[d.text] = *d.bound;
-  std::string out;
-  for (const auto& [text, bound] : bounds)
-    put(out, "{}{}: {}", out.empty() ? ",\n  \"bounds\": {" : ", ", json_string(text), json_number(bound));
-  return out.empty() ? out : out + "}";
-}
-
-}  // namespace
-
 std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, std::optional<double> angle, const situation::NearestFeasible* nearest) {
   const Twofold factor(step);
-  std::string out = fmt::format("{{{}\"at\": {}, {}\"true\": {},\n  \"atoms\": ", unit_key(unit), pair(place(at)),
+  std::string out = fmt::format("{{{}\"at\": {}, {}\"true\": {},\n", unit_key(unit), pair(place(at)),
                                 angle ? fmt::format("\"angle\": {}, ", json_number(*angle)) : "", truth(check.holds));
-  std::map<std::string, std::optional<double>> distances;
-  out += list(
-      check.atoms,
-      [&](const situation::AtomAt& a) {
-        distances[a.distance.text] = a.distance.value;
-        const std::string lacks = a.lacks ? fmt::format(R"( "lacks": {},)", json_number(*a.lacks)) : "";
-        return fmt::format(R"({{"text": {}, "value": {}, "true": {},{} "witness": {{{}}}}})",
-                           json_string(situation::text(a.atom)), number(a.distance.value), truth(a.holds), lacks,
-                           witness_members(a.distance, factor));
-      },
-      true);
-  out += ",\n  \"distances\": {";
-  const char* separator = "";
-  for (const auto& [text, value] : distances) {
-    put(out, "{}{}: {}", separator, json_string(text), number(value));
-    separator = ", ";
-  }
-  out += "}";
-  if (nearest != nullptr) {
-    put(out, ",\n  \"nearest_feasible\": {{\"at\": {}, \"distance\": {}, \"attained\": {}}}",
-        json_point(nearest->at, factor), json_number(nearest->distance.to_double()), truth(nearest->attained));
-  }
+  put_atoms(out, check.atoms, [&](const situation::DistanceAt& d) { return witness_members(d, factor); });
+  if (nearest != nullptr) put_nearest(out, *nearest, json_point(nearest->at, factor));
   std::vector<situation::DistanceAt> all;
   for (const situation::AtomAt& a : check.atoms) all.push_back(a.distance);
   return out + bounds_text(all) + "\n}\n";
@@ -186,20 +155,10 @@ std::string check_json(const situation::Solver::Check& check, const exact::RealP
 std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
                          const exact::Real& step, std::string_view unit, std::optional<double> angle) {
   const Twofold factor(step);
-  std::string out = fmt::format("{{{}\"at\": {},{}\n  \"distances\": {{", unit_key(unit), pair(place(at)),
-                                angle ? fmt::format(" \"angle\": {},", json_number(*angle)) : ""),
-              witnesses;
-  const char* separator = "\n    ";
-  const char* between = "\n    ";
-  for (const auto& d : distances) {
-    put(out, "{}{}: {}", separator, json_string(d.text), number(d.value));
-    separator = ",\n    ";
-    const std::string members = witness_members(d, factor);
-    if (members.empty()) continue;
-    put(witnesses, "{}{}: {{{}}}", between, json_string(d.text), members);
-    between = ",\n    ";
-  }
-  return out + "\n  },\n  \"witnesses\": {" + witnesses + "\n  }" + bounds_text(distances) + "\n}\n";
+  std::string out = fmt::format("{{{}\"at\": {},{}\n", unit_key(unit), pair(place(at)),
+                                angle ? fmt::format(" \"angle\": {},", json_number(*angle)) : "");
+  put_distances(out, distances, [&](const situation::DistanceAt& d) { return witness_members(d, factor); });
+  return out + bounds_text(distances) + "\n}\n";
 }
 
 }  // namespace findspace::io

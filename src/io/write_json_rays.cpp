@@ -21,6 +21,32 @@ void put_optimum(const RayOptimum& optimum, std::string& out) {
   if (optimum.value) out += fmt::format("  \"at\": {},\n", place(optimum.at, 1));
 }
 
+void put_components(const space::RaySummary& summary, double step, bool axes, std::string& out) {
+  out += "  \"components\": [";
+  for (std::size_t k = 0; k < summary.components.size(); ++k) {
+    const space::RayComponent& c = summary.components[k];
+    out += fmt::format("{}\n    {{\"volume\": {}, \"sample\": {}, \"bbox\": [{}, {}]{}}}", k == 0 ? "" : ",",
+                       c.volume * (step * step * step), place(c.sample, step), place(c.low, step), place(c.high, step),
+                       axes ? fmt::format(", \"certified\": {}", c.certified) : "");
+  }
+  out += summary.components.empty() ? "],\n" : "\n  ],\n";
+}
+
+/// What the lines were and found, up to the lines themselves.
+void put_grid(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text,
+              std::string& out) {
+  constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+  const double part = step / static_cast<double>(grid.parts);
+  out += fmt::format("  \"rays\": {{\"axis\": \"{}\", \"counts\": [{}, {}], \"spacing\": [{}, {}], \"precision\": {}, ",
+                     kAxes[grid.axis], grid.nu, grid.nv, static_cast<double>(grid.du) * part,
+                     static_cast<double>(grid.dv) * part, summary.precision * step);
+  out += fmt::format(
+      "\"intervals\": {}, \"points\": {},\n    \"on_lines\": \"{}\", \"axes\": {}, \"connectivity\": \"{}\"",
+      summary.intervals, summary.points, text.on_lines, text.axes ? 3 : 1,
+      text.axes ? "crossing lines of three axes where certified, else overlapping intervals of neighbouring lines"
+                : "overlapping intervals of neighbouring lines");
+}
+
 }  // namespace
 
 void RayLines::add(int j, const space::RayRow& row) {
@@ -60,41 +86,25 @@ std::string rays_json(const space::RaySummary& summary, const space::RayGrid& gr
 
 void rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text,
                const Sink& sink) {
-  const double cube = step * step * step, part = step / static_cast<double>(grid.parts);
-  constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
   const bool empty = summary.empty && !text.unbounded && !text.somewhere;
   std::string out = "{\n  \"dimension\": 3,\n";
   if (!text.unit.empty()) out += fmt::format("  \"unit\": \"{}\",\n", text.unit);
   out += fmt::format("  \"empty\": {}, \"whole\": false, \"bounded\": {},\n", empty, !text.unbounded);
   out += fmt::format("  \"exact\": false, \"side\": \"{}\",\n", text.side);
-  out +=
-      text.unbounded ? std::string("  \"volume\": null,\n") : fmt::format("  \"volume\": {},\n", summary.volume * cube);
+  out += text.unbounded ? std::string("  \"volume\": null,\n")
+                        : fmt::format("  \"volume\": {},\n", summary.volume * (step * step * step));
   if (!summary.empty)
     out += fmt::format("  \"bbox\": [{}, {}],\n", place(summary.low, step), place(summary.high, step));
   if (text.optimum) put_optimum(*text.optimum, out);
-  out += "  \"components\": [";
-  for (std::size_t k = 0; k < summary.components.size(); ++k) {
-    const space::RayComponent& c = summary.components[k];
-    out += fmt::format("{}\n    {{\"volume\": {}, \"sample\": {}, \"bbox\": [{}, {}]{}}}", k == 0 ? "" : ",",
-                       c.volume * cube, place(c.sample, step), place(c.low, step), place(c.high, step),
-                       text.axes ? fmt::format(", \"certified\": {}", c.certified) : "");
-  }
-  out += summary.components.empty() ? "],\n" : "\n  ],\n";
-  out += fmt::format(
-      "  \"rays\": {{\"axis\": \"{}\", \"counts\": [{}, {}], \"spacing\": [{}, {}], \"precision\": {}, \"intervals\": "
-      "{}, "
-      "\"points\": {},\n    \"on_lines\": \"{}\", \"axes\": {}, \"connectivity\": \"{}\"",
-      kAxes[grid.axis], grid.nu, grid.nv, static_cast<double>(grid.du) * part, static_cast<double>(grid.dv) * part,
-      summary.precision * step, summary.intervals, summary.points, text.on_lines, text.axes ? 3 : 1,
-      text.axes ? "crossing lines of three axes where certified, else overlapping intervals of neighbouring lines"
-                : "overlapping intervals of neighbouring lines");
+  put_components(summary, step, text.axes, out);
+  put_grid(summary, grid, step, text, out);
   if (text.lines != nullptr) {
     sink(out + ",\n    \"lines\": [");
     if (!text.lines->empty()) {
       sink("\n    ");
       text.lines->copy_to(sink);
     }
-    out = "]";
+    out.assign(1, ']');
   }
   sink(out + "}\n}\n");
 }

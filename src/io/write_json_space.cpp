@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
+#include <array>
 
-#include "io/json_text.h"
-#include "situation/text.h"
+#include "io/json_answers.h"
+#include "io/space_surface.h"
 
 namespace findspace::io {
 namespace {
@@ -68,19 +67,13 @@ void put_summary(std::string& out, const space::SpaceSummary& s, std::string_vie
   put(out, "  \"components\": {},\n", list(s.components, component_text, true));
 }
 
-void put_extreme(std::string& out, const ExtremeValue* extreme) {
-  if (extreme == nullptr) return;
-  put(out, "  \"{}\": {}, \"attained\": {},\n", extreme->maximum ? "maximum" : "minimum",
-      extreme->unbounded && !extreme->maximum ? "\"-inf\"" : number(extreme->value), truth(extreme->attained));
-}
-
 }  // namespace
 
 std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& s, const Real& step,
                        std::string_view unit, const ExtremeValue* extreme) {
   std::string out = "{\n";
   put_summary(out, s, unit);
-  put_extreme(out, extreme);
+  if (extreme != nullptr) put_extreme(out, *extreme);
   put(out, "  \"boxes\": {}\n",
       list(
           set.boxes(), [&](const space::IntervalBox& b) { return box_text(b, step); }, true));
@@ -91,7 +84,7 @@ std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s
                        std::string_view unit, const ExtremeValue* extreme) {
   std::string out = "{\n";
   put_summary(out, s, unit);
-  put_extreme(out, extreme);
+  if (extreme != nullptr) put_extreme(out, *extreme);
   const Surface surface = convex_surface(set, step);
   const auto corners = [](const std::vector<int>& face) { return fmt::format("[{}]", fmt::join(face, ", ")); };
   put(out, "  \"polytope\": {{\"inside\": {}, \"frontier\": {}, \"outside\": {},\n    \"vertices\": {},\n",
@@ -103,98 +96,18 @@ std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s
 
 std::string space_check_json(const situation::SpaceSolver::Check& check, const space::RealVector& at,
                              std::string_view unit, const situation::SpaceNearest* nearest) {
-  std::string out = fmt::format("{{{}\"at\": {}, \"true\": {},\n  \"atoms\": ", unit_key(unit), triple(place(at)),
-                                truth(check.holds));
-  std::map<std::string, std::optional<double>> distances;
-  out += list(
-      check.atoms,
-      [&](const situation::SpaceAtomAt& a) {
-        distances[a.distance.text] = a.distance.value;
-        const std::string lacks = a.lacks ? fmt::format(R"( "lacks": {},)", json_number(*a.lacks)) : "";
-        return fmt::format(R"({{"text": {}, "value": {}, "true": {},{} "witness": {{{}}}}})",
-                           json_string(situation::text(a.atom)), number(a.distance.value), truth(a.holds), lacks,
-                           witness_text(a.distance));
-      },
-      true);
-  out += ",\n  \"distances\": {";
-  const char* separator = "";
-  for (const auto& [text, value] : distances) {
-    put(out, "{}{}: {}", separator, json_string(text), number(value));
-    separator = ", ";
-  }
-  out += "}";
-  if (nearest != nullptr) {
-    put(out, ",\n  \"nearest_feasible\": {{\"at\": {}, \"distance\": {}, \"attained\": {}}}",
-        triple(place(nearest->at)), json_number(nearest->distance.to_double()), truth(nearest->attained));
-  }
+  std::string out =
+      fmt::format("{{{}\"at\": {}, \"true\": {},\n", unit_key(unit), triple(place(at)), truth(check.holds));
+  put_atoms(out, check.atoms, witness_text);
+  if (nearest != nullptr) put_nearest(out, *nearest, triple(place(nearest->at)));
   return out + "\n}\n";
 }
 
 std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,
                                std::string_view unit) {
-  std::string out = fmt::format("{{{}\"at\": {},\n  \"distances\": {{", unit_key(unit), triple(place(at))), witnesses;
-  const char* separator = "\n    ";
-  const char* between = "\n    ";
-  for (const auto& d : distances) {
-    put(out, "{}{}: {}", separator, json_string(d.text), number(d.value));
-    separator = ",\n    ";
-    const std::string witness = witness_text(d);
-    if (witness.empty()) continue;
-    put(witnesses, "{}{}: {{{}}}", between, json_string(d.text), witness);
-    between = ",\n    ";
-  }
-  return out + "\n  },\n  \"witnesses\": {" + witnesses + "\n  }\n}\n";
-}
-
-Surface box_surface(const space::BoxComplex& set, const Real& step) {
-  const space::BoxComplex solid = set.interior();
-  Surface surface;
-  std::map<std::array<int, 3>, int> numbers;
-  const auto vertex = [&](const std::array<int, 3>& at) {
-    const auto [found, fresh] = numbers.emplace(at, static_cast<int>(surface.vertices.size()));
-    if (fresh) {
-      Place3 p{};
-      for (std::size_t k = 0; k < 3; ++k) p[k] = (solid.at()[k][std::size_t(at[k] / 2)] * step).to_double();
-      surface.vertices.push_back(p);
-    }
-    return found->second;
-  };
-  const auto in = [&](const std::array<int, 3>& c) { return solid.mark(c[0], c[1], c[2]) != 0; };
-  std::array<int, 3> c{};
-  for (c[2] = 0; c[2] < solid.cells(2); ++c[2]) {
-    for (c[1] = 0; c[1] < solid.cells(1); ++c[1]) {
-      for (c[0] = 0; c[0] < solid.cells(0); ++c[0]) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-          // An open face between two open boxes; unbounded ones have no corners to draw.
-          if (c[k] % 2 == 0 || c[i] % 2 == 1 || c[j] % 2 == 1) continue;
-          if (c[i] == 0 || c[j] == 0 || c[i] == solid.cells(int(i)) - 1 || c[j] == solid.cells(int(j)) - 1) continue;
-          std::array<int, 3> below = c, above = c;
-          --below[k], ++above[k];
-          if (in(below) == in(above)) continue;
-          std::vector<int> face;
-          for (const auto& [di, dj] : {std::pair{-1, -1}, std::pair{1, -1}, std::pair{1, 1}, std::pair{-1, 1}}) {
-            std::array<int, 3> at = c;
-            at[i] += di, at[j] += dj;
-            face.push_back(vertex(at));
-          }
-          if (in(above)) std::reverse(face.begin(), face.end());
-          surface.faces.push_back(std::move(face));
-        }
-      }
-    }
-  }
-  return surface;
-}
-
-Surface convex_surface(const space::ConvexSet& set, const Real& step) {
-  Surface surface;
-  for (const auto& v : set.region.vertices())
-    surface.vertices.push_back(
-        {(v.at[0] * step).to_double(), (v.at[1] * step).to_double(), (v.at[2] * step).to_double()});
-  if (set.region.dimension() < 3) return surface;
-  for (const int k : set.region.facets()) surface.faces.push_back(set.region.circuit(k));
-  return surface;
+  std::string out = fmt::format("{{{}\"at\": {},\n", unit_key(unit), triple(place(at)));
+  put_distances(out, distances, witness_text);
+  return out + "\n}\n";
 }
 
 }  // namespace findspace::io

@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "io/write_json.h"
-#include "io/write_mesh.h"
 #include "situation/solve_space.h"
 #include "space/box_summary.h"
 
@@ -27,9 +26,5 @@ std::string space_check_json(const situation::SpaceSolver::Check& check, const s
                              std::string_view unit, const situation::SpaceNearest* nearest = nullptr);
 std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,
                                std::string_view unit);
-
-/// The boundary of the closure of the set's interior, outward; sheets, lines and points have none.
-Surface box_surface(const space::BoxComplex& set, const exact::Real& step);
-Surface convex_surface(const space::ConvexSet& set, const exact::Real& step);
 
 }  // namespace findspace::io

@@ -37,7 +37,7 @@ double box_slack(double error, double largest) { return error * 2 + largest * kR
 
 PieceBox box_of(const exact::Geometry& g, const Piece& p, double slack) {
   const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
-  PieceBox box{a.x - slack, std::min(a.y, b.y) - slack, b.x + slack, std::max(a.y, b.y) + slack};
+  PieceBox box = segment_box(a, b, slack);
   if (p.half == 0) return box;
   const exact::Carrier& k = g.carriers[p.carrier];
   if (k.x.value > box.x1 || k.x.value < box.x0) return box;  // monotone on this part: the ends bound it
@@ -78,28 +78,27 @@ void CellGrid::enter_sorted() {
 }
 
 void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
-  double inf = std::numeric_limits<double>::infinity(), largest = 0;
-  box_ = {inf, inf, -inf, -inf};
+  const double inf = std::numeric_limits<double>::infinity();
+  double error = 0, largest_x = 0, largest_y = 0;
   auto take = [&](const exact::Point& p) {
-    slack_ = std::max(slack_, p.error);
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    error = std::max(error, p.error);
+    largest_x = std::max(largest_x, std::abs(p.x)), largest_y = std::max(largest_y, std::abs(p.y));
   };
   for (const Piece& p : pieces) take(g.points[p.p0]), take(g.points[p.p1]);
   for (Index p : extra) take(g.points[p]);
-  slack_ = box_slack(slack_, largest);
-  auto grow = [&](const PieceBox& b) {
-    box_ = {std::min(box_.x0, b.x0), std::min(box_.y0, b.y0), std::max(box_.x1, b.x1), std::max(box_.y1, b.y1)};
-  };
+  slack_ = box_slack(error, std::max(largest_x, largest_y));
+  PieceBox all{inf, inf, -inf, -inf};
   boxes_.reserve(pieces.size());
   for (const Piece& p : pieces) {
-    boxes_.push_back(box_of(g, p, slack_));
-    grow(boxes_.back());
+    const PieceBox box = p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack_) : box_of(g, p, slack_);
+    boxes_.push_back(box);
+    all = joined(all, box);
   }
   for (Index p : extra) {
     const exact::Point& q = g.points[p];
-    grow({q.x - slack_, q.y - slack_, q.x + slack_, q.y + slack_});
+    all = joined(all, {q.x - slack_, q.y - slack_, q.x + slack_, q.y + slack_});
   }
-  if (!(box_.x0 <= box_.x1)) box_ = {0, 0, 1, 1};
+  if (all.x0 <= all.x1) box_ = all;
 }
 
 void CellGrid::set_resolution(std::size_t pieces) {

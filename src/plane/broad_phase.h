@@ -73,6 +73,9 @@ class CellGrid {
 
 /// How far off a box of pieces may be, from the largest error and the largest coordinate of their ends.
 double box_slack(double error, double largest);
+inline PieceBox segment_box(const exact::Point& a, const exact::Point& b, double slack) {
+  return {a.x - slack, std::min(a.y, b.y) - slack, b.x + slack, std::max(a.y, b.y) + slack};
+}
 /// Holds the piece.
 PieceBox box_of(const exact::Geometry& g, const Piece& piece, double slack);
 

@@ -33,6 +33,7 @@ struct Ring {
   std::size_t number;
   Label name;
   std::vector<std::size_t> source{};  // empty where nothing was dropped
+  int way = 0;                        // its orientation where the check has shown it
 
   std::string label() const { return name(number); }
   GridPoint end(std::size_t i) const { return edges[i + 1 == edges.size() ? 0 : i + 1].start; }
@@ -140,12 +141,13 @@ void check_neighbours(const std::vector<Ring>& rings, std::uint32_t r, double st
   }
 }
 
-bool known_simple(const Contour& ring) {
-  return straight(ring) && star_shaped(ring.size(), [&](std::size_t k) { return ring[k].start; }) != 0;
+/// Its orientation, if it is seen whole from the mean of its corners.
+int star_orientation(const Contour& ring) {
+  return straight(ring) ? star_shaped(ring.size(), [&](std::size_t k) { return ring[k].start; }) : 0;
 }
 
-void check_edges(const std::vector<Ring>& rings, double step) {
-  if (rings.size() == 1 && known_simple(rings[0].edges)) return;
+void check_edges(std::vector<Ring>& rings, double step) {
+  if (rings.size() == 1 && (rings[0].way = star_orientation(rings[0].edges)) != 0) return;
   std::size_t count = 0;
   for (const Ring& ring : rings) count += ring.edges.size();
   Scratch scratch(count);
@@ -191,10 +193,10 @@ std::vector<Ring> clean_and_check(std::vector<Contour> rings, Label name, std::i
   return clean_rings;
 }
 
-Contour directed(Contour ring, int wanted, std::int64_t& turned) {
-  if (orientation(ring) == wanted) return ring;
+Contour directed(Ring ring, int wanted, std::int64_t& turned) {
+  if ((ring.way != 0 ? ring.way : orientation(ring.edges)) == wanted) return std::move(ring.edges);
   ++turned;
-  return reversed(ring);
+  return reversed(ring.edges);
 }
 
 void check_holes(const std::vector<Ring>& rings, double step) {
@@ -224,7 +226,7 @@ RingSet make_rings(std::vector<Contour> input, double step) {
   set.contours.reserve(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     std::int64_t ignored = 0;  // either direction of a hole is usual
-    set.contours.push_back(directed(std::move(rings[i].edges), i == 0 ? 1 : -1, i == 0 ? set.turned_rings : ignored));
+    set.contours.push_back(directed(std::move(rings[i]), i == 0 ? 1 : -1, i == 0 ? set.turned_rings : ignored));
   }
   return set;
 }
@@ -245,11 +247,11 @@ std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     if (around[i].size() % 2 != 0) continue;
     RingSet& set = sets.emplace_back();
-    set.contours.push_back(directed(rings[i].edges, 1, ignored));
+    set.contours.push_back(directed(rings[i], 1, ignored));
     for (std::size_t h = 0; h < rings.size(); ++h) {
       bool mine = around[h].size() == around[i].size() + 1 &&
                   std::find(around[h].begin(), around[h].end(), i) != around[h].end();
-      if (mine) set.contours.push_back(directed(rings[h].edges, -1, ignored));
+      if (mine) set.contours.push_back(directed(rings[h], -1, ignored));
     }
   }
   if (!sets.empty()) sets[0].repeated_points = repeated;

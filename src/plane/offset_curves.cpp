@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/offset_points.h"
 #include "plane/piece_meet.h"
 
 namespace findspace::plane {
@@ -34,12 +35,19 @@ bool covering_pays(std::span<const GridCorner> corners, double r) {
 }
 
 bool points_right(const GridCorner& c) { return c.dx > 0 || (c.dx == 0 && c.dy > 0); }
+/// Whether the normal of its line points to the right of the way: it does for (-b, a), to the left for (b, -a).
+bool normal_right(const GridCorner& c, const Carrier& l) { return c.dx == -l.b && c.dy == l.a; }
 bool is_level(const GridCorner& c) { return c.dx == 0 || c.dy == 0; }
 
 class Builder {
  public:
   Builder(std::span<const GridCorner> corners, const exact::Geometry& source, const Real& radius, OffsetEdges& edges)
-      : corners_(corners), source_(source), radius_(radius), opposite_(-radius), g_(out_.geometry) {
+      : corners_(corners),
+        source_(source),
+        radius_(radius),
+        opposite_(-radius),
+        approx_(exact::approx(radius)),
+        g_(out_.geometry) {
     const std::size_t n = corners.size();
     const bool covering = covering_pays(corners, radius.to_double());
     line_.assign(n, kNone), circle_.assign(n, kNone), from_.assign(n, kNone), to_.assign(n, kNone);
@@ -72,9 +80,12 @@ class Builder {
  private:
   Index add_line(const GridCorner& c) {
     const Carrier& l = source_.carriers[c.carrier];
-    // The normal of the line points to the right of the way (-b, a), to the left of (b, -a).
-    const bool outwards = c.dx == -l.b && c.dy == l.a;
-    return g_.add_displaced(l, outwards ? radius_ : opposite_);
+    return g_.add_displaced(l, normal_right(c, l) ? radius_ : opposite_);
+  }
+
+  /// The displaced line of an edge, as it lies to its corners.
+  exact::ShiftedLine shifted(Index line, Index edge) const {
+    return {line, normal_right(corners_[edge], g_.carriers[line]) ? approx_ : -approx_};
   }
 
   /// The corner, r to the right of a way parallel to an axis.
@@ -83,10 +94,12 @@ class Builder {
     return g_.add_real_point(Real(at.x) + Real(x) * radius_, Real(at.y) + Real(y) * radius_);
   }
 
-  /// Where a displaced edge and the arc about corner k touch.
+  /// Where a displaced edge, which may be left out, and the arc about corner k touch.
   Index touching_point(Index k, Index edge) {
-    if (is_level(corners_[edge])) return beside(corners_[k].at, corners_[edge]);
-    return g_.add_crossing(line_[edge], circle_[k], 0);
+    const GridPoint at = corners_[k].at;
+    if (is_level(corners_[edge])) return beside(at, corners_[edge]);
+    const Index line = line_[edge] != kNone ? line_[edge] : add_line(corners_[edge]);
+    return exact::add_shifted_touch(g_, shifted(line, edge), circle_[k], at.x, at.y);
   }
 
   /// The end of a displaced edge beside corner k, without an arc there.
@@ -103,22 +116,18 @@ class Builder {
   void add_ends(Index k) {
     const Index before = corners_[k].before;
     if (corners_[k].turn > 0 && circle_[k] != kNone) {
-      arc_from_[k] = line_[before] != kNone ? touching_point(k, before) : arc_end(k, before);
-      arc_to_[k] = line_[k] != kNone ? touching_point(k, k) : arc_end(k, k);
+      arc_from_[k] = touching_point(k, before);
+      arc_to_[k] = touching_point(k, k);
       if (line_[before] != kNone) to_[before] = arc_from_[k];
       if (line_[k] != kNone) from_[k] = arc_to_[k];
     } else if (corners_[k].turn < 0 && line_[before] != kNone && line_[k] != kNone) {
-      to_[before] = from_[k] = g_.add_crossing(line_[before], line_[k], 0);
+      const GridPoint at = corners_[k].at;
+      to_[before] = from_[k] =
+          exact::add_shifted_crossing(g_, shifted(line_[before], before), shifted(line_[k], k), at.x, at.y);
     } else {
       if (line_[before] != kNone) to_[before] = loose_end(k, before);
       if (line_[k] != kNone) from_[k] = loose_end(k, k);
     }
-  }
-
-  /// The end of the arc about corner k in the direction normal to an edge whose displaced line is left out.
-  Index arc_end(Index k, Index edge) {
-    if (is_level(corners_[edge])) return beside(corners_[k].at, corners_[edge]);
-    return g_.add_crossing(add_line(corners_[edge]), circle_[k], 0);
   }
 
   bool is_cut(Index k) const { return corners_[k].turn < 0 || corners_[corners_[k].next].turn < 0; }
@@ -166,6 +175,7 @@ class Builder {
   const exact::Geometry& source_;
   const Real& radius_;
   Real opposite_;
+  exact::Approx approx_;  // of the radius
   OffsetCurves out_;
   exact::Geometry& g_;
   std::size_t room_ = 0;

@@ -13,17 +13,21 @@ namespace {
 constexpr double kSlack = 0x1p-40;  // no sign: what is not certainly near is kept
 /// How often a curve is halved to find every part near one edge.
 constexpr int kHalvings = 5;
+/// Up to so many questions all edges are looked through; then the tree of boxes is made.
+constexpr int kFewQuestions = 8;
 /// Edges before and after its own that are tried first.
 constexpr Index kBeside = 4;
+
+PieceBox edge_box(std::span<const GridCorner> corners, const GridCorner& c) {
+  const GridPoint p = c.at, q = corners[c.next].at;
+  return {double(std::min(p.x, q.x)), double(std::min(p.y, q.y)), double(std::max(p.x, q.x)),
+          double(std::max(p.y, q.y))};
+}
 
 std::vector<PieceBox> boxes_of(std::span<const GridCorner> corners) {
   std::vector<PieceBox> boxes;
   boxes.reserve(corners.size());
-  for (const GridCorner& c : corners) {
-    const GridPoint p = c.at, q = corners[c.next].at;
-    boxes.push_back({double(std::min(p.x, q.x)), double(std::min(p.y, q.y)), double(std::max(p.x, q.x)),
-                     double(std::max(p.y, q.y))});
-  }
+  for (const GridCorner& c : corners) boxes.push_back(edge_box(corners, c));
   return boxes;
 }
 
@@ -66,14 +70,21 @@ void OffsetEdges::prepare() {
 }
 
 bool OffsetEdges::holds(const exact::Geometry& g, Index point, std::span<const Index> own) {
-  prepare();
   const exact::Point& p = g.points[point];
   const double reach = (r_ + p.error) * (1 + kSlack) + (std::abs(p.x) + std::abs(p.y)) * kSlack;
-  return boxes_->any_meeting(grown({p.x, p.y, p.x, p.y}, reach), [&](Index k) {
+  const PieceBox around = grown({p.x, p.y, p.x, p.y}, reach);
+  const auto is_near = [&](Index k) {
     if (std::find(own.begin(), own.end(), k) != own.end()) return false;
     const GridPoint a = corners_[k].at, b = corners_[corners_[k].next].at;
     return exact::is_nearer(g, point, {a.x, a.y, b.x, b.y}, radius_);
-  });
+  };
+  if (!boxes_ && ++asked_ <= kFewQuestions) {
+    for (Index k = 0; k < corners_.size(); ++k)
+      if (edge_box(corners_, corners_[k]).meets(around) && is_near(k)) return true;
+    return false;
+  }
+  prepare();
+  return boxes_->any_meeting(around, is_near);
 }
 
 bool OffsetEdges::near(const Edge& e, Vector p) const {

@@ -24,7 +24,7 @@ std::vector<GridCorner> all_corners(std::vector<GridFace> faces);
 
 class OffsetEdges {
  public:
-  /// Keeps references; looks at the corners when first asked.
+  /// Keeps references; looks at the corners when asked.
   OffsetEdges(std::span<const GridCorner> corners, const exact::Real& radius);
 
   Index before(Index corner) const { return corners_[corner].before; }
@@ -68,6 +68,7 @@ class OffsetEdges {
   double certain_ = 0;  // a little less than r
   std::vector<Edge> edges_;
   std::optional<SequenceBoxes> boxes_;
+  int asked_ = 0;  // before there were boxes
 };
 
 }  // namespace findspace::plane

@@ -23,15 +23,17 @@ bool OffsetMeetings::is_inside(Index point, std::initializer_list<Index> pieces)
 }
 
 std::vector<PieceBox> OffsetMeetings::boxes() const {
-  double error = 0, largest = 0;
-  for (const exact::Point& p : c_.geometry.points) {
+  const exact::Geometry& g = c_.geometry;
+  double error = 0, largest_x = 0, largest_y = 0;
+  for (const exact::Point& p : g.points) {
     error = std::max(error, p.error);
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    largest_x = std::max(largest_x, std::abs(p.x)), largest_y = std::max(largest_y, std::abs(p.y));
   }
-  const double slack = box_slack(error, largest);
+  const double slack = box_slack(error, std::max(largest_x, largest_y));
   std::vector<PieceBox> boxes;
   boxes.reserve(c_.pieces.size());
-  for (const Piece& p : c_.pieces) boxes.push_back(box_of(c_.geometry, p, slack));
+  for (const Piece& p : c_.pieces)
+    boxes.push_back(p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack) : box_of(g, p, slack));
   return boxes;
 }
 

@@ -41,6 +41,7 @@ class UsedGeometry {
       if (p.kind == exact::Point::Kind::kCross) carrier_[p.i] = carrier_[p.j] = 1;
       if (p.kind == exact::Point::Kind::kReal) real_[p.i] = 1;
     }
+    if ((all_ = all_used(carrier_) && all_used(point_) && all_used(real_))) return;
     keep_used(carrier_, g.carriers);
     keep_used(point_, g.points);
     keep_used(real_, g.reals);
@@ -50,11 +51,16 @@ class UsedGeometry {
     }
   }
 
-  Index carrier(Index old) const { return carrier_[old]; }
-  Index point(Index old) const { return point_[old]; }
+  Index carrier(Index old) const { return all_ ? old : carrier_[old]; }
+  Index point(Index old) const { return all_ ? old : point_[old]; }
 
  private:
+  static bool all_used(const std::pmr::vector<Index>& used) {
+    return std::find(used.begin(), used.end(), 0u) == used.end();
+  }
+
   std::pmr::vector<Index> carrier_, point_, real_;
+  bool all_ = false;
 };
 
 /// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.

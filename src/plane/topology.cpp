@@ -73,12 +73,14 @@ void mark_regularized(const Region& s, std::vector<Mark>& edges, std::vector<Mar
 }
 
 bool all_marks_are(const Region& s, Mark mark) {
-  auto same = [mark](const auto& cell) { return cell.mark == mark; };
-  return std::all_of(s.faces.begin(), s.faces.end(), same) && std::all_of(s.edges.begin(), s.edges.end(), same) &&
-         std::all_of(s.vertices.begin(), s.vertices.end(), same);
+  return !any_mark(s, [mark](Mark m) { return m != mark; });
 }
 
 }  // namespace
+
+bool has_mark(const CellComplex& c, Mark wanted) {
+  return any_mark(c, [wanted](Mark m) { return m == wanted; });
+}
 
 StarMarks star_marks(const CellComplex& c) {
   StarMarks marks;

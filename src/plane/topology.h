@@ -13,6 +13,9 @@
 // Keywords: open set, closed set, regular set, whisker, crack, puncture.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "plane/cell_complex.h"
 
 namespace findspace::plane {
@@ -33,6 +36,16 @@ bool is_empty(const Region& s);
 /// s is the plane.
 bool is_whole(const Region& s);
 bool is_bounded(const Region& s);
+
+/// Whether a face, edge or vertex has a mark for which `is(mark)`.
+template <class Is>
+bool any_mark(const CellComplex& c, Is is) {
+  const auto cell = [&](const auto& x) { return is(x.mark); };
+  return std::any_of(c.faces.begin(), c.faces.end(), cell) || std::any_of(c.edges.begin(), c.edges.end(), cell) ||
+         std::any_of(c.vertices.begin(), c.vertices.end(), cell);
+}
+
+bool has_mark(const CellComplex& c, Mark wanted);
 
 /// The least and the greatest mark in the star of every edge and vertex: with marks 0/1 those of the interior and of
 /// the closure.

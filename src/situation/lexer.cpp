@@ -125,7 +125,7 @@ constexpr std::array<Sign, 15> kSigns{{
 }};
 
 // What programmers and mathematicians write instead.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kForeign{{{"==", "="},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kForeign{{{"==", "="},
                                                                                   {"=<", "<="},
                                                                                   {"=>", ">="},
                                                                                   {"<>", "!="},
@@ -133,6 +133,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kForeign
                                                                                   {"&", "and"},
                                                                                   {"||", "or"},
                                                                                   {"|", "or"},
+                                                                                  {"°", "deg"},
                                                                                   {"!", "not"},
                                                                                   {"∪", "+"}}};
 

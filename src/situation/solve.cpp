@@ -48,6 +48,12 @@ Which signed_base(Kind kind) {
   return gamma ? Which::kGamma1 : eta ? Which::kEta1 : Which::kDelta1;
 }
 
+/// 0 where the value is least, + elsewhere.
+plane::SignMap minimisers(distance::Extremum least) {
+  if (!least.exists) return CellComplex::uniform(1);
+  return plane::remark(std::move(least.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
+}
+
 }  // namespace
 
 struct Solver::Cache {
@@ -152,13 +158,17 @@ TDistancePointer Solver::distance(const Distance& wanted) const {
 plane::SignMap Solver::sign_map(const SignMap& asked) const {
   const SignMap wanted = plain_level(asked);
   if (!wanted.minimum) return function(wanted.distance)->sign_map(wanted.level / world_.step);
-  distance::Extremum e = least(wanted.distance);
-  if (!e.exists) return CellComplex::uniform(1);
-  return plane::remark(std::move(e.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
+  return minimisers(least(wanted.distance));
 }
 
-distance::Extremum Solver::least_directional(const Distance& wanted) const {
-  const Roles r = roles(wanted);
+distance::Extremum Solver::least_of_instant(const Roles& r) const {
+  if (is_directional(r.wanted)) return least_directional(r);
+  if (r.wanted.mode != Mode::kPlain)
+    refuse(r.wanted, "least values of distances in rotation are not computed over a motion");
+  return distance::least(*plain(r));
+}
+
+distance::Extremum Solver::least_directional(const Roles& r) const {
   auto base = pair(r.names)->pair().distance(signed_base(r.wanted.kind));
   return distance::least_directional(static_cast<const distance::SignedDistance&>(*base).base(), track(r.wanted),
                                      is_farthest(r.wanted.kind));
@@ -177,7 +187,7 @@ distance::Extremum Solver::least(const Distance& wanted) const {
     if (found != cache_->least.end()) return found->second;
   }
   distance::Extremum e = world_.motion.given()    ? least_over_time(wanted)
-                         : is_directional(wanted) ? least_directional(wanted)
+                         : is_directional(wanted) ? least_directional(roles(wanted))
                                                   : distance::least(*distance(wanted));
   std::lock_guard lock(cache_->guard);
   return cache_->least.emplace(key, std::move(e)).first->second;
@@ -219,7 +229,8 @@ plane::Section Solver::instants(const SignMap& asked, const RealPoint& p) const 
     const plane::SignMap map = sign_map(wanted);
     return plane::Section::constant(motion.start, motion.end, mark_of(map, locate(map, p)));
   }
-  const plane::SignMap map = of_instant(r)->sign_map(wanted.level / world_.step);
+  const plane::SignMap map =
+      wanted.minimum ? minimisers(least_of_instant(r)) : of_instant(r)->sign_map(wanted.level / world_.step);
   return plane::section_of_path(map, p, r.path.path, r.path.times);
 }
 

@@ -165,7 +165,8 @@ class Solver {
   /// Of inf or sup over the time minus the level, where swing() knows the instants.
   std::optional<std::int8_t> swing_sign(const SignMap& wanted, const exact::RealPoint& p) const;
   std::vector<Distance> all_distances() const;
-  distance::Extremum least_directional(const Distance& wanted) const;
+  distance::Extremum least_of_instant(const Roles& r) const;
+  distance::Extremum least_directional(const Roles& r) const;
   distance::Extremum least_over_time(const Distance& wanted) const;
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
   DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;

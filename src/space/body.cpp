@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "space/convex_region.h"
-
 namespace findspace::space {
 
 using exact::Real;
@@ -42,7 +40,41 @@ std::int64_t in_range(int128 c) {
   return static_cast<std::int64_t>(c);
 }
 
-/// The hull of bodies that are all of one radius.
+BodyPart part_of(const std::vector<Point>& core, Real radius) {
+  BodyPart part{std::nullopt, core[0], std::move(radius)};
+  if (core.size() > 1) part.core = Polytope::hull(core);
+  return part;
+}
+
+/// Of parts of one radius: the hull of the cores, grown by it.
+Body hull_of(Body body) {
+  std::vector<Point> points;
+  for (const BodyPart& part : body.parts) {
+    if (part.radius != body.parts[0].radius) refuse("the hull of parts of different radii is not computed in 3D");
+    points.insert(points.end(), part.vertices().begin(), part.vertices().end());
+  }
+  body.parts = {part_of(points, body.parts[0].radius)};
+  return body;
+}
+
+/// Part by part: cores add up, and so do radii.
+Body sum_of(const Body& a, const Body& b) {
+  Body sum;
+  sum.scale = std::lcm(a.scale, b.scale);
+  sum.rounded = a.rounded + b.rounded;
+  sum.moved = std::max(a.moved, b.moved);
+  const Body p = at_scale(a, sum.scale), q = at_scale(b, sum.scale);
+  for (const BodyPart& x : p.parts) {
+    for (const BodyPart& y : q.parts) {
+      std::vector<Point> points;
+      for (const Point& v : x.vertices())
+        for (const Point& w : y.vertices()) points.push_back(v + w);
+      sum.parts.push_back(part_of(points, x.radius + y.radius));
+    }
+  }
+  return sum;
+}
+
 Body grown(Body body, const Real& by) {
   if (by.sign() < 0) refuse("an offset by a negative amount is computed for shapes with axis-parallel faces only");
   if (body.outside) refuse("an offset of a complement is not computed in 3D");
@@ -56,6 +88,16 @@ bool holds_ball(const plane::Shape& shape) {
          std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return holds_ball(*c); });
 }
 
+Body all_children(const plane::Shape& shape) {
+  Body sum;
+  for (const plane::ShapePtr& c : shape.children) {
+    const Body part = body(*c);
+    if (part.outside) refuse("a union or hull with a complement is not computed in 3D for slanted or round shapes");
+    append(sum, part);
+  }
+  return sum;
+}
+
 /// The node, where it is not one of polytopes alone.
 Body mixed(const plane::Shape& shape) {
   if (const Solid* solid = solid_of(shape)) {
@@ -65,14 +107,14 @@ Body mixed(const plane::Shape& shape) {
   }
   const auto child = [&] { return body(*shape.children[0]); };
   switch (shape.kind) {
-    case Kind::kUnion: {
-      Body sum;
-      for (const plane::ShapePtr& c : shape.children) {
-        const Body part = body(*c);
-        if (part.outside) refuse("a union with a complement is not computed in 3D for slanted or round shapes");
-        append(sum, part);
-      }
-      return sum;
+    case Kind::kUnion:
+      return all_children(shape);
+    case Kind::kHull:
+      return hull_of(all_children(shape));
+    case Kind::kMinkowskiSum: {
+      const Body a = child(), b = body(*shape.children[1]);
+      if (a.outside || b.outside) refuse("a Minkowski sum with a complement is not computed in 3D");
+      return sum_of(a, b);
     }
     case Kind::kComplement: {
       Body b = child();
@@ -92,7 +134,7 @@ Body mixed(const plane::Shape& shape) {
     default:
       break;
   }
-  refuse("this kind of node is computed in 3D for polytopes only, not for round shapes");
+  refuse("this kind of shape with round parts is no union of convex parts; state it as one");
 }
 
 }  // namespace
@@ -194,66 +236,6 @@ Bounds3 bounds(const Body& body) {
     box.low[k] = -support(body, n);
   }
   return box;
-}
-
-namespace {
-
-OutsideCell cell_of(const ConvexRegion& region) {
-  OutsideCell cell;
-  for (const int f : region.facets()) cell.planes.push_back(region.planes()[f]);
-  for (const ConvexRegion::Vertex& v : region.vertices()) cell.vertices.push_back(v.at);
-  for (const auto& [v, w] : region.edges()) {
-    cell.directions.push_back(minus(region.vertices()[w].at, region.vertices()[v].at));
-  }
-  return cell;
-}
-
-bool overlaps(const ConvexRegion& region, const Polytope& part) {
-  return std::all_of(part.planes().begin(), part.planes().end(),
-                     [&](const Plane& p) { return region.sides(HalfSpace(p)).inside; });
-}
-
-/// Adds the closures of the pieces of region \ part that have interior; they do not overlap.
-void subtract(ConvexRegion region, const Polytope& part, std::vector<ConvexRegion>& out) {
-  if (!overlaps(region, part)) {
-    out.push_back(std::move(region));
-    return;
-  }
-  for (const Plane& p : part.planes()) {
-    const HalfSpace inside(p);
-    if (!region.sides(inside).outside) continue;
-    ConvexRegion beyond = region;
-    beyond.cut(inside.opposite());
-    out.push_back(std::move(beyond));
-    region.cut(inside);
-    if (region.empty()) return;
-  }
-}
-
-}  // namespace
-
-std::vector<OutsideCell> outside_cells(const Body& body) {
-  std::vector<OutsideCell> cells;
-  if (body.parts.size() == 1) {
-    for (const Plane& p : body.parts[0].core->planes()) cells.push_back({{HalfSpace(p).opposite()}, {}, {}});
-    return cells;
-  }
-  const Bounds3 box = bounds(body);
-  for (int k = 0; k < 3; ++k) {
-    RealVector n;
-    n[k] = Real(1);
-    cells.push_back({{HalfSpace(n, -box.low[k])}, {}, {}});
-    n[k] = Real(-1);
-    cells.push_back({{HalfSpace(n, box.high[k])}, {}, {}});
-  }
-  std::vector<ConvexRegion> regions{ConvexRegion(box.low, box.high)};
-  for (const BodyPart& part : body.parts) {
-    std::vector<ConvexRegion> next;
-    for (ConvexRegion& r : regions) subtract(std::move(r), *part.core, next);
-    regions = std::move(next);
-  }
-  for (const ConvexRegion& r : regions) cells.push_back(cell_of(r));
-  return cells;
 }
 
 }  // namespace findspace::space

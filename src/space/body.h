@@ -6,15 +6,18 @@
 // polytope keeps its true round edges, and a mesh is its exact convex parts (convex_parts.h). Or, if `outside`, the
 // closure of the complement of that union. Nodes: polytope, box, ball, prism, mesh; union, intersection, difference,
 // complement, interior, closure, regularize (the distances take closures, so the last three change nothing here),
-// translate, mirror, hull and minkowski_sum of polytopes, offset by a positive amount. Guarantee: exact, but for
-// vertices rounded and counted by convex_parts.h. Keywords: solid model, constructive solid geometry.
+// translate, mirror, offset by a positive amount, hull of parts of one radius, minkowski_sum; intersection and
+// difference of polytopes and meshes only. Guarantee: exact, but for vertices rounded and counted by convex_parts.h.
+// Cost: as there. Source: phi.md 7, 10. Keywords: solid model, constructive solid geometry, sphere-swept volume,
+// rounded box.
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "space/convex_parts.h"
-#include "space/open_cover.h"
+#include "space/real_vector.h"
 
 namespace findspace::space {
 
@@ -38,7 +41,8 @@ struct Body {
   bool convex() const { return parts.size() == 1 && !outside; }
 };
 
-/// Throws Error(kUnsupported) for a node that such parts cannot represent, Error(kGeometry) for one without interior.
+/// Throws Error(kUnsupported) for a node that such parts cannot represent, Error(kGeometry) for one without interior,
+/// Error(kOutOfRange) beyond 2^40 steps.
 Body body(const plane::Shape& shape);
 /// The same set in finer steps; `scale` is a multiple of its own.
 Body at_scale(const Body& body, std::int64_t scale);
@@ -60,14 +64,5 @@ Bounds3 bounds(const Body& body);
 exact::Real support(const BodyPart& part, const RealVector& n);
 /// max n . x over the body.
 exact::Real support(const Body& body, const RealVector& n);
-
-/// Convex sets whose union is the closure of the complement of the body (no part has a radius). The first `unbounded`
-/// ones are half spaces; the others, cells of the bounding box, do not meet in their interiors.
-struct OutsideCell {
-  std::vector<HalfSpace> planes;       // all <= 0
-  std::vector<RealVector> vertices;    // none for a half space
-  std::vector<RealVector> directions;  // of its edges
-};
-std::vector<OutsideCell> outside_cells(const Body& body);
 
 }  // namespace findspace::space

@@ -100,6 +100,20 @@ void add_round_pieces(const ConvexRegion& set, const Real& radius, std::vector<L
   }
 }
 
+void hold(LinePiece& piece) {
+  piece.held.assign(piece.planes.size(), 1);
+  piece.held_round = true;
+}
+
+LinePiece moved(LinePiece piece, const RealVector& by) {
+  for (HalfSpace& h : piece.planes) h = HalfSpace(h.normal, h.offset - dot(h.normal, by));
+  piece.base = plus(piece.base, by), piece.tip = plus(piece.tip, by);
+  const Vector near = space::rounded(by);
+  piece.low = plus(piece.low, near), piece.high = plus(piece.high, near);
+  widen(piece.low, piece.high, 0);
+  return piece;
+}
+
 void drop_repeated(std::vector<LinePiece>& pieces) {
   std::map<std::array<double, 6>, std::vector<std::size_t>> seen;  // by the rounded ends
   std::vector<LinePiece> kept;
@@ -111,7 +125,7 @@ void drop_repeated(std::vector<LinePiece>& pieces) {
       auto& alike = seen[key(space::rounded(p), space::rounded(q))];
       const bool known = std::any_of(alike.begin(), alike.end(), [&](std::size_t k) {
         const LinePiece& other = kept[k];
-        return other.radius == piece.radius &&
+        return other.radius == piece.radius && other.held_round == piece.held_round && other.held == piece.held &&
                ((other.base == p && other.tip == q) || (other.base == q && other.tip == p));
       });
       if (known) continue;

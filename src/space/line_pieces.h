@@ -18,6 +18,7 @@ struct LinePiece {
   std::vector<HalfSpace> planes;
   std::vector<char> held;  // whether points on plane k count as inner ones; empty: none do
   bool round = false;
+  bool held_round = false;                // the same of points at the radius
   RealVector base{}, direction{}, tip{};  // tip: where the axis ends; of a ball its centre
   exact::Real radius{};
   Vector low, high;  // a box that holds it; may be infinite
@@ -32,6 +33,9 @@ LinePiece slab_piece(std::span<const RealVector> ring, const RealVector& normal,
 /// Balls, cylinders and slabs of the radius (more than 0) about the vertices, edges and facets of a set of any
 /// dimension.
 void add_round_pieces(const ConvexRegion& set, const exact::Real& radius, std::vector<LinePiece>& pieces);
+/// Every point of the piece counts as inner.
+void hold(LinePiece& piece);
+LinePiece moved(LinePiece piece, const RealVector& by);
 /// Every ball and cylinder of one radius only once.
 void drop_repeated(std::vector<LinePiece>& pieces);
 

@@ -40,7 +40,7 @@ class PieceRays : public RaySource, private RayRoots {
     Turned<exact::Approx> near;
     std::vector<std::int8_t> rise;  // the sign of each plane's z
     std::vector<char> held;         // as of the LinePiece
-    bool round = false, cylinder = false, upright = false;
+    bool round = false, held_round = false, cylinder = false, upright = false;
     int first_column = 0, last_column = -1, first_row = 0, last_row = -1;
   };
   /// What a line meets of a piece. kTouch: no inner point.

@@ -82,6 +82,7 @@ PieceRays::Piece PieceRays::turned(const LinePiece& from, std::int64_t scale) co
   }
   piece.held = from.held;
   piece.round = from.round;
+  piece.held_round = from.held_round;
   piece.cylinder = from.round && !is_zero(from.direction);
   const Real radius = from.radius * unit;
   piece.exact.square = radius * radius;
@@ -115,12 +116,13 @@ void PieceRays::meet_round(const Piece& piece, const Turned<T>& d, const T& x, c
     a = T{};
     c = u * u + v * v - d.square;
   }
+  const Meets at_radius = piece.held_round ? Meets::kInside : Meets::kTouch;
   if (piece.cylinder && piece.upright) {
     const int outside = certain_sign(u * u + v * v - d.square);
     span.meets = outside == 2  ? Meets::kUnsure
                  : outside > 0 ? Meets::kNothing
                  : outside < 0 ? Meets::kInside
-                               : Meets::kTouch;
+                               : at_radius;
     return;
   }
   const T discriminant = piece.cylinder ? b * b - a * c : -c;
@@ -130,9 +132,9 @@ void PieceRays::meet_round(const Piece& piece, const Turned<T>& d, const T& x, c
     return;
   }
   const T root = sqrt(discriminant);
-  span.meets = real == 0 ? Meets::kTouch : Meets::kInside;
-  span.low = {true, false, (piece.cylinder ? (b - root) / a : -root) + d.base[2]};
-  span.high = {true, false, (piece.cylinder ? (b + root) / a : root) + d.base[2]};
+  span.meets = real == 0 ? at_radius : Meets::kInside;
+  span.low = {true, piece.held_round, (piece.cylinder ? (b - root) / a : -root) + d.base[2]};
+  span.high = {true, piece.held_round, (piece.cylinder ? (b + root) / a : root) + d.base[2]};
 }
 
 /// What a plane leaves of a line up to (`side` 1) or from (-1) a place. False if it is not certain which of two planes
@@ -158,12 +160,12 @@ PieceRays::Span<T> PieceRays::meet(const Piece& piece, const Turned<T>& d, const
   Span<T> span;
   span.meets = Meets::kInside;
   if (piece.round) meet_round(piece, d, x, y, span);
-  const bool any_held = !piece.held.empty();
+  const bool any_held = !piece.held.empty() || piece.held_round;
   for (std::size_t k = 0; k < d.planes.size(); ++k) {
     if (span.meets == Meets::kNothing || span.meets == Meets::kUnsure) return span;
     const auto& n = d.planes[k];
     const T value = n[0] * x + n[1] * y + n[3];
-    const bool holds = any_held && piece.held[k] != 0;
+    const bool holds = !piece.held.empty() && piece.held[k] != 0;
     if (piece.rise[k] == 0) {
       const int outside = certain_sign(value);
       if (outside == 2) span.meets = Meets::kUnsure;

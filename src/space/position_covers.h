@@ -13,6 +13,7 @@
 
 #include "space/body.h"
 #include "space/open_cover.h"
+#include "space/outside_cells.h"
 
 namespace findspace::space {
 

@@ -38,52 +38,55 @@ void RowWork::settle_cells() {
   const std::int8_t outside = pair_.complement_ ? -1 : 1;
   bool open = false;
   for (int i = 0; i < columns_; ++i) {
-    const int cells = group_first_[i] + i, count = group_first_[i + 1] - group_first_[i];
-    cells_[cells].sign = cells_[cells + count].sign = outside;
-    for (int k = 1; k < count; ++k) {
-      RayCell& cell = cells_[cells + k];
-      if (!cell.wall && cell.winding != 0) cell.sign = -1;
-      open = open || (!cell.wall && cell.winding == 0);
-    }
+    cells_[cells_of(i)].sign = cells_[cells_of(i) + groups_of(i)].sign = outside;
+    open = open || open_[i];
   }
   if (open) {
     join_cells();
     test_joined();
   }
   for (int i = 0; i < columns_; ++i) {
-    if (!dirty_[i]) continue;
-    const int cells = group_first_[i] + i, count = group_first_[i + 1] - group_first_[i];
-    for (int k = 1; k < count; ++k) {
-      if (!cells_[cells + k].wall) continue;
-      ++pair_.counts_.wall_tests;
-      cells_[cells + k].sign = meets(i, exact::between(place(i, k - 1), place(i, k))) ? -1 : 0;
-    }
+    if (dirty_[i]) settle_walls(i);
+  }
+}
+
+void RowWork::settle_walls(int column) {
+  for (int k = 1; k < groups_of(column); ++k) {
+    RayCell& cell = cells_[cells_of(column) + k];
+    if (!cell.wall) continue;
+    ++pair_.counts_.wall_tests;
+    cell.sign = meets(column, exact::between(place(column, k - 1), place(column, k))) ? -1 : 0;
   }
 }
 
 void RowWork::join_cells() {
   root_.resize(cells_.size());
-  std::iota(root_.begin(), root_.end(), 0);
-  std::vector<char> open(columns_ + 1, 0);
-  for (int i = 0; i < columns_; ++i) {
-    for (int c = group_first_[i] + i; c <= group_first_[i + 1] + i; ++c)
-      open[i] |= cells_[c].sign == 2 && !cells_[c].wall;
-  }
-  std::vector<std::vector<std::pair<double, double>>> ranges(columns_);  // over the strip from column i to i + 1
-  const auto needed = [&](int i) { return i >= 0 && i + 1 < columns_ && (open[i] || open[i + 1]); };
-  for (const int k : sheets_.row(j_)) {
-    Section s;
-    if (!sheets_.section(k, j_, s)) continue;
-    for (int i = s.column[0] - 1; i < s.column[1]; ++i) {
-      if (!needed(i)) continue;
-      const double x0 = static_cast<double>(sheets_.grid().u_at(i)),
-                   x1 = static_cast<double>(sheets_.grid().u_at(i + 1));
-      ranges[i].push_back(part_range(s, std::max(x0, s.x[0]), std::min(x1, s.x[1])));
-    }
-  }
+  std::iota(root_.begin(), root_.begin() + group_first_.back() + columns_, 0);
+  collect_ranges();
   for (int i = 0; i + 1 < columns_; ++i) {
-    if (needed(i)) join_over_edge(i, ranges[i]);
+    if (strip_needed(i)) join_over_edge(i, {ranges_.data() + range_first_[i], ranges_.data() + range_first_[i + 1]});
   }
+}
+
+/// The heights of the sections over each strip that is needed.
+void RowWork::collect_ranges() {
+  const auto each_strip = [&](auto take) {
+    for (const Cut& c : cuts_) {
+      const int last = std::min(c.section.column[1], columns_ - 1);
+      for (int i = std::max(c.section.column[0] - 1, 0); i < last; ++i) {
+        if (strip_needed(i)) take(c.section, i);
+      }
+    }
+  };
+  range_first_.assign(columns_ + 1, 0);
+  each_strip([&](const Section&, int i) { ++range_first_[i + 1]; });
+  for (int i = 0; i < columns_; ++i) range_first_[i + 1] += range_first_[i];
+  next_.assign(range_first_.begin(), range_first_.end() - 1);
+  ranges_.resize(range_first_.back());
+  each_strip([&](const Section& s, int i) {
+    const double x0 = static_cast<double>(sheets_.grid().u_at(i)), x1 = static_cast<double>(sheets_.grid().u_at(i + 1));
+    ranges_[next_[i]++] = part_range(s, std::max(x0, s.x[0]), std::min(x1, s.x[1]));
+  });
 }
 
 int RowWork::cell_at(int column, double level) const {
@@ -94,7 +97,7 @@ int RowWork::cell_at(int column, double level) const {
   return group_first_[column] + column + static_cast<int>(g - begin);
 }
 
-void RowWork::join_over_edge(int column, std::vector<std::pair<double, double>>& ranges) {
+void RowWork::join_over_edge(int column, std::span<std::pair<double, double>> ranges) {
   std::sort(ranges.begin(), ranges.end());
   double top = ranges.empty() ? 0 : ranges[0].first - 2;
   const auto try_gap = [&](double low, double high) {
@@ -112,35 +115,41 @@ void RowWork::join_over_edge(int column, std::vector<std::pair<double, double>>&
   if (!ranges.empty()) try_gap(top, top + 2);
 }
 
+/// Only what columns with undecided cells and their neighbours hold: no other cell is joined to those.
 void RowWork::test_joined() {
-  // What is known of a set: the sign of an outer cell in it, and otherwise its widest cell.
-  struct Known {
-    std::int8_t sign = 2;
-    int column = -1, cell = -1;
-    double width = -1;
+  known_.resize(cells_.size());
+  const auto each_column = [&](auto visit) {
+    for (int i = 0; i < columns_; ++i) {
+      if (open_[i] || (i > 0 && open_[i - 1]) || (i + 1 < columns_ && open_[i + 1]))
+        visit(i, cells_of(i), groups_of(i));
+    }
   };
-  std::vector<Known> known(cells_.size());
-  for (int i = 0; i < columns_; ++i) {
-    const int cells = group_first_[i] + i, count = group_first_[i + 1] - group_first_[i];
+  each_column([&](int, int cells, int count) { std::fill_n(known_.begin() + cells, count + 1, Known{}); });
+  each_column([&](int i, int cells, int count) {
     for (int k = 0; k <= count; ++k) {
       const RayCell& cell = cells_[cells + k];
       if (cell.wall || cell.winding != 0) continue;
-      Known& set = known[find(root_, cells + k)];
+      Known& set = known_[find(root_, cells + k)];
       if (cell.sign != 2) set.sign = cell.sign;
       if (k == 0 || k == count) continue;
       const double width = groups_[group_first_[i] + k].at - groups_[group_first_[i] + k - 1].at;
       if (width > set.width) set = {set.sign, i, k, width};
     }
-  }
-  for (std::size_t c = 0; c < known.size(); ++c) {
-    Known& set = known[c];
-    if (set.sign != 2 || set.column < 0) continue;
-    ++pair_.counts_.cell_tests;
-    set.sign = meets(set.column, exact::between(place(set.column, set.cell - 1), place(set.column, set.cell))) ? -1 : 1;
-  }
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    if (cells_[c].sign == 2 && !cells_[c].wall) cells_[c].sign = known[find(root_, static_cast<int>(c))].sign;
-  }
+  });
+  each_column([&](int, int cells, int count) {
+    for (int c = cells; c <= cells + count; ++c) {
+      Known& set = known_[c];
+      if (set.sign != 2 || set.column < 0) continue;
+      ++pair_.counts_.cell_tests;
+      const Fraction z = exact::between(place(set.column, set.cell - 1), place(set.column, set.cell));
+      set.sign = meets(set.column, z) ? -1 : 1;
+    }
+  });
+  each_column([&](int, int cells, int count) {
+    for (int c = cells; c <= cells + count; ++c) {
+      if (cells_[c].sign == 2 && !cells_[c].wall) cells_[c].sign = known_[find(root_, c)].sign;
+    }
+  });
 }
 
 }  // namespace findspace::space

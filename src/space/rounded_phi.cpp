@@ -34,7 +34,7 @@ RoundedAt value_at(const RoundedPair& pair, const RealVector& u) {
       [&] { return by_distance(pair, u); }, [&] { return core.distance; });
 }
 
-PhiFunction function_of(const RoundedPart& p, const RoundedPart& q) {
+PhiFunction function_of(const BodyPart& p, const BodyPart& q) {
   if (!q.core) return PhiFunction(ContactSurface(*p.core, q.center));
   if (!p.core) return PhiFunction(ContactSurface(p.center, *q.core));
   return PhiFunction(*p.core, *q.core);
@@ -42,8 +42,8 @@ PhiFunction function_of(const RoundedPart& p, const RoundedPart& q) {
 
 }  // namespace
 
-RoundedPhi::RoundedPhi(std::span<const RoundedPart> a, std::span<const RoundedPart> b)
-    : pairs_(all_pairs<RoundedPair>(a, b, [](RoundedPair& pair, const RoundedPart& p, const RoundedPart& q) {
+RoundedPhi::RoundedPhi(std::span<const BodyPart> a, std::span<const BodyPart> b)
+    : pairs_(all_pairs<RoundedPair>(a, b, [](RoundedPair& pair, const BodyPart& p, const BodyPart& q) {
         if (p.core || q.core)
           pair.phi.emplace(function_of(p, q));
         else

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The Phi-function of two bodies of space that are finite unions of rounded convex parts (rounded_parts.h), at exact
+// The Phi-function of two bodies of space that are finite unions of rounded convex parts (body.h), at exact
 // positions: the least of the pairs' Phi-functions. For a pair with cores P, Q and R the sum of their radii it is
 //   R = 0   the max form of the two polytopes (phi_function.h);
 //   R > 0   the normalised one: the distance of the cores less R outside, the max form of the cores less R inside.
@@ -15,9 +15,9 @@
 #include <span>
 #include <vector>
 
+#include "space/body.h"
 #include "space/phi_exact.h"
 #include "space/phi_pairs.h"
-#include "space/rounded_parts.h"
 
 namespace findspace::space {
 
@@ -31,7 +31,7 @@ using RoundedAt = PairAt<Vector>;
 
 class RoundedPhi {
  public:
-  RoundedPhi(std::span<const RoundedPart> a, std::span<const RoundedPart> b);
+  RoundedPhi(std::span<const BodyPart> a, std::span<const BodyPart> b);
 
   int pair_count() const { return static_cast<int>(pairs_.size()); }
   /// Pair i * (number of parts of B) + j belongs to A_i and B_j.

@@ -125,4 +125,79 @@ LinePiece swept_piece(const HalfSpace& set, const Sweep& sweep) {
   return piece;
 }
 
+namespace {
+
+/// Along the way about the segment from p to q, which are one point or lie in the direction of the sweep.
+LinePiece swept_cylinder(const RealVector& p, const RealVector& q, const Real& radius, const Sweep& sweep) {
+  LinePiece piece =
+      cylinder_piece(plus(p, scaled(sweep.from, sweep.unit)), plus(q, scaled(sweep.to, sweep.unit)), radius);
+  piece.held = {sweep.from_in, sweep.to_in};
+  piece.held_round = true;
+  return piece;
+}
+
+/// About the polygon, both faces of the slab held.
+LinePiece held_slab(std::span<const RealVector> ring, const RealVector& normal, const Real& radius) {
+  LinePiece piece = slab_piece(ring, normal, radius);
+  piece.held.assign(piece.planes.size(), 0);
+  piece.held[0] = piece.held[1] = 1;
+  return piece;
+}
+
+LinePiece swept_edge(const RealVector& p, const RealVector& q, const Real& radius, const Sweep& sweep) {
+  const RealVector along = minus(q, p), normal = cross(along, sweep.unit);
+  if (is_zero(normal))
+    return dot(along, sweep.unit).sign() > 0 ? swept_cylinder(p, q, radius, sweep)
+                                             : swept_cylinder(q, p, radius, sweep);
+  const RealVector from = scaled(sweep.from, sweep.unit), to = scaled(sweep.to, sweep.unit);
+  const RealVector ring[4] = {plus(p, from), plus(q, from), plus(q, to), plus(p, to)};
+  return held_slab(ring, normal, radius);
+}
+
+/// A facet in whose plane the direction lies: every side goes with the end that it looks at.
+LinePiece swept_facet(const ConvexRegion& set, int facet, const Real& radius, const Sweep& sweep) {
+  const RealVector& normal = set.planes()[facet].normal;
+  const std::vector<int> circuit = set.circuit(facet);
+  const std::size_t count = circuit.size();
+  const auto at = [&](std::size_t k) -> const RealVector& { return set.vertices()[circuit[k % count]].at; };
+  // The side from vertex k on: + if it looks along the sweep.
+  const auto looks = [&](std::size_t k) { return dot(cross(minus(at(k + 1), at(k)), normal), sweep.unit).sign(); };
+  std::vector<RealVector> ring;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto put = [&](int side) {
+      ring.push_back(plus(at(k), scaled(side > 0 ? sweep.to : sweep.from, sweep.unit)));
+    };
+    const int before = looks(k + count - 1), after = looks(k);
+    if (before != 0) put(before);
+    if (after != 0 && after != before) put(after);
+  }
+  return held_slab(ring, normal, radius);
+}
+
+/// P grown, where an end of the sweep puts it.
+void add_end(const ConvexRegion& set, const Real& radius, const RealVector& by, bool held,
+             std::vector<LinePiece>& pieces) {
+  std::vector<LinePiece> end;
+  add_round_pieces(set, radius, end);
+  for (LinePiece& piece : end) {
+    if (held) hold(piece);
+    pieces.push_back(moved(std::move(piece), by));
+  }
+}
+
+}  // namespace
+
+void add_swept_pieces(const ConvexRegion& set, const Real& radius, const Sweep& sweep, std::vector<LinePiece>& pieces) {
+  if (radius.sign() == 0 || set.vertices().size() > 1) pieces.push_back(swept_piece(set, sweep));
+  if (radius.sign() == 0) return;
+  add_end(set, radius, scaled(sweep.from, sweep.unit), sweep.from_in, pieces);
+  add_end(set, radius, scaled(sweep.to, sweep.unit), sweep.to_in, pieces);
+  for (const ConvexRegion::Vertex& v : set.vertices()) pieces.push_back(swept_cylinder(v.at, v.at, radius, sweep));
+  for (const auto& [v, w] : set.edges())
+    pieces.push_back(swept_edge(set.vertices()[v].at, set.vertices()[w].at, radius, sweep));
+  for (const int k : set.facets()) {
+    if (dot(set.planes()[k].normal, sweep.unit).sign() == 0) pieces.push_back(swept_facet(set, k, radius, sweep));
+  }
+}
+
 }  // namespace findspace::space

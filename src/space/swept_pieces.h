@@ -26,4 +26,10 @@ LinePiece whole_piece(const ConvexRegion& set);
 LinePiece swept_piece(const ConvexRegion& set, const Sweep& sweep);
 LinePiece swept_piece(const HalfSpace& set, const Sweep& sweep);
 
+/// The same sum for P grown by a ball, as a union of pieces: P itself swept, its round pieces at either end, and along
+/// the way cylinders and slabs about its vertices, edges and the facets that hold the direction. What lies on the rim
+/// of the shadow of the grown P is inside, as there the distance across is the radius.
+void add_swept_pieces(const ConvexRegion& set, const exact::Real& radius, const Sweep& sweep,
+                      std::vector<LinePiece>& pieces);
+
 }  // namespace findspace::space

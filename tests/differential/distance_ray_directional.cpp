@@ -174,5 +174,39 @@ TEST(RayDirectional, SlantedSolidsInAnyDirection) {
   EXPECT_GT(counts.zero, 100);
 }
 
+Body ball_of(const space::Point& center, const Real& radius) {
+  Body out;
+  out.parts.push_back({std::nullopt, center, radius});
+  return out;
+}
+
+TEST(RayDirectional, RoundSolids) {
+  Counts counts;
+  const Body ball = ball_of({0, 0, 0}, Real(1)), other = ball_of({1, 2, 1}, Real(2)), cube = body_of(kCube);
+  Body rounded = cube, room = body_of(kRoom), slab = body_of({{{{0, 0, 0}, {4, 1, 3}}}});
+  rounded.parts[0].radius = Real(1);
+  slab.parts[0].radius = Real::ratio(1, 2);
+  for (const Which which : {Which::kGamma1, Which::kGamma2}) {
+    for (const bool both_ways : {true, false}) {
+      for (const RealVector& direction :
+           {RealVector{Real(0), Real(0), Real(1)}, RealVector{Real(-2), Real(0), Real(0)},
+            RealVector{Real(1), Real(1), Real(0)}, RealVector{Real(1), Real(-2), Real(2)}}) {
+        for (const Real& level : {Real(-1), Real(0), Real(1), Real::ratio(3, 2)}) {
+          const Case c{"round", which, direction, both_ways, level};
+          const RayGrid grid{2, 1, -2, -1, 1, 1, 5, 5}, halves{0, 2, -3, 0, 2, 3, 3, 3};
+          compare_map(c, ball, other, grid, nullptr, counts);
+          compare_map(c, ball, cube, grid, nullptr, counts);
+          compare_map(c, cube, rounded, halves, nullptr, counts);
+          compare_map(c, ball, slab, halves, nullptr, counts);
+          if (level.sign() >= 0 || which == Which::kGamma2) compare_map(c, ball, room, halves, nullptr, counts);
+        }
+      }
+    }
+  }
+  EXPECT_GT(counts.asked, 2000);
+  EXPECT_GT(counts.negative, 200);
+  EXPECT_GT(counts.zero, 100);
+}
+
 }  // namespace
 }  // namespace findspace::distance

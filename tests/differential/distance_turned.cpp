@@ -137,7 +137,9 @@ void expect_same(const TurnMap& f, const TurnMap& g) {
   EXPECT_EQ(f.here, g.here);
   EXPECT_EQ(f.after, g.after);
   for (std::size_t k = 0; k < f.at.size(); ++k) EXPECT_EQ(compare(f.at[k], g.at[k]), 0);
-  if (f.at.empty()) EXPECT_EQ(f.everywhere, g.everywhere);
+  if (f.at.empty()) {
+    EXPECT_EQ(f.everywhere, g.everywhere);
+  }
 }
 
 TEST(TurnedPair, ATurnedShapeShiftsTheMap) {

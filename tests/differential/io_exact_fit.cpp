@@ -84,7 +84,9 @@ void expect_single_fit(const SignMap& map, const std::string& what) {
   const Vertex& v = map.vertices[at.index];
   EXPECT_EQ(v.mark, 0) << what;
   EXPECT_EQ(v.out, kNone) << what << ": not isolated";
-  if (v.out == kNone) EXPECT_EQ(map.faces[v.face].mark, -1) << what;
+  if (v.out == kNone) {
+    EXPECT_EQ(map.faces[v.face].mark, -1) << what;
+  }
 }
 
 TEST(ExactFit, EveryPartInItsNegative) {

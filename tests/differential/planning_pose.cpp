@@ -68,8 +68,12 @@ void compare_at_positions(const char* text) {
       for (const PoseSector& s : stack.sectors) {
         const int truth = cover(set, s.from, s.to);
         inner += testing::sign_at(s.inner, p), outer += testing::sign_at(s.outer, p) == 0;
-        if (testing::sign_at(s.inner, p) != 0) EXPECT_EQ(truth, 1) << text << " at " << x << "," << y;
-        if (testing::sign_at(s.outer, p) == 0) EXPECT_EQ(truth, -1) << text << " at " << x << "," << y;
+        if (testing::sign_at(s.inner, p) != 0) {
+          EXPECT_EQ(truth, 1) << text << " at " << x << "," << y;
+        }
+        if (testing::sign_at(s.outer, p) == 0) {
+          EXPECT_EQ(truth, -1) << text << " at " << x << "," << y;
+        }
       }
     }
   }

@@ -114,8 +114,12 @@ TEST(RayBall, slanted_solids_between_two_polytopes) {
         const Vector u{double(grid.u_at(i)), double(grid.v_at(j)), double(z)};
         const bool nearer = within.sign(u)<0, farther = about.sign(u)> 0;
         decided += nearer || farther;
-        if (nearer) ASSERT_EQ(sign, -1) << u.x << " " << u.y << " " << u.z;
-        if (farther) ASSERT_EQ(sign, 1) << u.x << " " << u.y << " " << u.z;
+        if (nearer) {
+          ASSERT_EQ(sign, -1) << u.x << " " << u.y << " " << u.z;
+        }
+        if (farther) {
+          ASSERT_EQ(sign, 1) << u.x << " " << u.y << " " << u.z;
+        }
       }
     }
   }

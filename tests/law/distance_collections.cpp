@@ -67,10 +67,14 @@ TEST(Collections, OverPartsOfTheFixedShape) {
     EXPECT_LE(three(Which::kEta1).f, three(Which::kEta1).least() + kSlack);
     Three eta2 = three(Which::kEta2);
     for (double part : {eta2.f1, eta2.f2})
-      if (!std::isinf(part)) EXPECT_GE(eta2.f, part - kSlack);
+      if (!std::isinf(part)) {
+        EXPECT_GE(eta2.f, part - kSlack);
+      }
     expect_all(three(Which::kDelta1));
     Three delta2 = three(Which::kDelta2);
-    if (!std::isinf(delta2.f)) EXPECT_LE(delta2.f, delta2.least() + kSlack);
+    if (!std::isinf(delta2.f)) {
+      EXPECT_LE(delta2.f, delta2.least() + kSlack);
+    }
     EXPECT_LE(three(Which::kMu).f, three(Which::kMu).least() + kSlack);
     expect_equal(three(Which::kMuBack).f, three(Which::kMuBack).greatest());
     EXPECT_LE(three(Which::kHausdorff).f, three(Which::kHausdorff).greatest() + kSlack);
@@ -90,11 +94,15 @@ TEST(Collections, OverPartsOfTheMovingShape) {
     expect_equal(three(Which::kGamma2).f, three(Which::kGamma2).greatest());
     expect_all(three(Which::kEta1));
     Three eta2 = three(Which::kEta2);
-    if (!std::isinf(eta2.f)) EXPECT_LE(eta2.f, eta2.least() + kSlack);
+    if (!std::isinf(eta2.f)) {
+      EXPECT_LE(eta2.f, eta2.least() + kSlack);
+    }
     EXPECT_LE(three(Which::kDelta1).f, three(Which::kDelta1).least() + kSlack);
     Three delta2 = three(Which::kDelta2);
     for (double part : {delta2.f1, delta2.f2})
-      if (!std::isinf(part)) EXPECT_GE(delta2.f, part - kSlack);
+      if (!std::isinf(part)) {
+        EXPECT_GE(delta2.f, part - kSlack);
+      }
     expect_equal(three(Which::kMu).f, three(Which::kMu).greatest());
     EXPECT_LE(three(Which::kMuBack).f, three(Which::kMuBack).least() + kSlack);
     EXPECT_LE(three(Which::kHausdorff).f, three(Which::kHausdorff).greatest() + kSlack);

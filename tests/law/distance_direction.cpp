@@ -158,7 +158,9 @@ TEST(Directional, BothWaysIsTheBetterOfTheTwo) {
       if (!best || (farthest ? *best < r : r < *best)) best = r;
     }
     ASSERT_EQ(both->minus_infinity, !best.has_value()) << "seed " << seed;
-    if (best) ASSERT_EQ(abs(both->value), *best) << "seed " << seed;
+    if (best) {
+      ASSERT_EQ(abs(both->value), *best) << "seed " << seed;
+    }
   }
 }
 

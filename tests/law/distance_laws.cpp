@@ -112,7 +112,9 @@ TEST(DistanceLaws, ChangesNoFasterThanThePosition) {
     double apart = std::hypot((p.x - q.x).to_double(), (p.y - q.y).to_double());
     for (Which w : kAll) {
       double f = value(pair, w, p), g = value(pair, w, q);
-      if (!std::isinf(f)) EXPECT_LE(std::abs(f - g), apart * (1 + 1e-12) + 1e-12) << int(w);
+      if (!std::isinf(f)) {
+        EXPECT_LE(std::abs(f - g), apart * (1 + 1e-12) + 1e-12) << int(w);
+      }
     }
   }
 }

@@ -35,7 +35,7 @@ std::string turned(const std::string& shape, double degrees, char axis, const ch
 space::RoundedPhi phi_of(const std::string& a, const std::string& b) {
   const std::string text = fmt::format(R"({{"findspace": 1, "grid": 1e-6, "shapes": {{"A": {}, "B": {}}}}})", a, b);
   const Scene scene = read_scene_text(text, ".", "test");
-  const space::RoundedParts p = space::rounded_parts(*scene.shape("A")), q = space::rounded_parts(*scene.shape("B"));
+  const space::Body p = space::body(*scene.shape("A")), q = space::body(*scene.shape("B"));
   EXPECT_EQ(p.scale, 1);
   EXPECT_EQ(q.scale, 1);
   return space::RoundedPhi(p.parts, q.parts);
@@ -76,7 +76,9 @@ TEST(Rotated, PhiIsTheSame) {
       for (const auto& u : places) {
         const auto x = phi.at(steps(u, true)).at, y = other.at(steps(turned(u, degrees, axis), quarters)).at;
         ASSERT_NEAR(x.normalised, y.normalised, quarters ? 1e-6 : 20) << a << b << degrees << "xyz"[axis];
-        if (quarters) ASSERT_EQ(x.state, y.state);
+        if (quarters) {
+          ASSERT_EQ(x.state, y.state);
+        }
       }
     }
   }

@@ -89,7 +89,7 @@ TEST(RoundedPhi, HasTheClosedForms) {
   int contacts = 0;
   for (int round = 0; round < 300; ++round) {
     const Rounded a = draw(), b = draw();
-    const RoundedParts p = rounded_parts(*a.shape()), q = rounded_parts(*b.shape());
+    const Body p = body(*a.shape()), q = body(*b.shape());
     const RoundedPhi phi(p.parts, q.parts), back(q.parts, p.parts);
     for (int i = 0; i < 20; ++i) {
       // Steps of 1 or of 1/4: many contacts of faces, and of balls at Pythagorean distances.
@@ -119,7 +119,7 @@ TEST(RoundedPhi, HasTheClosedForms) {
 
 TEST(RoundedPhi, OfAUnionIsTheLeastOfItsParts) {
   const Rounded a{{0, 0, 0}, {2, 2, 2}, Real()}, b{{6, 0, 0}, {0, 0, 0}, Real(2)}, c{{0, 0, 0}, {0, 0, 0}, Real(1)};
-  const RoundedParts both = rounded_parts(*node(Kind::kUnion, {a.shape(), b.shape()})), one = rounded_parts(*c.shape());
+  const Body both = body(*node(Kind::kUnion, {a.shape(), b.shape()})), one = body(*c.shape());
   const RoundedPhi phi(both.parts, one.parts);
   ASSERT_EQ(phi.pair_count(), 2);
   for (int x = -20; x <= 40; ++x) {
@@ -132,15 +132,15 @@ TEST(RoundedPhi, OfAUnionIsTheLeastOfItsParts) {
 
 TEST(RoundedPhi, SumsAndHullsKeepTheirCores) {
   const Rounded a{{0, 0, 0}, {2, 1, 3}, Real()}, b{{1, 0, 0}, {0, 0, 0}, Real(2)};
-  const RoundedParts sum = rounded_parts(*node(Kind::kMinkowskiSum, {a.shape(), b.shape()}));
+  const Body sum = body(*node(Kind::kMinkowskiSum, {a.shape(), b.shape()}));
   ASSERT_EQ(sum.parts.size(), 1u);
   EXPECT_EQ(sum.parts[0].radius, Real(2));
-  EXPECT_EQ(sum.parts[0].points().size(), 8u);
+  EXPECT_EQ(sum.parts[0].vertices().size(), 8u);
   const ShapePtr far = node(Kind::kOffset, {box({9, 9, 9}, {1, 1, 1})}, Real(2));
   const ShapePtr near = node(Kind::kOffset, {a.shape()}, Real(2));
-  EXPECT_EQ(rounded_parts(*node(Kind::kHull, {near, far})).parts.size(), 1u);
-  EXPECT_THROW(rounded_parts(*node(Kind::kHull, {b.shape(), far, a.shape()})), Error);
-  EXPECT_THROW(rounded_parts(*node(Kind::kDifference, {a.shape(), b.shape()})), Error);
+  EXPECT_EQ(body(*node(Kind::kHull, {near, far})).parts.size(), 1u);
+  EXPECT_THROW(body(*node(Kind::kHull, {b.shape(), far, a.shape()})), Error);
+  EXPECT_THROW(body(*node(Kind::kDifference, {a.shape(), b.shape()})), Error);
 }
 
 TEST(ContactSurface, OfAPolytopeAndAPointIsClosed) {

@@ -57,7 +57,9 @@ TEST(Angle, BetweenIsStrictlyBetween) {
     EXPECT_EQ(m.cos * m.cos + m.sin * m.sin, Real(1));
     const double way = (m + -p).degrees(), whole = (q + -p).degrees();
     EXPECT_GT(way, 0);
-    if (from != to) EXPECT_LT(way, whole);
+    if (from != to) {
+      EXPECT_LT(way, whole);
+    }
   }
   // Closer than doubles tell: by about 1e-14 degrees.
   const Real t = Real::ratio(1, int128(1) << 53), below = Real(1) + t * t;

@@ -100,10 +100,16 @@ TEST(Scene, RefusesDeepNesting) {
   std::string text = "1";
   for (int i = 0; i < 300; ++i) text = "[" + text + "]";
   EXPECT_NE(refusal(text).find("200 levels"), std::string::npos);
-  std::string shapes = R"("s0": {"points": [[0,0]]})";
-  for (int i = 1; i < 2000; ++i)
-    shapes = "\"s" + std::to_string(i) + "\": {\"hull\": \"s" + std::to_string(i - 1) + "\"}, " + shapes;
-  EXPECT_NE(refusal("{\"findspace\": 1, \"shapes\": {" + shapes + "}}").find("refer to the next"), std::string::npos);
+  const std::string first = R"("s0": {"points": [[0,0]]})";
+  std::string up = first, down = first;  // each shape after the one it is made from, or before it
+  for (int i = 1; i < 2000; ++i) {
+    const std::string shape = "\"s" + std::to_string(i) + "\": {\"hull\": \"s" + std::to_string(i - 1) + "\"}";
+    up += ", " + shape;
+    down = shape + ", " + down;
+  }
+  for (const std::string& shapes : {up, down})
+    EXPECT_NE(refusal("{\"findspace\": 1, \"shapes\": {" + shapes + "}}").find("made from the next"),
+              std::string::npos);
 }
 
 TEST(Scene, NumbersAreExactDecimals) {

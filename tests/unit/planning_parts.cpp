@@ -143,8 +143,12 @@ TEST(PairSystem, ThreeThatExcludeEachOther) {
     const Projections found = project(std::move(system), Limit());
     ASSERT_TRUE(found.exact);
     EXPECT_EQ(plane::is_empty(found.positions[1]), n < 2);
-    if (n == 2) EXPECT_EQ(found.positions[1].vertices.size(), 3u);
-    if (n == 3) EXPECT_TRUE(plane::is_closed(found.positions[1]));
+    if (n == 2) {
+      EXPECT_EQ(found.positions[1].vertices.size(), 3u);
+    }
+    if (n == 3) {
+      EXPECT_TRUE(plane::is_closed(found.positions[1]));
+    }
   }
 }
 

@@ -93,6 +93,10 @@ TEST(FormulaErrors, Signs) {
          "1:21: unexpected '=>'; write '>='\n"
          "  gamma1(chip, board) => 1\n"
          "                      ^~");
+  expect("gamma1(chip, board, turning=(0, 0)) <= 5°",
+         "1:41: unexpected '°'; write 'deg'\n"
+         "  gamma1(chip, board, turning=(0, 0)) <= 5°\n"
+         "                                          ^");
   expect("! overlaps(chip, board)",
          "1:1: unexpected '!'; write 'not'\n"
          "  ! overlaps(chip, board)\n"
