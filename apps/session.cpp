@@ -14,6 +14,7 @@
 
 #include "io/write_file.h"
 #include "io/write_json.h"
+#include "motion_arrows.h"
 #include "plane/build.h"
 #include "plane/parallel.h"
 
@@ -200,6 +201,7 @@ void Session::add_scenery(io::Picture& picture, const situation::World& world,
                           const situation::Formula* formula) const {
   picture.step = world.step;
   picture.unit = unit();
+  picture.arrows = motion_arrows(scene_, world, formula);
   std::set<std::string> named;
   if (formula != nullptr) {
     for (const situation::Atom& a : formula->atoms()) {

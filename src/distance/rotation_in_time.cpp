@@ -25,7 +25,7 @@ using plane::TurnMap;
 
 namespace {
 
-constexpr int kMostParts = 400, kFirstParts = 8;
+constexpr int kMostParts = 150, kFirstParts = 8;
 constexpr double kCloseEnough = 1e-6;       // no sign: degrees between the bounds of an extremum
 constexpr double kRoundingOfAngle = 1e-11;  // no sign: degrees, more than values on the circle are off
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -6,7 +6,7 @@
 // distance at any turn changes by at most the way of the shapes, so that the circles of signs at the middle of the
 // time, taken at levels off by that way, bound f over the whole of it. Guarantee: certified bounds; at an instant
 // between two turned shapes exact but for the rounding of turned vertices. Extrema over time: by halving the time where
-// the bound is worst. Cost: two maps as turned_pair.h for a piece of time, up to 400 of those. Source: distances.md
+// the bound is worst. Cost: two maps as turned_pair.h for a piece of time, up to 150 of those. Source: distances.md
 // 7.2, 7.3. Keywords: angular clearance over time.
 #pragma once
 

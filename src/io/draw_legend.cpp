@@ -58,6 +58,8 @@ std::string sign(LegendEntry::Mark mark, double x, double y) {
       return box("moving", "moving-line");
     case M::kAround:
       return box("around", "around-line");
+    case M::kArrow:
+      return fmt::format("<path class=\"arrow\" d=\"M{} {}h18m-7 -4l7 4l-7 4\"/>\n", pixels(x), pixels(y));
     case M::kPole:
       break;
   }
@@ -157,6 +159,7 @@ path, circle {{ fill: none; stroke-linejoin: round }}
 .point {{ fill: #c1273b; stroke: #fff; stroke-width: 1.4 }}
 .full {{ fill: #14665c; stroke: #fff; stroke-width: .8 }}
 .hollow {{ fill: #fff; stroke: #14665c; stroke-width: 1.3 }}
+.arrow {{ stroke: #7a3fa0; stroke-width: 1.6; stroke-linecap: round }}
 .pole {{ stroke: #5c3b00; stroke-width: 1.6; stroke-linecap: round }}
 </style>
 )",

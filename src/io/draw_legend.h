@@ -12,7 +12,7 @@
 namespace findspace::io {
 
 struct LegendEntry {
-  enum class Mark { kFace, kClosed, kOpen, kFree, kPoint, kFull, kHollow, kFixed, kMoving, kPole, kAround };
+  enum class Mark { kFace, kClosed, kOpen, kFree, kPoint, kFull, kHollow, kFixed, kMoving, kPole, kAround, kArrow };
   Mark mark = Mark::kFace;
   std::string text;
 };

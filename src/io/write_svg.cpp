@@ -87,6 +87,11 @@ class PictureWriter {
         if (d.bounds) include(world, moved(*d.bounds, *position_));
       }
     }
+    for (const Arrow& a : p_.arrows) {
+      if (a.kind != Arrow::Kind::kWay || (a.of_moving && !position_)) continue;
+      const Place by = a.of_moving ? *position_ : Place{};
+      for (const Place& p : a.points) include(world, moved({p, p}, by));
+    }
     const bool unbounded = p_.summary != nullptr && !p_.summary->bounded;
     frame_ = fit(world.value_or(Bounds{{-1, -1}, {1, 1}}), unbounded ? kUnboundedMargin : kMargin, kLeft, top);
   }
@@ -108,7 +113,7 @@ class PictureWriter {
       fmt::format_to(std::back_inserter(out), "<path class=\"pole\" d=\"M{} {}m-5 0h10m-5 -5v10\"/>\n",
                      pixels(frame_.x((*position_)[0])), pixels(frame_.y((*position_)[1])));
     }
-    return out + "</g>\n" + axes(frame_) + labels();
+    return out + arrows(p_.arrows, frame_, position_) + "</g>\n" + axes(frame_) + labels();
   }
 
   std::string labels() const {
@@ -166,6 +171,7 @@ class PictureWriter {
       out.push_back({M::kMoving, names});
       out.push_back({M::kPole, fmt::format("at p = ({}, {})", shown((*position_)[0]), shown((*position_)[1]))});
     }
+    for (LegendEntry& e : arrow_entries(p_.arrows)) out.push_back(std::move(e));
     if (!placed_.empty()) out.push_back({M::kMoving, fmt::format("placed: {}", placed_.size())});
     if (around_) out.push_back({M::kAround, p_.around_text});
     if (!fixed_.empty()) out.push_back({M::kFixed, fixed_.size() == 1 ? "fixed shape" : "fixed shapes"});

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "io/draw_arrows.h"
 #include "plane/summary.h"
 #include "situation/units.h"
 
@@ -34,6 +35,7 @@ struct Picture {
   std::vector<NamedRegion> moving;                     // drawn at `position`
   std::vector<NamedRegion> turned;                     // there too, turned by the angle that is its name
   std::vector<NamedRegion> placed;                     // as `moving`, each where its region says
+  std::vector<Arrow> arrows;                           // how they move
   std::optional<plane::Place> position;                // none: the sample of the region's largest component
 };
 

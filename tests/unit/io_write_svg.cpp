@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <pugixml.hpp>
 
 #include "findspace/error.h"
@@ -79,6 +80,30 @@ TEST(Svg, SceneryHasNamesAndTheMovingShapeAPlace) {
   EXPECT_EQ(count(svg, "moving"), 1);
   EXPECT_EQ(count(svg, "pole"), 1);
   EXPECT_NE(svg.find("at p = (50, 50)"), std::string::npos);
+}
+
+TEST(Svg, ArrowsSayHowShapesMove) {
+  const Region moving = plane::box(-1, -1, 1, 1);
+  Picture p;
+  p.step = Real(1);
+  p.moving = {{"B", &moving}};
+  p.position = {4, 0};
+  EXPECT_EQ(count(picture_svg(p), "arrow"), 0);
+  p.arrows = {{Arrow::Kind::kWay, {{0, 0}, {10, 0}, {10, 0}, {10, 5}}, true}, {Arrow::Kind::kBothWays, {{0, 1}}, true}};
+  const std::string svg = picture_svg(p);
+  EXPECT_EQ(count(svg, "arrow"), 2);
+  for (const char* text : {"way in time", "direction of the distance"}) EXPECT_NE(svg.find(text), std::string::npos);
+  EXPECT_EQ(svg.find(">turn<"), std::string::npos);
+  // The way is in the frame, each leg with a head, a leg of no length without.
+  pugi::xml_document xml;
+  ASSERT_TRUE(xml.load_string(svg.c_str()));
+  const pugi::xml_node frame = xml.child("svg").child("clipPath").child("rect");
+  const double right = frame.attribute("x").as_double() + frame.attribute("width").as_double();
+  const std::string way = xml.select_node("/svg/g/path[@class='arrow']").node().attribute("d").value();
+  EXPECT_EQ(std::count(way.begin(), way.end(), 'M'), 4);
+  EXPECT_LT(std::stod(way.substr(way.find('L') + 1)), right);
+  p.position.reset(), p.of_positions = false;
+  EXPECT_EQ(count(picture_svg(p), "arrow"), 0);
 }
 
 TEST(Svg, ShapesReadBack) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The arrows of a picture: how the shapes of a scene move, and along or about what its distances are measured.
+#pragma once
+
+#include <vector>
+
+#include "io/draw_arrows.h"
+#include "io/scene.h"
+#include "situation/solve.h"
+
+namespace findspace::app {
+
+/// `formula` may be null. Ways begin in the middle of the shapes as the world has them.
+std::vector<io::Arrow> motion_arrows(const io::Scene& scene, const situation::World& world,
+                                     const situation::Formula* formula);
+
+}  // namespace findspace::app
