@@ -22,6 +22,7 @@
 #include "distance/turning_motion.h"
 #include "plane/extent.h"
 #include "plane/islands.h"
+#include "plane/nearest.h"
 #include "plane/section.h"
 #include "situation/formula.h"
 #include "situation/motion.h"
@@ -170,6 +171,8 @@ class Solver {
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
   DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;
   std::int8_t sign(const SignMap& wanted, const exact::RealPoint& p) const;
+  std::optional<plane::Nearest> contact(const Atom& atom, const exact::RealPoint& p) const;
+  std::optional<NearestFeasible> nearest_by_contact(const Formula& formula, const exact::RealPoint& p) const;
   std::optional<std::int8_t> clear_sign(const SignMap& wanted, const Roles& roles, const exact::RealPoint& p) const;
   std::vector<distance::TurningPose> turning_poses(const Roles& roles, bool instant) const;
   distance::BoundedMaps bounded_maps(const SignMap& wanted) const;
