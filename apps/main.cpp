@@ -13,6 +13,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "commands.h"
@@ -24,21 +25,31 @@ namespace findspace::app {
 namespace {
 
 constexpr const char* kAbout = "Where can this part go? The exact set of its positions, from a scene file.";
-constexpr const char* kExamples = R"(
-Examples:
-  findspace map scene.json                         the feasible region in words
-  findspace map scene.json -o map.svg --json       a picture, and the region as JSON
-  findspace map scene.json --apply boundary        its boundary
-  findspace check scene.json --at 12.5,7           is this position feasible, and why (not)
-  findspace measure scene.json --at 12.5,7         all distances there
-  findspace describe scene.json board              a shape as a point set
-  findspace convert scene.json board -o board.wkt  a shape in another format
-  findspace convert part.dxf -o part.svg           a drawing in another format
-  findspace place scene.json -o placed.svg         positions for several shapes
-  cat scene.json | findspace map -                 the scene from standard input
-
+constexpr std::string_view kExamples[] = {
+    "findspace map scene.json                         the feasible region in words",
+    "findspace map scene.json -o map.svg --json       a picture, and the region as JSON",
+    "findspace map scene.json --apply boundary        its boundary",
+    "cat scene.json | findspace map -                 the scene from standard input",
+    "findspace check scene.json --at 12.5,7           is this position feasible, and why (not)",
+    "findspace measure scene.json --at 12.5,7         all distances there",
+    "findspace describe scene.json board              a shape as a point set",
+    "findspace convert scene.json board -o board.wkt  a shape in another format",
+    "findspace convert part.dxf -o part.svg           a drawing in another format",
+    "findspace place scene.json -o placed.svg         positions for several shapes",
+    "findspace phi scene.json A B --at 3,4            do A and B moved by (3, 4) overlap, touch, or lie apart",
+};
+constexpr const char* kStatus = R"(
 Exit status: 0 done, and not empty or true; 1 proven empty or false; 2 wrong usage; 3 bad input;
 4 a limit was reached; 70 internal error; 130 interrupted.)";
+
+/// The end of a help text: examples of one verb, or of all ("").
+std::string examples(std::string_view verb) {
+  std::string out = "\nExamples:\n";
+  for (const std::string_view line : kExamples) {
+    if (line.find(fmt::format("findspace {}", verb)) != line.npos) out += fmt::format("  {}\n", line);
+  }
+  return out + kStatus;
+}
 
 using Verb = Outcome (*)(const Options&, Talk&);
 
@@ -90,11 +101,11 @@ std::string seconds(const std::string& text) {
   return fmt::format("a number of seconds from 0 to 1e9 is meant, not '{}'", text);
 }
 
-void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
+/// What is read, and where the result goes.
+void add_files(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required();
-  if (is(verb, "describe") || is(verb, "convert")) {
+  if (is(verb, "describe") || is(verb, "convert"))
     command.add_option("SHAPE", o.shapes, "the shape; may be left out where there is one only")->expected(0, 1);
-  }
   if (is(verb, "phi")) command.add_option("SHAPE", o.shapes, "the two shapes")->required()->expected(2);
   command.add_option("-o,--output", o.outputs, "a file for the result, its format by the ending; may be repeated")
       ->type_name("FILE")
@@ -102,40 +113,52 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->expected(1)
       ->allow_extra_args(false);
   command.add_flag("--json", o.json, "the result as JSON on standard output");
-  if (is(verb, "check") || is(verb, "measure") || is(verb, "map") || is(verb, "phi")) {
+}
+
+/// The position, the angle and the instant that are asked about.
+void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
+  const bool phi = is(verb, "phi"), values = is(verb, "check") || is(verb, "measure");
+  if (phi || values || is(verb, "map"))
     command.add_option("--at", o.at, "the position, decimals taken exactly")->type_name("X,Y[,Z]");
-  }
-  if (is(verb, "phi")) {
+  if (phi) {
     command.add_option("--min-distance", o.min_distance, "a least allowed distance, adjusted for at --at")
         ->type_name("D");
     command.add_option("--max-distance", o.max_distance, "a greatest allowed distance, adjusted for at --at")
         ->type_name("D");
   }
-  if (is(verb, "check") || is(verb, "measure")) {
+  if (values) {
     command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")
         ->type_name("DEG");
-  }
-  if (is(verb, "check") || is(verb, "measure"))
     command.add_option("--time", o.time, "the instant of the motion, a decimal taken exactly")->type_name("T");
-  if (is(verb, "map")) {
+  }
+}
+
+/// What a region or a shape is made into.
+void add_forms(CLI::App& command, const VerbEntry& verb, Options& o) {
+  if (is(verb, "map"))
     command.add_option("--apply", o.apply, "an operation on the region")
         ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));
-  }
-  add_lines(command, verb, o);
   if (is(verb, "map") || is(verb, "describe"))
     command.add_flag("--exact", o.exact, "2D: JSON has the exact cells too, which read back as the same set");
-  if (is(verb, "convert")) {
-    command.add_flag("--constructive", o.constructive, "JSON is a scene that makes the shape of simple ones");
-    command.add_option("--unit", o.unit, "of a drawing that states none")->type_name("um|mm|cm|m|in|mil");
-    command.add_option("--id", o.id, "the element of a drawing (SVG)");
-    command.add_option("--layer", o.layer, "the layer of a drawing (DXF)");
-    command.add_option("--index", o.index, "which of the drawing's shapes, from 0");
-  }
+  if (!is(verb, "convert")) return;
+  command.add_flag("--constructive", o.constructive, "2D: JSON is a scene that makes the shape of simple ones");
+  command.add_option("--unit", o.unit, "of a drawing that states none")->type_name("um|mm|cm|m|in|mil");
+  command.add_option("--id", o.id, "the element of a drawing (SVG, GeoJSON)");
+  command.add_option("--layer", o.layer, "the layer of a drawing (DXF, SVG)");
+  command.add_option("--index", o.index, "which of the drawing's shapes, from 0");
+}
+
+void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
+  add_files(command, verb, o);
+  add_question(command, verb, o);
+  add_forms(command, verb, o);
+  add_lines(command, verb, o);
   command.add_option("--threads", o.threads, "threads to use; 0: one for each core")->type_name("N");
   command.add_option("--time-limit", o.time_limit, "seconds after which to give up; 0: never")
       ->type_name("S")
       ->check(seconds);
   command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written");
+  command.footer(examples(verb.name));
 }
 
 Outcome run(const VerbEntry& verb, const Options& options, Talk& talk) {
@@ -166,8 +189,10 @@ int report(Talk& talk) {
 
 int finish(const Outcome& outcome, const Options& options, Talk& talk) {
   talk.stage("");
-  const bool wanted = !outcome.text.empty() && (options.json || !options.quiet || options.outputs.empty());
-  if (wanted) std::fwrite(outcome.text.data(), 1, outcome.text.size(), stdout);
+  const bool wanted = options.json || !options.quiet || options.outputs.empty();
+  const auto put = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); };
+  if (wanted && outcome.stream) outcome.stream(put);
+  if (wanted) put(outcome.text);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     talk.error("standard output cannot be written");
     return kBadInput;
@@ -192,7 +217,7 @@ int program(int argc, char** argv) {
   CLI::App app(kAbout, "findspace");
   app.set_version_flag("--version", "findspace " FINDSPACE_VERSION);
   app.require_subcommand(1);
-  app.footer(kExamples);
+  app.footer(examples(""));
   Options options;
   for (const VerbEntry& verb : kVerbs) add_options(*app.add_subcommand(verb.name, verb.about), verb, options);
   Talk errors;

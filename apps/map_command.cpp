@@ -90,7 +90,8 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
       throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn only bounds of the region are known",
                   session.scene().file);
     situation::Solver::Bounds bounds = solver.feasible_bounds(formula);
-    talk.note("shapes turn: certainly feasible positions, and in \"outer\" the possible ones");
+    talk.note(
+        "shapes turn, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones");
     return {std::move(bounds.inner), std::nullopt, std::nullopt, std::move(bounds.outer)};
   }
   Map map{situation::feasible_near(solver, formula), std::nullopt, std::nullopt, std::nullopt};
@@ -152,7 +153,9 @@ Outcome map_of_time(const Session& session, const situation::Solver& solver, con
   const std::optional<plane::Section> swing = turning ? solver.swing(formula, at) : std::nullopt;
   const bool bounded = turning && !swing;
   if (bounded) {
-    session.talk().note("shapes turn: instants that certainly belong, and in \"outer\" the possible ones");
+    session.talk().note(
+        "shapes turn, or distances are in rotation: instants that certainly belong, and in \"outer\" the possible "
+        "ones");
     const situation::Solver::InstantBounds bounds = solver.instant_bounds(formula, at);
     intervals = in_time(bounds.inner), outer = in_time(bounds.outer);
   } else {

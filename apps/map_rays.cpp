@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "io/draw_slices.h"
@@ -157,21 +158,19 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   session.talk().stage("casting rays");
   const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
                                                    [](const auto& file) { return file.extension() == ".json"; });
-  Cast cast = set.lines.axes ? cast_axes(set, step, written) : cast_lines(set, step, written);
+  const auto kept =
+      std::make_shared<Cast>(set.lines.axes ? cast_axes(set, step, written) : cast_lines(set, step, written));
+  Cast& cast = *kept;
   if (set.objective) session.talk().stage("looking for the best place");
   const auto optimum = set.objective ? best_of(set, cast, step)
                        : set.aim     ? std::optional(optimum_of(set, cast, step))
                                      : set.least;
-  const std::string unit = session.unit();
-  const io::RaysText text_of{unit,
-                             &cast.lines,
-                             set.lines.axes,
-                             set.unbounded,
-                             situation::name(set.on_lines),
-                             situation::name(set.side),
-                             set.somewhere,
-                             optimum};
-  const auto json = [&](const io::Sink& sink) { io::rays_json(cast.summary, cast.grid, step, text_of, sink); };
+  const auto json = [kept, step, optimum, unit = session.unit(), axes = set.lines.axes, unbounded = set.unbounded,
+                     on_lines = situation::name(set.on_lines), side = situation::name(set.side),
+                     somewhere = set.somewhere](const io::Sink& sink) {
+    const io::RaysText text{unit, &kept->lines, axes, unbounded, on_lines, side, somewhere, optimum};
+    io::rays_json(kept->summary, kept->grid, step, text, sink);
+  };
   const auto surface = [&] {
     if (set.lines.axes) return io::ray_surface_mesh(cast.surface, step);
     const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
@@ -190,11 +189,12 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
     return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, layers);
   };
   write_outputs(options, writers, {{".json", json}});
-  std::string text = options.json ? io::rays_json(cast.summary, cast.grid, step, text_of)
-                                  : summary_text(set, cast.summary, step, session.unit());
-  if (!options.json && optimum && optimum->value) text += optimum_text(*optimum, set.aim || set.objective);
   const bool proven_empty = set.side == situation::Side::kOuter && cast.summary.empty && !set.unbounded;
-  return {std::move(text), proven_empty ? kEmpty : kDone};
+  const ExitStatus status = proven_empty ? kEmpty : kDone;
+  if (options.json) return {{}, status, json};
+  std::string text = summary_text(set, cast.summary, step, session.unit());
+  if (optimum && optimum->value) text += optimum_text(*optimum, set.aim || set.objective);
+  return {std::move(text), status};
 }
 
 namespace {

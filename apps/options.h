@@ -5,9 +5,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "io/spool.h"
 
 namespace findspace::app {
 
@@ -40,6 +43,7 @@ enum ExitStatus { kDone = 0, kEmpty = 1, kUsage = 2, kBadInput = 3, kLimit = 4, 
 struct Outcome {
   std::string text;  // for standard output
   ExitStatus status = kDone;
+  std::function<void(const io::Sink&)> stream = {};  // gives what is too long for memory, instead of the text
 };
 
 }  // namespace findspace::app

@@ -130,6 +130,7 @@ std::string picture_at(const Session& session, const situation::Solver& solver, 
 
 bool asks_for_angle(const Session& session) {
   if (session.options().angle || turns(session.scene().free)) return true;
+  if (session.scene().motion.given()) return false;
   const situation::Formula formula = session.where();
   return std::any_of(formula.atoms().begin(), formula.atoms().end(),
                      [](const situation::Atom& a) { return a.distance.mode == situation::Mode::kTurning; });

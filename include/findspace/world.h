@@ -2,9 +2,13 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A world of named shapes, one of which moves by a translation p, and the questions about it: distances at a position,
-// their sign maps, the region in which a formula holds, and optima over it. What is computed for one question (no-fit
-// polygons, trees) is kept for the next. Errors are findspace::Error. Questions from many threads are safe. Keywords:
-// configuration space, feasible region, solver.
+// their sign maps, the region in which a formula holds, and optima over it. p is in the world's unit; at p = (0, 0) the
+// moving shape is where it is drawn. What is computed for one question (no-fit polygons, trees) is kept for the next.
+// Questions from many threads are safe. Guarantee: truths, signs and regions are exact at every real position; values
+// are rounded once (docs/distances.md says of which that is not true). Cost: shapes are built by the constructor, maps
+// of two shapes when they are first asked for, after that a question costs one overlay, or the work at one position.
+// Errors: findspace::Error, kUnknownName and kSyntax for a formula with its line and column, kUnsupported for what is
+// not computed. Source: Pustylnik, arXiv:0808.2931. Keywords: configuration space, feasible region, solver.
 #pragma once
 
 #include <map>
@@ -21,36 +25,38 @@ namespace findspace {
 
 struct WorldOptions {
   std::string unit;          // um mm cm m in mil, or empty
-  Number grid = "0.000001";  // all coordinates lie on this grid
+  Number grid = "0.000001";  // coordinates are rounded to this grid once, in the unit; at most 2^40 steps
 };
 
-/// The value of a distance and where it is attained.
+/// The value of a distance, in the unit, and where it is attained.
 struct DistanceValue {
   std::optional<double> value;  // nothing: undefined, +infinity
   std::string witness;          // "vertex (1, 2) of B and edge (0, 0) to (4, 0) of A", or empty
 };
 
 struct Optimum {
-  std::optional<double> value;  // nothing: there is none
-  bool attained = false;
-  Region at;  // the best positions
+  std::optional<double> value;  // the infimum; nothing where the region is empty or there is no lower bound
+  bool attained = false;        // a position of the region takes it
+  Region at;                    // all that do; else those of the region's closure
 };
 
 class World {
  public:
-  /// Distances are those of the shapes' closures.
+  /// `moving` is one of the names. Distances are those of the shapes' closures. Throws what is wrong with a shape:
+  /// kGeometry, kBadValue, kOutOfRange, kUnknownName, kSyntax, kFile; kUnsupported for shapes of space.
   World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options = {});
 
-  /// A distance in its formula text, e.g. "gamma1(B, A)", at p.
+  /// A distance in its formula text, e.g. "gamma1(B, A)" or "margin(B, A)" (docs/formula.md), at p.
   DistanceValue distance(std::string_view distance, const Point& p) const;
-  /// The sign of the distance minus the level at every position.
+  /// The sign of the distance minus the level, in the unit, at every position.
   SignMap sign_map(std::string_view distance, const Number& level) const;
   /// {p : the formula holds at p} (docs/formula.md).
   Region solve(std::string_view formula) const;
+  /// Whether p is in that set, without making it.
   bool holds(std::string_view formula, const Point& p) const;
   /// The least value of an objective (a distance, x, y, "distance to [1, 2]") where the formula holds.
   Optimum minimize(std::string_view objective, std::string_view formula = "true") const;
-  /// A shape as a point set.
+  /// A shape as a point set, open ends and all. kUnknownName for none of that name.
   Region shape(const std::string& name) const;
 
  private:

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "distance/solid_mu.h"
 #include "distance/stick_out_rays.h"
 #include "space/cover_frontier.h"
 #include "space/position_covers.h"
@@ -217,7 +218,8 @@ Source RaySignMaker::mu(const Real& level) const {
   }
   if (level.sign() < 0 || (level.sign() == 0 && !a_.round())) return eta1(level);
   if (a_.outside) fail("how far a shape sticks out of a complement is not computed");
-  if (b_.round()) fail("how far a round shape sticks out of one that is not convex is not computed");
+  if (!polyhedra_and_balls(b_))
+    fail("how far a rounded polyhedron sticks out of one that is not convex is not computed");
   return std::make_unique<StickOutRays>(
       b_, a_, level, [&](const Real& l) { return vertices_near(l); }, grid_);
 }

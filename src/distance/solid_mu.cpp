@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "distance/convex_distance.h"
+#include "distance/round_solid.h"
 
 namespace findspace::distance {
 
@@ -64,6 +65,11 @@ std::vector<ConvexDistance> distances_to_parts(const Body& a) {
   return out;
 }
 
+bool polyhedra_and_balls(const Body& b) {
+  return std::none_of(b.parts.begin(), b.parts.end(),
+                      [](const BodyPart& part) { return part.core && part.radius.sign() > 0; });
+}
+
 SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
   const std::vector<HalfSpace> planes = a.core ? half_spaces(a) : std::vector<HalfSpace>();
   const RealVector center = real(a.center);
@@ -116,16 +122,23 @@ SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVecto
 SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p) {
   const std::vector<ConvexDistance> parts = distances_to_parts(a);
   std::vector<Tetrahedron> cells;
+  std::vector<RoundSolid> balls;
   const Vector by = space::rounded(p);
   for (const BodyPart& part : b.parts) {
+    if (!part.core) {
+      const Vector center = space::rounded(space::plus(real(part.center), p));
+      balls.push_back({center, center, part.radius.to_double()});
+      continue;
+    }
     for (Tetrahedron& t : tetrahedra(*part.core)) {
       for (Vector& v : t) v = space::plus(v, by);
       cells.push_back(t);
     }
   }
-  const SolidPeak peak = solid_peak(cells, parts, 0);
+  const SolidPeak peak = solid_peak(cells, balls, parts, 0);
   // At a vertex of B the exact distance to the nearest part is known.
   for (const BodyPart& part : b.parts) {
+    if (part.radius.sign() > 0) continue;
     for (const space::Point& v : part.vertices()) {
       const RealVector at = space::plus(real(v), p);
       if (!peak.whole || space::length(space::rounded(at) - peak.place) > 0x1p-44 * space::size_of(peak.place))

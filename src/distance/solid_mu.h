@@ -15,9 +15,11 @@ namespace findspace::distance {
 
 /// To the core of each part of the body, less its radius.
 std::vector<ConvexDistance> distances_to_parts(const space::Body& a);
+/// Whether no polyhedron among the parts has a radius.
+bool polyhedra_and_balls(const space::Body& b);
 /// A convex, of any radius.
 SolidValue stick_out_of_convex(const space::Body& b, const space::BodyPart& a, const space::RealVector& p);
-/// A without radii, B too; B + p is not inside A.
+/// B of polyhedra and balls; B + p is not inside A.
 SolidValue stick_out_of_union(const space::Body& b, const space::Body& a, const space::RealVector& p);
 
 }  // namespace findspace::distance

@@ -111,19 +111,22 @@ std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVecto
     if (*q != p) return signed_value(p, *q, 1);
     return sticking_out(side, p);  // inside E both distances agree
   }
-  const bool round = f.radius.sign() > 0;
-  if (!f.cover.covers(p)) {
-    SolidValue v = signed_value(p, *f.cover.nearest_touching(p), -1);
-    if (!round) return v;
-    // The ball fits where it is no deeper than that; so much less is the way to where it does not.
-    v.value += f.radius;
-    v.nearest.reset();
-    if (v.value.sign() <= 0) return v;
-  } else if (!round) {
-    const auto q = f.cover.nearest_uncovered(p);
-    return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
-  }
-  fail("how far a round shape is from fitting into a shape that is not convex is not computed");
+  if (auto v = inside_polyhedra(side, p)) return v;
+  if (f.radius.sign() > 0)
+    fail("how far a round shape is from fitting into a shape that is not convex is not computed");
+  const auto q = f.cover.nearest_uncovered(p);
+  return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
+}
+
+std::optional<SolidValue> SolidPair::inside_polyhedra(const Side& side, const RealVector& p) const {
+  const Fit& f = fit(side);
+  if (f.cover.covers(p)) return std::nullopt;
+  SolidValue v = signed_value(p, *f.cover.nearest_touching(p), -1);
+  if (f.radius.sign() == 0) return v;
+  // The ball fits where it is no deeper than that; so much less is the way to where it does not.
+  v.value += f.radius;
+  v.nearest.reset();
+  return v.value.sign() > 0 ? std::nullopt : std::optional(v);
 }
 
 std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
@@ -142,14 +145,14 @@ std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVe
   return out;
 }
 
-SolidValue SolidPair::gap(const RealVector& p) const {
-  if (a_->round() || b_->round()) return round_gap(p);
+SolidValue SolidPair::gap(const RealVector& p, bool depth) const {
+  if (a_->round() || b_->round()) return round_gap(p, depth);
   std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenCover>(overlap_cover(*b_, *a_)); });
   if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_uncovered(p), -1);
   return signed_value(p, *overlap_->nearest_touching(p), 1);
 }
 
-SolidValue SolidPair::round_gap(const RealVector& p) const {
+SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
   std::optional<SolidValue> best;
   for (const BodyPart& t : a_->parts) {
     for (const BodyPart& s : b_->parts) {
@@ -168,29 +171,27 @@ SolidValue SolidPair::round_gap(const RealVector& p) const {
     }
   }
   const bool one_pair = a_->parts.size() == 1 && b_->parts.size() == 1;
+  if (!depth || one_pair || best->value.sign() >= 0) return *best;
   const auto is_ball = [](const BodyPart& part) { return !part.core; };
-  if (!one_pair && best->value.sign() < 0 && std::all_of(a_->parts.begin(), a_->parts.end(), is_ball) &&
-      std::all_of(b_->parts.begin(), b_->parts.end(), is_ball)) {
-    std::vector<space::Ball> balls;
-    for (const BodyPart& t : a_->parts) {
-      for (const BodyPart& s : b_->parts) balls.push_back({real(t.center - s.center), t.radius + s.radius});
-    }
-    return signed_value(p, nearest_outside(balls, p), -1);
-  }
-  if (!one_pair && best->value.sign() < 0)
+  if (!std::all_of(a_->parts.begin(), a_->parts.end(), is_ball) ||
+      !std::all_of(b_->parts.begin(), b_->parts.end(), is_ball))
     fail("the penetration depth of a union of round parts that are not all balls is not computed");
-  return *best;
+  std::vector<space::Ball> balls;
+  for (const BodyPart& t : a_->parts) {
+    for (const BodyPart& s : b_->parts) balls.push_back({real(t.center - s.center), t.radius + s.radius});
+  }
+  return signed_value(p, nearest_outside(balls, p), -1);
 }
 
-SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p) const {
+SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p, bool depth) const {
   if (side.fixed->convex()) return stick_out_of_convex(*side.moving, side.fixed->parts[0], p);
   if (!side.fixed->round()) {
-    const auto inside = contained(side, p);
-    if (inside && inside->value.sign() <= 0) return *inside;
+    if (auto inside = inside_polyhedra(side, p)) return *inside;
   }
-  if (side.moving->round()) fail("how far a round shape sticks out of a shape that is not convex is not computed");
+  if (!polyhedra_and_balls(*side.moving))
+    fail("how far a rounded polyhedron sticks out of a shape that is not convex is not computed");
   SolidValue out = stick_out_of_union(*side.moving, *side.fixed, p);
-  if (side.fixed->round() && out.value.sign() <= 0)
+  if (depth && side.fixed->round() && out.value.sign() <= 0)
     fail("the depth of a shape in a union of round parts is not computed");
   return out;
 }
@@ -225,15 +226,15 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
     case Which::kMuBack:
       return points_back(sticking_out(back_, q));
     case Which::kHausdorff: {
-      const SolidValue forth = sticking_out(forth_, p), back = points_back(sticking_out(back_, q));
+      const SolidValue forth = sticking_out(forth_, p, false), back = points_back(sticking_out(back_, q, false));
       return forth.value < back.value ? back : forth;
     }
     case Which::kD1:
-      return cut_off(gap(p), false);
+      return cut_off(gap(p, false), false);
     case Which::kH:
-      return cut_off(sticking_out(forth_, p), false);
+      return cut_off(sticking_out(forth_, p, false), false);
     case Which::kHBack:
-      return cut_off(points_back(sticking_out(back_, q)), false);
+      return cut_off(points_back(sticking_out(back_, q, false)), false);
     case Which::kDstar:
       return cut_off(seen_back(contained(back_, q)), true);
     case Which::kDstarBack:

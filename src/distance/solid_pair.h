@@ -63,11 +63,14 @@ class SolidPair {
 
   const Fit& fit(const Side& side) const;
   std::optional<SolidValue> contained(const Side& side, const space::RealVector& p) const;
+  /// Where B + p lies in A, a union of polyhedra: at most 0.
+  std::optional<SolidValue> inside_polyhedra(const Side& side, const space::RealVector& p) const;
   std::optional<SolidValue> farthest_fit(const Side& side, const space::RealVector& p) const;
-  SolidValue gap(const space::RealVector& p) const;
-  SolidValue round_gap(const space::RealVector& p) const;
+  /// Without `depth` a value below 0 need only be below 0; so also below.
+  SolidValue gap(const space::RealVector& p, bool depth = true) const;
+  SolidValue round_gap(const space::RealVector& p, bool depth) const;
   SolidValue reach(const space::RealVector& p) const;
-  SolidValue sticking_out(const Side& side, const space::RealVector& p) const;
+  SolidValue sticking_out(const Side& side, const space::RealVector& p, bool depth = true) const;
   std::optional<SolidValue> bounded(Which which, const space::RealVector& p) const;
   std::optional<SolidValue> unbounded(Which which, const space::RealVector& p) const;
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <queue>
 
 #include "distance/matrix_game.h"
+#include "distance/round_solid.h"
 #include "space/convex_region.h"
 #include "space/polytope.h"
 
@@ -20,18 +22,46 @@ struct Cell {
   Tetrahedron corner;
   std::vector<int> sets;  // that can be nearest in the cell
   std::vector<std::array<double, 4>> distances;
+  const RoundSolid* round = nullptr;  // only what lies in it counts
   double bound = 0;
   bool operator<(const Cell& other) const { return bound < other.bound; }
 };
 
+/// The value of the game of the distances, and of these less what the corners are beyond a plane.
+GameValue bounding_game(std::vector<std::array<double, 4>> columns,
+                        const std::optional<std::array<double, 4>>& beyond) {
+  if (beyond) {
+    const std::size_t count = columns.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      std::array<double, 4> less = columns[k];
+      for (std::size_t v = 0; v < 4; ++v) less[v] -= (*beyond)[v];
+      columns.push_back(less);
+    }
+  }
+  double least = 0;
+  for (const auto& c : columns) least = std::min(least, *std::min_element(c.begin(), c.end()));
+  if (least < 0) {
+    for (auto& c : columns) {
+      for (double& entry : c) entry -= least;
+    }
+  }
+  GameValue game = matrix_game(columns);
+  game.value += least;
+  return game;
+}
+
 class Search {
  public:
-  Search(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack, double share)
+  Search(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round, std::span<const ConvexDistance> sets,
+         double slack, double share)
       : sets_(sets), slack_(slack), share_(share) {
     best_.value = std::min(0.0, slack);
-    std::vector<int> all(sets.size());
-    std::iota(all.begin(), all.end(), 0);
-    for (const Tetrahedron& t : solid) add(t, all, exact::kInfinity);
+    all_.resize(sets.size());
+    std::iota(all_.begin(), all_.end(), 0);
+    for (const Tetrahedron& t : solid) add(t, all_, exact::kInfinity, nullptr);
+    for (const RoundSolid& r : round) {
+      for (const Tetrahedron& t : around(r)) add(t, all_, exact::kInfinity, &r);
+    }
   }
 
   SolidPeak run() {
@@ -66,9 +96,15 @@ class Search {
     if (value > best_.value) best_.value = value, best_.place = x;
   }
 
-  void add(const Tetrahedron& corner, const std::vector<int>& sets, double ceiling) {
+  void add(const Tetrahedron& corner, const std::vector<int>& sets, double ceiling, const RoundSolid* round) {
     Cell cell;
     cell.corner = corner;
+    cell.round = round;
+    const Vector middle =
+        space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
+    std::optional<std::array<double, 4>> beyond;
+    if (round) beyond = round->beyond_plane(middle, corner);
+    if (beyond && *std::min_element(beyond->begin(), beyond->end()) > 0) return;
     double size = 0, bound = exact::kInfinity;
     for (const Vector& v : corner) {
       for (const Vector& w : corner) size = std::max(size, space::length(v - w));
@@ -82,20 +118,34 @@ class Search {
       all.push_back(d);
       bound = std::min(bound, *std::max_element(d.begin(), d.end()));
     }
-    for (std::size_t v = 0; v < 4; ++v) offer(corner[v], least[v]);
     for (std::size_t k = 0; k < sets.size(); ++k) {
       if (*std::max_element(all[k].begin(), all[k].end()) - size > bound) continue;
       cell.sets.push_back(sets[k]);
       cell.distances.push_back(all[k]);
     }
+    if (round) {
+      offer_in(*round, middle, cell.sets);
+    } else {
+      for (std::size_t v = 0; v < 4; ++v) offer(corner[v], least[v]);
+    }
     if (!worth(bound)) return;
-    const GameValue game = matrix_game(cell.distances);
+    const GameValue game = bounding_game(cell.distances, beyond);
     cell.bound = std::min(ceiling, game.value);
     if (!worth(cell.bound)) return;
     Vector x;
     for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
-    offer(x, nearest(x, cell.sets));
+    if (round)
+      offer_in(*round, x, cell.sets);
+    else
+      offer(x, nearest(x, cell.sets));
     queue_.push(std::move(cell));
+  }
+
+  /// Pulled into the solid it may leave the cell, for which `sets` are.
+  void offer_in(const RoundSolid& round, const Vector& x, const std::vector<int>& sets) {
+    const bool out = round.beyond(x) > 0;
+    const Vector in = out ? round.pulled_in(x) : x;
+    offer(in, nearest(in, out ? all_ : sets));
   }
 
   /// By how much the distances exceed, half-way between two corners, what their values there make one expect: none
@@ -107,7 +157,9 @@ class Search {
       const double mean = (cell.distances[k][v] + cell.distances[k][w]) / 2;
       most = std::max(most, mean - sets_[std::size_t(cell.sets[k])](middle));
     }
-    return most;
+    if (!cell.round) return most;
+    const double mean = (cell.round->beyond(cell.corner[v]) + cell.round->beyond(cell.corner[w])) / 2;
+    return std::max(most, mean - cell.round->beyond(middle));
   }
 
   /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
@@ -128,12 +180,13 @@ class Search {
     for (const std::size_t moved : {a, b}) {
       Tetrahedron corner = cell.corner;
       corner[moved] = middle;
-      add(corner, cell.sets, cell.bound);
+      add(corner, cell.sets, cell.bound, cell.round);
     }
   }
 
   std::span<const ConvexDistance> sets_;
   double slack_, share_;
+  std::vector<int> all_;
   std::priority_queue<Cell> queue_;
   SolidPeak best_;
 };
@@ -164,7 +217,12 @@ std::vector<Tetrahedron> tetrahedra(const space::ConvexRegion& region) {
 
 SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
                      double share) {
-  return Search(solid, sets, slack, share).run();
+  return Search(solid, {}, sets, slack, share).run();
+}
+
+SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
+                     std::span<const ConvexDistance> sets, double slack, double share) {
+  return Search(solid, round, sets, slack, share).run();
 }
 
 }  // namespace findspace::distance

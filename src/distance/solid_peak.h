@@ -5,9 +5,11 @@
 // the radius of the largest ball among obstacles. Branch and bound over tetrahedra that fill the solid. Distances to
 // convex sets are convex, so over a tetrahedron any weighted mean of them is bounded by its values at the corners; the
 // best weights are a matrix game, whose other side is a point of the tetrahedron to try. On ridges between flat walls
-// both agree at once. Guarantee: doubles; no point has more than `bound`, which is within 2^-41 of `value` (or the
-// slack asked for) unless kMostCells cells were not enough (`whole` is false then). Keywords: largest empty ball,
-// inscribed ball, branch and bound, matrix game.
+// both agree at once. A cell that a round solid fills in part is bounded by a plane that touches the solid, too: as no
+// distance grows faster than a step, what a corner is beyond the plane may be taken off its distances. Guarantee:
+// doubles; no point has more than `bound`, which is within 2^-41 of `value` (or the slack asked for) unless kMostCells
+// cells were not enough (`whole` is false then). Keywords: largest empty ball, inscribed ball, branch and bound, matrix
+// game.
 #pragma once
 
 #include <array>
@@ -40,9 +42,14 @@ struct SolidPeak {
   bool whole = true;
 };
 
+struct RoundSolid;  // round_solid.h
+
 /// Greatest distances of at most `slack` need not be told from 0; of one that is more the value may lack `share` of
 /// what it is more than the slack. At least one set.
 SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
                      double share = 0);
+/// Over solids and round ones.
+SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
+                     std::span<const ConvexDistance> sets, double slack, double share = 0);
 
 }  // namespace findspace::distance

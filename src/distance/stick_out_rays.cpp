@@ -71,8 +71,12 @@ StickOutRays::StickOutRays(const Body& b, const Body& a, const Real& level, cons
                            const RayGrid& grid)
     : grid_(grid), unit_(static_cast<double>(b.scale) / static_cast<double>(grid.parts)) {
   for (const BodyPart& part : b.parts) {
-    if (!part.core) continue;  // a point is its vertex
+    if (!part.core && part.radius.sign() == 0) continue;  // a point is its vertex
     Part& made = parts_.emplace_back();
+    if (!part.core) {
+      made.center = exact::shadow(part.center), made.radius = part.radius.to_double();
+      continue;
+    }
     made.solid = tetrahedra(*part.core);
     for (int f = 0; f < part.core->facet_count(); ++f) {
       const auto corner = [&](int v) { return exact::shadow(part.core->vertices()[static_cast<std::size_t>(v)]); };
@@ -128,14 +132,36 @@ std::vector<Tetrahedron> StickOutRays::swept(const Line& line, const Stretch& st
   return out;
 }
 
+std::vector<RoundSolid> StickOutRays::swept_balls(const Line& line, const Stretch& stretch) const {
+  std::vector<RoundSolid> out;
+  for (const Part& part : parts_) {
+    const Vector start = space::plus(part.center, line.start);
+    if (part.radius > 0)
+      out.push_back({space::plus(start, space::scaled(stretch.from, line.unit)),
+                     space::plus(start, space::scaled(stretch.to, line.unit)), part.radius});
+  }
+  return out;
+}
+
+StickOutRays::Stretch StickOutRays::held(const Part& part, const Line& line, const Vector& off) {
+  if (part.radius > 0) {
+    const Vector way = off - part.center;
+    const double middle = space::dot(way, line.unit);
+    const double half = std::sqrt(std::max(0.0, part.radius * part.radius - space::dot(way, way) + middle * middle));
+    return {middle - half, middle + half};
+  }
+  double from = -exact::kInfinity, to = exact::kInfinity;
+  clip(part.planes, off, line.unit, from, to);
+  return {from, to};
+}
+
 /// The places at which a part of B holds x, which some place within the stretch does.
 StickOutRays::Stretch StickOutRays::chord(const Line& line, const Vector& x, const Stretch& within) const {
   const Vector off = x - line.start;
   Stretch best{within.from, within.from};
   double longest = -exact::kInfinity;
   for (const Part& part : parts_) {
-    double from = -exact::kInfinity, to = exact::kInfinity;
-    clip(part.planes, off, line.unit, from, to);
+    const auto [from, to] = held(part, line, off);
     const double common = std::min(to, within.to) - std::max(from, within.from);
     if (!(common > longest)) continue;
     longest = common;
@@ -178,19 +204,20 @@ StickOutRays::Stretch StickOutRays::outside(const Side& side, const Line& line, 
   return {held.from - far(-1), held.to + far(1)};
 }
 
-/// Disjoint open stretches of `whole`, ascending.
+/// Disjoint open stretches of `whole`, ascending; or all of it, where it is a single place.
 std::vector<StickOutRays::Stretch> StickOutRays::cuts(const Side& side, const Line& line, const Stretch& whole) const {
   std::vector<Stretch> left{whole}, out;
   int count = 0;
   while (!left.empty()) {
     const Stretch s = left.back();
     left.pop_back();
-    const SolidPeak peak = solid_peak(swept(line, s), nearest_, side.enough, kShare);
+    const SolidPeak peak = solid_peak(swept(line, s), swept_balls(line, s), nearest_, side.enough, kShare);
     if (!peak.whole || ++count > kMostCuts)
       throw Error(ErrorCode::kUnsupported, "how far the shape sticks out was not found within the limit of the search");
     if (peak.value <= side.enough) continue;
     Stretch cut = outside(side, line, peak.place, s);
     cut.from = std::max(cut.from, s.from), cut.to = std::min(cut.to, s.to);
+    if (s.from == s.to) return {s};  // the whole is a single place
     if (!(cut.from < cut.to)) continue;
     out.push_back(cut);
     if (s.from < cut.from) left.push_back({s.from, cut.from});

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Where a polyhedral body B lies within V, the union of the parts of A each grown by a level: {mu(B + p, A) <= level}
-// on rays, A not convex. V has creases and pockets, so a position can be lost at an edge or in a face of B between
-// vertices that are all in V. On each line the places that all vertices allow are found exactly. A branch-and-bound
-// search (solid_peak.h) through what B sweeps over a stretch of them then proves that nothing sticks out, or gives a
-// point of B outside V; all places at which that point is outside are cut away, and the search goes on with the rest.
-// Guarantee: the sign is - or + only where that is certain; 0 where the distance is within kCertain of the shapes' size
-// and the level of the level. Ends of {<= level} that a vertex decides are exact.
-// Cost: a search a stretch, and about one a binary digit for an end that no vertex decides.
-// Keywords: directed Hausdorff distance, cutting planes, certified bounds.
+// Where a body B of polyhedra and balls lies within V, the union of the parts of A each grown by a level: {mu(B + p, A)
+// <= level} on rays, A not convex. V has creases and pockets, so a position can be lost at an edge or in a face of B
+// between vertices that are all in V. On each line the places that all vertices allow are found exactly. A
+// branch-and-bound search (solid_peak.h) through what B sweeps over a stretch of them then proves that nothing sticks
+// out, or gives a point of B outside V; all places at which that point is outside are cut away, and the search goes on
+// with the rest. Guarantee: the sign is - or + only where that is certain; 0 where the distance is within kCertain of
+// the shapes' size and the level of the level. Ends of {<= level} that a vertex decides are exact. Cost: a search a
+// stretch, and some for an end that no vertex decides. Keywords: directed Hausdorff distance, cutting planes, certified
+// bounds.
 #pragma once
 
 #include <array>
 
-#include "distance/solid_peak.h"
+#include "distance/round_solid.h"
 #include "space/body.h"
 #include "space/ray_sources.h"
 
@@ -28,7 +28,7 @@ class StickOutRays : public space::RaySource {
   /// Makes the sign map that the vertices of B have for a level.
   using Vertices = std::function<space::RaySourcePointer(const exact::Real& level)>;
 
-  /// B without radii, of the same scale as A; the level and the radii of A are not both 0.
+  /// B of polyhedra and balls, of the same scale as A; the level and the radii of A are not both 0.
   StickOutRays(const space::Body& b, const space::Body& a, const exact::Real& level, const Vertices& vertices,
                const space::RayGrid& grid);
 
@@ -51,24 +51,31 @@ class StickOutRays : public space::RaySource {
     double enough;  // up to this nothing sticks out
   };
 
+  /// A polyhedron or, with a radius, a ball.
+  struct Part {
+    std::vector<Tetrahedron> solid;
+    std::vector<std::array<space::Vector, 3>> faces;  // triangles
+    std::vector<space::Vector> normals;               // of the triangles, outward
+    std::vector<space::HalfSpace> planes;
+    space::Vector center;
+    double radius = 0;
+  };
+
   Line line(int i, int j) const;
   space::RayRow kept(const Side& side, int j) const;
   void keep(const Side& side, const Line& line, const space::RayEvent& first, const space::RayEvent& last,
             std::vector<space::RayEvent>& out) const;
   std::vector<Stretch> cuts(const Side& side, const Line& line, const Stretch& whole) const;
   std::vector<Tetrahedron> swept(const Line& line, const Stretch& stretch) const;
+  std::vector<RoundSolid> swept_balls(const Line& line, const Stretch& stretch) const;
   Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;
   Stretch chord(const Line& line, const space::Vector& x, const Stretch& within) const;
+  /// The places at which the part of B, drawn at 0, holds `off`.
+  static Stretch held(const Part& part, const Line& line, const space::Vector& off);
   double run(const std::function<double(double)>& f) const;
 
   space::RayGrid grid_;
-  double unit_, size_;  // grid parts to the bodies' steps
-  struct Part {
-    std::vector<Tetrahedron> solid;
-    std::vector<std::array<space::Vector, 3>> faces;  // triangles
-    std::vector<space::Vector> normals;               // of the triangles, outward
-    std::vector<space::HalfSpace> planes;
-  };
+  double unit_, size_;                   // grid parts to the bodies' steps
   std::vector<Part> parts_;              // of B
   std::vector<ConvexDistance> nearest_;  // to the parts of A, negative within their radii
   std::array<Side, 2> sides_;            // outer, inner

@@ -28,35 +28,20 @@ namespace {
 constexpr int kMostPieces = 48;       // of a leg
 constexpr double kDegreesAPiece = 3;  // no sign: how fine the time is cut
 
-Real between(const Real& from, const Real& to, const Real& s) { return from + s * (to - from); }
+double turned(const Real& from, const Real& to) { return std::abs(near_value(to - from)); }
 
-RealPoint between(const RealPoint& from, const RealPoint& to, const Real& s) {
-  return {between(from.x, to.x, s), between(from.y, to.y, s)};
-}
-
-/// A short time with fixed angles: the way of the translation, its middle, and by how much f may differ.
-struct Piece {
-  std::array<RealPoint, 2> way;
-  RealPoint middle;
-  Real moving, fixed;
-  double radians_moving, radians_fixed;  // half the angles turned
-};
-
-std::vector<Piece> pieces_of(const std::vector<TurningPose>& poses) {
-  std::vector<Piece> out;
+std::vector<TurningPiece> pieces_of(const std::vector<TurningPose>& poses, double b_reach, double a_reach) {
+  std::vector<TurningPiece> out;
   for (std::size_t leg = 0; leg + 1 < poses.size(); ++leg) {
     const TurningPose &p = poses[leg], &q = poses[leg + 1];
-    const double b = std::abs(near_value(q.moving - p.moving)), a = std::abs(near_value(q.fixed - p.fixed));
-    const int n = std::clamp(int(std::ceil(std::max(a, b) / kDegreesAPiece)), 1, kMostPieces);
-    const double half = std::numbers::pi / 360 / n;
+    const int n = pieces_of_leg(p, q);
+    const double moved = turned(p.moving, q.moving) * b_reach + turned(p.fixed, q.fixed) * a_reach;
     for (int k = 0; k < n; ++k) {
       const Real from = Real::ratio(k, n), to = Real::ratio(k + 1, n), mid = Real::ratio(2 * k + 1, 2 * n);
       out.push_back({{between(p.at, q.at, from), between(p.at, q.at, to)},
-                     between(p.at, q.at, mid),
                      between(p.moving, q.moving, mid),
                      between(p.fixed, q.fixed, mid),
-                     b * half,
-                     a * half});
+                     moved * std::numbers::pi / 360 / n});
     }
   }
   return out;
@@ -66,52 +51,63 @@ SignMap negated(SignMap m) {
   return remark(std::move(m), [](Mark k) { return Mark(-k); });
 }
 
-SignMap over_way(const SignMap& m, const Piece& piece, Sense sense) {
+SignMap over_way(const SignMap& m, const TurningPiece& piece, Sense sense) {
   return sense == Sense::kMinimum ? least_along(m, piece.way) : negated(least_along(negated(m), piece.way));
 }
 
 /// Rounded up.
-Real upward(double r) { return Real::from_double(r * (1 + 0x1p-40) + 0x1p-20); }
+Real upward(double r) { return r > 0 ? Real::from_double(r * (1 + 0x1p-40) + 0x1p-20) : Real(); }
 
-BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Which which, const Piece& piece,
-                            Sense sense, const Real& level, double b_reach, double a_reach) {
+BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Which which, const TurningPiece& piece,
+                            const TurningSenses& senses, const Real& level) {
   plane::Rounding rounding;
   const ShapePair pair(rotated(b, {0, 0}, piece.moving, 1, rounding), rotated(a, {0, 0}, piece.fixed, 1, rounding));
   const TDistancePointer f = pair.distance(which);
+  const bool least = senses.pieces == Sense::kMinimum;
   // Two shapes, each off by the rounding (ends of an arc carry its bulge along: twice that).
   const double off = 4 * rounding.largest;
-  const Real still = upward(off), all = upward(off + piece.radians_moving * b_reach + piece.radians_fixed * a_reach);
-  const SignMap low = over_way(f->sign_map(level + all), piece, sense),
-                high = over_way(f->sign_map(level - all), piece, sense);
+  // Over the turns of the piece the least value is not above that in the middle, the greatest not below.
+  const Real chosen = upward(off + piece.in_time), all = upward(off + piece.in_time + piece.over_turns);
+  SignMap low = over_way(f->sign_map(level + (least ? all : chosen)), piece, senses.low),
+          high = over_way(f->sign_map(level - (least ? chosen : all)), piece, senses.high);
+  if (piece.in_time == 0 || senses.low != senses.high) return {std::move(low), std::move(high)};
   // The instant in the middle bounds better from one side: inf f is not above it, sup f not below.
-  const bool least = sense == Sense::kMinimum;
-  const SignMap instant =
-      plane::moved(f->sign_map(least ? level - still : level + still), {-piece.middle.x, -piece.middle.y});
-  const std::array<const CellComplex*, 2> better{least ? &high : &low, &instant};
-  SignMap best = plane::overlay(
-      better, [least](std::span<const Mark> m) { return least ? std::min(m[0], m[1]) : std::max(m[0], m[1]); });
-  if (least) return {low, std::move(best)};
-  return {std::move(best), high};
+  const Real still = upward(off);
+  const RealPoint middle = between(piece.way[0], piece.way[1], Real::ratio(1, 2));
+  const SignMap instant = plane::moved(f->sign_map(least ? level - still : level + still), {-middle.x, -middle.y});
+  SignMap& worse = least ? high : low;
+  worse = plane::overlay(std::array<const CellComplex*, 2>{&worse, &instant}, [least](std::span<const Mark> m) {
+    return least ? std::min(m[0], m[1]) : std::max(m[0], m[1]);
+  });
+  return {std::move(low), std::move(high)};
 }
 
 }  // namespace
 
+int pieces_of_leg(const TurningPose& p, const TurningPose& q) {
+  const double most = std::max(turned(p.moving, q.moving), turned(p.fixed, q.fixed));
+  return std::clamp(int(std::ceil(most / kDegreesAPiece)), 1, kMostPieces);
+}
+
 BoundedMaps turning_maps(const plane::Region& b, const plane::Region& a, Which which,
-                         const std::vector<TurningPose>& poses, Sense sense, const Real& level) {
-  const std::vector<Piece> pieces = pieces_of(poses);
-  const double b_reach = reach(b), a_reach = reach(a);
+                         std::span<const TurningPiece> pieces, const TurningSenses& senses, const Real& level) {
   std::vector<BoundedMaps> all(pieces.size());
-  plane::parallel_for(all.size(), [&](std::size_t k) {
-    all[k] = bounds_of_piece(b, a, which, pieces[k], sense, level, b_reach, a_reach);
-  });
+  plane::parallel_for(all.size(),
+                      [&](std::size_t k) { all[k] = bounds_of_piece(b, a, which, pieces[k], senses, level); });
   auto joined = [&](SignMap BoundedMaps::*side) {
     std::vector<const CellComplex*> maps;
     for (const BoundedMaps& m : all) maps.push_back(&(m.*side));
-    return plane::overlay(maps, [sense](std::span<const Mark> m) {
-      return sense == Sense::kMinimum ? *std::min_element(m.begin(), m.end()) : *std::max_element(m.begin(), m.end());
+    return plane::overlay(maps, [&senses](std::span<const Mark> m) {
+      return senses.pieces == Sense::kMinimum ? *std::min_element(m.begin(), m.end())
+                                              : *std::max_element(m.begin(), m.end());
     });
   };
   return {joined(&BoundedMaps::low), joined(&BoundedMaps::high)};
+}
+
+BoundedMaps turning_maps(const plane::Region& b, const plane::Region& a, Which which,
+                         const std::vector<TurningPose>& poses, Sense sense, const Real& level) {
+  return turning_maps(b, a, which, pieces_of(poses, reach(b), reach(a)), {sense, sense, sense}, level);
 }
 
 }  // namespace findspace::distance

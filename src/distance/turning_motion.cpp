@@ -28,8 +28,6 @@ std::int64_t refinement(double reach) {
   return factor;
 }
 
-Real between(const Real& from, const Real& to, const Real& s) { return from + s * (to - from); }
-
 /// gamma and mu change no faster than the shapes, eta1 and delta1 where they are not positive; but the places where a
 /// shape fits (eta, delta) may come and go at once.
 bool has_rate(Which which, double most) {

@@ -20,11 +20,25 @@
 
 namespace findspace::distance {
 
-/// Where and how turned both shapes are at one time: `at` = b - a, angles in degrees.
+/// Where and how turned both shapes are at one time: `at` = b - a, angles in degrees; `fixed_at` = a, which distances
+/// in rotation ask for, since their centre stands still.
 struct TurningPose {
   exact::RealPoint at;
   exact::Real moving, fixed;
+  exact::RealPoint fixed_at{};
 };
+
+inline exact::Real between(const exact::Real& from, const exact::Real& to, const exact::Real& s) {
+  return from + s * (to - from);
+}
+inline exact::RealPoint between(const exact::RealPoint& from, const exact::RealPoint& to, const exact::Real& s) {
+  return {between(from.x, to.x, s), between(from.y, to.y, s)};
+}
+
+inline TurningPose between(const TurningPose& p, const TurningPose& q, const exact::Real& s) {
+  return {between(p.at, q.at, s), between(p.moving, q.moving, s), between(p.fixed, q.fixed, s),
+          between(p.fixed_at, q.fixed_at, s)};
+}
 
 /// A value in grid steps, and how far the true one may be from it.
 struct BoundedValue {

@@ -49,17 +49,6 @@ mpz_class power_of_ten(std::int64_t exponent) {
 /// So many digits fit in 63 bits, and so does 10 to this power.
 constexpr int kInlineDigits = 18;
 
-OnGrid nearest_on_grid(const Real& in_steps, std::string_view text) {
-  if (compare(abs(in_steps), kMaxGridCoordinate + 1) >= 0) {
-    refuse(text, "is more than 2^40 grid steps", ErrorCode::kOutOfRange);
-  }
-  const auto value = static_cast<std::int64_t>(round(in_steps));
-  if (value > kMaxGridCoordinate || value < -kMaxGridCoordinate) {
-    refuse(text, "is more than 2^40 grid steps", ErrorCode::kOutOfRange);
-  }
-  return {value, in_steps - value};
-}
-
 }  // namespace
 
 Decimal Decimal::parse(std::string_view text) {
@@ -106,23 +95,6 @@ Real Decimal::value() const {
     denominator = power_of_ten(-exponent);
   }
   return detail::make_real(detail::closed_ratio(std::move(numerator), std::move(denominator)));
-}
-
-OnGrid to_grid(std::string_view text, int grid_exponent) {
-  Decimal decimal = Decimal::parse(text);
-  if (!decimal.digits.empty()) decimal.exponent -= grid_exponent;
-  if (decimal.exponent > Decimal::kMaxExponent) refuse(text, "is too large for the grid", ErrorCode::kOutOfRange);
-  if (decimal.exponent < -2 * Decimal::kMaxExponent) {
-    refuse(text, "is too fine for the grid", ErrorCode::kOutOfRange);
-  }
-  return nearest_on_grid(decimal.value(), text);
-}
-
-OnGrid to_grid(std::string_view text, const Real& step) {
-  if (!step.is_rational() || step.sign() <= 0) {
-    throw Error(ErrorCode::kBadValue, "the grid step must be a positive rational number");
-  }
-  return nearest_on_grid(Decimal::parse(text).value() / step, text);
 }
 
 std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step) {

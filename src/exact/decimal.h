@@ -31,22 +31,10 @@ struct Decimal {
   static constexpr std::int64_t kMaxExponent = 4000;  // beyond what any double can hold, small enough to be cheap
 };
 
-/// A decimal on the grid: value + remainder is the number in grid steps, exactly; |remainder| <= 1/2.
-struct OnGrid {
-  std::int64_t value = 0;
-  Real remainder;
-};
-
 inline constexpr std::int64_t kMaxGridCoordinate = std::int64_t{1} << 40;
 
-/// The grid integer nearest to text / 10^grid_exponent, ties away from zero, with the rounding error in steps.
-/// Throws Error(kSyntax) for what is no decimal, Error(kOutOfRange) for |value| > 2^40.
-OnGrid to_grid(std::string_view text, int grid_exponent);
-/// The same for a grid whose step is a positive rational; throws Error(kBadValue) for any other step.
-OnGrid to_grid(std::string_view text, const Real& step);
-
-/// The same without a remainder, in machine integers: nothing for numbers with an exponent or of more than 17 digits,
-/// for what is no decimal, off the grid or beyond 2^40 steps. Cost: some ten nanoseconds.
+/// The number of grid steps that a decimal is, in machine integers: nothing for numbers with an exponent or of more
+/// than 17 digits, for what is no decimal, off the grid or beyond 2^40 steps. Cost: some ten nanoseconds.
 std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step);
 
 }  // namespace findspace::exact

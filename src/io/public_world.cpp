@@ -38,6 +38,13 @@ struct World::Data {
   situation::Solver solver;
 
   situation::Formula formula(std::string_view text) const { return situation::parse_formula(text, context); }
+  /// Throws where the text is a coordinate or no objective at all.
+  situation::Objective distance(std::string_view text) const {
+    const situation::Objective wanted = situation::parse_objective(text, context);
+    if (wanted.kind != situation::Objective::Kind::kDistance)
+      throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", text));
+    return wanted;
+  }
   std::string unit() const { return scene.unit ? std::string(situation::name(*scene.unit)) : ""; }
   Region region(plane::Region r) const;
 };
@@ -123,9 +130,7 @@ World::World(const std::map<std::string, Shape>& shapes, const std::string& movi
 }
 
 DistanceValue World::distance(std::string_view distance, const Point& p) const {
-  const situation::Objective wanted = situation::parse_objective(distance, data_->context);
-  if (wanted.kind != situation::Objective::Kind::kDistance)
-    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", distance));
+  const situation::Objective wanted = data_->distance(distance);
   const situation::DistanceAt d = data_->solver.distance_at(wanted.distance, real(p));
   std::optional<double> value = d.value;
   if (value && wanted.negated) value = -*value;
@@ -133,11 +138,10 @@ DistanceValue World::distance(std::string_view distance, const Point& p) const {
 }
 
 SignMap World::sign_map(std::string_view distance, const Number& level) const {
-  const situation::Formula f = data_->formula(fmt::format("{} <= {}", distance, level.text()));
-  if (f.sign_maps().size() != 1)
-    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", distance));
-  const auto& wanted = f.sign_maps()[0];
-  plane::SignMap map = data_->solver.distance(wanted.distance)->sign_map(wanted.level / data_->scene.grid.step());
+  const situation::Objective wanted = data_->distance(distance);
+  const exact::Real at = exact::Real::parse_decimal(level.text()) / data_->scene.grid.step();
+  plane::SignMap map = data_->solver.distance(wanted.distance)->sign_map(wanted.negated ? -at : at);
+  if (wanted.negated) map = plane::remark(std::move(map), [](plane::Mark m) { return plane::Mark(-m); });
   return SignMap(
       std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->scene.grid.step(), data_->unit()}));
 }

@@ -57,7 +57,7 @@ Grid::Grid(Real step) : step_(std::move(step)), per_unit_(Real(1) / step_), step
 
 Real Grid::steps(const Real& length) const {
   Real result = length * per_unit_;
-  if (!(std::abs(result.to_double()) <= static_cast<double>(kLimit))) {
+  if (abs(result) > Real(kLimit)) {
     throw Error(ErrorCode::kOutOfRange,
                 fmt::format("{} is more than 2^40 grid steps of {}; give the scene a coarser \"grid\"", length.text(),
                             step_.text()));

@@ -71,7 +71,6 @@ class SweepStrips {
   void split_edges();
   int rise_of_line(const exact::Carrier& k) const;
   void split_arc(Index e);
-  void add_node(Index edge, const RealVector& at);
   void look_around(Index v);
   Index first_after(const std::vector<Index>& around, const std::vector<int>& key) const;
   int turn_class(Index half_edge) const;

@@ -44,8 +44,6 @@ class FreeSector {
   void single(std::size_t i);
   Equation line_equation(const ContactPair& k, const exact::Real& away) const;
   void touching(std::size_t i, std::size_t j);
-  template <class Witness>
-  void rounds_touch_line(const ContactPair& k, const ContactPair& m, Witness witness);
   bool opposite(const RoughCurve& c, const RoughCurve& d) const;
   template <class Witness>
   void parallel_lines(const ContactPair& k, const ContactPair& m, Witness witness);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "distance/extremum.h"
+#include "distance/rotation_in_time.h"
 #include "distance/shape_pair.h"
 #include "distance/turning_map.h"
 #include "distance/turning_motion.h"
@@ -72,8 +73,8 @@ class Solver {
   /// {p : the formula holds at p}. Throws Error(kUnsupported) for distances this version does not compute.
   plane::Region feasible(const Formula& formula) const;
 
-  /// For shapes that turn in time and distances in rotation: positions that certainly and that possibly belong to
-  /// feasible(formula).
+  /// For shapes that turn in time and distances in rotation, over the time of a motion too: positions that certainly
+  /// and that possibly belong to feasible(formula).
   struct Bounds {
     plane::Region inner, outer;
   };
@@ -174,9 +175,12 @@ class Solver {
   std::optional<plane::Nearest> contact(const Atom& atom, const exact::RealPoint& p) const;
   std::optional<NearestFeasible> nearest_by_contact(const Formula& formula, const exact::RealPoint& p) const;
   std::optional<std::int8_t> clear_sign(const SignMap& wanted, const Roles& roles, const exact::RealPoint& p) const;
+  /// In rotation, where that is not the plain distance.
+  bool in_rotation(const SignMap& wanted) const;
+  distance::RotationInTime rotation_in_time(const Roles& roles, const exact::RealPoint& p, bool instant) const;
   std::vector<distance::TurningPose> turning_poses(const Roles& roles, bool instant) const;
   distance::BoundedMaps bounded_maps(const SignMap& wanted) const;
-  /// In grid steps; nothing where undefined.
+  /// In grid steps, of distances in rotation in degrees; nothing where undefined.
   std::optional<distance::BoundedValue> turning_value(const Roles& roles, const exact::RealPoint& p) const;
   void add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
                    const distance::Measured& measured, const exact::RealPoint& p) const;

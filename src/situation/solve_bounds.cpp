@@ -26,38 +26,55 @@ std::vector<distance::TurningPose> Solver::turning_poses(const Roles& r, bool in
   std::vector<distance::TurningPose> poses;
   for (const Real& t : instant ? std::vector{*world_.instant} : common_times(motion, b, a)) {
     const RealPoint q = position_at(a, t), o = position_at(b, t);
-    poses.push_back({{o.x - q.x, o.y - q.y}, angle_at(b, t), angle_at(a, t)});
+    poses.push_back({{o.x - q.x, o.y - q.y}, angle_at(b, t), angle_at(a, t), q});
   }
   return poses;
 }
 
 bool Solver::turns_in(const Formula& formula) const {
   const auto& maps = formula.sign_maps();
-  return !world_.instant && std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) {
-    return roles(m.distance).turning || (m.distance.mode == Mode::kTurning && !is_plain_level(m));
-  });
+  return !world_.instant && std::any_of(maps.begin(), maps.end(),
+                                        [&](const SignMap& m) { return roles(m.distance).turning || in_rotation(m); });
 }
 
-distance::BoundedMaps Solver::bounded_maps(const SignMap& wanted) const {
+bool Solver::in_rotation(const SignMap& wanted) const {
+  return wanted.distance.mode == Mode::kTurning && (wanted.minimum || !is_plain_level(wanted));
+}
+
+distance::RotationInTime Solver::rotation_in_time(const Roles& r, const RealPoint& p, bool instant) const {
+  return {shape(r.names.first),
+          shape(r.names.second),
+          situation::which(r.wanted.kind, r.second_moves),
+          steps({r.wanted.vector.at(0), r.wanted.vector.at(1)}),
+          p,
+          turning_poses(r, instant)};
+}
+
+distance::BoundedMaps Solver::bounded_maps(const SignMap& asked) const {
+  const SignMap wanted = plain_level(asked);
   const Roles r = roles(wanted.distance);
-  const bool in_rotation = r.wanted.mode == Mode::kTurning && !is_plain_level(wanted);
-  if (!r.turning && !in_rotation) {
+  if (!r.turning && !in_rotation(wanted)) {
     plane::SignMap exact = sign_map(wanted);
     return {exact, exact};
   }
-  if (in_rotation && !world_.motion.given() && !wanted.minimum)
-    return distance::turning_position_maps(shape(r.names.first), shape(r.names.second),
-                                           situation::which(r.wanted.kind, r.second_moves),
-                                           steps({r.wanted.vector.at(0), r.wanted.vector.at(1)}), wanted.level);
-  if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
+  if (wanted.minimum)
+    refuse(wanted.distance,
+           "the least value over positions is not computed in rotation, nor of shapes that turn in time");
+  const auto sense =
+      natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+  if (in_rotation(wanted)) {
+    const RealPoint centre = steps({r.wanted.vector.at(0), r.wanted.vector.at(1)});
+    const Which kind = situation::which(r.wanted.kind, r.second_moves);
+    const plane::Region b = shape(r.names.first), a = shape(r.names.second);
+    if (!world_.motion.given()) return distance::turning_position_maps(b, a, kind, centre, wanted.level);
+    return distance::turning_position_maps(b, a, kind, centre, wanted.level, turning_poses(r, false), sense);
+  }
   if (r.wanted.mode != Mode::kPlain)
     refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
   Which kind = situation::which(r.wanted.kind, r.second_moves);
   // Containment down from level 0 is the directed Hausdorff distance, which changes no faster than the shapes do.
   if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
     kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
-  const auto sense =
-      natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
   const auto bounds = [&](Which of, const Real& level) {
     return distance::turning_maps(shape(r.names.first), shape(r.names.second), of, turning_poses(r, false), sense,
                                   level / world_.step);
@@ -86,9 +103,14 @@ Solver::Bounds Solver::feasible_bounds(const Formula& formula) const {
 }
 
 std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
+  const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
+  if (r.wanted.mode == Mode::kTurning) {
+    const distance::RotationInTime f = rotation_in_time(r, p, one);
+    const bool lowest = natural_extremum(r.wanted) == Extremum::kInf;
+    return one ? f.instant(0, Real()) : f.extremum(lowest ? distance::Sense::kMinimum : distance::Sense::kMaximum);
+  }
   if (r.wanted.mode != Mode::kPlain)
     refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
-  const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
   const distance::TurningMotion f(shape(r.names.first), shape(r.names.second),
                                   situation::which(r.wanted.kind, r.second_moves), turning_poses(r, one));
   if (one) return f.instant(p, 0, Real());

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <queue>
 
 #include "findspace/error.h"
@@ -37,54 +38,53 @@ struct Piece {
   bool open() const { return low < high && to - from > kNarrowest; }
 };
 
-class Instants {
- public:
-  /// `least_only`: the value is a lower bound of the distance, which is not above 0 where the value is not.
-  Instants(const TurningMotion& f, const RealPoint& p, double level, bool least_only)
-      : f_(f), p_(p), level_(level), least_only_(least_only) {}
+using Look = std::function<void(Piece&)>;
 
-  std::vector<Piece> run(std::size_t legs) {
-    const auto wider = [](const Piece& a, const Piece& b) { return a.to - a.from < b.to - b.from; };
-    std::priority_queue<Piece, std::vector<Piece>, decltype(wider)> queue(wider);
-    std::vector<Piece> done;
-    const auto add = [&](Piece piece) {
-      look(piece);
-      if (piece.open())
-        queue.push(piece);
-      else
-        done.push_back(piece);
-    };
-    for (std::size_t leg = 0; leg < legs; ++leg) add({leg, 0, 1});
-    const int most = least_only_ ? kMostLooks / 4 : kMostLooks;
-    for (int k = 0; k < most && !queue.empty(); k += 2) {
-      const Piece piece = queue.top();
-      queue.pop();
-      const double middle = piece.from + (piece.to - piece.from) / 2;
-      add({piece.leg, piece.from, middle});
-      add({piece.leg, middle, piece.to});
-    }
-    for (; !queue.empty(); queue.pop()) done.push_back(queue.top());
-    std::sort(done.begin(), done.end(),
-              [](const Piece& a, const Piece& b) { return a.leg != b.leg ? a.leg < b.leg : a.from < b.from; });
-    return done;
-  }
-
- private:
-  void look(Piece& piece) const {
+/// Halves the widest pieces whose signs are open.
+std::vector<Piece> looked_through(std::size_t legs, int most, const Look& look) {
+  const auto wider = [](const Piece& a, const Piece& b) { return a.to - a.from < b.to - b.from; };
+  std::priority_queue<Piece, std::vector<Piece>, decltype(wider)> queue(wider);
+  std::vector<Piece> done;
+  const auto add = [&](Piece piece) {
+    look(piece);
+    if (piece.open())
+      queue.push(piece);
+    else
+      done.push_back(piece);
+  };
+  for (std::size_t leg = 0; leg < legs; ++leg) add({leg, 0, 1});
+  for (int k = 0; k < most && !queue.empty(); k += 2) {
+    const Piece piece = queue.top();
+    queue.pop();
     const double middle = piece.from + (piece.to - piece.from) / 2;
-    const auto v = f_.instant(p_, piece.leg, Real::from_double(middle));
-    if (!v) return;
-    const double room = f_.rate(piece.leg) * (piece.to - piece.from) / 2 + v->bound;
-    const double at_most = least_only_ ? 0 : level_;
-    if (v->value - room > level_) piece.low = 1;
-    if (v->value + room < at_most) piece.high = -1;
+    add({piece.leg, piece.from, middle});
+    add({piece.leg, middle, piece.to});
   }
+  for (; !queue.empty(); queue.pop()) done.push_back(queue.top());
+  std::sort(done.begin(), done.end(),
+            [](const Piece& a, const Piece& b) { return a.leg != b.leg ? a.leg < b.leg : a.from < b.from; });
+  return done;
+}
 
-  const TurningMotion& f_;
-  const RealPoint& p_;
-  double level_;
-  bool least_only_;
-};
+/// `least_only`: the value is a lower bound of the distance, which is not above 0 where the value is not.
+Look by_value(const TurningMotion& f, const RealPoint& p, double level, bool least_only) {
+  return [&f, &p, level, least_only](Piece& piece) {
+    const auto v = f.instant(p, piece.leg, Real::from_double(piece.from + (piece.to - piece.from) / 2));
+    if (!v) return;
+    const double room = f.rate(piece.leg) * (piece.to - piece.from) / 2 + v->bound;
+    const double at_most = least_only ? 0 : level;
+    if (v->value - room > level) piece.low = 1;
+    if (v->value + room < at_most) piece.high = -1;
+  };
+}
+
+Look by_circles(const distance::RotationInTime& f, const Real& level) {
+  return [&f, level](Piece& piece) {
+    const distance::SignRange s =
+        f.signs({piece.leg, Real::from_double(piece.from), Real::from_double(piece.to)}, level);
+    piece.low = s.low, piece.high = s.high;
+  };
+}
 
 /// The lower (upper) signs along the time.
 Section line_of(const std::vector<Piece>& pieces, const std::vector<Real>& times, bool low) {
@@ -105,6 +105,13 @@ Section line_of(const std::vector<Piece>& pieces, const std::vector<Real>& times
 }  // namespace
 
 std::array<Section, 2> Solver::turning_instants(const SignMap& wanted, const Roles& r, const RealPoint& p) const {
+  const std::vector<Real> times = common_times(world_.motion, common_trajectory(world_.motion, r.names.first),
+                                               common_trajectory(world_.motion, r.names.second));
+  if (in_rotation(wanted) && !wanted.minimum) {
+    const distance::RotationInTime f = rotation_in_time(r, p, false);
+    const std::vector<Piece> pieces = looked_through(times.size() - 1, kMostLooks / 4, by_circles(f, wanted.level));
+    return {line_of(pieces, times, true), line_of(pieces, times, false)};
+  }
   if (wanted.minimum || r.wanted.mode != Mode::kPlain)
     throw Error(ErrorCode::kUnsupported,
                 text(r.wanted) + ": only distances in all directions are computed of shapes that turn in time");
@@ -115,11 +122,10 @@ std::array<Section, 2> Solver::turning_instants(const SignMap& wanted, const Rol
   // Containment up to level 0 is mu; above, mu is less, and where it is not above 0 nor are eta1 and delta1.
   if (first || second) which = eta ? Which::kMu : Which::kMuBack;
   const bool least_only = second || (first && wanted.level.sign() > 0);
-  const std::vector<Real> times = common_times(world_.motion, common_trajectory(world_.motion, r.names.first),
-                                               common_trajectory(world_.motion, r.names.second));
   const TurningMotion f(shape(r.names.first), shape(r.names.second), which, turning_poses(r, false));
   const double level = (wanted.level / world_.step).to_double();
-  std::vector<Piece> pieces = Instants(f, p, level, least_only).run(times.size() - 1);
+  std::vector<Piece> pieces =
+      looked_through(times.size() - 1, least_only ? kMostLooks / 4 : kMostLooks, by_value(f, p, level, least_only));
   if (second) {
     for (Piece& piece : pieces) piece.high = 1;
   }
@@ -132,12 +138,13 @@ Solver::InstantBounds Solver::instant_bounds(const Formula& formula, const RealP
   for (const SignMap& map : formula.sign_maps()) {
     const SignMap m = plain_level(map);
     const Roles r = roles(m.distance);
-    if (r.turning && m.distance.prefix == Extremum::kNone) {
+    const bool between_bounds = r.turning || in_rotation(m);
+    if (between_bounds && m.distance.prefix == Extremum::kNone) {
       for (Section& s : turning_instants(m, r, p)) lines.push_back(std::move(s));
       continue;
     }
     const Section line =
-        r.turning ? Section::constant(world_.motion.start, world_.motion.end, sign(m, p)) : instants(m, p);
+        between_bounds ? Section::constant(world_.motion.start, world_.motion.end, sign(m, p)) : instants(m, p);
     lines.insert(lines.end(), 2, line);
   }
   const auto limited = [&](Mark wanted) {

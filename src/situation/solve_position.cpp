@@ -30,9 +30,11 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
   DistanceAt out;
   out.text = text(wanted);
   const Roles r = roles(wanted);
-  if (r.turning) {
+  const bool rotation = r.wanted.mode == Mode::kTurning;
+  if (r.turning || (rotation && world_.motion.given())) {
     const auto v = turning_value(r, p);
-    if (v) out.value = v->value * world_.step.to_double(), out.bound = v->bound * world_.step.to_double();
+    const double unit = rotation ? 1 : world_.step.to_double();
+    if (v) out.value = v->value * unit, out.bound = v->bound * unit;
     return out;
   }
   if (!world_.motion.given() && r.wanted.mode == Mode::kPlain) {
@@ -74,9 +76,11 @@ std::optional<std::int8_t> Solver::clear_sign(const SignMap& wanted, const Roles
   return std::int8_t(value > level ? 1 : -1);
 }
 
-std::int8_t Solver::sign(const SignMap& wanted, const RealPoint& p) const {
+std::int8_t Solver::sign(const SignMap& asked, const RealPoint& p) const {
+  const SignMap wanted = plain_level(asked);
   const Roles r = roles(wanted.distance);
-  if (!r.turning) {
+  const bool rotation = in_rotation(wanted);
+  if (!r.turning && !(rotation && world_.motion.given())) {
     if (const auto clear = clear_sign(wanted, r, p)) return *clear;
     const plane::SignMap m = sign_map(wanted);
     return mark_of(m, locate(m, p));
@@ -85,11 +89,16 @@ std::int8_t Solver::sign(const SignMap& wanted, const RealPoint& p) const {
   const bool at_instant = world_.instant && wanted.distance.prefix == Extremum::kNone;
   const auto exact = at_instant ? std::nullopt : swing_sign(wanted, {p.x * world_.step, p.y * world_.step});
   if (exact) return *exact;
+  if (rotation && at_instant) {
+    const distance::SignRange s = rotation_in_time(r, p, true).signs({0, Real(), Real()}, wanted.level);
+    if (s.low == s.high) return s.low;
+  }
   const auto v = turning_value(r, p);
   if (!v) return 1;
-  const double over = v->value - (wanted.level / world_.step).to_double();
+  const double over = v->value - (rotation ? wanted.level : wanted.level / world_.step).to_double();
   if (std::abs(over) <= v->bound)
-    refuse(wanted.distance, "of shapes that turn in time, too near to the level for its bound to decide");
+    refuse(wanted.distance,
+           "over time, in rotation or of shapes that turn, too near to the level for its bound to decide");
   return over > 0 ? 1 : -1;
 }
 

@@ -41,7 +41,6 @@ class FootSearch {
   /// The part that holds the foot deepest, or -1.
   int covering_part(const Foot& foot, std::optional<RealVector>& exact);
   bool covers_exactly(std::size_t part, const Foot& foot, std::optional<RealVector>& exact);
-  void branch(const Foot& foot, int part);
   void beyond(const Foot& foot, int plane);
   std::optional<Foot> foot_on(std::array<int, 3> planes, int count) const;
   bool multipliers(const std::array<int, 3>& planes, int count, std::array<double, 3>& out, double& error) const;

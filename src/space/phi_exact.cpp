@@ -7,26 +7,16 @@
 #include <limits>
 #include <optional>
 
+#include "space/phi_level.h"
+
 namespace findspace::space {
 namespace {
 
 using exact::Real;
 
-/// The value of the plane of one facet at u, and the squared length of its normal.
-struct Level {
-  Real value, square;
-};
-
 Level level(const Plane& plane, const RealVector& u) {
   const RealVector n = real(plane.normal);
   return {dot(n, u) + Real(plane.offset), dot(n, n)};
-}
-
-/// The sign of a.value / sqrt(a.square) - b.value / sqrt(b.square), without roots.
-int compare_levels(const Level& a, const Level& b) {
-  const int s = a.value.sign(), t = b.value.sign();
-  if (s != t) return s < t ? -1 : 1;
-  return s * compare(a.value * a.value * b.square, b.value * b.value * a.square);
 }
 
 /// The squared distance of u to the polygon of facet f: to its plane where the foot is inside, else to its border.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "space/closed_forms.h"
+#include "space/phi_level.h"
 
 namespace findspace::space {
 namespace {
@@ -18,20 +19,9 @@ RealPoint minus(const RealPoint& a, const RealPoint& b) { return {a.x - b.x, a.y
 RealPoint real(const Point2& p) { return {Real(p.x), Real(p.y)}; }
 Vector2 rounded(const RealPoint& p) { return {p.x.to_double(), p.y.to_double()}; }
 
-/// The value of the line of one edge at u, and the squared length of its normal.
-struct Level {
-  Real value, square;
-};
-
 Level level(const PlanarEdge& edge, const RealPoint& u) {
   const RealPoint n = real(edge.normal);
   return {dot(n, u) + Real(edge.offset), dot(n, n)};
-}
-
-int compare_levels(const Level& a, const Level& b) {
-  const int s = a.value.sign(), t = b.value.sign();
-  if (s != t) return s < t ? -1 : 1;
-  return s * compare(a.value * a.value * b.square, b.value * b.value * a.square);
 }
 
 /// The highest edges at u.

@@ -196,7 +196,7 @@ double sticks_out_about(const Body& b, const Body& a, const space::Vector& p) {
 
 /// mu to shapes that are not convex: by a search, which leaves the sign 0 near the level only.
 TEST(RaySigns, SticksOutOfAUnion) {
-  Body two = ball(0, 0, 0, 3), ring;
+  Body two = ball(0, 0, 0, 3);
   two.parts.push_back(ball(4, 0, 0, 2).parts[0]);
   const Body bar = hull({{0, 0, 0}, {5, 1, 0}, {5, 0, 1}, {0, 2, 2}});
   int asked = 0, zero = 0, inside = 0;
@@ -244,6 +244,9 @@ TEST(RaySigns, SticksOutOfAUnion) {
     check("two balls", bar, two, Which::kMu, level, grid_of(2, 2, 4));
   }
   check("two balls", kCube, two, Which::kMu, Real(), grid_of(1, 2, 6));
+  check("ball, room", ball(1, 0, 0, 2), kRoom, Which::kMu, Real(1), grid_of(2, 2, 4));
+  check("ball, channel", ball(0, 0, 0, 2), kChannel, Which::kHausdorff, Real(3), grid_of(1, 2, 4));
+  check("ball, two balls", ball(1, 1, 0, 2), two, Which::kMu, Real(1), grid_of(0, 2, 4));
   EXPECT_GT(asked, 1000);
   EXPECT_GT(inside, 200);
   EXPECT_GT(zero, 20);
@@ -271,7 +274,9 @@ TEST(RaySigns, SaysWhatItDoesNotKnow) {
   EXPECT_THROW(ray_sign_map(Which::kGamma1, Real(-1), kCube, two, grid), Error);
   EXPECT_THROW(ray_sign_map(Which::kEta1, Real(-1), kCube, two, grid), Error);
   EXPECT_THROW(ray_sign_map(Which::kEta1, Real(1), ball(0, 0, 0, 1), kRoom, grid), Error);
-  EXPECT_THROW(ray_sign_map(Which::kMu, Real(1), ball(0, 0, 0, 1), kRoom, grid), Error);
+  Body rounded = kCube;
+  rounded.parts[0].radius = Real(1);
+  EXPECT_THROW(ray_sign_map(Which::kMu, Real(1), rounded, kRoom, grid), Error);
 }
 
 }  // namespace

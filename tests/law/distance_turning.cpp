@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "distance/rotation_in_time.h"
 #include "distance/turning_map.h"
 #include "distance/turning_positions.h"
 #include "law/plane_random.h"
@@ -120,6 +122,68 @@ TEST(Turning, PositionsOfADiscThatTurnsToAnother) {
     }
   }
   EXPECT_GT(decided, asked * 8 / 10);
+}
+
+/// Of a disc at p to one that goes from a to a2, both turned about (1, -1): the least or greatest over many instants.
+double over_instants(double px, double py, const std::array<double, 4>& way, double reach, bool far, Sense sense) {
+  constexpr int kInstants = 2000;
+  double best = angle_to_contact(px - 1, py + 1, way[0] - 1, way[1] + 1, reach, far);
+  for (int k = 1; k <= kInstants; ++k) {
+    const double t = double(k) / kInstants;
+    const double ax = way[0] + t * (way[2] - way[0]), ay = way[1] + t * (way[3] - way[1]);
+    const double f = angle_to_contact(px - 1, py + 1, ax - 1, ay + 1, reach, far);
+    best = sense == Sense::kMinimum ? std::min(best, f) : std::max(best, f);
+  }
+  return best;
+}
+
+TEST(Turning, RotationToADiscThatMoves) {
+  constexpr std::int64_t kUnit = 1000000;
+  constexpr double kSlack = 0.01;  // instants between those looked at, as a part of the radii
+  Random random(7);
+  int decided = 0, asked = 0;
+  struct Ask {
+    Which which;
+    int level;
+    Sense sense;
+  };
+  for (const Ask& ask : {Ask{Which::kGamma1, 20, Sense::kMinimum},
+                         {Which::kGamma1, 20, Sense::kMaximum},
+                         {Which::kGamma1, -6, Sense::kMinimum},
+                         {Which::kGamma1, -6, Sense::kMaximum},
+                         {Which::kGamma2, 70, Sense::kMinimum},
+                         {Which::kGamma2, 70, Sense::kMaximum}}) {
+    const bool far = ask.which == Which::kGamma2, least = ask.sense == Sense::kMinimum;
+    const plane::Region b = plane::region_of_disc(Real(0), Real(0), Real(kUnit)),
+                        a = plane::region_of_disc(Real(2 * kUnit), Real(0), Real(kUnit));
+    const std::array<double, 4> way{6, 2, 3, 5};
+    const auto at = [](std::int64_t x, std::int64_t y) { return exact::RealPoint{Real(x * kUnit), Real(y * kUnit)}; };
+    // A is drawn at (2, 0) and goes by (4, 2), then by (1, 5); B stands still.
+    const std::vector<TurningPose> poses{{at(-4, -2), {}, {}, at(4, 2)}, {at(-1, -5), {}, {}, at(1, 5)}};
+    const exact::RealPoint centre = at(1, -1);
+    const BoundedMaps maps = turning_position_maps(b, a, ask.which, centre, Real(ask.level), poses, ask.sense);
+    for (int k = 0; k < 40; ++k) {
+      const std::int64_t x = random.pick(-8 * kUnit, 10 * kUnit), y = random.pick(-8 * kUnit, 9 * kUnit);
+      const double px = double(x) / kUnit, py = double(y) / kUnit;
+      const double f = over_instants(px, py, way, 2, far, ask.sense),
+                   below = over_instants(px, py, way, 2 + (far ? -kSlack : kSlack), far, ask.sense),
+                   above = over_instants(px, py, way, 2 - (far ? -kSlack : kSlack), far, ask.sense);
+      const exact::RealPoint p{Real(x), Real(y)};
+      const int low = mark_of(maps.low, locate(maps.low, p)), high = mark_of(maps.high, locate(maps.high, p));
+      // Instants that were looked at refute strictly, the others only beyond the slack.
+      if (low > 0) EXPECT_GT(least ? f : above, ask.level) << "at " << px << ", " << py;
+      if (high < 0) EXPECT_LT(least ? below : f, ask.level) << "at " << px << ", " << py;
+      ++asked, decided += low == high;
+      if (k > 0) continue;
+      const auto v = RotationInTime(b, a, ask.which, centre, p, poses).extremum(ask.sense);
+      if (std::isinf(f)) continue;
+      ASSERT_TRUE(v.has_value());
+      EXPECT_LE(v->value - v->bound, above + 0.2) << "at " << px << ", " << py;
+      EXPECT_GE(v->value + v->bound, below - 0.2) << "at " << px << ", " << py;
+      EXPECT_LT(v->bound, 0.5);
+    }
+  }
+  EXPECT_GT(decided, asked * 6 / 10);
 }
 
 }  // namespace

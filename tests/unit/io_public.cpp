@@ -44,6 +44,17 @@ TEST(Public, SignMaps) {
   EXPECT_NEAR(*map.where(true, true, false).area(), 80 + 36 + M_PI, 1e-12);
 }
 
+TEST(Public, SignMapOfAMargin) {
+  const World world({{"A", Shape::box({0, 0}, {10, 10})}, {"B", Shape::box({-1, -1}, {1, 1})}}, "B");
+  const SignMap map = world.sign_map("margin(B, A)", 2);  // 2 to spare: p in [3, 7] x [3, 7]
+  EXPECT_EQ(map.sign({5, 5}), 1);
+  EXPECT_EQ(map.sign({3, 5}), 0);
+  EXPECT_EQ(map.sign({2, 5}), -1);
+  EXPECT_DOUBLE_EQ(*world.distance("margin(B, A)", {3, 5}).value, 2);
+  EXPECT_THROW(world.sign_map("x", 2), Error);
+  EXPECT_THROW(world.sign_map("gamma1(B, A)", "2 mm"), Error);
+}
+
 TEST(Public, Minimum) {
   const Optimum best = boxes().minimize("distance to [20, 0]", "gamma1(B, A) < 1");
   EXPECT_DOUBLE_EQ(*best.value, 14);

@@ -5,29 +5,10 @@
 // compared.
 #include <gtest/gtest.h>
 
-#include "situation/parse.h"
+#include "unit/situation_mistakes.h"
 
 namespace findspace::situation {
 namespace {
-
-Context scene() {
-  return {.shapes = {"board", "chip", "key", "screws", "my part"},
-          .moving = {"chip"},
-          .extra = {},
-          .independent = false,
-          .motion = false,
-          .unit = Unit::kMillimetre,
-          .dimension = 2};
-}
-
-std::string message(std::string_view sentence, const Context& context) {
-  try {
-    parse_formula(sentence, context);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
