@@ -45,8 +45,10 @@ io::ExtremeValue value_of(const situation::Optimum& optimum, bool maximum, Talk&
   if (optimum.value && !optimum.proven) {
     talk.note("the optimum is no number that square roots express: given to 13 digits, with one position each");
   }
-  return {maximum, optimum.value ? std::optional(optimum.value->to_double()) : std::nullopt, optimum.unbounded,
-          optimum.attained, optimum.proven || !optimum.value};
+  io::ExtremeValue out{maximum, optimum.value ? std::optional(optimum.value->to_double()) : std::nullopt,
+                       optimum.unbounded, optimum.attained, optimum.proven || !optimum.value};
+  if (!out.proven && optimum.within) out.bound = optimum.bound, out.within = optimum.within;
+  return out;
 }
 
 /// Two points of the line, about 2^36 steps either way from where it goes through: beyond them nothing is looked for.

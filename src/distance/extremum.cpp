@@ -4,6 +4,7 @@
 #include "distance/extremum.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "distance/level_probe.h"
 #include "distance/point_set.h"
 #include "plane/locate.h"
+#include "plane/overlay.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
@@ -57,6 +59,7 @@ class Search {
   bool take(const Bracket& known);
   bool try_near(const std::vector<Real>& all, double number);
   bool try_candidates();
+  void enclose();
   bool take_lowest(Extremum& out) const;
   Extremum finished(const Real& level, bool proven) const;
 
@@ -180,8 +183,13 @@ Extremum Search::finished(const Real& level, bool proven) const {
     if (!e.attained) e.at = on_level(probe(level, closure_));
     return e;
   }
-  e.at = point_set(one_point_a_component(reached_));
-  e.attained = true;
+  e.bound = turn_ * bad_;
+  const ComponentPoints found = one_point_a_component(reached_);
+  e.within = found.within;
+  e.at = point_set(found.points);
+  const std::array<const Region*, 2> beside{&closure_, &s_};
+  const CellComplex lacking = probe(level, plane::subtract(beside));
+  e.attained = whole_ || !(has_mark(lacking, kOn) || has_mark(lacking, kBeyond));
   return e;
 }
 
@@ -193,6 +201,13 @@ bool Search::take_lowest(Extremum& out) const {
   out.level = lowest->level, out.at = point_set({&lowest->at, 1});
   out.attained = whole_ || plane::mark_of(s_, plane::locate(s_, lowest->at)) > 0;
   return true;
+}
+
+/// What was rounded at the ends of the bracket, by exact sign maps: (bad, good] holds the extremum.
+void Search::enclose() {
+  const double width = std::max(good_ - bad_, scale_ * 0x1p-50);
+  while (!reaches(Real::from_double(turn_ * good_))) good_ += width;
+  for (double low = bad_; reaches(Real::from_double(turn_ * low));) low = good_ - width;
 }
 
 Extremum Search::run(const std::optional<Bracket>& known) {
@@ -220,6 +235,7 @@ Extremum Search::run(const std::optional<Bracket>& known) {
     if (width <= least) break;
     reaches(Real::from_double(turn_ * simple_between(bad_, good_)));
   }
+  enclose();
   return finished(Real::from_double(turn_ * good_), false);
 }
 

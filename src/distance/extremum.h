@@ -6,8 +6,10 @@
 // (distances.md 4.4). Method: bisection on the level with exact sign maps brackets the value; where the sublevel set
 // has become small, the fronts that pass there are met in pairs and triples; each meeting is a candidate, and one is
 // accepted only with the proof that no position of S lies beyond it and some position on it, by one more exact sign
-// map. Guarantee: `proven` values and sets are exact. A value that square roots cannot express is given from the side
-// of S, right to 1e-13 of the value or of the extent, and one position for each component (proven = false). Cost: 20 to
+// map. Guarantee: `proven` values and sets are exact. A value that square roots cannot express is enclosed by exact
+// sign maps on both sides (proven = false): at `level` a position of the closure of S is as good, at `bound`, within
+// 1e-13 of the value or of the extent, none is; `at` has one such position for each component of those as good as
+// `level`, and all best positions lie `within` that distance of one of them. Cost: 20 to
 // 50 sign maps, a handful where a bracket is known. Keywords: argmin, constrained minimum, largest inscribed circle,
 // smallest enclosing circle, minimal Hausdorff distance.
 #pragma once
@@ -22,9 +24,10 @@ struct Extremum {
   bool exists = false;     // S is not empty, f is defined and bounded on S in this sense
   bool unbounded = false;  // over an unbounded set; or f is -infinity everywhere, and S is `at`
   exact::Real level;       // in grid steps
-  bool attained = false;   // by a position of S
+  bool attained = false;   // by a position of S; where not proven, certainly
   bool proven = false;
-  plane::Region at;  // the positions
+  double bound = 0, within = 0;  // where not proven, in grid steps
+  plane::Region at;              // the positions
 };
 
 /// Numbers that the extremum is known to lie between: `reached` is taken (to rounding) and probably it, none is better

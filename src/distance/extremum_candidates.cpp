@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/site_tree.h"
 #include "plane/union_find.h"
 
 namespace findspace::distance {
@@ -128,16 +129,25 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
   return levels;
 }
 
-std::vector<RealPoint> one_point_a_component(const CellComplex& c) {
+ComponentPoints one_point_a_component(const CellComplex& c) {
   plane::UnionFind groups(Index(c.vertices.size()));
   for (const auto& e : c.edges)
     if (e.mark > 0) groups.unite(e.v0, e.v1);
   std::vector<Index> first(c.vertices.size(), plane::kNone);
-  std::vector<RealPoint> out;
+  ComponentPoints out;
   for (Index v = 0; v < c.vertices.size(); ++v) {
     if (c.vertices[v].mark <= 0 || first[groups.find(v)] != plane::kNone) continue;
     first[groups.find(v)] = v;
-    out.push_back(c.geometry.exact(c.vertices[v].point));
+    out.points.push_back(c.geometry.exact(c.vertices[v].point));
+  }
+  // A face lies no farther than its outer boundary.
+  for (Index e = 0; e < c.edges.size(); ++e) {
+    const Index v = first[groups.find(c.edges[e].v0)];
+    if (c.edges[e].mark <= 0 || v == plane::kNone) continue;
+    const SiteBox box = box_of(edge_site(c, e));
+    const exact::Point& p = c.point(v);
+    const double dx = std::max(box.x1 - p.x, p.x - box.x0), dy = std::max(box.y1 - p.y, p.y - box.y0);
+    out.within = std::max(out.within, plain_length(dx, dy));
   }
   return out;
 }

@@ -16,7 +16,12 @@ namespace findspace::distance {
 std::vector<exact::Real> extremum_candidates(const TDistance& f, const plane::Region* over,
                                              const plane::CellComplex& reached, double low, double high);
 
+struct ComponentPoints {
+  std::vector<exact::RealPoint> points;
+  double within = 0;  // all cells lie no farther than this from the point of their component
+};
+
 /// A vertex of each connected piece of the cells with marks > 0.
-std::vector<exact::RealPoint> one_point_a_component(const plane::CellComplex& c);
+ComponentPoints one_point_a_component(const plane::CellComplex& c);
 
 }  // namespace findspace::distance

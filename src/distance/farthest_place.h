@@ -5,7 +5,8 @@
 // distance h(B+p, A) = max over b of d(b, A), over the whole of B (its vertices, edges and inside), not over samples.
 // Method: branch and bound with the best place known so far. Boxes around parts of B's boundary (d is 1-Lipschitz),
 // then parts of edges (the distance to one part of A is convex along an edge, so its ends bound it), then boxes of the
-// plane in which d has no direction to grow in, for places inside B. Numbers choose the places; values are exact.
+// plane in which d has no direction to grow in, for places inside B: a matter of A alone, kept for the next position
+// (peak_boxes.h). Numbers choose the places; values are exact.
 // Guarantee: as farthest_from_set.h, which also does arcs. Cost: trees are given; a query mostly costs little more than
 // some hundred nearest neighbours. Source: Taha, Hanbury 2015 for early breaks; Alt, Behrends, Blömer 1995 for where
 // the maximum can lie. Keywords: directed Hausdorff distance, branch and bound, medial axis.

@@ -35,7 +35,7 @@ class LevelSearch {
     if (whole_number(out, continuous)) return out;
     narrow(0x1p-20);
     out.level = level(good_), out.attained = true;
-    out.at = point_set(one_point_a_component(probe(level(good_), s_)));
+    out.at = point_set(one_point_a_component(probe(level(good_), s_)).points);
     return out;
   }
 

@@ -66,11 +66,14 @@ void put_nearest(std::string& out, const Nearest& nearest, const std::string& at
       json_number(nearest.distance.to_double()), truth(nearest.attained));
 }
 
-/// The keys of an extreme value: "minimum" or "maximum", "attained", "proven" where it is not.
+/// The keys of an extreme value: "minimum" or "maximum", "attained"; where it is not proven "proven", "bound",
+/// "within".
 inline void put_extreme(std::string& out, const ExtremeValue& e) {
   const std::string value = e.unbounded && !e.maximum ? "\"-inf\"" : number(e.value);
-  put(out, "  \"{}\": {}, \"attained\": {},{}\n", e.maximum ? "maximum" : "minimum", value, truth(e.attained),
-      e.proven ? "" : " \"proven\": false,");
+  put(out, "  \"{}\": {}, \"attained\": {},", e.maximum ? "maximum" : "minimum", value, truth(e.attained));
+  if (!e.proven) put(out, " \"proven\": false,");
+  if (e.bound && e.within) put(out, " \"bound\": {}, \"within\": {},", json_number(*e.bound), json_number(*e.within));
+  put(out, "\n");
 }
 
 }  // namespace findspace::io

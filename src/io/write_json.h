@@ -26,6 +26,8 @@ struct ExtremeValue {
   bool maximum = false;
   std::optional<double> value;  // none: there is none, or no bound
   bool unbounded = false, attained = false, proven = true;
+  // Where not proven: no position has a better value than `bound`, and every best one lies `within` of a given one.
+  std::optional<double> bound{}, within{};
 };
 
 /// The result of `map` and `describe`. `unit` may be empty, `extreme` null; with `exact` the exact cells too

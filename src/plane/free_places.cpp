@@ -152,6 +152,7 @@ class FreePlaces::From::Search {
 
   std::optional<Nearest> run() const {
     std::optional<Nearest> best;
+    Real least;  // the best one's square
     double reached = 0;
     for (const Candidate& c : candidates_) {
       const double off = f_.room_ + c.off;
@@ -161,12 +162,14 @@ class FreePlaces::From::Search {
       if (free && !*free) continue;
       const std::optional<RealVector> s = exact_point(c);
       if (!s) continue;
-      Real d = sqrt(plane::dot(*s, *s));
-      if (best && (far_ ? d <= best->distance : d >= best->distance)) continue;
+      // Many may be equally far, on one circle about p: of squares that is mostly seen at once.
+      Real square = plane::dot(*s, *s);
+      if (best && (far_ ? square <= least : square >= least)) continue;
       const RealVector at = *s + p_;
       if (!free && !f_.is_free(at)) continue;
-      reached = d.to_double();
-      best = Nearest{std::move(d), at, {}};
+      least = square;
+      best = Nearest{sqrt(square), at, {}};
+      reached = best->distance.to_double();
     }
     return best;
   }

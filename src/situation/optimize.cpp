@@ -26,6 +26,8 @@ Optimum optimum(distance::Extremum e, const Real& step, bool negated) {
   }
   out.value = negated ? -(e.level * step) : e.level * step;
   out.attained = e.attained, out.proven = e.proven;
+  const double unit = step.to_double();
+  out.bound = (negated ? -e.bound : e.bound) * unit, out.within = e.within * unit;
   out.at = std::move(e.at);
   return out;
 }

@@ -23,7 +23,8 @@ struct Optimum {
   bool unbounded = false;            // no bound in this sense
   bool attained = false;             // by a position of the region; else it is an infimum (supremum)
   bool proven = false;
-  plane::Region at;  // the positions (in grid steps): of the region, or of its closure if not attained
+  double bound = 0, within = 0;  // where not proven (distance/extremum.h), in the scene's unit
+  plane::Region at;              // the positions (in grid steps): of the region, or of its closure if not attained
 };
 
 Optimum optimize(const plane::Region& region, const Objective& objective, distance::Sense sense, const Solver& solver);

@@ -23,6 +23,7 @@
 #include "distance/turning_motion.h"
 #include "plane/extent.h"
 #include "plane/islands.h"
+#include "plane/nearest.h"
 #include "plane/section.h"
 #include "situation/formula.h"
 #include "situation/motion.h"
@@ -171,6 +172,8 @@ class Solver {
   std::vector<plane::SignMap> sign_maps(const Formula& formula) const;
   DistanceAt value(const Distance& distance, const exact::RealPoint& p) const;
   std::int8_t sign(const SignMap& wanted, const exact::RealPoint& p) const;
+  std::optional<plane::Nearest> contact(const Atom& atom, const exact::RealPoint& p) const;
+  std::optional<NearestFeasible> nearest_by_contact(const Formula& formula, const exact::RealPoint& p) const;
   std::optional<std::int8_t> clear_sign(const SignMap& wanted, const Roles& roles, const exact::RealPoint& p) const;
   /// In rotation, where that is not the plain distance.
   bool in_rotation(const SignMap& wanted) const;

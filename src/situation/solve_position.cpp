@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Solver at one position: values with their witnesses, signs, check, the nearest feasible position.
+// Solver at one position: values with their witnesses, signs, check.
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "findspace/error.h"
-#include "plane/nearest.h"
 #include "plane/parallel.h"
-#include "plane/topology.h"
 #include "situation/evaluate.h"
 #include "situation/solve.h"
 #include "situation/text.h"
@@ -63,16 +61,6 @@ void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& n
   bool turned =
       wanted.first == names.second && !out.witness.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
   if (turned) std::swap(out.witness[0], out.witness[1]);
-}
-
-std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, const RealPoint& position) const {
-  RealPoint p = steps(position);
-  plane::Region region = feasible(formula), closed = plane::closure(region);
-  auto in = [](Mark m) { return m > 0; };
-  auto here = mark_of(closed, locate(closed, p)) > 0;
-  auto n = here ? std::optional(plane::Nearest{Real(), p, {}}) : plane::nearest(closed, in, p);
-  if (!n) return std::nullopt;
-  return NearestFeasible{n->at, n->distance * world_.step, mark_of(region, locate(region, n->at)) > 0};
 }
 
 /// From the value, where it is clearly not the level: no map of all positions is made then.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "distance/coordinate.h"
@@ -10,6 +12,7 @@
 #include "distance/farthest.h"
 #include "distance/shape_pair.h"
 #include "distance_shapes.h"
+#include "plane/path_region.h"
 #include "plane/summary.h"
 #include "plane/topology.h"
 
@@ -41,6 +44,36 @@ TEST(Least, InscribedCircleNextToASlit) {
   EXPECT_TRUE(e.proven);
   EXPECT_EQ(e.level, Real(2) * sqrt(Real(3)) - Real(5));
   EXPECT_EQ(plane::summarize(e.at, 1).isolated.size(), 2u);
+}
+
+TEST(Least, WhatNoSquareRootNamesIsEnclosed) {
+  // A disc about two chained segments: the farthest points of its circle lie where a parabola crosses it.
+  const std::array<exact::RealPoint, 3> chain{at(24, 25), at(30, 15), at(10, 16)};
+  const ShapePair pair(plane::region_of_disc(0, 0, 12), plane::region_of_path(chain));
+  const TDistancePointer mu = pair.distance(Which::kMu);
+  const Extremum e = least(*mu);
+  ASSERT_TRUE(e.exists);
+  ASSERT_FALSE(e.proven);
+  EXPECT_TRUE(e.attained);
+  const double level = e.level.to_double();
+  EXPECT_LT(e.bound, level);
+  EXPECT_LT(level - e.bound, level * 1e-12);
+  const auto below = mu->sign_map(Real::from_double(e.bound)), reached = mu->sign_map(e.level);
+  const auto some = [](const plane::SignMap& m) {
+    return std::any_of(m.vertices.begin(), m.vertices.end(), [](const auto& v) { return v.mark <= 0; });
+  };
+  EXPECT_FALSE(some(below));
+  EXPECT_TRUE(some(reached));
+  EXPECT_LT(e.within, 1e-4);
+  for (const auto& v : reached.vertices) {
+    const auto& p = reached.geometry.points[v.point];
+    double least = 1e9;
+    for (const auto& w : e.at.vertices) {
+      const auto& q = e.at.geometry.points[w.point];
+      least = std::min(least, std::hypot(p.x - q.x, p.y - q.y));
+    }
+    EXPECT_TRUE(v.mark > 0 || least <= e.within);
+  }
 }
 
 TEST(Least, RoomBoundedByHollowArcs) {
