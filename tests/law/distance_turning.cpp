@@ -171,8 +171,12 @@ TEST(Turning, RotationToADiscThatMoves) {
       const exact::RealPoint p{Real(x), Real(y)};
       const int low = mark_of(maps.low, locate(maps.low, p)), high = mark_of(maps.high, locate(maps.high, p));
       // Instants that were looked at refute strictly, the others only beyond the slack.
-      if (low > 0) EXPECT_GT(least ? f : above, ask.level) << "at " << px << ", " << py;
-      if (high < 0) EXPECT_LT(least ? below : f, ask.level) << "at " << px << ", " << py;
+      if (low > 0) {
+        EXPECT_GT(least ? f : above, ask.level) << "at " << px << ", " << py;
+      }
+      if (high < 0) {
+        EXPECT_LT(least ? below : f, ask.level) << "at " << px << ", " << py;
+      }
       ++asked, decided += low == high;
       if (k > 0) continue;
       const auto v = RotationInTime(b, a, ask.which, centre, p, poses).extremum(ask.sense);
