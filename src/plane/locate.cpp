@@ -32,16 +32,22 @@ Locator::Locator(const CellComplex& c) : c_(c), geometry_(c.geometry) {
 Locator::Box Locator::box(Index cell) const {
   if (cell >= c_.edges.size()) {
     const exact::Point& p = c_.point(cell - Index(c_.edges.size()));
-    return {widened(p.x, p.error, -1), widened(p.x, p.error, 1), widened(p.y, p.error, 1), cell};
+    return {widened(p.x, p.error, -1), widened(p.x, p.error, 1), widened(p.y, p.error, -1), widened(p.y, p.error, 1),
+            cell};
   }
   const Edge& e = c_.edges[cell];
   const exact::Point &p = c_.point(e.v0), &q = c_.point(e.v1);
+  double bottom = std::min(widened(p.y, p.error, -1), widened(q.y, q.error, -1));
   double top = std::max(widened(p.y, p.error, 1), widened(q.y, q.error, 1));
-  if (e.half > 0) {
+  if (e.half != 0) {
     const exact::Carrier& k = c_.carrier(cell);
-    top = widened(k.y.value + k.z.value, k.y.error + k.z.error, 1);
+    const double error = k.y.error + k.z.error;
+    if (e.half > 0)
+      top = widened(k.y.value + k.z.value, error, 1);
+    else
+      bottom = widened(k.y.value - k.z.value, error, -1);
   }
-  return {widened(p.x, p.error, -1), widened(q.x, q.error, 1), top, cell};
+  return {widened(p.x, p.error, -1), widened(q.x, q.error, 1), bottom, top, cell};
 }
 
 Index Locator::column(double x) const {
@@ -124,15 +130,17 @@ bool Locator::is_under(Index edge) const {
 
 Cell Locator::search() const {
   const exact::Point& q = geometry_.points[query_];
-  const double x0 = widened(q.x, q.error, -1), x1 = widened(q.x, q.error, 1), y0 = widened(q.y, q.error, -1);
+  const double x0 = widened(q.x, q.error, -1), x1 = widened(q.x, q.error, 1);
+  const double y0 = widened(q.y, q.error, -1), y1 = widened(q.y, q.error, 1);
   Index above = kNone;
+  const Box* lowest = nullptr;  // of the edge above
   for (Index i = column_start_[column(x0)]; i < column_start_[column(x1) + 1]; ++i) {
     const Box& b = entries_[i];
     if (b.x1 < x0 || b.x0 > x1 || b.y1 < y0) continue;
     Cell found;
-    if (is_found(b.cell, found)) return found;
-    if (b.cell >= c_.edges.size() || b.cell == above || !is_under(b.cell)) continue;
-    if (above == kNone || lies_below(b.cell, above)) above = b.cell;
+    if (b.y0 <= y1 && is_found(b.cell, found)) return found;
+    if (b.cell >= c_.edges.size() || b.cell == above || (lowest && b.y0 > lowest->y1) || !is_under(b.cell)) continue;
+    if (!lowest || b.y1 < lowest->y0 || lies_below(b.cell, above)) above = b.cell, lowest = &b;
   }
   return {2, above == kNone ? 0 : c_.face(2 * above + 1)};
 }

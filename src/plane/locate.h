@@ -35,8 +35,8 @@ class Locator {
 
  private:
   struct Box {
-    double x0, x1, y1;  // encloses the edge or the point; from below it is open, as the ray is
-    Index cell;         // edge, or edge count + isolated vertex
+    double x0, x1, y0, y1;  // encloses the edge or the point
+    Index cell;             // edge, or edge count + isolated vertex
   };
   struct Span {
     Index first, last;
