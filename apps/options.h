@@ -37,7 +37,7 @@ struct Options {
   double time_limit = 0;  // seconds; 0: none
 };
 
-/// Exit statuses (interface.md 4).
+/// Exit statuses (docs/commands.md).
 enum ExitStatus { kDone = 0, kEmpty = 1, kUsage = 2, kBadInput = 3, kLimit = 4, kInternal = 70, kInterrupted = 130 };
 
 struct Outcome {

@@ -3,6 +3,7 @@
 #include "exact/decimal.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "exact/real_node.h"
 #include "findspace/error.h"
@@ -121,9 +122,11 @@ std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step
   }
   if (read == 0) return std::nullopt;
   const int128 above = int128(digits) * (*parts)[1], divisor = int128(below) * (*parts)[0];
-  if (above % divisor != 0 || above / divisor > kMaxGridCoordinate) return std::nullopt;
-  const auto steps = static_cast<std::int64_t>(above / divisor);
-  return negative ? -steps : steps;
+  constexpr int128 kWord = std::numeric_limits<std::int64_t>::max();
+  const bool short_ones = above <= kWord && divisor <= kWord;  // the division of words is ten times faster
+  const int128 steps = short_ones ? std::int64_t(above) / std::int64_t(divisor) : above / divisor;
+  if (steps * divisor != above || steps > kMaxGridCoordinate) return std::nullopt;
+  return static_cast<std::int64_t>(negative ? -steps : steps);
 }
 
 }  // namespace findspace::exact

@@ -46,12 +46,15 @@ class LineCounter {
  public:
   explicit LineCounter(std::string_view text) : text_(text) {}
   void place(std::size_t offset, int& line, int& column) {
-    for (; at_ < offset && at_ < text_.size(); ++at_) {
-      if (text_[at_] == '\n') {
-        ++line_;
-        line_start_ = at_ + 1;
-      }
+    const std::size_t end = std::min(offset, text_.size());
+    while (at_ < end) {
+      const std::size_t found = text_.substr(at_, end - at_).find('\n');
+      if (found == std::string_view::npos) break;
+      at_ += found + 1;
+      ++line_;
+      line_start_ = at_;
     }
+    at_ = std::max(at_, end);
     line = line_;
     column = static_cast<int>(offset - line_start_) + 1;
   }
@@ -124,20 +127,40 @@ class TreeBuilder {
   /// Start of the token just read: what follows the token before but blanks, separators and comments.
   std::size_t token_start() const {
     std::size_t i = end_;
-    while (i < text_.size()) {
-      if (text_.substr(i, 2) == "//") {
-        i = std::min(text_.find('\n', i), text_.size());
-      } else if (text_.substr(i, 2) == "/*") {
-        i = std::min(text_.find("*/", i + 2), text_.size() - 2) + 2;
-      } else if (text_.substr(i, 3) == "\xEF\xBB\xBF") {
-        i += 3;
-      } else if (std::string_view(" \t\r\n,:").find(text_[i]) != std::string_view::npos) {
-        ++i;
-      } else {
-        break;
+    for (;; ++i) {
+      switch (i < text_.size() ? text_[i] : '\0') {
+        case ' ':
+        case '\t':
+        case '\r':
+        case '\n':
+        case ',':
+        case ':':
+          continue;
+        case '/':
+          i = comment_end(i);
+          continue;
+        case '\xEF':
+          if (text_.substr(i, 3) != "\xEF\xBB\xBF") return i;
+          i += 2;
+          continue;
+        default:
+          return std::min(i, text_.size());
       }
     }
+  }
+
+  std::size_t number_end(std::size_t i) const {
+    const auto in_number = [](char c) {
+      return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || c == 'e' || c == 'E';
+    };
+    while (i < text_.size() && in_number(text_[i])) ++i;
     return i;
+  }
+
+  /// The last byte of the comment that begins at `i`.
+  std::size_t comment_end(std::size_t i) const {
+    if (text_.substr(i, 2) == "//") return std::min(text_.find('\n', i), text_.size());
+    return std::min(text_.find("*/", i + 2), text_.size() - 2) + 1;
   }
 
   static JsonValue& item_of(JsonValue& list) {
@@ -152,7 +175,7 @@ class TreeBuilder {
     lines_.place(start, value->line, value->column);
     end_ = offset();
     if (kind == JsonValue::Kind::kNumber) {  // the parser has read one byte too many
-      end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start), text_.size());
+      end_ = number_end(start);
       value->text = std::string(text_.substr(start, end_ - start));
     }
     return value;

@@ -6,7 +6,7 @@
 //
 // Guarantee: exact, but for rotations by other angles than multiples of 90 degrees, which put vertices on the grid and
 // say so. Cost: a tree of Boolean nodes is one overlay of its leaves (more where it has many of them); a shape that
-// occurs several times under one root is built once. Source: interface.md 1; distances.md 1.3, 8.1. Keywords: CSG,
+// occurs several times under one root is built once. Source: docs/scene.md; distances.md 1.3, 8.1. Keywords: CSG,
 // Boolean operation.
 #pragma once
 

@@ -4,7 +4,7 @@
 // One pass over any number of marked complexes: the common refinement of their cells, a function of the vector of marks
 // on every vertex, edge and face, and the merging of cells that agree. Plain (not regularised) set semantics: slots,
 // cracks, isolated points, open and closed ends survive. Guarantee: exact. Cost: one arrangement, plus operands *
-// cells. Source: architecture.md 1; distances.md 4.2, 8.1. Keywords: overlay, Boolean operation, map overlay.
+// cells. Source: decision 1; distances.md 4.2, 8.1. Keywords: overlay, Boolean operation, map overlay.
 #pragma once
 
 #include <functional>

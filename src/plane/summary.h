@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What a region of the plane is like, in numbers: topology, measures, connected components (interface.md section 5).
+// What a region of the plane is like, in numbers: topology, measures, connected components (docs/results.md).
 // The truth values and the counts are exact, about the point set itself: two cells are connected where one lies in the
 // closure of the other and both belong to the set (or both to the complement). Coordinates, lengths and areas are
 // computed from the exact boundary and given as the nearest double but for an ulp or so, in the unit in which the grid

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // `minimize` and `maximize` of a scene over a region of positions, and the minimum behind `distance -> min`
-// (interface.md 3, distances.md 4.4): value, whether it is attained, and the positions. Objectives: a distance, x, y,
+// (docs/formula.md, distances.md 4.4): value, whether it is attained, and the positions. Objectives: a distance, x, y,
 // distance to a point. Guarantee: exact where `proven` (see distance/extremum.h). Use:
 // `optimize(solver.feasible(where), objective, sense, solver)`; where the scene has no objective, `minimum_of(where,
 // solver)` gives the value of its first `distance -> min`, if it has one. Keywords: constrained minimum, argmin,

@@ -3,7 +3,7 @@
 //
 // A formula over a world of shapes, answered for all positions at once and for single ones. All sign maps of the
 // formula are laid over each other once; every vertex, edge and face of the overlay gets the truth of the formula
-// (architecture.md 1). Guarantee: the exact set, slots, points, open and closed boundaries included. Lengths are in the
+// (decision 1). Guarantee: the exact set, slots, points, open and closed boundaries included. Lengths are in the
 // scene's unit; the region that comes back is in grid steps. Cost: one convolution a pair of shapes, one more for each
 // level other than 0, one overlay. Keywords: feasible region, configuration space, situation.
 #pragma once

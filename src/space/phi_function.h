@@ -9,7 +9,7 @@
 // which are taken as the exact dyadic numbers they are. Guarantee: sign() and active() are exact. Values carry the
 // roundings of a few double operations: the absolute error of the max form is at most `error_bound(u)`; the normalised
 // form outside is within 2^-40 of the size of the bodies. Cost: one pass over the facets, eight at a time; for many
-// queries against one pair see depth_grid.h. Source: docs/phi.md 2. Keywords: penetration depth, signed distance, GJK,
+// queries against one pair see depth_grid.h. Source: phi.md 2. Keywords: penetration depth, signed distance, GJK,
 // EPA, separating axis.
 #pragma once
 

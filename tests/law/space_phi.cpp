@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The properties of Phi-functions (docs/phi.md 9) on random pairs. Numbers in the names are those of that section.
+// The properties of Phi-functions (phi.md 9) on random pairs. Numbers in the names are those of that section.
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
