@@ -101,6 +101,14 @@ std::string seconds(const std::string& text) {
   return fmt::format("a number of seconds from 0 to 1e9 is meant, not '{}'", text);
 }
 
+/// What is wrong with a number of threads, or nothing.
+std::string thread_count(const std::string& text) {
+  int value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size() && value >= 0 && value <= 4096) return "";
+  return fmt::format("a whole number from 0 to 4096 is meant, not '{}'", text);
+}
+
 /// What is read, and where the result goes.
 void add_files(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required();
@@ -153,7 +161,9 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   add_question(command, verb, o);
   add_forms(command, verb, o);
   add_lines(command, verb, o);
-  command.add_option("--threads", o.threads, "threads to use; 0: one for each core")->type_name("N");
+  command.add_option("--threads", o.threads, "threads to use; 0: one for each core")
+      ->type_name("N")
+      ->check(thread_count);
   command.add_option("--time-limit", o.time_limit, "seconds after which to give up; 0: never")
       ->type_name("S")
       ->check(seconds);

@@ -32,7 +32,8 @@ std::string summary_text(const RaySet& set, const space::RaySummary& summary, do
   if (summary.empty && !set.unbounded && set.side == Side::kOuter) return set.title + ": proven empty\n";
   if (summary.empty && !set.unbounded)
     return set.title + ": no line meets the region (smaller parts may lie between the lines)\n";
-  std::string out = fmt::format("{}: on {} lines, {} intervals\n", set.title, summary.lines, summary.intervals);
+  std::string out = fmt::format("{}: on {} line{}, {} interval{}\n", set.title, summary.lines,
+                                summary.lines == 1 ? "" : "s", summary.intervals, summary.intervals == 1 ? "" : "s");
   if (set.unbounded) return out + "  the region is unbounded\n";
   const auto certified = std::count_if(summary.components.begin(), summary.components.end(),
                                        [](const space::RayComponent& c) { return c.certified; });

@@ -84,7 +84,7 @@ class DxfReader {
   }
 
   void refuse_layer() const {
-    std::string hint = suggestion(*choice_.layer, {layers_.begin(), layers_.end()});
+    std::string hint = choice("layers", *choice_.layer, {layers_.begin(), layers_.end()});
     throw Error(ErrorCode::kUnknownName,
                 fmt::format("there is no layer '{}' with a shape in it{}", *choice_.layer, hint), document_.name);
   }

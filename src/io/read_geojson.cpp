@@ -28,7 +28,8 @@ class GeoJsonReader {
     object(root, "");
     if (parts_.empty() && choice_.id) {
       throw Error(ErrorCode::kUnknownName,
-                  fmt::format("there is no feature '{}'{}", *choice_.id, suggestion(*choice_.id, ids_)), json_.file());
+                  fmt::format("there is no feature '{}'{}", *choice_.id, choice("features", *choice_.id, ids_)),
+                  json_.file());
     }
     return std::move(parts_);
   }

@@ -154,7 +154,7 @@ class SvgReader {
   void check_found() const {
     if (!parts_.empty()) return;
     auto refuse = [&](const char* key, const std::string& wanted, const std::set<std::string>& known) {
-      std::string hint = suggestion(wanted, {known.begin(), known.end()});
+      std::string hint = choice(key + std::string("s"), wanted, {known.begin(), known.end()});
       throw Error(ErrorCode::kUnknownName, fmt::format("there is no {} '{}' with a shape in it{}", key, wanted, hint),
                   name_);
     };

@@ -59,7 +59,7 @@ plane::ShapePtr Scene::shape(std::string_view name) const {
   if (plane::ShapePtr shape = find(name)) return shape;
   std::vector<std::string> names;
   for (const plane::ShapePtr& s : shapes) names.push_back(s->name);
-  throw Error(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, suggestion(name, names)), file);
+  throw Error(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, choice("shapes", name, names)), file);
 }
 
 Scene read_scene_text(std::string_view text, const std::filesystem::path& folder, const std::string& name,

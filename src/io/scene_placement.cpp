@@ -69,7 +69,7 @@ void for_bodies(const JsonValue* value, Placement& place, const SceneReader& jso
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
       json.fail(ErrorCode::kUnknownName,
-                fmt::format("'{}' is not among the placed shapes{}", name, suggestion(name, names)), label,
+                fmt::format("'{}' is not among the placed shapes{}", name, choice("placed ones", name, names)), label,
                 value->items[i]);
     }
     read(place.bodies[std::size_t(found - names.begin())], value->items[i], label.part(name));

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "exact/decimal.h"
+#include "situation/lexer.h"
 #include "situation/names.h"
 
 namespace findspace::io {
@@ -124,6 +125,12 @@ GridPosition SceneReader::position(const JsonValue& value, int dimension, const 
 std::string suggestion(std::string_view wrong, const std::vector<std::string>& names) {
   std::string nearest = situation::nearest(wrong, names);
   return nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest);
+}
+
+std::string choice(std::string_view what, std::string_view wrong, const std::vector<std::string>& names) {
+  const std::string near = suggestion(wrong, names);
+  if (!near.empty() || names.empty()) return near;
+  return fmt::format("; the {} are {}", what, situation::listed(names));
 }
 
 }  // namespace findspace::io

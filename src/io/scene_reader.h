@@ -75,4 +75,7 @@ class SceneReader {
 /// ", did you mean 'board'?" where one of the names is near enough, otherwise empty.
 std::string suggestion(std::string_view wrong, const std::vector<std::string>& names);
 
+/// The same, and where no name is near "; the shapes are 'a', 'b'" (or whatever `what` calls them).
+std::string choice(std::string_view what, std::string_view wrong, const std::vector<std::string>& names);
+
 }  // namespace findspace::io

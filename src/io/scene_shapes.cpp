@@ -58,7 +58,8 @@ std::vector<ShapePtr> ShapeReader::all() {
 ShapePtr ShapeReader::named(const std::string& name, const JsonValue& at, const Label& label) {
   auto found = entries_.find(name);
   if (found == entries_.end()) {
-    json_.fail(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, suggestion(name, names_)), label, at);
+    json_.fail(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, choice("shapes", name, names_)),
+               label, at);
   }
   Entry& entry = found->second;
   if (entry.shape) {

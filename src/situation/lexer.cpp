@@ -285,4 +285,13 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 8;
+  std::string result;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    result += (i == 0 ? "'" : ", '") + printable(names[i]) + "'";
+  }
+  return names.size() > kMost ? result + ", ..." : result;
+}
+
 }  // namespace findspace::situation

@@ -96,4 +96,7 @@ std::string quoted_if_needed(std::string_view name);
 /// Text made fit for a message: control characters and bytes that are not UTF-8 become '?'.
 std::string printable(std::string_view text);
 
+/// "'a', 'b', 'c'" for a message; of more than eight names the first eight and an ellipsis.
+std::string listed(const std::vector<std::string>& names);
+
 }  // namespace findspace::situation

@@ -26,15 +26,6 @@ std::string usage(const PredicateName& row) {
   return with_level;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 8;
-  std::string result;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
-    result += fmt::format("{}'{}'", i == 0 ? "" : ", ", printable(names[i]));
-  }
-  return names.size() > kMost ? result + ", ..." : result;
-}
-
 std::string joined(const std::vector<std::string>& names) {
   std::string result;
   for (const std::string& name : names) result += (result.empty() ? "" : "+") + name;
