@@ -3,13 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "commands.h"
-#include "io/draw_layout.h"
 #include "io/write_json.h"
-#include "plane/measure_cells_twofold.h"
-#include "plane/transform.h"
+#include "position_picture.h"
 #include "report.h"
 #include "session.h"
 #include "space_commands.h"
@@ -17,33 +13,6 @@
 
 namespace findspace::app {
 namespace {
-
-/// The shapes where they are at the instant, if one is asked for: their places rounded to the grid, for a picture.
-situation::World at_instant(situation::World world) {
-  if (!world.instant) return world;
-  plane::Rounding rounding;
-  for (const auto& [name, path] : world.motion.of) {
-    plane::Region& shape = world.shapes.at(name);
-    const exact::Real angle = situation::angle_at(path, *world.instant);
-    if (angle.sign() != 0) shape = plane::rotated(shape, {0, 0}, angle, world.step.to_double(), rounding);
-    const exact::RealPoint by = situation::position_at(path, *world.instant);
-    shape = plane::translated(std::move(shape), {std::llround(by.x.to_double()), std::llround(by.y.to_double())});
-  }
-  return world;
-}
-
-/// The scene with the moving shape at the position, without a region.
-std::string picture(const Session& session, const situation::World& world, const situation::Formula* formula,
-                    const exact::RealPoint& at, std::string title, std::string subtitle) {
-  const situation::World shown = at_instant(world);
-  io::Picture p;
-  p.title = std::move(title);
-  if (world.instant) p.title += fmt::format(", at time {}", io::shown(world.instant->to_double()));
-  p.subtitle = std::move(subtitle);
-  p.position = {plane::Twofold(at.x).value(), plane::Twofold(at.y).value()};
-  session.add_scenery(p, shown, formula);
-  return io::picture_svg(p);
-}
 
 /// Nothing also where the region is not computed, as of shapes that turn in time.
 std::optional<situation::NearestFeasible> nearest_feasible(const situation::Solver& solver,
@@ -81,10 +50,7 @@ Outcome run_check(const Options& options, Talk& talk) {
       check.holds ? std::nullopt : nearest_feasible(solver, formula, at, talk);
   const situation::NearestFeasible* near = nearest ? &*nearest : nullptr;
   const auto json = [&] { return io::check_json(check, at, session.step(), session.unit(), std::nullopt, near); };
-  const auto svg = [&] {
-    return picture(session, solver.world(), &formula, at, check.holds ? "Feasible" : "Not feasible",
-                   session.scene().where.text);
-  };
+  const auto svg = [&] { return check_picture(session, solver.world(), formula, at, check, near); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json ? json() : check_text(check, at, session.step(), session.unit(), near),
           check.holds ? kDone : kEmpty};
@@ -105,7 +71,7 @@ Outcome run_measure(const Options& options, Talk& talk) {
   talk.stage("measuring");
   const std::vector<situation::DistanceAt> distances = solver.measure(at, formula);
   const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
-  const auto svg = [&] { return picture(session, solver.world(), nullptr, at, "Measured", ""); };
+  const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json ? json() : measure_text(distances, at, session.step(), session.unit()), kDone};
 }

@@ -70,8 +70,13 @@ std::string extreme_text(const io::ExtremeValue& e, std::string_view unit) {
                      e.attained ? "" : ", not attained: these are the positions on the closure");
 }
 
+/// A length, or a number of degrees.
+std::string amount_text(const situation::DistanceAt& d, double amount, std::string_view unit) {
+  return d.in_degrees ? fmt::format("{}°", shown(amount)) : length(amount, unit);
+}
+
 std::string value_text(const situation::DistanceAt& d, std::string_view unit) {
-  return d.value ? length(*d.value, unit) : "undefined";
+  return d.value ? amount_text(d, *d.value, unit) : "undefined";
 }
 
 std::size_t widest(const std::vector<std::string>& texts) {
@@ -125,7 +130,8 @@ std::string check_text(const situation::Solver::Check& check, const exact::RealP
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const situation::AtomAt& a = check.atoms[i];
     put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", texts[i], width, value_text(a.distance, unit));
-    if (a.lacks) put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", length(*a.lacks, unit));
+    if (a.lacks)
+      put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", amount_text(a.distance, *a.lacks, unit));
     const std::string where = io::witness_words(a.distance, factor);
     out += where.empty() ? "\n" : fmt::format("\n       {:<{}}  between {}\n", "", width, where);
   }

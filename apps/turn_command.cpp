@@ -12,6 +12,7 @@
 #include "io/write_json.h"
 #include "io/write_turns.h"
 #include "plane/measure_cells_twofold.h"
+#include "position_picture.h"
 #include "report.h"
 
 namespace findspace::app {
@@ -114,16 +115,11 @@ situation::Pose pose_of(const Session& session) {
   return pose;
 }
 
-std::string picture_at(const Session& session, const situation::Solver& solver, const situation::TurnSolver& turned,
-                       const situation::Pose& pose, const situation::Formula* formula, std::string title) {
+/// The shapes turned by the pose's angle, their vertices rounded to the grid.
+situation::World shown_world(const situation::Solver& solver, const situation::TurnSolver& turned,
+                             const situation::Pose& pose) {
   plane::Rounding drawn;
-  const situation::World shapes = situation::turned_world(solver.world(), turned.about(), pose.degrees, drawn);
-  io::Picture p;
-  p.title = std::move(title);
-  if (formula != nullptr) p.subtitle = session.scene().where.text;
-  p.position = {plane::Twofold(pose.at.x).value(), plane::Twofold(pose.at.y).value()};
-  session.add_scenery(p, shapes, formula);
-  return io::picture_svg(p);
+  return situation::turned_world(solver.world(), turned.about(), pose.degrees, drawn);
 }
 
 }  // namespace
@@ -146,7 +142,7 @@ Outcome measure_at_angle(const Session& session) {
   say_rounding(session, turned.rounding());
   const double degrees = pose.degrees.to_double();
   const auto json = [&] { return io::measure_json(distances, pose.at, session.step(), session.unit(), degrees); };
-  const auto svg = [&] { return picture_at(session, solver, turned, pose, nullptr, "Measured"); };
+  const auto svg = [&] { return measure_picture(session, shown_world(solver, turned, pose), pose.at, distances); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   return {session.options().json ? json() : measure_text(distances, pose.at, session.step(), session.unit()), kDone};
 }
@@ -164,7 +160,7 @@ Outcome check_at_angle(const Session& session) {
     return io::check_json(check, pose.at, session.step(), session.unit(), pose.degrees.to_double());
   };
   const auto svg = [&] {
-    return picture_at(session, solver, turned, pose, &formula, check.holds ? "Feasible" : "Not feasible");
+    return check_picture(session, shown_world(solver, turned, pose), formula, pose.at, check, nullptr);
   };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   return {session.options().json ? json() : check_text(check, pose.at, session.step(), session.unit(), nullptr),

@@ -59,6 +59,10 @@ void Labeller::avoid(const Place& point, double radius) {
   taken_.push_back({{x - radius, y - radius}, {x + radius, y + radius}});
 }
 
+void Labeller::avoid_text(const Place& middle, std::string_view text) {
+  taken_.push_back(box_around(middle[0], middle[1], text));
+}
+
 void Labeller::avoid_region(const CurveNet& region) {
   region_.emplace(region.complex());
   avoid_curves(region, {});

@@ -33,6 +33,8 @@ class Labeller {
   void avoid(const plane::Place& point, double radius);
   void avoid_curves(const CurveNet& shape, const plane::Place& offset);
   void avoid_region(const CurveNet& region);
+  /// Keeps them away from a text whose middle is at a place in pixels.
+  void avoid_text(const plane::Place& middle, std::string_view text);
 
   /// The labels as SVG; smaller shapes choose first.
   std::string labels();

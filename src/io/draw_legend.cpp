@@ -60,6 +60,12 @@ std::string sign(LegendEntry::Mark mark, double x, double y) {
       return box("around", "around-line");
     case M::kArrow:
       return fmt::format("<path class=\"arrow\" d=\"M{} {}h18m-7 -4l7 4l-7 4\"/>\n", pixels(x), pixels(y));
+    case M::kDimension:
+      return line("dimension");
+    case M::kFails:
+      return line("dimension fails");
+    case M::kNearest:
+      return box("nearest", "nearest-line");
     case M::kPole:
       break;
   }
@@ -160,6 +166,13 @@ path, circle {{ fill: none; stroke-linejoin: round }}
 .full {{ fill: #14665c; stroke: #fff; stroke-width: .8 }}
 .hollow {{ fill: #fff; stroke: #14665c; stroke-width: 1.3 }}
 .arrow {{ stroke: #7a3fa0; stroke-width: 1.6; stroke-linecap: round }}
+.dimension {{ stroke: #2f5d9b; stroke-width: 1.3 }}
+.fails {{ stroke: #c1273b; stroke-width: 1.9 }}
+.end {{ fill: #2f5d9b; stroke: none }}
+.end.fails {{ fill: #c1273b }}
+.nearest {{ fill: none; stroke: none }}
+.nearest-line {{ stroke: #a86c00; stroke-width: 1.3; stroke-dasharray: 4 3 }}
+.nearest-dot {{ fill: #a86c00 }}
 .pole {{ stroke: #5c3b00; stroke-width: 1.6; stroke-linecap: round }}
 </style>
 )",

@@ -12,7 +12,23 @@
 namespace findspace::io {
 
 struct LegendEntry {
-  enum class Mark { kFace, kClosed, kOpen, kFree, kPoint, kFull, kHollow, kFixed, kMoving, kPole, kAround, kArrow };
+  enum class Mark {
+    kFace,
+    kClosed,
+    kOpen,
+    kFree,
+    kPoint,
+    kFull,
+    kHollow,
+    kFixed,
+    kMoving,
+    kPole,
+    kAround,
+    kArrow,
+    kDimension,
+    kFails,
+    kNearest
+  };
   Mark mark = Mark::kFace;
   std::string text;
 };

@@ -184,9 +184,63 @@ class View {
   double low_[2] = {1e300, 1e300}, high_[2] = {-1e300, -1e300}, scale_ = 1;
 };
 
+/// All that is to be seen, in the scene's unit; faces from back to front.
+struct Drawing {
+  std::vector<Polygon> faces;
+  std::vector<Stroke> strokes;
+  std::vector<Place3> points;
+};
+
+Drawing drawing(const SpacePicture& picture) {
+  Drawing out;
+  const auto add_creases = [&](const BoxComplex& set, const char* style) {
+    Parts(set, picture.step).add_lines(false, [&](const Place3& a, const Place3& b, bool) {
+      out.strokes.push_back({a, b, style});
+    });
+  };
+  for (const BoxComplex& set : picture.fixed) add_creases(set, kFixed);
+  const Parts region(*picture.region, picture.step);
+  region.add_faces(out.faces);
+  region.add_lines(true, [&](const Place3& a, const Place3& b, bool heavy) {
+    out.strokes.push_back({a, b, heavy ? kHeavy : "stroke=\"#23605a\" stroke-width=\"1.2\""});
+  });
+  region.add_points([&](const Place3& p) { out.points.push_back(p); });
+  for (const BoxComplex& set : picture.moving) add_creases(set, kMoving);
+  std::stable_sort(out.faces.begin(), out.faces.end(),
+                   [](const Polygon& a, const Polygon& b) { return a.depth < b.depth; });
+  return out;
+}
+
+View view_of(const Drawing& d) {
+  View view;
+  for (const Polygon& f : d.faces) {
+    for (const Place3& p : f.corners) view.include(p);
+  }
+  for (const Stroke& s : d.strokes) view.include(s.from), view.include(s.to);
+  for (const Place3& p : d.points) view.include(p);
+  view.fit();
+  return view;
+}
+
+std::string elements(const Drawing& d, const View& view) {
+  std::string out;
+  const auto put = std::back_inserter(out);
+  for (const Polygon& f : d.faces) {
+    std::string corners;
+    for (const Place3& p : f.corners) corners += view.at(p) + " ";
+    fmt::format_to(put, "<polygon points=\"{}\" {}/>\n", corners, f.style);
+  }
+  for (const Stroke& s : d.strokes) {
+    fmt::format_to(put, "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke-linecap=\"round\" {}/>\n",
+                   view.x(s.from), view.y(s.from), view.x(s.to), view.y(s.to), s.style);
+  }
+  for (const Place3& p : d.points)
+    fmt::format_to(put, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#c8452c\"/>\n", view.x(p), view.y(p));
+  return out;
+}
+
 /// What the colours mean, of those that are to be seen: a column of swatches.
-std::string legend(const SpacePicture& picture, const std::vector<Polygon>& faces, const std::vector<Stroke>& strokes,
-                   const std::vector<Place3>& points, double top) {
+std::string legend(const SpacePicture& picture, const Drawing& d, double top) {
   std::string out;
   const auto row = [&](bool seen, const std::string& swatch, const char* meaning) {
     if (!seen) return;
@@ -201,12 +255,12 @@ std::string legend(const SpacePicture& picture, const std::vector<Polygon>& face
   };
   const auto line = [](const char* style) { return fmt::format("<line x2=\"18\" {}/>", style); };
   const auto sheet = [](const Polygon& f) { return f.style == kSheet; };
-  row(!std::all_of(faces.begin(), faces.end(), sheet), box(fmt::format("fill=\"{}\"", kShades[1])),
+  row(!std::all_of(d.faces.begin(), d.faces.end(), sheet), box(fmt::format("fill=\"{}\"", kShades[1])),
       "positions: the border of solid parts");
-  row(std::any_of(faces.begin(), faces.end(), sheet), box(kSheet), "positions in a plane only");
-  row(std::any_of(strokes.begin(), strokes.end(), [](const Stroke& s) { return s.style == kHeavy; }), line(kHeavy),
+  row(std::any_of(d.faces.begin(), d.faces.end(), sheet), box(kSheet), "positions in a plane only");
+  row(std::any_of(d.strokes.begin(), d.strokes.end(), [](const Stroke& s) { return s.style == kHeavy; }), line(kHeavy),
       "positions on a line only");
-  row(!points.empty(), "<circle cx=\"9\" r=\"6\" fill=\"#c8452c\"/>", "single positions");
+  row(!d.points.empty(), "<circle cx=\"9\" r=\"6\" fill=\"#c8452c\"/>", "single positions");
   row(!picture.fixed.empty(), line(kFixed), "fixed shapes");
   row(!picture.moving.empty(), line(kMoving), "the moving shape at a sample position");
   return out;
@@ -215,53 +269,19 @@ std::string legend(const SpacePicture& picture, const std::vector<Polygon>& face
 }  // namespace
 
 std::string space_svg(const SpacePicture& picture) {
-  std::vector<Polygon> faces;
-  std::vector<Stroke> strokes;
-  std::vector<Place3> points;
-  const auto add_creases = [&](const BoxComplex& set, const char* style) {
-    Parts(set, picture.step).add_lines(false, [&](const Place3& a, const Place3& b, bool) {
-      strokes.push_back({a, b, style});
-    });
-  };
-  for (const BoxComplex& set : picture.fixed) add_creases(set, kFixed);
-  const Parts region(*picture.region, picture.step);
-  region.add_faces(faces);
-  region.add_lines(true, [&](const Place3& a, const Place3& b, bool heavy) {
-    strokes.push_back({a, b, heavy ? kHeavy : "stroke=\"#23605a\" stroke-width=\"1.2\""});
-  });
-  region.add_points([&](const Place3& p) { points.push_back(p); });
-  for (const BoxComplex& set : picture.moving) add_creases(set, kMoving);
-  View view;
-  for (const Polygon& f : faces) {
-    for (const Place3& p : f.corners) view.include(p);
-  }
-  for (const Stroke& s : strokes) view.include(s.from), view.include(s.to);
-  for (const Place3& p : points) view.include(p);
-  view.fit();
-  const std::string meanings = legend(picture, faces, strokes, points, view.height() + kLegendLine / 2);
+  const Drawing d = drawing(picture);
+  const View view = view_of(d);
+  const std::string meanings = legend(picture, d, view.height() + kLegendLine / 2);
   const double below = kLegendLine * double(std::count(meanings.begin(), meanings.end(), '\n')) + kMargin;
-  std::stable_sort(faces.begin(), faces.end(), [](const Polygon& a, const Polygon& b) { return a.depth < b.depth; });
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      view.width(), view.height() + below);
-  const auto put = std::back_inserter(out);
-  fmt::format_to(put,
-                 "<text x=\"{0}\" y=\"28\" font-size=\"17\">{1}</text>\n<text x=\"{0}\" y=\"48\" font-size=\"12.5\" "
-                 "fill=\"#555\">{2}</text>\n",
-                 kMargin, xml_escaped(picture.title), xml_escaped(picture.subtitle));
-  for (const Polygon& f : faces) {
-    std::string corners;
-    for (const Place3& p : f.corners) corners += view.at(p) + " ";
-    fmt::format_to(put, "<polygon points=\"{}\" {}/>\n", corners, f.style);
-  }
-  for (const Stroke& s : strokes) {
-    fmt::format_to(put, "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke-linecap=\"round\" {}/>\n",
-                   view.x(s.from), view.y(s.from), view.x(s.to), view.y(s.to), s.style);
-  }
-  for (const Place3& p : points)
-    fmt::format_to(put, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#c8452c\"/>\n", view.x(p), view.y(p));
-  return out + meanings + "</svg>\n";
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+             "{1:.0f}\" font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+             view.width(), view.height() + below) +
+         fmt::format(
+             "<text x=\"{0}\" y=\"28\" font-size=\"17\">{1}</text>\n<text x=\"{0}\" y=\"48\" "
+             "font-size=\"12.5\" fill=\"#555\">{2}</text>\n",
+             kMargin, xml_escaped(picture.title), xml_escaped(picture.subtitle)) +
+         elements(d, view) + meanings + "</svg>\n";
 }
 
 }  // namespace findspace::io

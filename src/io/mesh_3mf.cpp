@@ -178,6 +178,37 @@ Real millimetres(std::string_view unit) {
   return found->second;
 }
 
+std::string bytes_3mf(const std::string& model) {
+  const std::string types =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types "
+      "xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"><Default Extension=\"rels\" "
+      "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/><Default Extension=\"model\" "
+      "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n";
+  const std::string relations = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships "
+      "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\"><Relationship Target=\"/{}\" Id=\"rel0\" "
+      "Type=\"{}\"/></Relationships>\n",
+      kModel, kModelType);
+  return zip_bytes({{"[Content_Types].xml", types}, {"_rels/.rels", relations}, {kModel, model}});
+}
+
+void put_mesh(pugi::xml_node mesh, const Surface& s, double factor) {
+  pugi::xml_node vertices = mesh.append_child("vertices"), triangles = mesh.append_child("triangles");
+  for (const auto& v : s.vertices) {
+    pugi::xml_node node = vertices.append_child("vertex");
+    const char* names[3] = {"x", "y", "z"};
+    for (std::size_t k = 0; k < 3; ++k) node.append_attribute(names[k]) = fmt::format("{}", v[k] * factor).c_str();
+  }
+  for (const auto& face : s.faces) {
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      pugi::xml_node node = triangles.append_child("triangle");
+      node.append_attribute("v1") = face[0];
+      node.append_attribute("v2") = face[i];
+      node.append_attribute("v3") = face[i + 1];
+    }
+  }
+}
+
 }  // namespace
 
 Model3mf open_3mf(std::string_view bytes) {
@@ -213,35 +244,11 @@ std::string text_3mf(const Surface& s, std::string_view title, std::string_view 
   pugi::xml_node object = model.append_child("resources").append_child("object");
   object.append_attribute("id") = 1;
   object.append_attribute("type") = "model";
-  pugi::xml_node mesh = object.append_child("mesh"), vertices = mesh.append_child("vertices"),
-                 triangles = mesh.append_child("triangles");
-  for (const auto& v : s.vertices) {
-    pugi::xml_node node = vertices.append_child("vertex");
-    const char* names[3] = {"x", "y", "z"};
-    for (std::size_t k = 0; k < 3; ++k) node.append_attribute(names[k]) = fmt::format("{}", v[k] * factor).c_str();
-  }
-  for (const auto& face : s.faces) {
-    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-      pugi::xml_node node = triangles.append_child("triangle");
-      node.append_attribute("v1") = face[0];
-      node.append_attribute("v2") = face[i];
-      node.append_attribute("v3") = face[i + 1];
-    }
-  }
+  put_mesh(object.append_child("mesh"), s, factor);
   model.append_child("build").append_child("item").append_attribute("objectid") = 1;
   std::ostringstream xml;
   document.save(xml, "", pugi::format_raw);
-  const std::string types =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types "
-      "xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"><Default Extension=\"rels\" "
-      "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/><Default Extension=\"model\" "
-      "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n";
-  const std::string relations = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships "
-      "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\"><Relationship Target=\"/{}\" Id=\"rel0\" "
-      "Type=\"{}\"/></Relationships>\n",
-      kModel, kModelType);
-  return zip_bytes({{"[Content_Types].xml", types}, {"_rels/.rels", relations}, {kModel, xml.str()}});
+  return bytes_3mf(xml.str());
 }
 
 }  // namespace findspace::io

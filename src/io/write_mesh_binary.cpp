@@ -34,6 +34,62 @@ void put_chunk(std::string& bytes, const char* type, const std::string& content)
   bytes += content;
 }
 
+/// The binary chunk: corners of triangles as indices, then places, in metres and with y upwards.
+struct GlbBuffer {
+  std::string bytes;
+  std::size_t indices = 0;  // bytes of the first
+  std::uint32_t corners = 0;
+  std::array<float, 3> low{}, high{};
+};
+
+void put_triangles(GlbBuffer& out, const Surface& s) {
+  for (const auto& face : s.faces) {
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      for (const int v : {face[0], face[i], face[i + 1]}) put(out.bytes, static_cast<std::uint32_t>(v));
+      out.corners += 3;
+    }
+  }
+  out.indices = out.bytes.size();
+}
+
+void put_places(GlbBuffer& out, const Surface& s, double metre) {
+  for (std::size_t k = 0; k < s.vertices.size(); ++k) {
+    const auto& v = s.vertices[k];
+    const std::array<float, 3> p{static_cast<float>(v[0] * metre), static_cast<float>(v[2] * metre),
+                                 static_cast<float>(-v[1] * metre)};
+    for (std::size_t c = 0; c < 3; ++c) {
+      put(out.bytes, p[c]);
+      out.low[c] = k == 0 ? p[c] : std::min(out.low[c], p[c]);
+      out.high[c] = k == 0 ? p[c] : std::max(out.high[c], p[c]);
+    }
+  }
+}
+
+/// The JSON chunk; glTF forbids lists without elements, so a surface without faces is a scene without nodes.
+nlohmann::json glb_json(const GlbBuffer& b, std::size_t vertices, std::string_view title) {
+  using nlohmann::json;
+  json root{{"asset", {{"version", "2.0"}, {"generator", "findspace"}}}, {"scene", 0}};
+  root["scenes"] = json::array({{{"name", title}}});
+  if (b.corners == 0) return root;
+  root["scenes"][0]["nodes"] = {0};
+  root["nodes"] = json::array({{{"mesh", 0}}});
+  root["meshes"] =
+      json::array({{{"primitives", json::array({{{"attributes", {{"POSITION", 1}}}, {"indices", 0}, {"mode", 4}}})}}});
+  root["accessors"] =
+      json::array({{{"bufferView", 0}, {"componentType", 5125}, {"count", b.corners}, {"type", "SCALAR"}},
+                   {{"bufferView", 1},
+                    {"componentType", 5126},
+                    {"count", vertices},
+                    {"type", "VEC3"},
+                    {"min", b.low},
+                    {"max", b.high}}});
+  root["bufferViews"] = json::array(
+      {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", b.indices}, {"target", 34963}},
+       {{"buffer", 0}, {"byteOffset", b.indices}, {"byteLength", b.bytes.size() - b.indices}, {"target", 34962}}});
+  root["buffers"] = json::array({{{"byteLength", b.bytes.size()}}});
+  return root;
+}
+
 }  // namespace
 
 std::string ply_text(const Surface& s, std::string_view title) {
@@ -55,58 +111,20 @@ std::string ply_text(const Surface& s, std::string_view title) {
 }
 
 std::string glb_text(const Surface& s, std::string_view title, std::string_view unit) {
-  using nlohmann::json;
   const double metre = unit.empty() ? 1 : situation::factor(*situation::find_unit(unit), Unit::kMetre).to_double();
-  std::string buffer;
-  std::uint32_t corners = 0;
-  for (const auto& face : s.faces) {
-    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-      for (const int v : {face[0], face[i], face[i + 1]}) put(buffer, static_cast<std::uint32_t>(v));
-      corners += 3;
-    }
-  }
-  const std::size_t indices = buffer.size();
-  std::array<float, 3> low{}, high{};
-  for (std::size_t k = 0; k < s.vertices.size(); ++k) {
-    // z upwards becomes y upwards.
-    const auto& v = s.vertices[k];
-    const std::array<float, 3> p{static_cast<float>(v[0] * metre), static_cast<float>(v[2] * metre),
-                                 static_cast<float>(-v[1] * metre)};
-    for (std::size_t c = 0; c < 3; ++c) {
-      put(buffer, p[c]);
-      low[c] = k == 0 ? p[c] : std::min(low[c], p[c]);
-      high[c] = k == 0 ? p[c] : std::max(high[c], p[c]);
-    }
-  }
-  json root{{"asset", {{"version", "2.0"}, {"generator", "findspace"}}}, {"scene", 0}};
-  root["scenes"] = json::array({{{"name", title}}});
-  if (!s.faces.empty()) {
-    root["scenes"][0]["nodes"] = {0};
-    root["nodes"] = json::array({{{"mesh", 0}}});
-    root["meshes"] = json::array(
-        {{{"primitives", json::array({{{"attributes", {{"POSITION", 1}}}, {"indices", 0}, {"mode", 4}}})}}});
-    root["accessors"] =
-        json::array({{{"bufferView", 0}, {"componentType", 5125}, {"count", corners}, {"type", "SCALAR"}},
-                     {{"bufferView", 1},
-                      {"componentType", 5126},
-                      {"count", s.vertices.size()},
-                      {"type", "VEC3"},
-                      {"min", low},
-                      {"max", high}}});
-    root["bufferViews"] = json::array(
-        {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", indices}, {"target", 34963}},
-         {{"buffer", 0}, {"byteOffset", indices}, {"byteLength", buffer.size() - indices}, {"target", 34962}}});
-    root["buffers"] = json::array({{{"byteLength", buffer.size()}}});
-  }
-  std::string text = root.dump(-1, ' ', false, json::error_handler_t::replace);
+  GlbBuffer buffer;
+  put_triangles(buffer, s);
+  put_places(buffer, s, metre);
+  std::string text =
+      glb_json(buffer, s.vertices.size(), title).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   pad(text, ' ');
-  pad(buffer, '\0');
+  pad(buffer.bytes, '\0');
+  const bool empty = buffer.corners == 0;
   std::string out = "glTF";
   put(out, std::uint32_t{2});
-  const bool empty = s.faces.empty();
-  put(out, static_cast<std::uint32_t>(12 + 8 + text.size() + (empty ? 0 : 8 + buffer.size())));
+  put(out, static_cast<std::uint32_t>(12 + 8 + text.size() + (empty ? 0 : 8 + buffer.bytes.size())));
   put_chunk(out, "JSON", text);
-  if (!empty) put_chunk(out, std::string("BIN\0", 4).data(), buffer);
+  if (!empty) put_chunk(out, "BIN", buffer.bytes);  // its fourth letter is the zero at the end
   return out;
 }
 

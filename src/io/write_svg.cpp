@@ -84,7 +84,9 @@ class PictureWriter {
     if (position_) {
       if (!moving_.empty()) include(world, {*position_, *position_});
       for (const Drawn& d : moving_) {
-        if (d.bounds) include(world, moved(*d.bounds, *position_));
+        if (!d.bounds) continue;
+        include(world, moved(*d.bounds, *position_));
+        if (p_.nearest) include(world, moved(*d.bounds, *p_.nearest));
       }
     }
     for (const Arrow& a : p_.arrows) {
@@ -106,6 +108,8 @@ class PictureWriter {
     if (region_) out += region_faces(region_->net, frame_);
     if (position_) {
       for (const Drawn& d : moving_) out += outline(d.net, frame_, "moving", *position_);
+      if (p_.nearest)
+        for (const Drawn& d : moving_) out += outline(d.net, frame_, "nearest", *p_.nearest);
     }
     for (const Drawn& d : placed_) out += outline(d.net, frame_, "moving");
     if (region_) out += region_lines(region_->net, frame_);
@@ -113,7 +117,8 @@ class PictureWriter {
       fmt::format_to(std::back_inserter(out), "<path class=\"pole\" d=\"M{} {}m-5 0h10m-5 -5v10\"/>\n",
                      pixels(frame_.x((*position_)[0])), pixels(frame_.y((*position_)[1])));
     }
-    return out + arrows(p_.arrows, frame_, position_) + "</g>\n" + axes(frame_) + labels();
+    out += arrows(p_.arrows, frame_, position_) + dimension_lines(p_.dimensions, frame_);
+    return out + "</g>\n" + axes(frame_) + labels();
   }
 
   std::string labels() const {
@@ -128,6 +133,7 @@ class PictureWriter {
     add(placed_, {});
     Labeller labeller(frame_, p_.step, std::move(shapes));
     if (position_ && !moving_.empty()) labeller.avoid(*position_, 7);
+    for (const DimensionLine& d : p_.dimensions) labeller.avoid_text(text_place(d, frame_), d.text);
     if (region_) labeller.avoid_region(region_->net);
     if (position_ && moving_.size() > 1) {
       for (const Drawn& d : moving_) labeller.avoid_curves(d.net, *position_);
@@ -171,6 +177,8 @@ class PictureWriter {
       out.push_back({M::kMoving, names});
       out.push_back({M::kPole, fmt::format("at p = ({}, {})", shown((*position_)[0]), shown((*position_)[1]))});
     }
+    if (p_.nearest) out.push_back({M::kNearest, p_.nearest_text});
+    for (LegendEntry& e : dimension_entries(p_.dimensions)) out.push_back(std::move(e));
     for (LegendEntry& e : arrow_entries(p_.arrows)) out.push_back(std::move(e));
     if (!placed_.empty()) out.push_back({M::kMoving, fmt::format("placed: {}", placed_.size())});
     if (around_) out.push_back({M::kAround, p_.around_text});

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/draw_arrows.h"
+#include "io/draw_dimensions.h"
 #include "plane/summary.h"
 #include "situation/units.h"
 
@@ -36,6 +37,9 @@ struct Picture {
   std::vector<NamedRegion> turned;                     // there too, turned by the angle that is its name
   std::vector<NamedRegion> placed;                     // as `moving`, each where its region says
   std::vector<Arrow> arrows;                           // how they move
+  std::vector<DimensionLine> dimensions;               // distances at `position`
+  std::optional<plane::Place> nearest;                 // another position of `moving`, in dashes
+  std::string nearest_text;                            // of it, in the legend
   std::optional<plane::Place> position;                // none: the sample of the region's largest component
 };
 

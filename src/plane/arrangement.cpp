@@ -81,16 +81,21 @@ void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index
   }
 }
 
-/// Cuts the pieces into edges; edges that are the same curve between the same vertices become one.
-void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
-  struct Part {
-    Index v1, piece, slot;
-  };
+/// A part of a piece between neighbouring points on it, at its first vertex.
+struct Part {
+  Index v1, piece, slot;
+};
+
+struct Parts {
+  std::pmr::vector<Index> start;  // of each vertex
+  std::pmr::vector<Part> parts;
+};
+
+Parts parts_by_vertex(Arrangement& a, const Chains& chains, Memory memory) {
   Index n = a.vertex_count();
   std::pmr::vector<Index> start(n + 1, 0, memory);
   a.chain_start.reserve(a.pieces.size() + 1);
   a.chain_start.push_back(0);
-  a.edges.reserve(chains.point.size() - a.pieces.size());
   for (Index i = 0; i < a.pieces.size(); ++i) {
     for (Index k = chains.start[i]; k + 1 < chains.start[i + 1]; ++k) ++start[a.point_vertex[chains.point[k]] + 1];
     a.chain_start.push_back(a.chain_start.back() + (chains.start[i + 1] - chains.start[i] - 1));
@@ -103,27 +108,16 @@ void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
       Index v0 = a.point_vertex[chains.point[k]], v1 = a.point_vertex[chains.point[k + 1]];
       parts[at[v0]++] = {v1, i, a.chain_start[i] + (k - chains.start[i])};
     }
-  a.chain.resize(a.chain_start.back());
-  std::pmr::vector<Index> cover_count(memory);
-  cover_count.reserve(parts.size());
-  for (Index v = 0; v < n; ++v) {
-    auto first = parts.begin() + start[v], last = parts.begin() + start[v + 1];
-    small_sort(first, last,
-               [](const Part& p, const Part& q) { return p.v1 != q.v1 ? p.v1 < q.v1 : p.piece < q.piece; });
-    Index group = Index(a.edges.size());
-    for (auto k = first; k != last; ++k) {
-      if (k != first && k->v1 != (k - 1)->v1) group = Index(a.edges.size());
-      const Piece& p = a.pieces[k->piece];
-      Index e = group;
-      while (e < a.edges.size() && !(a.edges[e].half == p.half && (p.half == 0 || a.edges[e].carrier == p.carrier ||
-                                                                   same_carrier(a.geometry.carriers[a.edges[e].carrier],
-                                                                                a.geometry.carriers[p.carrier]))))
-        ++e;
-      if (e == a.edges.size()) a.edges.push_back({v, k->v1, p.carrier, p.half}), cover_count.push_back(0);
-      ++cover_count[e];
-      a.chain[k->slot] = e;
-    }
-  }
+  return {std::move(start), std::move(parts)};
+}
+
+bool same_curve(const Arrangement& a, const Arrangement::Edge& e, const Piece& p) {
+  return e.half == p.half && (p.half == 0 || e.carrier == p.carrier ||
+                              same_carrier(a.geometry.carriers[e.carrier], a.geometry.carriers[p.carrier]));
+}
+
+/// Which pieces each edge lies on, given how many.
+void make_covers(Arrangement& a, const std::pmr::vector<Index>& cover_count, Memory memory) {
   a.cover_start.reserve(cover_count.size() + 1);
   a.cover_start.push_back(0);
   for (Index c : cover_count) a.cover_start.push_back(a.cover_start.back() + c);
@@ -131,6 +125,31 @@ void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
   std::pmr::vector<Index> fill(a.cover_start.begin(), a.cover_start.end() - 1, memory);
   for (Index i = 0; i < a.pieces.size(); ++i)
     for (Index k = a.chain_start[i]; k < a.chain_start[i + 1]; ++k) a.cover[fill[a.chain[k]]++] = i;
+}
+
+/// Cuts the pieces into edges; edges that are the same curve between the same vertices become one.
+void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
+  a.edges.reserve(chains.point.size() - a.pieces.size());
+  Parts all = parts_by_vertex(a, chains, memory);
+  a.chain.resize(a.chain_start.back());
+  std::pmr::vector<Index> cover_count(memory);
+  cover_count.reserve(all.parts.size());
+  for (Index v = 0; v < a.vertex_count(); ++v) {
+    auto first = all.parts.begin() + all.start[v], last = all.parts.begin() + all.start[v + 1];
+    small_sort(first, last,
+               [](const Part& p, const Part& q) { return p.v1 != q.v1 ? p.v1 < q.v1 : p.piece < q.piece; });
+    Index group = Index(a.edges.size());
+    for (auto k = first; k != last; ++k) {
+      if (k != first && k->v1 != (k - 1)->v1) group = Index(a.edges.size());
+      const Piece& p = a.pieces[k->piece];
+      Index e = group;
+      while (e < a.edges.size() && !same_curve(a, a.edges[e], p)) ++e;
+      if (e == a.edges.size()) a.edges.push_back({v, k->v1, p.carrier, p.half}), cover_count.push_back(0);
+      ++cover_count[e];
+      a.chain[k->slot] = e;
+    }
+  }
+  make_covers(a, cover_count, memory);
 }
 
 }  // namespace

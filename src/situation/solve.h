@@ -49,6 +49,7 @@ struct DistanceAt {
   std::optional<exact::RealPoint> farthest;  // in grid steps: of eta2 and delta2 the position of the farthest touching
   std::vector<FeatureAt> witness;            // two features that attain it, in the order of the arguments; or none
   std::optional<double> bound{};             // not exact: how far the true value may be, of shapes that turn in time
+  bool in_degrees = false;                   // of a distance in rotation, not in the scene's unit
 };
 
 struct AtomAt {

@@ -78,7 +78,7 @@ std::optional<Derived> derived(const Distance& d) {
 
 DistanceAt derived_value(const Distance& wanted, const Derived& from, const DistanceAt& base) {
   DistanceAt out;
-  out.text = text(wanted);
+  out.text = text(wanted), out.in_degrees = base.in_degrees;
   if (!base.value && !from.negated) return out;
   const double f = base.value ? *base.value : std::numeric_limits<double>::infinity();
   out.value = from.cut ? std::max(0.0, from.negated ? -f : f) : f;

@@ -28,7 +28,7 @@ constexpr double kClear = 0x1p-34;  // of the sizes; values at a position are ri
 
 DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
   DistanceAt out;
-  out.text = text(wanted);
+  out.text = text(wanted), out.in_degrees = wanted.mode == Mode::kTurning;
   const Roles r = roles(wanted);
   const bool rotation = r.wanted.mode == Mode::kTurning;
   if (r.turning || (rotation && world_.motion.given())) {

@@ -225,7 +225,7 @@ TurnSolver::Met TurnSolver::turning_at(const Distance& d, const Real& level) con
   const Circle c = circle(d);
   const TurnMap map = c.farthest ? farthest_turning_sign_map(c.base, level) : turning_sign_map(c.base, level);
   Met out{{}, mark_at(map, c.at)};
-  out.distance.text = text(d);
+  out.distance.text = text(d), out.distance.in_degrees = true;
   out.distance.value = c.farthest ? farthest_turning(c.base, c.at) : turning_distance(c.base, c.at);
   return out;
 }

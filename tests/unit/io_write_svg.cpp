@@ -106,6 +106,26 @@ TEST(Svg, ArrowsSayHowShapesMove) {
   EXPECT_EQ(count(picture_svg(p), "arrow"), 0);
 }
 
+TEST(Svg, DistancesAreDimensionLines) {
+  const Region none = Region::uniform(0), box = plane::box(0, 0, 9, 4);
+  const plane::Summary summary = plane::summarize(none, Real(1));
+  Picture p;
+  p.step = Real(1), p.region = &none, p.summary = &summary, p.of_positions = false;
+  p.fixed = {{"A", &box}}, p.moving = {{"B", &box}};
+  p.position = {20, 0}, p.nearest = {14, 0}, p.nearest_text = "nearest";
+  const DimensionLine fails{{9, 2}, {20, 2}, "11", true}, same{{20, 2}, {9, 2}, "11", false};
+  const DimensionLine meets{{9, 4}, {9, 4}, "0", false};
+  p.dimensions = without_repetition({same, fails, meets});
+  ASSERT_EQ(p.dimensions.size(), 2u);
+  const std::string svg = picture_svg(p);
+  EXPECT_EQ(count(svg, "dimension fails"), 1);
+  EXPECT_EQ(count(svg, "dimension fails end"), 2);
+  EXPECT_EQ(count(svg, "dimension"), 1) << "a ring, where two places are one";
+  EXPECT_EQ(count(svg, "nearest"), 1);
+  p.nearest.reset(), p.dimensions.clear();
+  for (const char* style : {"dimension", "dimension fails", "nearest"}) EXPECT_EQ(count(picture_svg(p), style), 0);
+}
+
 TEST(Svg, ShapesReadBack) {
   for (const Region& s : {plane::box(0, 0, 9, 4), plane::box(0, 0, 30, 30) - interior(plane::box(5, 5, 9, 9)),
                           plane::box(-10, -10, 10, 10) & plane::disc(0, 0, Real(10))}) {

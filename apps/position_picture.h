@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Pictures of one position: the moving shape where `check` or `measure` puts it, and the distances as dimension lines.
+// They show what was computed; places are rounded to the picture's pixels.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "session.h"
+#include "situation/solve.h"
+
+namespace findspace::app {
+
+/// Distances that fail in red, and the nearest feasible position in dashes (null: not known, or `at` is feasible).
+/// @p world in steps of its grid, @p at in the scene's unit.
+std::string check_picture(const Session& session, const situation::World& world, const situation::Formula& formula,
+                          const exact::RealPoint& at, const situation::Solver::Check& check,
+                          const situation::NearestFeasible* nearest);
+
+/// With gamma1 of every pair.
+std::string measure_picture(const Session& session, const situation::World& world, const exact::RealPoint& at,
+                            const std::vector<situation::DistanceAt>& distances);
+
+}  // namespace findspace::app

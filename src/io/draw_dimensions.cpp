@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/draw_dimensions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/draw_labels.h"
+#include "io/draw_layout.h"
+
+namespace findspace::io {
+
+using plane::Place;
+
+namespace {
+
+constexpr double kRing = 6, kDot = 2.2, kAside = 11;  // pixels
+
+bool same_places(const DimensionLine& a, const DimensionLine& b) {
+  return (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
+}
+
+}  // namespace
+
+std::vector<DimensionLine> without_repetition(std::vector<DimensionLine> all) {
+  std::vector<DimensionLine> out;
+  for (DimensionLine& line : all) {
+    const auto same = std::find_if(out.begin(), out.end(),
+                                   [&](const DimensionLine& o) { return o.text == line.text && same_places(o, line); });
+    if (same == out.end())
+      out.push_back(std::move(line));
+    else
+      same->fails = same->fails || line.fails;
+  }
+  return out;
+}
+
+Place text_place(const DimensionLine& line, const Frame& frame) {
+  const Place p{frame.x(line.from[0]), frame.y(line.from[1])}, q{frame.x(line.to[0]), frame.y(line.to[1])};
+  const Place middle{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2};
+  const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
+  if (length < 1) return {middle[0], middle[1] - kAside - kRing};
+  const double side = q[0] >= p[0] ? 1 : -1;  // above the line, or right of an upright one
+  const double away = kAside + text_width(line.text) / 2 * std::abs(q[1] - p[1]) / length;
+  return {middle[0] + side * away * (q[1] - p[1]) / length, middle[1] - side * away * (q[0] - p[0]) / length};
+}
+
+std::string dimension_lines(const std::vector<DimensionLine>& all, const Frame& frame) {
+  std::string lines, texts;
+  for (const DimensionLine& d : all) {
+    const std::string style = d.fails ? "dimension fails" : "dimension";
+    const double x0 = frame.x(d.from[0]), y0 = frame.y(d.from[1]), x1 = frame.x(d.to[0]), y1 = frame.y(d.to[1]);
+    const auto circle = [&](double x, double y, double r, std::string_view suffix) {
+      return fmt::format("<circle class=\"{}{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style, suffix, pixels(x), pixels(y),
+                         r);
+    };
+    if (std::hypot(x1 - x0, y1 - y0) < 1)
+      lines += circle(x0, y0, kRing, "");
+    else
+      lines += fmt::format("<path class=\"{}\" d=\"M{} {}L{} {}\"/>\n", style, pixels(x0), pixels(y0), pixels(x1),
+                           pixels(y1)) +
+               circle(x0, y0, kDot, " end") + circle(x1, y1, kDot, " end");
+    const Place at = text_place(d, frame);
+    texts += label_text(at[0], at[1], d.text);
+  }
+  return lines + texts;
+}
+
+std::vector<LegendEntry> dimension_entries(const std::vector<DimensionLine>& all) {
+  const auto has = [&](bool fails) {
+    return std::any_of(all.begin(), all.end(), [fails](const DimensionLine& d) { return d.fails == fails; });
+  };
+  std::vector<LegendEntry> out;
+  if (has(false)) out.push_back({LegendEntry::Mark::kDimension, has(true) ? "distance that holds" : "distance"});
+  if (has(true)) out.push_back({LegendEntry::Mark::kFails, "distance that fails"});
+  return out;
+}
+
+}  // namespace findspace::io
