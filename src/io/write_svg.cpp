@@ -133,7 +133,8 @@ class PictureWriter {
     add(placed_, {});
     Labeller labeller(frame_, p_.step, std::move(shapes));
     if (position_ && !moving_.empty()) labeller.avoid(*position_, 7);
-    for (const DimensionLine& d : p_.dimensions) labeller.avoid_text(text_place(d, frame_), d.text);
+    const std::vector<Place> texts = text_places(p_.dimensions, frame_);
+    for (std::size_t i = 0; i < texts.size(); ++i) labeller.avoid_text(texts[i], p_.dimensions[i].text);
     if (region_) labeller.avoid_region(region_->net);
     if (position_ && moving_.size() > 1) {
       for (const Drawn& d : moving_) labeller.avoid_curves(d.net, *position_);

@@ -185,6 +185,10 @@ class Solver {
   std::optional<distance::BoundedValue> turning_value(const Roles& roles, const exact::RealPoint& p) const;
   void add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
                    const distance::Measured& measured, const exact::RealPoint& p) const;
+  std::vector<FeatureAt> named_features(const Distance& wanted, const Names& names, const distance::AtPosition& pair,
+                                        const distance::Measured& measured, const exact::RealPoint& p) const;
+  /// Of a distance along a direction, that has a nearest position: the features that touch there.
+  void add_contact(DistanceAt& out, const Distance& wanted, const Roles& roles, const exact::RealPoint& p) const;
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
 
   World world_;

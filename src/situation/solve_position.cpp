@@ -22,6 +22,13 @@ using plane::Mark;
 
 namespace {
 
+/// What is 0 where a distance along a direction is, and has two features there.
+distance::Which touching(distance::Which w) {
+  using distance::Which;
+  if (w == Which::kEta1 || w == Which::kEta2) return Which::kMu;
+  return w == Which::kDelta1 || w == Which::kDelta2 ? Which::kMuBack : Which::kD1;
+}
+
 constexpr double kClear = 0x1p-34;  // of the sizes; values at a position are right to far less
 
 }  // namespace
@@ -48,6 +55,7 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
     out.value = -std::numeric_limits<double>::infinity();
   else if (v)
     out.value = (v->value * world_.step).to_double(), out.nearest = v->nearest;
+  if (out.nearest && !world_.motion.given()) add_contact(out, wanted, r, p);
   return out;
 }
 
@@ -55,12 +63,30 @@ void Solver::add_witness(DistanceAt& out, const Distance& wanted, const Names& n
                          const distance::Measured& m, const RealPoint& p) const {
   out.value = m.minus_infinity ? -std::numeric_limits<double>::infinity() : (m.value * world_.step).to_double();
   out.nearest = m.nearest, out.farthest = m.farthest;
+  out.witness = named_features(wanted, names, pair, m, p);
+}
+
+std::vector<FeatureAt> Solver::named_features(const Distance& wanted, const Names& names,
+                                              const distance::AtPosition& pair, const distance::Measured& m,
+                                              const RealPoint& p) const {
+  std::vector<FeatureAt> out;
   for (const distance::Feature& f : m.witness)
-    out.witness.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
-                                        f.of_moving ? names.first : names.second, world_.shapes, world_.parts, p));
-  bool turned =
-      wanted.first == names.second && !out.witness.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
-  if (turned) std::swap(out.witness[0], out.witness[1]);
+    out.push_back(named_feature(f, f.of_moving ? pair.pair().moving() : pair.pair().fixed(),
+                                f.of_moving ? names.first : names.second, world_.shapes, world_.parts, p));
+  bool turned = wanted.first == names.second && !out.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
+  if (turned) std::swap(out[0], out[1]);
+  return out;
+}
+
+void Solver::add_contact(DistanceAt& out, const Distance& wanted, const Roles& r, const RealPoint& p) const {
+  const auto pair = this->pair(r.names);
+  const RealPoint& there = *out.nearest;
+  const auto m = pair->measure(touching(situation::which(r.wanted.kind, r.second_moves)), there);
+  if (!m || m->witness.size() != 2 || m->witness[0].of_moving == m->witness[1].of_moving) return;
+  out.witness = named_features(wanted, r.names, *pair, *m, there);
+  // The moving one's feature, back from where they touch.
+  FeatureAt& moving = out.witness[m->witness[0].of_moving != (wanted.first == r.names.second) ? 0 : 1];
+  moving.at = {moving.at.x + p.x - there.x, moving.at.y + p.y - there.y};
 }
 
 /// From the value, where it is clearly not the level: no map of all positions is made then.
