@@ -10,6 +10,7 @@
 #include "io/write_json.h"
 #include "io/write_wkt.h"
 #include "line_choice.h"
+#include "plane/in_order.h"
 #include "report.h"
 #include "session.h"
 #include "space_commands.h"
@@ -42,7 +43,7 @@ Outcome run_describe(const Options& options, Talk& talk) {
   if (session.in_space()) return describe_space(session, name);
   refuse_lines(options, "for 3D shapes");
   check_outputs(options, {".svg", ".wkt", ".json"});
-  const plane::Region region = session.region(name);
+  const plane::Region region = plane::in_order(session.region(name));
   const plane::Summary summary = plane::summarize(region, session.step());
   const auto json = [&] {
     return io::region_json(region, summary, session.step(), session.unit(), nullptr, options.exact);
@@ -71,7 +72,7 @@ Outcome run_convert(const Options& options, Talk& talk) {
   const std::string name = chosen_shape(session);
   if (session.in_space()) return convert_space(session, name);
   check_outputs(options, {".svg", ".wkt", ".json"});
-  const plane::Region region = session.region(name);
+  const plane::Region region = plane::in_order(session.region(name));
   const auto json = [&] {
     if (options.constructive) return io::constructive_scene(region, name, session.scene());
     const plane::Summary summary = plane::summarize(region, session.step());

@@ -11,6 +11,7 @@
 #include "io/write_json.h"
 #include "io/write_wkt.h"
 #include "line_choice.h"
+#include "plane/in_order.h"
 #include "plane/locate.h"
 #include "plane/overlay.h"
 #include "plane/path_region.h"
@@ -92,7 +93,7 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
     situation::Solver::Bounds bounds = solver.feasible_bounds(formula);
     talk.note(
         "shapes turn, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones");
-    return {std::move(bounds.inner), std::nullopt, std::nullopt, std::move(bounds.outer)};
+    return {plane::in_order(bounds.inner), std::nullopt, std::nullopt, plane::in_order(bounds.outer)};
   }
   Map map{situation::feasible_near(solver, formula), std::nullopt, std::nullopt, std::nullopt};
   if (goal) {
@@ -102,11 +103,11 @@ Map solve(const Session& session, const situation::Solver& solver, const situati
     situation::Optimum best = situation::optimize(map.region, goal->objective, goal->sense, solver);
     if (line) best = within_line(std::move(best), session.scene().free);
     map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, talk);
-    map.feasible = std::exchange(map.region, std::move(best.at));
+    map.feasible = plane::in_order(std::exchange(map.region, std::move(best.at)));
   } else if (const auto least = situation::minimum_of(formula, solver)) {
     map.extreme = value_of(*least, false, talk);
   }
-  map.region = applied(std::move(map.region), session.options().apply);
+  map.region = plane::in_order(applied(std::move(map.region), session.options().apply));
   return map;
 }
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
 """Checks that the number of threads changes no byte of a result: every case in scope and every example, with one thread
-and with two, as JSON and (maps) as SVG.
+and with two, as JSON and (maps) as SVG; and that the order in which unions and intersections list their shapes changes
+none of a map or description, as JSON.
 
 usage: same_bytes.py EXECUTABLE [--scope FILE]
 
@@ -30,6 +31,32 @@ def output(exe, arguments, threads):
             with open(picture, "rb") as file:
                 written.append(file.read())
         return written
+
+
+def backwards(node):
+    """The same shapes with every union and intersection listed the other way round."""
+    if isinstance(node, dict):
+        return {key: backwards(value)[::-1] if key in ("union", "intersection") else backwards(value)
+                for key, value in node.items()}
+    return [backwards(n) for n in node] if isinstance(node, list) else node
+
+
+def scenes_backwards(scope, folder):
+    """(what it is called, arguments, arguments of the scene listed backwards) where that is another scene."""
+    for case in cases([CASES], None):
+        scene = case.get("scene", {})
+        if scope.beyond(case) or "files" in case or case["run"][0] not in ("map", "describe"):
+            continue
+        other = {**scene, "shapes": backwards(scene.get("shapes"))}
+        if "exit" in case["expect"] or other == scene:
+            continue
+        ways = []
+        for name, what in (("forth", scene), ("back", other)):
+            path = os.path.join(folder, f"{case['id']}-{name}.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(what, file)
+            ways.append([case["run"][0], path, *case["run"][1:]])
+        yield case["id"], *ways
 
 
 def scenes(scope, folder):
@@ -63,6 +90,11 @@ def main(argv):
             if output(exe, arguments, 1) != output(exe, arguments, 2):
                 differ += 1
                 print(f"{name}: one thread and two write different bytes")
+        for name, forth, back in scenes_backwards(scope, folder):
+            count += 1
+            if output(exe, forth, 1)[:2] != output(exe, back, 1)[:2]:
+                differ += 1
+                print(f"{name}: the order of the shapes changes the bytes")
     print(f"{count - differ} the same, {differ} different")
     return 1 if differ else 0
 

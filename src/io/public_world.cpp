@@ -12,6 +12,7 @@
 #include "io/write_json.h"
 #include "io/write_witness.h"
 #include "plane/build.h"
+#include "plane/in_order.h"
 #include "plane/overlay.h"
 #include "situation/feasible_near.h"
 #include "situation/optimize.h"
@@ -118,7 +119,7 @@ Region SignMap::where(bool negative, bool zero, bool positive) const {
   return make_region(plane::remark(data_->map, wanted), data_->step, data_->unit);
 }
 
-Region World::Data::region(plane::Region r) const { return make_region(std::move(r), scene.grid.step(), unit()); }
+Region World::Data::region(plane::Region r) const { return make_region(plane::in_order(r), scene.grid.step(), unit()); }
 
 World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options) {
   io::Scene scene = scene_of(shapes, moving, options);
