@@ -57,7 +57,27 @@ const AtPosition::Prepared& AtPosition::Shape::prepared() const {
 }
 
 AtPosition::AtPosition(std::shared_ptr<const ShapePair> pair)
-    : pair_(std::move(pair)), shapes_{Shape(pair_->moving()), Shape(pair_->fixed())} {}
+    : pair_(std::move(pair)),
+      searched_(pair_->at_origin() ? pair_->at_origin()->pair : pair_),
+      shapes_{Shape(searched_->moving()), Shape(searched_->fixed())} {}
+
+double AtPosition::scale(const RealPoint& p) const {
+  const auto& there = pair_->at_origin();
+  const RealPoint at = there ? p + there->by : p;
+  return moving().scale() + fixed().scale() + std::abs(near_value(at.x)) + std::abs(near_value(at.y));
+}
+
+std::optional<Measured> AtPosition::measure(Which which, const RealPoint& p) const {
+  const auto& there = pair_->at_origin();
+  if (!there) return measured(which, p);
+  auto m = measured(which, p + there->by);
+  if (!m) return m;
+  if (m->nearest) m->nearest = *m->nearest - there->by;
+  if (m->farthest) m->farthest = *m->farthest - there->by;
+  // The witness, too, is as far away as A was moved.
+  for (Feature& f : m->witness) f.at = f.at - there->fixed_by;
+  return m;
+}
 
 AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
   using Kind = Standing::Kind;
@@ -104,7 +124,7 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
   return m;
 }
 
-bool AtPosition::bounded() const { return is_bounded(pair_->moving()) && is_bounded(pair_->fixed()); }
+bool AtPosition::bounded() const { return is_bounded(searched_->moving()) && is_bounded(searched_->fixed()); }
 
 /// How far B + p (or A, if `back`) sticks out of the other along the line through the middles of their boxes.
 double AtPosition::sticks_out(bool back, double px, double py) const {
@@ -211,10 +231,10 @@ std::optional<Measured> AtPosition::cut(std::optional<Measured> m, bool negated)
   return m;
 }
 
-std::optional<Measured> AtPosition::measure(Which which, const RealPoint& p) const {
+std::optional<Measured> AtPosition::measured(Which which, const RealPoint& p) const {
   using Kind = Standing::Kind;
   if (!shapes_[0].has_boundary || !shapes_[1].has_boundary) {
-    auto v = pair_->distance(which)->value(p);
+    auto v = searched_->distance(which)->value(p);
     return v ? std::optional(Measured{v->value, v->nearest, std::nullopt, {}, v->minus_infinity}) : std::nullopt;
   }
   switch (which) {

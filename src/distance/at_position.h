@@ -52,8 +52,8 @@ class AtPosition {
   explicit AtPosition(std::shared_ptr<const ShapePair> pair);
 
   const ShapePair& pair() const { return *pair_; }
-  /// The size of the shapes' coordinates.
-  double scale() const { return moving().scale() + fixed().scale(); }
+  /// The size of the numbers of a search at p.
+  double scale(const exact::RealPoint& p) const;
   /// f(p); nothing if undefined.
   std::optional<Measured> measure(Which which, const exact::RealPoint& p) const;
 
@@ -87,6 +87,7 @@ class AtPosition {
     } kind;                        // kInside: B + p in the inside of A; kClose: boundaries meet, or nearly
     std::optional<SitePair> pair;  // of nearest boundary points, unless kClose
   };
+  std::optional<Measured> measured(Which which, const exact::RealPoint& p) const;
   Standing standing(const exact::RealPoint& p) const;
   std::optional<Measured> signed_distance(Which which, Standing::Kind quick, const exact::RealPoint& p) const;
   std::optional<Measured> by_map(Which which, const exact::RealPoint& p) const;
@@ -106,7 +107,7 @@ class AtPosition {
   std::vector<Feature> corner_features(bool moves, plane::Index v, const exact::RealPoint& p) const;
   std::vector<Feature> common_point(const Standing& s, const exact::RealPoint& p) const;
 
-  std::shared_ptr<const ShapePair> pair_;
+  std::shared_ptr<const ShapePair> pair_, searched_;  // as given; near the origin: all that is private speaks of that
   std::array<Shape, 2> shapes_;  // B, A
   mutable std::array<std::once_flag, 3> ways_made_;
   mutable std::array<std::unique_ptr<const WayOut>, 3> ways_;  // of gamma1, eta1, delta1; null where there is none

@@ -43,7 +43,7 @@ const WayOut* AtPosition::way_out(Which which) const {
                    : WayOut::make(moving(), fixed(),
                                   which == Which::kGamma1 ? WayOut::Of::kContact : WayOut::Of::kContainment);
   });
-  return ways_[k] && ways_[k]->pays() && !pair_->has(which) ? ways_[k].get() : nullptr;
+  return ways_[k] && ways_[k]->pays() && !searched_->has(which) ? ways_[k].get() : nullptr;
 }
 
 /// gamma1, eta1 or delta1.
@@ -75,7 +75,7 @@ std::optional<Measured> AtPosition::signed_value(Which which, const Standing& s,
 }
 
 std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) const {
-  auto v = pair_->distance(which)->value(p);
+  auto v = searched_->distance(which)->value(p);
   if (!v) return std::nullopt;
   Measured m{v->value, v->nearest, std::nullopt, {}, v->minus_infinity};
   if (m.minus_infinity) return m;
@@ -85,7 +85,7 @@ std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) cons
 
 std::optional<Measured> AtPosition::farthest(Which which, const RealPoint& p) const {
   const bool back = which == Which::kDelta2;
-  if (const WayOut* way = pair_->has(which) ? nullptr : way_out(back ? Which::kDelta1 : Which::kEta1)) {
+  if (const WayOut* way = searched_->has(which) ? nullptr : way_out(back ? Which::kDelta1 : Which::kEta1)) {
     WayOut::Answer answer = way->farthest(back ? -p : p);
     if (answer.known && !answer.nearest) return std::nullopt;
     if (answer.known) {
@@ -95,7 +95,7 @@ std::optional<Measured> AtPosition::farthest(Which which, const RealPoint& p) co
       return m;
     }
   }
-  auto f = pair_->distance(which);
+  auto f = searched_->distance(which);
   if (!f->defined()) return std::nullopt;
   const auto& family = static_cast<const Farthest&>(*f);
   RealPoint q = family.farthest_point(p);

@@ -7,7 +7,9 @@
 #include <array>
 
 #include "plane/minkowski.h"
+#include "plane/moved.h"
 #include "plane/overlay.h"
+#include "plane/real_vector.h"
 
 namespace findspace::distance {
 
@@ -16,6 +18,8 @@ using exact::RealPoint;
 using plane::CellComplex;
 using plane::Mark;
 using plane::SignMap;
+using plane::operator+;
+using plane::operator-;
 
 namespace {
 
@@ -151,6 +155,41 @@ class Reflected : public TDistance {
   TDistancePointer f_;
 };
 
+class Displaced : public TDistance {
+ public:
+  Displaced(TDistancePointer f, RealPoint by) : f_(std::move(f)), by_(std::move(by)) {}
+
+  bool defined() const override { return f_->defined(); }
+  SignMap sign_map(const Real& level) const override { return plane::moved(f_->sign_map(level), -by_); }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    auto v = f_->value(p + by_);
+    if (v && v->nearest) v->nearest = *v->nearest - by_;
+    return v;
+  }
+
+  RealPoint seed() const override { return f_->seed() - by_; }
+
+  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
+    auto out = f_->fronts(p + by_, room);
+    for (NearFront& n : out) n.front = n.front.moved(by_);
+    return out;
+  }
+
+  std::optional<Lowest> lowest() const override {
+    auto l = f_->lowest();
+    if (l) l->at = l->at - by_;
+    return l;
+  }
+
+  std::optional<Elsewhere> elsewhere() const override { return Elsewhere{*f_, by_}; }
+  std::vector<Real> special_levels() const override { return f_->special_levels(); }
+
+ private:
+  TDistancePointer f_;
+  RealPoint by_;
+};
+
 }  // namespace
 
 TDistancePointer cut_off(TDistancePointer f, Real floor, bool negated) {
@@ -162,5 +201,9 @@ TDistancePointer greater(TDistancePointer f, TDistancePointer g) {
 }
 
 TDistancePointer reflected(TDistancePointer f) { return std::make_shared<Reflected>(std::move(f)); }
+
+TDistancePointer displaced(TDistancePointer f, RealPoint by) {
+  return std::make_shared<Displaced>(std::move(f), std::move(by));
+}
 
 }  // namespace findspace::distance

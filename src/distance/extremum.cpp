@@ -12,7 +12,9 @@
 #include "distance/level_probe.h"
 #include "distance/point_set.h"
 #include "plane/locate.h"
+#include "plane/moved.h"
 #include "plane/overlay.h"
+#include "plane/real_vector.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
@@ -21,6 +23,7 @@ using exact::Real;
 using exact::RealPoint;
 using plane::CellComplex;
 using plane::Region;
+using plane::operator-;
 
 namespace {
 
@@ -242,6 +245,11 @@ Extremum Search::run(const std::optional<Bracket>& known) {
 }  // namespace
 
 Extremum extremum(const TDistance& f, const Region& s, Sense sense, const std::optional<Bracket>& known) {
+  if (const auto there = f.elsewhere()) {
+    Extremum e = extremum(there->in, plane::moved(s, there->by), sense, known);
+    e.at = plane::moved(std::move(e.at), -there->by);
+    return e;
+  }
   return Search(f, s, sense).run(known);
 }
 

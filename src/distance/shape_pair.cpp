@@ -4,17 +4,36 @@
 #include "distance/shape_pair.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "distance/derived.h"
 #include "distance/farthest.h"
 #include "distance/hausdorff.h"
 #include "distance/site_pairs.h"
+#include "plane/extent.h"
+#include "plane/moved.h"
+#include "plane/real_vector.h"
 #include "plane/topology.h"
 
 namespace findspace::distance {
 
 using exact::Real;
 using exact::RealPoint;
+using plane::operator-;
+
+namespace {
+
+constexpr double kFar = 16;  // times the size of the shapes
+
+double size(const plane::PieceBox& b) { return std::max(b.x1 - b.x0, b.y1 - b.y0); }
+RealPoint grid_middle(const plane::PieceBox& b) {
+  return {Real(std::llround((b.x0 + b.x1) / 2)), Real(std::llround((b.y0 + b.y1) / 2))};
+}
+bool is_far(const plane::PieceBox& b, double size) {
+  return std::max({std::abs(b.x0), std::abs(b.x1), std::abs(b.y0), std::abs(b.y1)}) > kFar * size;
+}
+
+}  // namespace
 
 ShapePair::ShapePair(plane::Region b, plane::Region a) : b_(std::move(b)), a_(std::move(a)) {}
 
@@ -23,6 +42,23 @@ TDistancePointer ShapePair::distance(Which which) const {
   auto& slot = known_[std::size_t(which)];
   if (!slot) slot = made(which);
   return slot;
+}
+
+const std::optional<ShapePair::AtOrigin>& ShapePair::at_origin() const {
+  std::call_once(moved_, [this] {
+    const auto b = plane::extent(b_), a = plane::extent(a_);
+    if (!a || !b) return;
+    const double size = std::max({1.0, distance::size(*a), distance::size(*b)});
+    if (!is_far(*a, size) && !is_far(*b, size)) return;
+    const RealPoint to_b = grid_middle(*b), to_a = grid_middle(*a);
+    at_origin_ = {std::make_shared<ShapePair>(plane::moved(b_, -to_b), plane::moved(a_, -to_a)), to_b - to_a, -to_a};
+  });
+  return at_origin_;
+}
+
+TDistancePointer ShapePair::searched(Which which) const {
+  const auto& there = at_origin();
+  return there ? displaced(there->pair->distance(which), there->by) : distance(which);
 }
 
 TDistancePointer ShapePair::farthest(Which base) const {

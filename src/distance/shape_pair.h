@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "distance/signed_distance.h"
 #include "distance/t_distance.h"
@@ -42,6 +43,15 @@ class ShapePair {
   ShapePair(plane::Region b, plane::Region a);
 
   TDistancePointer distance(Which which) const;
+  /// The same shapes, cell by cell, where they are far from the origin for their size and searches in numbers would be
+  /// coarse: near the origin. A distance at p is there that at p + by.
+  struct AtOrigin {
+    std::shared_ptr<const ShapePair> pair;
+    exact::RealPoint by, fixed_by;  // of positions; of A
+  };
+  const std::optional<AtOrigin>& at_origin() const;
+  /// The distance for searches: as distance(), which need not be made, but searched near the origin.
+  TDistancePointer searched(Which which) const;
   /// Has it been made?
   bool has(Which which) const {
     std::lock_guard lock(guard_);
@@ -58,6 +68,8 @@ class ShapePair {
   plane::Region b_, a_;
   mutable std::recursive_mutex guard_;
   mutable std::array<TDistancePointer, kWhichCount> known_;
+  mutable std::once_flag moved_;
+  mutable std::optional<AtOrigin> at_origin_;
 };
 
 }  // namespace findspace::distance

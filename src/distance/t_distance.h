@@ -51,6 +51,12 @@ class TDistance : public PositionFunction {
     exact::RealPoint at;
   };
   virtual std::optional<Lowest> lowest() const { return std::nullopt; }
+  /// The same function in other coordinates, f(p) = in(p + by), where numbers are more exact: searches are made there.
+  struct Elsewhere {
+    const TDistance& in;
+    exact::RealPoint by;
+  };
+  virtual std::optional<Elsewhere> elsewhere() const { return std::nullopt; }
   /// Levels at which f may have a minimum or a plateau that no fronts explain.
   virtual std::vector<exact::Real> special_levels() const { return {}; }
 };

@@ -117,6 +117,10 @@ TDistancePointer Solver::plain(const Roles& r) const {
   return pair(r.names)->pair().distance(situation::which(r.wanted.kind, r.second_moves));
 }
 
+TDistancePointer Solver::searched(const Roles& r) const {
+  return pair(r.names)->pair().searched(situation::which(r.wanted.kind, r.second_moves));
+}
+
 distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
   const Distance& d = r.wanted;
   if (d.mode == Mode::kPlain) return plain(r);
@@ -152,7 +156,7 @@ TDistancePointer Solver::distance(const Distance& wanted) const {
   if (wanted.mode != Mode::kPlain) refuse(wanted, "distances along a direction or in rotation are no objectives");
   if (world_.motion.given())
     refuse(wanted, "the least and greatest values over positions are not computed with a motion");
-  return plain(roles(wanted));
+  return searched(roles(wanted));
 }
 
 plane::SignMap Solver::sign_map(const SignMap& asked) const {
@@ -165,7 +169,7 @@ distance::Extremum Solver::least_of_instant(const Roles& r) const {
   if (is_directional(r.wanted)) return least_directional(r);
   if (r.wanted.mode != Mode::kPlain)
     refuse(r.wanted, "least values of distances in rotation are not computed over a motion");
-  return distance::least(*plain(r));
+  return distance::least(*searched(r));
 }
 
 distance::Extremum Solver::least_directional(const Roles& r) const {

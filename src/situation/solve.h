@@ -157,6 +157,8 @@ class Solver {
 
   Roles roles(const Distance& wanted) const;
   distance::TDistancePointer plain(const Roles& roles) const;
+  /// The same for searches: extrema are found where the numbers are small.
+  distance::TDistancePointer searched(const Roles& roles) const;
   distance::PositionFunctionPointer of_instant(const Roles& roles) const;
   std::shared_ptr<const distance::AtPosition> pair(const Names& names) const;
   plane::SignMap sign_map(const SignMap& wanted) const;

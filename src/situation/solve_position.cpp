@@ -96,8 +96,7 @@ std::optional<std::int8_t> Solver::clear_sign(const SignMap& wanted, const Roles
   if (!m) return std::int8_t(1);
   if (m->minus_infinity) return std::int8_t(-1);
   const double value = m->value.to_double(), level = (wanted.level / world_.step).to_double();
-  const double size = std::abs(value) + std::abs(level) + std::abs(p.x.to_double()) + std::abs(p.y.to_double()) +
-                      pair(r.names)->scale();
+  const double size = std::abs(value) + std::abs(level) + pair(r.names)->scale(p);
   if (std::abs(value - level) <= size * kClear) return std::nullopt;
   return std::int8_t(value > level ? 1 : -1);
 }
