@@ -108,7 +108,7 @@ class AtPosition {
   std::vector<Feature> common_point(const Standing& s, const exact::RealPoint& p) const;
 
   std::shared_ptr<const ShapePair> pair_, searched_;  // as given; near the origin: all that is private speaks of that
-  std::array<Shape, 2> shapes_;  // B, A
+  std::array<Shape, 2> shapes_;                       // B, A
   mutable std::array<std::once_flag, 3> ways_made_;
   mutable std::array<std::unique_ptr<const WayOut>, 3> ways_;  // of gamma1, eta1, delta1; null where there is none
   mutable std::once_flag diameters_made_;

@@ -3,8 +3,8 @@
 //
 // T-distances made of others (distances.md 3.4, 3.5): cut off below (d1, h, diameter: max(floor, f)), turned round and
 // cut off (penetration, d*: max(0, -f)), the greater of two (Hausdorff), seen from the other shape (f(-p)), and between
-// shapes that are somewhere else (f(p + by)). Guarantee: exact where the operands are; zero sets of positive area (d1 = 0, h = 0, d* = 0) are kept. Cost: that of
-// the operands, one overlay for the greater of two.
+// shapes that are somewhere else (f(p + by)). Guarantee: exact where the operands are; zero sets of positive area (d1 =
+// 0, h = 0, d* = 0) are kept. Cost: that of the operands, one overlay for the greater of two.
 #pragma once
 
 #include "distance/t_distance.h"

@@ -64,7 +64,8 @@ class Search {
   bool try_candidates();
   void enclose();
   bool take_lowest(Extremum& out) const;
-  Extremum finished(const Real& level, bool proven) const;
+  Extremum proven();
+  Extremum enclosed(const Real& level) const;
 
   const TDistance& f_;
   const Region& s_;
@@ -76,6 +77,7 @@ class Search {
   std::vector<Real> refused_;
   std::optional<Bracket> known_;
   Real level_;
+  CellComplex accepted_;  // probed at it over the closure
   bool value_only_ = false;
 };
 
@@ -100,6 +102,7 @@ bool Search::accept(const Real& level) {
     return false;
   }
   level_ = level;
+  accepted_ = std::move(c);
   return true;
 }
 
@@ -176,16 +179,21 @@ bool Search::try_candidates() {
   return false;
 }
 
-Extremum Search::finished(const Real& level, bool proven) const {
+/// At the level that was accepted.
+Extremum Search::proven() {
   Extremum e;
-  e.exists = true, e.level = level, e.proven = proven;
+  e.exists = e.proven = true, e.level = level_;
   if (value_only_) return e;
-  if (proven) {
-    e.at = on_level(probe(level, s_));
-    e.attained = !plane::is_empty(e.at);
-    if (!e.attained) e.at = on_level(probe(level, closure_));
-    return e;
-  }
+  if (!whole_) e.at = on_level(probe(level_, s_));
+  e.attained = whole_ || !plane::is_empty(e.at);
+  if (whole_ || !e.attained) e.at = on_level(std::move(accepted_));
+  return e;
+}
+
+Extremum Search::enclosed(const Real& level) const {
+  Extremum e;
+  e.exists = true, e.level = level;
+  if (value_only_) return e;
   e.bound = turn_ * bad_;
   const ComponentPoints found = one_point_a_component(reached_);
   e.within = found.within;
@@ -223,7 +231,7 @@ Extremum Search::run(const std::optional<Bracket>& known) {
   }
   if (Extremum out; take_lowest(out)) return out;
   for (const Real& l : f_.special_levels())
-    if (accept(l)) return finished(level_, true);
+    if (accept(l)) return proven();
   scale_ = extent();
   if (!known || !take(*known)) {
     const auto value = f_.value(start());
@@ -232,14 +240,14 @@ Extremum Search::run(const std::optional<Bracket>& known) {
   }
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;
-    if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return finished(level_, true);
+    if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return proven();
     width = good_ - bad_;
     double least = std::max(std::abs(good_) * 0x1p-44, scale_ * 0x1p-50);
     if (width <= least) break;
     reaches(Real::from_double(turn_ * simple_between(bad_, good_)));
   }
   enclose();
-  return finished(Real::from_double(turn_ * good_), false);
+  return enclosed(Real::from_double(turn_ * good_));
 }
 
 }  // namespace

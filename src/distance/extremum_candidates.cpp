@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/bent_front.h"
 #include "distance/site_tree.h"
 #include "plane/union_find.h"
 
@@ -44,11 +45,14 @@ std::vector<Place> places(const CellComplex& reached) {
 }
 
 bool same(const Front& f, const Front& g) {
-  if (f.circle != g.circle) return false;
+  if (f.circle != g.circle || !f.bend != !g.bend) return false;
   auto close = [](const Real& p, const Real& q) {
     double u = near_value(p), v = near_value(q);
     return std::abs(u - v) <= 0x1p-44 * (1 + std::abs(u));
   };
+  if (f.bend && !(close(f.bend->weight, g.bend->weight) && close(f.bend->t[0], g.bend->t[0]) &&
+                  close(f.bend->t[1], g.bend->t[1]) && close(f.bend->t[2], g.bend->t[2])))
+    return false;
   return close(f.a, g.a) && close(f.b, g.b) && close(f.c, g.c) && close(f.k, g.k);
 }
 
@@ -67,6 +71,14 @@ class Collector {
   }
   void take(const std::vector<Event>& all) {
     for (const Event& e : all) take(e.level);
+  }
+  /// Where they meet.
+  void take_meetings(std::vector<const Front*> fronts) {
+    const auto bent = [](const Front* f) { return f->bend != nullptr; };
+    if (std::stable_partition(fronts.begin(), fronts.end(), bent) != fronts.begin())
+      for (const Real& level : bent_levels(fronts, low_, high_)) take(level);
+    else
+      take(fronts.size() == 2 ? events(*fronts[0], *fronts[1]) : events(*fronts[0], *fronts[1], *fronts[2]));
   }
   std::vector<Real> sorted() && {
     std::stable_sort(levels_.begin(), levels_.end(),
@@ -118,9 +130,8 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
   for (const Front& s : still) all.push_back(&s);
   for (std::size_t i = 0; i < moving.size(); ++i) {
     for (std::size_t j = i + 1; j < all.size(); ++j) {
-      out.take(events(moving[i], *all[j]));
-      for (std::size_t k = j + 1; k < all.size() && j < moving.size(); ++k)
-        out.take(events(moving[i], *all[j], *all[k]));
+      out.take_meetings({all[i], all[j]});
+      for (std::size_t k = j + 1; k < all.size() && j < moving.size(); ++k) out.take_meetings({all[i], all[j], all[k]});
     }
   }
   auto levels = std::move(out).sorted();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "distance/bent_front.h"
 #include "distance/peak_search.h"
 #include "plane/nearest.h"
 
@@ -176,9 +177,11 @@ void FarthestFromSet::add_fronts(const Peak& peak, const RealPoint& p, double ro
       f.c -= f.k * edge.c;
       put(f.moved({edge.a, edge.b}));
     }
-    for (std::size_t j = 0; j < i && !edge.circle; ++j)
-      if (!fronts[i].circle && !fronts[j].circle)
-        if (auto f = corner_front(edge, fronts[i], fronts[j])) put(*f);
+    for (std::size_t j = 0; j < i && !edge.circle; ++j) {
+      const Front &f = fronts[fronts[i].circle ? i : j], &g = fronts[fronts[i].circle ? j : i];
+      const auto corner = f.circle ? bent_front(edge, f, g, peak.x, peak.y) : corner_front(edge, f, g);
+      if (corner) put(*corner);
+    }
   }
 }
 

@@ -5,17 +5,15 @@
 
 #include <array>
 
+#include "distance/front_planes.h"
+
 namespace findspace::distance {
 
 using exact::Real;
 using exact::RealPoint;
+using Plane = FrontPlane;
 
 namespace {
-
-/// x*px + y*py + l*level = c.
-struct Plane {
-  Real x, y, l, c;
-};
 
 /// The points (x, y, level) = base + t * along.
 struct Ray {
@@ -36,15 +34,6 @@ std::optional<Ray> meet(const Plane& p, const Plane& q) {
     return std::nullopt;
   }
   return r;
-}
-
-Plane plane_of(const Front& line) { return {line.a, line.b, -line.k, line.c}; }
-
-/// The difference of two circle equations, linear where the squares of k agree.
-std::optional<Plane> radical(const Front& f, const Front& g) {
-  if (compare(f.k * f.k, g.k * g.k) != 0) return std::nullopt;
-  auto power = [](const Front& h) { return h.a * h.a + h.b * h.b - h.c * h.c; };
-  return Plane{Real(2) * (g.a - f.a), Real(2) * (g.b - f.b), Real(2) * (g.c * g.k - f.c * f.k), power(g) - power(f)};
 }
 
 Event event_on(const Ray& r, const Real& t) {
@@ -134,8 +123,12 @@ std::vector<Event> still_and_two(const Front& f, const Front& g, const Front& h,
 }  // namespace
 
 Front Front::moved(const RealPoint& by) const {
-  if (circle) return ring(a - by.x, b - by.y, c, k);
-  return line(a, b, c - a * by.x - b * by.y, k);
+  Front out = *this;
+  if (circle)
+    out.a -= by.x, out.b -= by.y;
+  else
+    out.c -= a * by.x + b * by.y;
+  return out;
 }
 
 std::vector<Event> events(const Front& f) {

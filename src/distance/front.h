@@ -12,6 +12,8 @@
 // Apollonius' problem by elimination; distances.md 3.5. Keywords: medial axis, Voronoi vertex, inscribed circle.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,16 +21,23 @@
 
 namespace findspace::distance {
 
-/// Line: a*x + b*y = c + k*level. Circle: centre (a, b), signed radius c + k*level.
+/// What bends a line's offset: weight * sqrt(t[0] + t[1]*level + t[2]*level^2).
+struct Bend {
+  exact::Real weight;
+  std::array<exact::Real, 3> t;
+};
+
+/// Line: a*x + b*y = c + k*level, and a bend perhaps (bent_front.h). Circle: centre (a, b), signed radius c + k*level.
 struct Front {
   bool circle = false;
   exact::Real a, b, c, k;
+  std::shared_ptr<const Bend> bend{};
 
   static Front line(exact::Real a, exact::Real b, exact::Real c, exact::Real k) {
-    return {false, std::move(a), std::move(b), std::move(c), std::move(k)};
+    return {false, std::move(a), std::move(b), std::move(c), std::move(k), {}};
   }
   static Front ring(exact::Real x, exact::Real y, exact::Real radius, exact::Real k) {
-    return {true, std::move(x), std::move(y), std::move(radius), std::move(k)};
+    return {true, std::move(x), std::move(y), std::move(radius), std::move(k), {}};
   }
   /// The front of the moved elementary distance: f(p + by).
   Front moved(const exact::RealPoint& by) const;
@@ -45,6 +54,7 @@ struct Event {
   std::optional<exact::RealPoint> at;  // where it happens, if that is one point
 };
 
+/// Of fronts that are not bent.
 std::vector<Event> events(const Front& f);
 std::vector<Event> events(const Front& f, const Front& g);
 std::vector<Event> events(const Front& f, const Front& g, const Front& h);

@@ -2,14 +2,16 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Solver: the nearest feasible position, min {|q - p| : the formula holds at q}, or of the closure of those. Where all
-// atoms must hold and those that fail compare gamma1, eta1 or delta1 with 0, no map is made: such a distance is that of
-// p to the positions where the atom holds, so no feasible position is nearer than the farthest of their contacts, and
-// if the other atoms hold there it is the nearest. Else the whole region is made. Guarantee: exact. Keywords: closest
-// feasible configuration, minimum translation.
+// atoms must hold and those that fail compare gamma1, eta1 or delta1 with a number, no map is made if their contacts
+// decide. Such a distance f changes no faster than the position, so no position with the level is nearer to p than
+// |f(p) - level|; one that is as near lies on the line through p and the nearest contact, and it is the answer if f has
+// the level there (beyond it, too, for `<` and `>`, which it bounds) and the other atoms hold. Else the whole region is
+// made. Guarantee: exact. Keywords: closest feasible configuration, minimum translation.
 
 #include <algorithm>
 
 #include "plane/nearest.h"
+#include "plane/real_vector.h"
 #include "plane/topology.h"
 #include "situation/evaluate.h"
 #include "situation/solve.h"
@@ -20,6 +22,8 @@ namespace findspace::situation {
 using exact::Real;
 using exact::RealPoint;
 using plane::Mark;
+using plane::operator*;
+using plane::operator-;
 
 namespace {
 
@@ -33,20 +37,37 @@ bool is_signed(Kind kind) { return kind == Kind::kGamma1 || kind == Kind::kEta1 
 
 }  // namespace
 
-/// The contact that makes the atom hold: the nearest position at which it does, and its distance in grid steps.
+/// The nearest position at which the atom holds, or which `<` or `>` has as its limit, and its distance in grid steps.
 std::optional<plane::Nearest> Solver::contact(const Atom& atom, const RealPoint& p) const {
   const Roles r = roles(atom.distance);
   const bool simple = !atom.minimum && !r.turning && r.wanted.mode == Mode::kPlain && is_signed(r.wanted.kind);
-  if (!simple || atom.level.sign() != 0 || !holds(atom, 0)) return std::nullopt;
-  const auto m = pair(r.names)->measure(situation::which(r.wanted.kind, r.second_moves), p);
+  if (!simple || atom.relation == Relation::kNotEqual) return std::nullopt;
+  const auto pair = this->pair(r.names);
+  const distance::Which which = situation::which(r.wanted.kind, r.second_moves);
+  const auto m = pair->measure(which, p);
   if (!m || m->minus_infinity || !m->nearest) return std::nullopt;
-  return plane::Nearest{m->value.sign() < 0 ? -m->value : m->value, *m->nearest, {}};
+  // From p in this direction the value grows as fast as it can, to the nearest contact at least.
+  const RealPoint unit = (Real(1) / m->value) * (p - *m->nearest);
+  const Real fall = m->value - atom.level / world_.step;
+  const auto falls_by = [&](const Real& by) {
+    const auto there = pair->measure(which, p - by * unit);
+    return there && !there->minus_infinity && there->value == m->value - by;
+  };
+  const bool limit = !holds(atom, 0), to_contact = fall.sign() == m->value.sign() && !(abs(fall) > abs(m->value));
+  if (limit ? !falls_by(fall * Real::ratio(1025, 1024)) : !to_contact && !falls_by(fall)) return std::nullopt;
+  return plane::Nearest{abs(fall), p - fall * unit, {}};
 }
 
 std::optional<NearestFeasible> Solver::nearest_by_contact(const Formula& formula, const RealPoint& p) const {
   if (world_.motion.given() || !is_conjunction(formula.root())) return std::nullopt;
   const auto holds_at = [&](std::size_t atom, const RealPoint& q) {
     return holds(formula.atoms()[atom], sign(formula.sign_maps()[formula.sign_map_of(atom)], q));
+  };
+  // By continuity all around then, too.
+  const auto is_off_its_level = [&](std::size_t atom, const RealPoint& q) {
+    const Atom& a = formula.atoms()[atom];
+    return !a.minimum && a.distance.mode == Mode::kPlain &&
+           sign(formula.sign_maps()[formula.sign_map_of(atom)], q) != 0;
   };
   std::optional<plane::Nearest> farthest;
   std::size_t decides = 0;
@@ -57,9 +78,13 @@ std::optional<NearestFeasible> Solver::nearest_by_contact(const Formula& formula
     if (!farthest || c->distance > farthest->distance) farthest = std::move(c), decides = k;
   }
   if (!farthest) return std::nullopt;
-  for (std::size_t k = 0; k < formula.atoms().size(); ++k)
-    if (k != decides && !holds_at(k, farthest->at)) return std::nullopt;
-  return NearestFeasible{farthest->at, farthest->distance * world_.step, true};
+  const bool attained = holds(formula.atoms()[decides], 0);
+  for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
+    if (k == decides) continue;
+    if (!holds_at(k, farthest->at)) return std::nullopt;
+    if (!attained && !is_off_its_level(k, farthest->at)) return std::nullopt;
+  }
+  return NearestFeasible{farthest->at, farthest->distance * world_.step, attained};
 }
 
 std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, const RealPoint& position) const {

@@ -39,8 +39,8 @@ Far far(Shapes& random) {
 
 bool is_same_set(const Region& p, const Region& q) {
   const std::array<const plane::CellComplex*, 2> both{&p, &q};
-  return plane::is_empty(plane::overlay(
-      both, [](std::span<const plane::Mark> m) { return plane::Mark((m[0] > 0) != (m[1] > 0)); }));
+  return plane::is_empty(
+      plane::overlay(both, [](std::span<const plane::Mark> m) { return plane::Mark((m[0] > 0) != (m[1] > 0)); }));
 }
 
 double way_to(const Region& shape, const RealPoint& p) {

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The nearest feasible position, found without a map where contacts decide, is as far as the nearest point of the
-// closure of the whole region, for conjunctions of signed distances against 0 and random shapes.
+// closure of the whole region, and attained where that is, for conjunctions of signed distances against numbers and
+// random shapes.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -40,15 +41,25 @@ Region random_shape(std::mt19937& random, int size) {
 
 TEST(NearestFeasible, IsThatOfTheWholeRegion) {
   std::mt19937 random(11);
-  const std::array<const char*, 7> formulas{"gamma1(B, A) >= 0",
-                                            "gamma1(B, A) <= 0",
-                                            "gamma1(B, A) = 0",
-                                            "eta1(B, C) <= 0 and gamma1(B, A) >= 0",
-                                            "eta1(B, C) <= 0",
-                                            "delta1(B, D) <= 0",
-                                            "gamma1(B, A) >= 0 and gamma1(B, D) >= 0 and eta1(B, C) <= 0"};
+  const std::array<const char*, 17> formulas{"gamma1(B, A) >= 2.5",
+                                             "gamma1(B, A) <= 2.5",
+                                             "gamma1(B, A) <= -1",
+                                             "gamma1(B, A) > 0",
+                                             "gamma1(B, A) < 0",
+                                             "gamma1(B, A) > 3 and gamma1(B, D) >= 1",
+                                             "gamma1(B, A) = 1.5",
+                                             "eta1(B, C) < -2 and gamma1(B, A) > 1",
+                                             "eta1(B, C) <= -3",
+                                             "delta1(B, D) <= 1",
+                                             "gamma1(B, A) >= 0",
+                                             "gamma1(B, A) <= 0",
+                                             "gamma1(B, A) = 0",
+                                             "eta1(B, C) <= 0 and gamma1(B, A) >= 0",
+                                             "eta1(B, C) <= 0",
+                                             "delta1(B, D) <= 0",
+                                             "gamma1(B, A) >= 0 and gamma1(B, D) >= 0 and eta1(B, C) <= 0"};
   int without_map = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 170; ++round) {
     World world;
     world.shapes.emplace("A", random_shape(random, 12));
     world.shapes.emplace("B", random_shape(random, 9));
@@ -71,7 +82,8 @@ TEST(NearestFeasible, IsThatOfTheWholeRegion) {
         closed, [](plane::Mark m) { return m > 0; }, p);
     EXPECT_NEAR(found->distance.to_double(), here ? 0 : expected->distance.to_double(), 1e-12) << round;
     EXPECT_GT(mark_of(closed, locate(closed, found->at)), 0) << round;
+    EXPECT_EQ(found->attained, mark_of(region, locate(region, found->at)) > 0) << round;
     without_map += !here;
   }
-  EXPECT_GT(without_map, 20);
+  EXPECT_GT(without_map, 60);
 }

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "distance/bent_front.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+
+/// Between the point (0, 0) and the line y = 2 above it: at a level the place (sqrt(4 level - 4), 2 - level) on the
+/// right. On the line x = 0 moved by p where p.x is the place's x.
+Front parabola(const Real& scale = 1) {
+  const auto f = bent_front(Front::line(scale, 0, 0, 0), Front::ring(0, 0, 0, 1), Front::line(0, 1, 2, -1), 5, 0);
+  return *f;
+}
+
+std::vector<Real> levels(const Front& f, const Front& g) { return bent_levels(std::array{&f, &g}, 0, 100); }
+std::vector<Real> levels(const Front& f, const Front& g, const Front& h) {
+  return bent_levels(std::array{&f, &g, &h}, 0, 100);
+}
+
+TEST(BentFront, IsALineInItsPlace) {
+  const auto all = levels(parabola(), Front::line(2, 0, 8, 0));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0], Real(5));
+  EXPECT_TRUE(levels(parabola(), Front::line(1, 0, -4, 0)).empty());  // that is the other side
+  EXPECT_TRUE(levels(parabola(), Front::line(0, 1, 4, 0)).empty());
+}
+
+TEST(BentFront, IsAnotherBentLine) {
+  // sqrt(4 l - 4) = 8 - sqrt(9 l - 9).
+  Front g = Front::line(1, 0, 8, 0);
+  g.bend = std::make_shared<Bend>(Bend{-1, {-9, 9, 0}});
+  const auto all = levels(parabola(), g);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0], Real::ratio(89, 25));
+}
+
+TEST(BentFront, TouchesACircle) {
+  // 10 - sqrt(4 l - 4) = l.
+  const auto all = levels(parabola(), Front::ring(10, 0, 0, 1));
+  ASSERT_GE(all.size(), 1u);
+  EXPECT_EQ(all[0], Real(12) - sqrt(Real(40)));
+}
+
+TEST(BentFront, MeetsTwoLines) {
+  // y = level and x + y = 8: sqrt(4 l - 4) + l = 8.
+  for (const int scale : {1, 3}) {
+    const auto all = levels(parabola(scale), Front::line(0, 1, 0, 1), Front::line(1, 1, 8, 0));
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0], Real(10) - sqrt(Real(32)));
+  }
+}
+
+TEST(BentFront, MeetsALineAndACircle) {
+  const auto all = levels(parabola(), Front::line(0, 1, 3, 0), Front::ring(1, 0, 0, 1));
+  ASSERT_EQ(all.size(), 1u);
+  const Real &l = all[0], x = sqrt(Real(4) * l - Real(4)) - Real(1);
+  EXPECT_EQ((x * x + Real(9) - l * l).sign(), 0);
+}
+
+TEST(BentFront, MeetsTwoCircles) {
+  const auto all = levels(parabola(), Front::ring(1, 0, 0, 1), Front::ring(0, 7, 1, 1));
+  ASSERT_GE(all.size(), 1u);
+  const Real &l = all[0], x = sqrt(Real(4) * l - Real(4));
+  // The difference of the circles' equations: 2x - 14y + 48 = 2l + 1.
+  const Real y = (Real(2) * x + Real(47) - Real(2) * l) / Real(14);
+  const Real near = (x - Real(1)) * (x - Real(1)) + y * y - l * l;
+  EXPECT_NEAR(near.to_double(), 0, 1e-9);
+}
+
+TEST(BentFront, TwoThatAreBentAlike) {
+  // Mirrored ones, x = sqrt(4 l - 4) and y = sqrt(4 l - 4), and a circle about the origin of radius |l - 2|.
+  Front g = parabola();
+  std::swap(g.a, g.b);
+  const auto all = levels(parabola(), g, Front::ring(0, 0, -2, 1));
+  ASSERT_EQ(all.size(), 2u);
+  for (const Real& l : all) EXPECT_EQ((Real(8) * l - Real(8) - (l - Real(2)) * (l - Real(2))).sign(), 0);
+}
+
+}  // namespace
+}  // namespace findspace::distance
