@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "commands.h"
 #include "io/draw_layout.h"
@@ -42,13 +43,19 @@ struct Map {
   std::optional<plane::Region> outer;  // where the region is certainly feasible, and only this possibly
 };
 
-io::ExtremeValue value_of(const situation::Optimum& optimum, bool maximum, Talk& talk) {
-  if (optimum.value && !optimum.proven) {
-    talk.note("the optimum is no number that square roots express: given to 13 digits, with one position each");
-  }
+constexpr const char* kNoRoots =
+    "the optimum is no number that square roots express: given to 13 digits, with one position each";
+constexpr const char* kBetweenBounds = "the optimum is known between the value, which some position has, and \"bound\"";
+
+/// `bounded`: where shapes turn.
+io::ExtremeValue value_of(const situation::Optimum& optimum, bool maximum, Talk& talk, bool bounded = false) {
+  if (optimum.value && !optimum.proven) talk.note(bounded ? kBetweenBounds : kNoRoots);
   io::ExtremeValue out{maximum, optimum.value ? std::optional(optimum.value->to_double()) : std::nullopt,
-                       optimum.unbounded, optimum.attained, optimum.proven || !optimum.value};
-  if (!out.proven && optimum.within) out.bound = optimum.bound, out.within = optimum.within;
+                       optimum.unbounded, optimum.attained,
+                       optimum.proven || optimum.unbounded || (!bounded && !optimum.value)};
+  if (out.proven || optimum.unbounded) return out;
+  if (bounded || optimum.within != 0) out.bound = optimum.bound;
+  if (optimum.within != 0 && std::isfinite(optimum.within)) out.within = optimum.within;
   return out;
 }
 
@@ -80,21 +87,37 @@ situation::Optimum within_line(situation::Optimum best, const io::Free& free) {
   return best;
 }
 
+/// Of shapes that turn: regions, and what is best in them, between bounds.
+Map solve_between_bounds(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
+  Talk& talk = session.talk();
+  const std::optional<Session::Goal> goal = session.goal();
+  if (!session.options().apply.empty())
+    throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn only bounds of the region are known",
+                session.scene().file);
+  situation::Solver::Bounds bounds = solver.feasible_bounds(formula);
+  if (!goal) {
+    talk.note(
+        "shapes turn, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones");
+    std::optional<io::ExtremeValue> extreme;
+    if (const auto least = situation::minimum_of(formula, solver)) extreme = value_of(*least, false, talk, true);
+    return {plane::in_order(bounds.inner), std::nullopt, extreme, plane::in_order(bounds.outer)};
+  }
+  talk.stage("optimizing");
+  if (session.scene().free.kind == io::Free::Kind::kLine) {
+    bounds.inner = on_line(bounds.inner, session.scene().free);
+    bounds.outer = on_line(bounds.outer, session.scene().free);
+  }
+  situation::Optimum best = situation::optimize(bounds, goal->objective, goal->sense, solver);
+  const io::ExtremeValue extreme = value_of(best, goal->sense == distance::Sense::kMaximum, talk, true);
+  return {plane::in_order(best.at), plane::in_order(bounds.outer), extreme, std::nullopt};
+}
+
 Map solve(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
   Talk& talk = session.talk();
   const std::optional<Session::Goal> goal = session.goal();
   talk.stage("solving");
-  if (solver.turns_in(formula)) {
-    if (goal)
-      throw Error(ErrorCode::kUnsupported, "objectives are not computed of shapes that turn", session.scene().file);
-    if (!session.options().apply.empty())
-      throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn only bounds of the region are known",
-                  session.scene().file);
-    situation::Solver::Bounds bounds = solver.feasible_bounds(formula);
-    talk.note(
-        "shapes turn, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones");
-    return {plane::in_order(bounds.inner), std::nullopt, std::nullopt, plane::in_order(bounds.outer)};
-  }
+  if (solver.turns_in(formula) || (goal && situation::is_bounded(goal->objective, solver)))
+    return solve_between_bounds(session, solver, formula);
   Map map{situation::feasible_near(solver, formula), std::nullopt, std::nullopt, std::nullopt};
   if (goal) {
     talk.stage("optimizing");

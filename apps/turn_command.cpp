@@ -203,18 +203,34 @@ struct AngleMap {
   std::optional<io::ExtremeValue> best;
 };
 
-AngleMap solve(const Session& session, const situation::TurnSolver& turned, const situation::Formula& formula) {
-  if (!turned.turns_twice(formula)) {
-    AngleMap map{turned.feasible(formula), std::nullopt, std::nullopt};
-    map.best = optimum(session, turned, map.set);
-    return map;
-  }
-  if (session.goal())
-    throw Error(ErrorCode::kUnsupported, "an objective over angles that are known between bounds only is not computed",
-                session.scene().file);
+/// The best angles of a set that is known between bounds, or of a distance that is.
+AngleMap solve_between_bounds(const Session& session, const situation::TurnSolver& turned,
+                              const situation::Formula& formula) {
   session.talk().note("turns about two points: angles that certainly belong, and in \"outer\" the possible ones");
   situation::TurnSolver::Bounds bounds = turned.feasible_bounds(formula);
-  return {std::move(bounds.inner), std::move(bounds.outer), std::nullopt};
+  const auto goal = session.goal();
+  if (!goal) return {std::move(bounds.inner), std::move(bounds.outer), std::nullopt};
+  const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
+  situation::TurnSolver::Best best =
+      turned.best(goal->objective.distance, bounds,
+                  maximum != negated ? distance::Sense::kMaximum : distance::Sense::kMinimum);
+  const double turn = negated ? -1 : 1;
+  io::ExtremeValue extreme{maximum, std::nullopt, false, false, false};
+  if (best.value) extreme.value = turn * *best.value;
+  if (best.none)
+    extreme.proven = true;
+  else
+    extreme.bound = turn * best.bound;
+  return {plane::TurnMap::uniform(0), std::move(best.possible), extreme};
+}
+
+AngleMap solve(const Session& session, const situation::TurnSolver& turned, const situation::Formula& formula) {
+  const auto goal = session.goal();
+  if (turned.turns_twice(formula) || (goal && turned.turns_twice(goal->objective.distance)))
+    return solve_between_bounds(session, turned, formula);
+  AngleMap map{turned.feasible(formula), std::nullopt, std::nullopt};
+  map.best = optimum(session, turned, map.set);
+  return map;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ using plane::TurnMap;
 
 namespace {
 
-constexpr int kMostParts = 150, kFirstParts = 8;
+constexpr int kMostParts = 150, kFirstParts = 8, kFirstPartsOfDisc = 4, kPartsOfDisc = 8;
 constexpr double kCloseEnough = 1e-6;       // no sign: degrees between the bounds of an extremum
 constexpr double kRoundingOfAngle = 1e-11;  // no sign: degrees, more than values on the circle are off
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -34,8 +34,12 @@ double length(const RealPoint& from, const RealPoint& to) {
   return std::hypot(near_value(to.x - from.x), near_value(to.y - from.y));
 }
 
-/// Rounded up to whole grid steps; nothing where there is nothing to round.
-Real upward(double r) { return r > 0 ? Real(std::int64_t(std::floor(r * (1 + 0x1p-40))) + 1) : Real(); }
+/// Rounded up to whole grid steps, short ones to some thousandth; nothing where there is nothing to round.
+Real upward(double r) {
+  if (r <= 0) return Real();
+  const std::int64_t parts = r < 0x1p12 ? 1 << 12 : 1;
+  return Real::ratio(std::int64_t(std::floor(r * double(parts) * (1 + 0x1p-40))) + 1, parts);
+}
 
 /// There is an angle with contact, or where it fits.
 bool is_met(const TurnMap& base) { return farthest_turning(base, Angle{}) < kInfinity; }
@@ -75,7 +79,7 @@ BoundedTurns RotationInTime::circles(const PartOfLeg& part) const {
                      radians * (std::abs(near_value(to.moving - from.moving)) * b_reach_ +
                                 std::abs(near_value(to.fixed - from.fixed)) * a_reach_);
   // Ends of an arc carry its bulge along: twice what they moved, for both shapes.
-  const Real off = upward(4 * rounding.largest + share * way);
+  const Real off = upward(4 * rounding.largest + share * way + radius_);
   TurnMap low = base_map(pair, which_, off);
   if (off.sign() == 0) return {low, low};
   return {std::move(low), base_map(pair, which_, -off)};
@@ -93,24 +97,25 @@ SignRange RotationInTime::signs(const PartOfLeg& part, const Real& level) const 
 }
 
 /// The second kind is greater the more angles there are with contact, and infinite without any.
-RotationInTime::Values RotationInTime::values(const PartOfLeg& part) const {
+ValueRange RotationInTime::values(const PartOfLeg& part) const {
   const BoundedTurns c = circles(part);
-  Values v{turning_distance(c.low, Angle{}), turning_distance(c.high, Angle{})};
+  ValueRange v{turning_distance(c.low, Angle{}), turning_distance(c.high, Angle{})};
   if (is_second_kind(which_)) {
-    v = is_met(c.high) ? Values{farthest_turning(c.high, Angle{}), farthest_turning(c.low, Angle{})}
-                       : Values{std::max(0.0, v.low), kInfinity};
+    v = is_met(c.high) ? ValueRange{farthest_turning(c.high, Angle{}), farthest_turning(c.low, Angle{})}
+                       : ValueRange{std::max(0.0, v.low), kInfinity};
   }
   return {v.low - kRoundingOfAngle, v.high + kRoundingOfAngle};
 }
 
-std::optional<BoundedValue> RotationInTime::instant(std::size_t leg, const Real& s) const {
-  const Values v = values({leg, s, s});
-  if (v.high == kInfinity) return std::nullopt;
-  if (v.low == -kInfinity) return BoundedValue{v.high == v.low ? v.low : v.high, v.high == v.low ? 0 : kInfinity};
-  return BoundedValue{(v.low + v.high) / 2, (v.high - v.low) / 2};
+ValueRange RotationInTime::instant(std::size_t leg, const Real& s) const { return values({leg, s, s}); }
+
+RotationInTime RotationInTime::around(RealPoint p, double radius) const {
+  RotationInTime out = *this;
+  out.p_ = std::move(p), out.radius_ = radius;
+  return out;
 }
 
-std::optional<BoundedValue> RotationInTime::extremum(Sense sense) const {
+ValueRange RotationInTime::extremum(Sense sense) const {
   if (poses_.size() == 1) return instant(0, Real());
   // Turned round for a supremum, so that the least value is looked for.
   const bool least = sense == Sense::kMinimum;
@@ -121,21 +126,22 @@ std::optional<BoundedValue> RotationInTime::extremum(Sense sense) const {
   const auto later = [](const Part& p, const Part& q) { return p.low > q.low; };
   std::priority_queue<Part, std::vector<Part>, decltype(later)> queue(later);
   double best = kInfinity;
+  const int first = radius_ > 0 ? kFirstPartsOfDisc : kFirstParts, most = radius_ > 0 ? kPartsOfDisc : kMostParts;
   const auto look = [&](std::size_t leg, const Real& s) {
-    const Values there = values({leg, s, s});
+    const ValueRange there = values({leg, s, s});
     best = std::min(best, least ? there.high : -there.low);
   };
   const auto add = [&](PartOfLeg part) {
     look(part.leg, Real::ratio(1, 2) * (part.from + part.to));
-    const Values all = values(part);
+    const ValueRange all = values(part);
     const double low = least ? all.low : -all.high;
     queue.push({std::move(part), low});
   };
   for (std::size_t leg = 0; leg + 1 < poses_.size(); ++leg) {
     look(leg, Real(0)), look(leg, Real(1));
-    for (int k = 0; k < kFirstParts; ++k) add({leg, Real::ratio(k, kFirstParts), Real::ratio(k + 1, kFirstParts)});
+    for (int k = 0; k < first; ++k) add({leg, Real::ratio(k, first), Real::ratio(k + 1, first)});
   }
-  for (int k = 0; k < kMostParts && best - queue.top().low > kCloseEnough; k += 2) {
+  for (int k = 0; k < most && best - queue.top().low > kCloseEnough; k += 2) {
     const PartOfLeg part = queue.top().part;
     queue.pop();
     const Real mid = Real::ratio(1, 2) * (part.from + part.to);
@@ -143,9 +149,7 @@ std::optional<BoundedValue> RotationInTime::extremum(Sense sense) const {
     add({part.leg, mid, part.to});
   }
   const double low = std::min(queue.top().low, best);
-  if (best == (least ? kInfinity : -kInfinity)) return std::nullopt;
-  const double value = least ? best : -best;
-  return BoundedValue{value, std::isinf(best) ? 0 : best - low};
+  return least ? ValueRange{low, best} : ValueRange{-best, -low};
 }
 
 }  // namespace findspace::distance

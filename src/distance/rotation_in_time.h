@@ -7,12 +7,13 @@
 // time, taken at levels off by that way, bound f over the whole of it. Guarantee: certified bounds; at an instant
 // between two turned shapes exact but for the rounding of turned vertices. Extrema over time: by halving the time where
 // the bound is worst. Cost: two maps as turned_pair.h for a piece of time, up to 150 of those. Source: distances.md
-// 7.2, 7.3. Keywords: angular clearance over time.
+// 7.2, 7.3. With a radius all of this holds at every position that is not farther from p. Keywords: angular clearance
+// over time.
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "distance/best_position.h"
 #include "distance/turning_levels.h"
 #include "distance/turning_motion.h"
 
@@ -32,23 +33,22 @@ class RotationInTime {
 
   /// The signs that f minus a level (degrees) may have.
   SignRange signs(const PartOfLeg& part, const exact::Real& level) const;
-  /// Degrees; nothing where undefined; may be -infinity.
-  std::optional<BoundedValue> instant(std::size_t leg, const exact::Real& s) const;
-  /// inf or sup; a supremum is undefined where f is at some instant that was looked at.
-  std::optional<BoundedValue> extremum(Sense sense) const;
+  /// Bounds of all values in a part of the time, in degrees; +infinity where undefined.
+  ValueRange values(const PartOfLeg& part) const;
+  ValueRange instant(std::size_t leg, const exact::Real& s) const;
+  /// Bounds of inf or sup: of one end a value that f takes is known.
+  ValueRange extremum(Sense sense) const;
+  /// The same at all positions that are not farther than `radius` from p.
+  RotationInTime around(exact::RealPoint p, double radius) const;
 
  private:
-  struct Values {
-    double low, high;
-  };
   BoundedTurns circles(const PartOfLeg& part) const;
-  Values values(const PartOfLeg& part) const;
 
   plane::Region b_, a_;
   Which which_;
   exact::RealPoint centre_, p_;
   std::vector<TurningPose> poses_;
-  double b_reach_, a_reach_;
+  double b_reach_, a_reach_, radius_ = 0;
 };
 
 }  // namespace findspace::distance

@@ -66,7 +66,7 @@ double TurningMotion::rate(std::size_t leg) const {
                           std::abs(near_value(q.fixed - p.fixed)) * a_reach_);
 }
 
-std::optional<BoundedValue> TurningMotion::instant(const RealPoint& p, std::size_t leg, const Real& s) const {
+std::optional<ValueRange> TurningMotion::instant(const RealPoint& p, std::size_t leg, const Real& s) const {
   const TurningPose& from = poses_[leg];
   const TurningPose& to = poses_[std::min(leg + 1, poses_.size() - 1)];
   plane::Rounding rounding;
@@ -79,10 +79,11 @@ std::optional<BoundedValue> TurningMotion::instant(const RealPoint& p, std::size
       {f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))});
   if (!v) return std::nullopt;
   const double value = v->value.to_double() / factor_;
-  return BoundedValue{value, 2 * rounding.largest / factor_ + std::abs(value) * 0x1p-50};
+  const double off = 2 * rounding.largest / factor_ + std::abs(value) * 0x1p-50;
+  return ValueRange{value - off, value + off};
 }
 
-std::optional<BoundedValue> TurningMotion::extremum(const RealPoint& p, Sense sense) const {
+std::optional<ValueRange> TurningMotion::extremum(const RealPoint& p, Sense sense, double enough) const {
   const double sign = sense == Sense::kMinimum ? 1 : -1, none = std::numeric_limits<double>::infinity();
   double rounding = 0;
   bool undefined = false;
@@ -90,8 +91,9 @@ std::optional<BoundedValue> TurningMotion::extremum(const RealPoint& p, Sense se
   auto look = [&](std::size_t leg, double s) {
     const auto v = instant(p, leg, Real::from_double(s));
     undefined |= !v;
-    if (v) rounding = std::max(rounding, v->bound), most = std::max(most, v->value);
-    return Sample{leg, s, v ? sign * v->value : none};
+    if (!v) return Sample{leg, s, none};
+    rounding = std::max(rounding, v->off()), most = std::max(most, v->middle());
+    return Sample{leg, s, sign * v->middle()};
   };
   struct Gap {
     Sample a, b;
@@ -125,7 +127,8 @@ std::optional<BoundedValue> TurningMotion::extremum(const RealPoint& p, Sense se
   }
   if (undefined && sense == Sense::kMaximum) return std::nullopt;
   std::make_heap(gaps.begin(), gaps.end(), by_low);
-  for (int k = 0; k < kMostInstants && best.f - gaps.front().low > scale * 0x1p-46; ++k) {
+  const double least_gap = std::max(enough, scale * 0x1p-46);
+  for (int k = 0; k < kMostInstants && best.f - gaps.front().low > least_gap; ++k) {
     std::pop_heap(gaps.begin(), gaps.end(), by_low);
     const Gap gap = gaps.back();
     gaps.pop_back();
@@ -146,7 +149,7 @@ std::optional<BoundedValue> TurningMotion::extremum(const RealPoint& p, Sense se
   }
   constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
   Sample low = look(best.leg, to - kGolden * (to - from)), high = look(best.leg, from + kGolden * (to - from));
-  for (int k = 0; k < kRefinements; ++k) {
+  for (int k = 0; k < kRefinements && (to - from) * scale > least_gap; ++k) {
     if (low.f < high.f) {
       to = high.s, high = low;
       low = look(best.leg, to - kGolden * (to - from));
@@ -158,8 +161,9 @@ std::optional<BoundedValue> TurningMotion::extremum(const RealPoint& p, Sense se
       if (s->f < best.f) best = *s;
   }
   if (undefined && sense == Sense::kMaximum) return std::nullopt;
-  if (undefined || !has_rate(which_, most)) return BoundedValue{sign * best.f, none};
-  return BoundedValue{sign * best.f, std::max(0.0, best.f - certain) + rounding};
+  const bool bounded = !undefined && has_rate(which_, most);
+  const double from_below = bounded ? std::min(best.f, certain) - rounding : -none, found = best.f + rounding;
+  return sign > 0 ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
 }
 
 }  // namespace findspace::distance

@@ -6,8 +6,8 @@
 // up to 2^20, so values are right to about 1e-9 of a grid step of the scene. Over time f changes at most at the rate
 //     |speed of b - a| + (turning rate of B, A in radians) * (greatest distance of B, A from its origin),
 // which bounds it between instants (Piyavskii): the least or greatest value is bracketed and then refined where it was
-// found. Guarantee: a value that f takes (to the rounding), and `bound`: the true extremum lies at most that far beyond
-// it (infinite for eta2, delta2, and eta1, delta1 where they are positive: those have no such rate). Not exact. Cost:
+// found. Guarantee: bounds, one of them (to the rounding) a value that f takes, the other infinite for eta2, delta2, and
+// eta1, delta1 where they are positive: those have no such rate. Not exact. Cost:
 // up to 400 pairs of turned shapes, and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972.
 // Keywords: rotating obstacle, Lipschitz optimisation, continuous collision detection.
 #pragma once
@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "distance/extremum.h"
+#include "distance/best_position.h"
 #include "distance/shape_pair.h"
 
 namespace findspace::distance {
@@ -40,11 +40,6 @@ inline TurningPose between(const TurningPose& p, const TurningPose& q, const exa
           between(p.fixed_at, q.fixed_at, s)};
 }
 
-/// A value in grid steps, and how far the true one may be from it.
-struct BoundedValue {
-  double value = 0, bound = 0;
-};
-
 /// At least the greatest distance of a point of the set from the origin, in grid steps.
 double reach(const plane::Region& r);
 
@@ -54,9 +49,10 @@ class TurningMotion {
   TurningMotion(const plane::Region& b, const plane::Region& a, Which which, std::vector<TurningPose> poses);
 
   /// At part `s` (0 to 1) of leg `k`; nothing where undefined.
-  std::optional<BoundedValue> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
-  /// Over the whole time. A supremum is undefined where f is at some instant that was looked at.
-  std::optional<BoundedValue> extremum(const exact::RealPoint& p, Sense sense) const;
+  std::optional<ValueRange> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
+  /// Over the whole time, until its bounds are as near as `enough`: of one end a value that f takes is known. A supremum
+  /// is undefined where f is at some instant that was looked at.
+  std::optional<ValueRange> extremum(const exact::RealPoint& p, Sense sense, double enough = 0) const;
 
   /// By how much f may change over the whole of a leg, in proportion to its part.
   double rate(std::size_t leg) const;

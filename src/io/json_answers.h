@@ -72,7 +72,8 @@ inline void put_extreme(std::string& out, const ExtremeValue& e) {
   const std::string value = e.unbounded && !e.maximum ? "\"-inf\"" : number(e.value);
   put(out, "  \"{}\": {}, \"attained\": {},", e.maximum ? "maximum" : "minimum", value, truth(e.attained));
   if (!e.proven) put(out, " \"proven\": false,");
-  if (e.bound && e.within) put(out, " \"bound\": {}, \"within\": {},", json_number(*e.bound), json_number(*e.within));
+  if (e.bound) put(out, " \"bound\": {},", json_number(*e.bound));
+  if (e.within) put(out, " \"within\": {},", json_number(*e.within));
   put(out, "\n");
 }
 

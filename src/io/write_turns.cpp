@@ -31,6 +31,7 @@ std::string turns_json(const plane::TurnMap& set, const ExtremeValue* extreme) {
     best = fmt::format(" \"{}\": {}, \"attained\": {},{}", extreme->maximum ? "maximum" : "minimum",
                        extreme->value ? json_number(*extreme->value) : "null", extreme->attained,
                        extreme->proven ? "" : " \"proven\": false,");
+    if (extreme->bound) best += fmt::format(" \"bound\": {},", json_number(*extreme->bound));
   }
   return fmt::format("{{\"empty\": {}, \"whole\": {},{} \"intervals\": [{}]}}\n", all.empty(),
                      set.at.empty() && set.everywhere != 0, best, list);

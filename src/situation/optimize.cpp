@@ -3,6 +3,8 @@
 
 #include "situation/optimize.h"
 
+#include <limits>
+
 #include "distance/coordinate.h"
 #include "distance/farthest.h"
 #include "distance/level_extremum.h"
@@ -17,22 +19,55 @@ namespace {
 
 Sense opposite(Sense s) { return s == Sense::kMinimum ? Sense::kMaximum : Sense::kMinimum; }
 
-Optimum optimum(distance::Extremum e, const Real& step, bool negated) {
+/// `unit`: that of the values.
+Optimum optimum(distance::Extremum e, const Real& step, bool negated, std::optional<Real> unit_of_values = {}) {
+  const Real unit = unit_of_values.value_or(step);
   Optimum out;
-  out.unbounded = e.unbounded;
+  out.unbounded = e.unbounded, out.proven = e.proven;
   if (!e.exists) {
     out.at = plane::CellComplex::uniform(0);
     return out;
   }
-  out.value = negated ? -(e.level * step) : e.level * step;
-  out.attained = e.attained, out.proven = e.proven;
-  const double unit = step.to_double();
-  out.bound = (negated ? -e.bound : e.bound) * unit, out.within = e.within * unit;
+  out.value = negated ? -(e.level * unit) : e.level * unit;
+  out.attained = e.attained;
+  out.bound = (negated ? -e.bound : e.bound) * unit.to_double(), out.within = e.within * step.to_double();
   out.at = std::move(e.at);
   return out;
 }
 
+Real unit_of(const Distance& d, const Solver& solver) {
+  return d.mode == Mode::kTurning ? Real(1) : solver.world().step;
+}
+
+/// The best of the certain positions, and no better than the best of the possible ones.
+Optimum between(Optimum certain, const Optimum& possible, Sense sense) {
+  const double none = sense == Sense::kMinimum ? -std::numeric_limits<double>::infinity()
+                                               : std::numeric_limits<double>::infinity();
+  const bool exact = certain.value && possible.value && certain.proven && possible.proven &&
+                     compare(*certain.value, *possible.value) == 0;
+  if (exact || certain.unbounded) return certain;
+  const bool empty = !possible.value && !possible.unbounded;
+  certain.proven = empty, certain.attained = certain.attained && certain.value.has_value();
+  certain.within = std::numeric_limits<double>::infinity();
+  certain.bound = !possible.value ? none : possible.proven ? possible.value->to_double() : possible.bound;
+  return certain;
+}
+
 }  // namespace
+
+bool is_bounded(const Objective& objective, const Solver& solver) {
+  return objective.kind == Objective::Kind::kDistance && solver.is_bounded(objective.distance);
+}
+
+Optimum optimize(const Solver::Bounds& regions, const Objective& objective, Sense sense, const Solver& solver) {
+  if (!is_bounded(objective, solver)) {
+    return between(optimize(regions.inner, objective, sense, solver), optimize(regions.outer, objective, sense, solver),
+                   sense);
+  }
+  const Sense of_distance = objective.negated ? opposite(sense) : sense;
+  return optimum(solver.best_position(objective.distance, {regions.inner, regions.outer}, of_distance),
+                 solver.world().step, objective.negated, unit_of(objective.distance, solver));
+}
 
 Optimum optimize(const plane::Region& region, const Objective& objective, Sense sense, const Solver& solver) {
   const Real& step = solver.world().step;
@@ -61,7 +96,8 @@ Optimum optimize(const plane::Region& region, const Objective& objective, Sense 
 
 std::optional<Optimum> minimum_of(const Formula& formula, const Solver& solver) {
   for (const SignMap& m : formula.sign_maps())
-    if (m.minimum) return optimum(solver.least(m.distance), solver.world().step, false);
+    if (m.minimum)
+      return optimum(solver.least(m.distance), solver.world().step, false, unit_of(m.distance, solver));
   return std::nullopt;
 }
 

@@ -23,11 +23,19 @@ struct Optimum {
   bool unbounded = false;            // no bound in this sense
   bool attained = false;             // by a position of the region; else it is an infimum (supremum)
   bool proven = false;
-  double bound = 0, within = 0;  // where not proven (distance/extremum.h), in the scene's unit
+  double bound = 0, within = 0;  // where not proven (distance/extremum.h), in the scene's unit; infinite: not known
   plane::Region at;              // the positions (in grid steps): of the region, or of its closure if not attained
 };
 
 Optimum optimize(const plane::Region& region, const Objective& objective, distance::Sense sense, const Solver& solver);
+
+/// The values of the objective, too, are known between bounds only (Solver::is_bounded).
+bool is_bounded(const Objective& objective, const Solver& solver);
+/// Where the region is known between bounds, or the values: a value that a certain position has, and `bound`, which no
+/// possible one passes.
+Optimum optimize(const Solver::Bounds& regions, const Objective& objective, distance::Sense sense,
+                 const Solver& solver);
+
 /// The global minimum of the first `distance -> min` of a formula; nothing if it has none.
 std::optional<Optimum> minimum_of(const Formula& formula, const Solver& solver);
 

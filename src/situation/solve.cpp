@@ -124,7 +124,7 @@ TDistancePointer Solver::searched(const Roles& r) const {
 distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
   const Distance& d = r.wanted;
   if (d.mode == Mode::kPlain) return plain(r);
-  if (d.mode == Mode::kTurning) refuse(d, "distances in rotation are not computed over a motion, nor as objectives");
+  if (d.mode == Mode::kTurning) refuse(d, "distances in rotation are known between bounds only, and have no exact region here");
   auto base = pair(r.names)->pair().distance(signed_base(d.kind));
   const plane::SignMap& map = static_cast<const distance::SignedDistance&>(*base).base();
   if (is_farthest(d.kind)) return std::make_shared<distance::DirectionalFarthest>(map, track(d));
@@ -168,7 +168,7 @@ plane::SignMap Solver::sign_map(const SignMap& asked) const {
 distance::Extremum Solver::least_of_instant(const Roles& r) const {
   if (is_directional(r.wanted)) return least_directional(r);
   if (r.wanted.mode != Mode::kPlain)
-    refuse(r.wanted, "least values of distances in rotation are not computed over a motion");
+    refuse(r.wanted, "the least value over positions at an instant is not computed in rotation");
   return distance::least(*searched(r));
 }
 
@@ -190,7 +190,9 @@ distance::Extremum Solver::least(const Distance& wanted) const {
     auto found = cache_->least.find(key);
     if (found != cache_->least.end()) return found->second;
   }
-  distance::Extremum e = world_.motion.given()    ? least_over_time(wanted)
+  const plane::Region whole = CellComplex::uniform(1);
+  distance::Extremum e = is_bounded(wanted) ? best_position(wanted, {whole, whole}, distance::Sense::kMinimum)
+                         : world_.motion.given()    ? least_over_time(wanted)
                          : is_directional(wanted) ? least_directional(roles(wanted))
                                                   : distance::least(*distance(wanted));
   std::lock_guard lock(cache_->guard);

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "distance/extremum.h"
+#include "distance/best_position.h"
 #include "distance/rotation_in_time.h"
 #include "distance/shape_pair.h"
 #include "distance/turning_map.h"
@@ -126,6 +126,12 @@ class Solver {
   /// Its global minimum and the positions that have it: `distance -> min`.
   distance::Extremum least(const Distance& wanted) const;
 
+  /// Only bounds of its values over positions are known: it is in rotation, or a shape turns in time.
+  bool is_bounded(const Distance& wanted) const;
+  /// Its least or greatest value over positions in grid steps (in degrees, of one in rotation), where is_bounded.
+  distance::Extremum best_position(const Distance& wanted, const distance::PositionBounds& over,
+                                   distance::Sense sense) const;
+
   const World& world() const { return world_; }
   /// A box around a shape; none for one that is unbounded or empty.
   const plane::PieceBox* box(const std::string& name) const {
@@ -184,7 +190,14 @@ class Solver {
   std::vector<distance::TurningPose> turning_poses(const Roles& roles, bool instant) const;
   distance::BoundedMaps bounded_maps(const SignMap& wanted) const;
   /// In grid steps, of distances in rotation in degrees; nothing where undefined.
-  std::optional<distance::BoundedValue> turning_value(const Roles& roles, const exact::RealPoint& p) const;
+  std::optional<distance::ValueRange> turning_value(const Roles& roles, const exact::RealPoint& p) const;
+  double shown(const distance::ValueRange& value, const Roles& roles) const;
+  distance::TurningMotion turning_motion(const Roles& roles, bool instant) const;
+  distance::BoundedMaps bounded_minimisers(const SignMap& wanted) const;
+  /// All values of a distance over discs of positions; and where to look for the best.
+  distance::DiscRange disc_range(const Roles& roles) const;
+  distance::SearchWindow search_window(const Roles& roles, const plane::Region& over) const;
+  static distance::Sense sense_over_time(const Distance& wanted);
   void add_witness(DistanceAt& out, const Distance& wanted, const Names& names, const distance::AtPosition& pair,
                    const distance::Measured& measured, const exact::RealPoint& p) const;
   std::vector<FeatureAt> named_features(const Distance& wanted, const Names& names, const distance::AtPosition& pair,

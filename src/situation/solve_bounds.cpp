@@ -5,6 +5,7 @@
 // other than 0.
 
 #include <algorithm>
+#include <cmath>
 
 #include "distance/turning_positions.h"
 #include "plane/overlay.h"
@@ -20,8 +21,13 @@ using exact::RealPoint;
 using plane::CellComplex;
 using plane::Mark;
 
+distance::Sense Solver::sense_over_time(const Distance& d) {
+  return natural_extremum(d) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+}
+
 std::vector<distance::TurningPose> Solver::turning_poses(const Roles& r, bool instant) const {
   const Motion& motion = world_.motion;
+  if (!motion.given()) return {distance::TurningPose{}};
   const Trajectory b = common_trajectory(motion, r.names.first), a = common_trajectory(motion, r.names.second);
   std::vector<distance::TurningPose> poses;
   for (const Real& t : instant ? std::vector{*world_.instant} : common_times(motion, b, a)) {
@@ -50,6 +56,13 @@ distance::RotationInTime Solver::rotation_in_time(const Roles& r, const RealPoin
           turning_poses(r, instant)};
 }
 
+distance::TurningMotion Solver::turning_motion(const Roles& r, bool instant) const {
+  if (r.wanted.mode != Mode::kPlain)
+    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  return {shape(r.names.first), shape(r.names.second), situation::which(r.wanted.kind, r.second_moves),
+          turning_poses(r, instant)};
+}
+
 distance::BoundedMaps Solver::bounded_maps(const SignMap& asked) const {
   const SignMap wanted = plain_level(asked);
   const Roles r = roles(wanted.distance);
@@ -57,11 +70,8 @@ distance::BoundedMaps Solver::bounded_maps(const SignMap& asked) const {
     plane::SignMap exact = sign_map(wanted);
     return {exact, exact};
   }
-  if (wanted.minimum)
-    refuse(wanted.distance,
-           "the least value over positions is not computed in rotation, nor of shapes that turn in time");
-  const auto sense =
-      natural_extremum(r.wanted) == Extremum::kInf ? distance::Sense::kMinimum : distance::Sense::kMaximum;
+  if (wanted.minimum) return bounded_minimisers(wanted);
+  const distance::Sense sense = sense_over_time(r.wanted);
   if (in_rotation(wanted)) {
     const RealPoint centre = steps({r.wanted.vector.at(0), r.wanted.vector.at(1)});
     const Which kind = situation::which(r.wanted.kind, r.second_moves);
@@ -102,20 +112,16 @@ Solver::Bounds Solver::feasible_bounds(const Formula& formula) const {
           plane::remark(both, [](Mark m) { return Mark(m > 0); })};
 }
 
-std::optional<distance::BoundedValue> Solver::turning_value(const Roles& r, const RealPoint& p) const {
+std::optional<distance::ValueRange> Solver::turning_value(const Roles& r, const RealPoint& p) const {
   const bool one = world_.instant && r.wanted.prefix == Extremum::kNone;
+  const distance::Sense sense = sense_over_time(r.wanted);
   if (r.wanted.mode == Mode::kTurning) {
-    const distance::RotationInTime f = rotation_in_time(r, p, one);
-    const bool lowest = natural_extremum(r.wanted) == Extremum::kInf;
-    return one ? f.instant(0, Real()) : f.extremum(lowest ? distance::Sense::kMinimum : distance::Sense::kMaximum);
+    const distance::ValueRange v = rotation_in_time(r, p, one).extremum(sense);
+    const bool undefined = std::isinf(v.low) && v.low > 0;
+    return undefined ? std::nullopt : std::optional(v);
   }
-  if (r.wanted.mode != Mode::kPlain)
-    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
-  const distance::TurningMotion f(shape(r.names.first), shape(r.names.second),
-                                  situation::which(r.wanted.kind, r.second_moves), turning_poses(r, one));
-  if (one) return f.instant(p, 0, Real());
-  const bool least = natural_extremum(r.wanted) == Extremum::kInf;
-  return f.extremum(p, least ? distance::Sense::kMinimum : distance::Sense::kMaximum);
+  const distance::TurningMotion f = turning_motion(r, one);
+  return one ? f.instant(p, 0, Real()) : f.extremum(p, sense);
 }
 
 }  // namespace findspace::situation

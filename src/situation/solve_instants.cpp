@@ -71,10 +71,10 @@ Look by_value(const TurningMotion& f, const RealPoint& p, double level, bool lea
   return [&f, &p, level, least_only](Piece& piece) {
     const auto v = f.instant(p, piece.leg, Real::from_double(piece.from + (piece.to - piece.from) / 2));
     if (!v) return;
-    const double room = f.rate(piece.leg) * (piece.to - piece.from) / 2 + v->bound;
+    const double room = f.rate(piece.leg) * (piece.to - piece.from) / 2;
     const double at_most = least_only ? 0 : level;
-    if (v->value - room > level) piece.low = 1;
-    if (v->value + room < at_most) piece.high = -1;
+    if (v->low - room > level) piece.low = 1;
+    if (v->high + room < at_most) piece.high = -1;
   };
 }
 

@@ -3,6 +3,8 @@
 //
 // Solver at one position: values with their witnesses, signs, check.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,6 +33,7 @@ distance::Which touching(distance::Which w) {
 
 constexpr double kClear = 0x1p-34;  // of the sizes; values at a position are right to far less
 
+
 }  // namespace
 
 DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
@@ -41,7 +44,7 @@ DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
   if (r.turning || (rotation && world_.motion.given())) {
     const auto v = turning_value(r, p);
     const double unit = rotation ? 1 : world_.step.to_double();
-    if (v) out.value = v->value * unit, out.bound = v->bound * unit;
+    if (v) out.value = shown(*v, r) * unit, out.bound = v->low == v->high ? 0 : (v->high - v->low) * unit;
     return out;
   }
   if (!world_.motion.given() && r.wanted.mode == Mode::kPlain) {
@@ -89,6 +92,14 @@ void Solver::add_contact(DistanceAt& out, const Distance& wanted, const Roles& r
   moving.at = {moving.at.x + p.x - there.x, moving.at.y + p.y - there.y};
 }
 
+/// Of an extremum over time the end that f is known to take.
+double Solver::shown(const distance::ValueRange& v, const Roles& r) const {
+  const bool instant = !world_.motion.given() || (world_.instant && r.wanted.prefix == Extremum::kNone);
+  if (std::isinf(v.low) || std::isinf(v.high)) return std::isinf(v.low) ? v.high : v.low;
+  if (instant) return v.middle();
+  return natural_extremum(r.wanted) == Extremum::kInf ? v.high : v.low;
+}
+
 /// From the value, where it is clearly not the level: no map of all positions is made then.
 std::optional<std::int8_t> Solver::clear_sign(const SignMap& wanted, const Roles& r, const RealPoint& p) const {
   if (wanted.minimum || world_.motion.given() || r.wanted.mode != Mode::kPlain) return std::nullopt;
@@ -110,7 +121,7 @@ std::int8_t Solver::sign(const SignMap& asked, const RealPoint& p) const {
     const plane::SignMap m = sign_map(wanted);
     return mark_of(m, locate(m, p));
   }
-  if (wanted.minimum) refuse(wanted.distance, "the least value over positions is not computed with a motion");
+  if (wanted.minimum) refuse(wanted.distance, "whether a position is the best of all is not computed with a motion");
   const bool at_instant = world_.instant && wanted.distance.prefix == Extremum::kNone;
   const auto exact = at_instant ? std::nullopt : swing_sign(wanted, {p.x * world_.step, p.y * world_.step});
   if (exact) return *exact;
@@ -120,11 +131,15 @@ std::int8_t Solver::sign(const SignMap& asked, const RealPoint& p) const {
   }
   const auto v = turning_value(r, p);
   if (!v) return 1;
-  const double over = v->value - (rotation ? wanted.level : wanted.level / world_.step).to_double();
-  if (std::abs(over) <= v->bound)
-    refuse(wanted.distance,
-           "over time, in rotation or of shapes that turn, too near to the level for its bound to decide");
-  return over > 0 ? 1 : -1;
+  const double level = (rotation ? wanted.level : wanted.level / world_.step).to_double();
+  const double room = (std::abs(level) + 1) * 0x1p-50;
+  if (v->low > level + room) return 1;
+  if (v->high < level - room) return -1;
+  const double unit = rotation ? 1 : world_.step.to_double();
+  refuse(wanted.distance,
+         fmt::format("over time, in rotation or of shapes that turn, it lies between {:.10g} and {:.10g} here: too near to "
+                     "the level to decide",
+                     v->low * unit, v->high * unit));
 }
 
 Solver::Check Solver::check(const Formula& formula, const RealPoint& position) const {

@@ -43,6 +43,17 @@ class TurnSolver {
     plane::TurnMap inner, outer;
   };
   Bounds feasible_bounds(const Formula& formula) const;
+  /// The least or greatest value over a set of angles that is known between bounds, or of a distance that is.
+  struct Best {
+    std::optional<double> value;  // in the scene's unit, or in degrees: of an angle of within.inner; or none
+    double bound = 0;             // no angle of within.outer has a better one
+    bool none = false;            // proven: there are no values, or none is the last
+    plane::TurnMap possible;      // all best angles are among these
+  };
+  /// After feasible_bounds() or turns_twice().
+  Best best(const Distance& distance, const Bounds& within, distance::Sense sense) const;
+  /// A distance in rotation about another point than the shape turns about.
+  bool turns_twice(const Distance& distance) const;
   /// Where in a set of angles a distance is least; with its least value in the scene's unit, or in degrees.
   plane::TurnLeast least(const Distance& distance, const plane::TurnMap& within) const;
   /// Where it is greatest, likewise.
@@ -66,6 +77,10 @@ class TurnSolver {
   plane::TurnMap sign_map(const SignMap& wanted) const;
   bool turns_twice(const SignMap& wanted) const;
   distance::BoundedTurns bounded_map(const SignMap& wanted) const;
+  /// Its values over a set of angles: the better end is taken by an angle of `within`.
+  distance::ValueRange values_twice(const Distance& distance, const plane::TurnMap& within, distance::Sense sense) const;
+  distance::ValueRange values_over(const Distance& distance, const plane::TurnInterval& angles,
+                                   distance::Sense sense) const;
   plane::TurnMap directional_map(const Distance& wanted, const exact::Real& level) const;
   /// The map of -, 0, + that a turning distance is measured in, and where on it the pose is.
   struct Circle {
