@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verb place for 3D scenes: bodies one after another (planning/space_sequence.h), the positions each had, and the
-// placed shapes as one mesh.
+// The verb place for 3D scenes: bodies one after another (planning/space_sequence.h) or all at once
+// (planning/space_simultaneous.h), the positions each had, and the placed shapes as one mesh.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "io/write_placement.h"
 #include "placement_demands.h"
 #include "planning/space_sequence.h"
+#include "planning/space_simultaneous.h"
 #include "space/rotated_shape.h"
 #include "space_commands.h"
 
@@ -39,9 +40,6 @@ plane::ShapePtr turned(const Session& session, const TurnedShape& t) {
 }
 
 SpaceProblem problem_of(const Session& session) {
-  if (session.scene().place.method != io::Placement::Method::kSequential)
-    throw Error(ErrorCode::kUnsupported, "a placement of 3D shapes all at once is not computed; one after another is",
-                session.scene().file);
   PlacementDemands asked = placement_demands(session);
   SpaceProblem problem;
   static_cast<planning::Demands&>(problem) = std::move(asked.demands);
@@ -101,6 +99,25 @@ io::PlacementResult result_of(const SpaceProblem& problem, const planning::Space
   return out;
 }
 
+io::PlacementResult result_of(const SpaceProblem& problem, const planning::SpaceSimultaneous& found) {
+  io::PlacementResult out;
+  out.method = "simultaneous", out.unproven = found.unproven;
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    const Body& body = problem.bodies[b];
+    io::PlacedResult& placed = out.placed.emplace_back();
+    placed.shape = body.name, placed.copy = body.copy;
+    const auto angle = turns(body) ? std::optional(body.angles[0]) : std::nullopt;
+    if (const auto& pose = found.witness[b]) {
+      placed.at.assign(pose->at.begin(), pose->at.end());
+      placed.angle = angle;
+    }
+    const space::BoxComplex& set = found.positions[b];
+    if (body.copy == 0)
+      out.regions.push_back({body.name, angle, io::space_json(set, summarize(set, problem.step), problem.step, "")});
+  }
+  return out;
+}
+
 /// What is placed, as one mesh whose faces are labelled by shape.
 io::Surface scenery(const Session& session, const SpaceProblem& problem, const planning::SpacePoses& poses) {
   io::Surface out;
@@ -148,9 +165,14 @@ std::vector<std::string> placed_lines(const io::PlacementResult& result, const S
 }
 
 /// What stands still, and in blue what is placed.
-std::string picture(const Session& session, const SpaceProblem& problem, const planning::SpacePlacement& found,
+std::string picture(const Session& session, const SpaceProblem& problem, const planning::SpacePoses& poses,
                     const io::PlacementResult& result) {
-  io::BodiesPicture out{"Placement, one after another", session.unit(), placed_lines(result, session), {}, {},
+  const bool together = result.method == "simultaneous";
+  io::BodiesPicture out{together ? "Placement, all at once" : "Placement, one after another",
+                        session.unit(),
+                        placed_lines(result, session),
+                        {},
+                        {},
                         problem.step.to_double()};
   const auto is_placed = [&](const std::string& name) {
     return std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& b) {
@@ -162,7 +184,7 @@ std::string picture(const Session& session, const SpaceProblem& problem, const p
     if (body && !is_placed(s->name)) out.bodies.push_back({body.get(), {}, false});
   }
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    const auto& pose = found.poses[b];
+    const auto& pose = poses[b];
     if (!pose) continue;
     for (const std::string& name : problem.bodies[b].variants[pose->angle]) {
       const auto& body = problem.built.at(name).body;
@@ -172,6 +194,28 @@ std::string picture(const Session& session, const SpaceProblem& problem, const p
     }
   }
   return io::bodies_svg(out);
+}
+
+struct Answer {
+  io::PlacementResult result;
+  planning::SpacePoses poses;
+  ExitStatus status = kDone;
+};
+
+Answer together(const SpaceProblem& problem, const planning::Limit& limit) {
+  const planning::SpaceSimultaneous found = planning::place_together_in_space(problem, limit);
+  const bool complete =
+      std::all_of(found.witness.begin(), found.witness.end(), [](const auto& p) { return p.has_value(); });
+  return {result_of(problem, found), found.witness, complete ? kDone : found.unproven ? kLimit : kEmpty};
+}
+
+Answer one_after_another(const SpaceProblem& problem, const planning::Limit& limit) {
+  const planning::SpacePlacement found = planning::place_in_space(problem, limit);
+  // A shape without a position found on lines may have one between them.
+  ExitStatus status = found.limit_reached ? kLimit : kDone;
+  for (const planning::SpaceStep& step : found.steps)
+    if (!step.pose && status != kLimit) status = step.best.on_lines ? kLimit : kEmpty;
+  return {result_of(problem, found), found.poses, status};
 }
 
 }  // namespace
@@ -184,22 +228,19 @@ Outcome place_space(const Session& session) {
   const planning::Limit limit(options.time_limit);
   const SpaceProblem problem = problem_of(session);
   session.talk().stage("placing");
-  const planning::SpacePlacement found = planning::place_in_space(problem, limit);
-  const io::PlacementResult result = result_of(problem, found);
+  const bool all_at_once = session.scene().place.method == io::Placement::Method::kSimultaneous;
+  const Answer answer = all_at_once ? together(problem, limit) : one_after_another(problem, limit);
+  const io::PlacementResult& result = answer.result;
   session.talk().stage("writing");
   const auto json = [&] { return io::placement_json(result, session.step(), session.unit()); };
   Writers writers{{".json", json}};
   for (const char* ending : io::kSurfaceEndings)
     writers.emplace(ending, [&, ending] {
-      return io::surface_text(scenery(session, problem, found.poses), "placement", ending, session.unit());
+      return io::surface_text(scenery(session, problem, answer.poses), "placement", ending, session.unit());
     });
-  writers[".svg"] = [&] { return picture(session, problem, found, result); };
+  writers[".svg"] = [&] { return picture(session, problem, answer.poses, result); };
   write_outputs(options, writers);
-  // A shape without a position found on lines may have one between them.
-  ExitStatus status = found.limit_reached ? kLimit : kDone;
-  for (const planning::SpaceStep& step : found.steps)
-    if (!step.pose && status != kLimit) status = step.best.on_lines ? kLimit : kEmpty;
-  return {options.json ? json() : io::placement_text(result, session.step(), session.unit()), status};
+  return {options.json ? json() : io::placement_text(result, session.step(), session.unit()), answer.status};
 }
 
 }  // namespace findspace::app

@@ -211,9 +211,8 @@ AngleMap solve_between_bounds(const Session& session, const situation::TurnSolve
   const auto goal = session.goal();
   if (!goal) return {std::move(bounds.inner), std::move(bounds.outer), std::nullopt};
   const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
-  situation::TurnSolver::Best best =
-      turned.best(goal->objective.distance, bounds,
-                  maximum != negated ? distance::Sense::kMaximum : distance::Sense::kMinimum);
+  situation::TurnSolver::Best best = turned.best(
+      goal->objective.distance, bounds, maximum != negated ? distance::Sense::kMaximum : distance::Sense::kMinimum);
   const double turn = negated ? -1 : 1;
   io::ExtremeValue extreme{maximum, std::nullopt, false, false, false};
   if (best.value) extreme.value = turn * *best.value;

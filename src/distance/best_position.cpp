@@ -94,9 +94,10 @@ class Search {
   }
 
   bool start() {
-    const CellComplex both = plane::overlay(
-        std::array<const CellComplex*, 2>{&s_.certain, &s_.possible},
-        [](std::span<const Mark> m) { return m[0] > 0 ? kCertain : m[1] > 0 ? kPossible : Mark(0); });
+    const CellComplex both =
+        plane::overlay(std::array<const CellComplex*, 2>{&s_.certain, &s_.possible}, [](std::span<const Mark> m) {
+          return m[0] > 0 ? kCertain : m[1] > 0 ? kPossible : Mark(0);
+        });
     const Mark outside = both.faces[0].mark;
     if (outside != 0 && !window_.worse_outside) look_outside(outside);
     if (outside != 0 && window_.worse_outside && turn_ < 0) return false;

@@ -7,8 +7,8 @@
 // keeps the part of S in it, exactly; the disc about it bounds the function from one side, its value at a position of
 // the part from the other. Guarantee: certified, to the rounding of the ranges: a position of S has `level`, none is
 // better than `bound`, and every best one lies `within` that distance of one of `at`. Never `proven` but where the
-// value is infinite. Cost: up to `most_boxes` boxes, each two ranges and one overlay with what is left of S. Keywords: argmin,
-// branch and bound, Lipschitz optimisation.
+// value is infinite. Cost: up to `most_boxes` boxes, each two ranges and one overlay with what is left of S. Keywords:
+// argmin, branch and bound, Lipschitz optimisation.
 #pragma once
 
 #include <functional>
@@ -40,7 +40,7 @@ struct PositionBounds {
 struct SearchWindow {
   plane::PieceBox box;
   bool worse_outside = false;
-  double enough = 1e-9;
+  double enough = 0;
   std::size_t most_boxes = 600;
 };
 

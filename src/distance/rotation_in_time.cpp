@@ -25,7 +25,7 @@ using plane::TurnMap;
 
 namespace {
 
-constexpr int kMostParts = 150, kFirstParts = 8, kFirstPartsOfDisc = 4, kPartsOfDisc = 8;
+constexpr int kFirstPartsOfDisc = 4, kPartsOfDisc = 8;
 constexpr double kCloseEnough = 1e-6;       // no sign: degrees between the bounds of an extremum
 constexpr double kRoundingOfAngle = 1e-11;  // no sign: degrees, more than values on the circle are off
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -112,6 +112,7 @@ ValueRange RotationInTime::instant(std::size_t leg, const Real& s) const { retur
 RotationInTime RotationInTime::around(RealPoint p, double radius) const {
   RotationInTime out = *this;
   out.p_ = std::move(p), out.radius_ = radius;
+  out.first_parts_ = kFirstPartsOfDisc, out.most_parts_ = kPartsOfDisc;
   return out;
 }
 
@@ -126,7 +127,6 @@ ValueRange RotationInTime::extremum(Sense sense) const {
   const auto later = [](const Part& p, const Part& q) { return p.low > q.low; };
   std::priority_queue<Part, std::vector<Part>, decltype(later)> queue(later);
   double best = kInfinity;
-  const int first = radius_ > 0 ? kFirstPartsOfDisc : kFirstParts, most = radius_ > 0 ? kPartsOfDisc : kMostParts;
   const auto look = [&](std::size_t leg, const Real& s) {
     const ValueRange there = values({leg, s, s});
     best = std::min(best, least ? there.high : -there.low);
@@ -139,9 +139,9 @@ ValueRange RotationInTime::extremum(Sense sense) const {
   };
   for (std::size_t leg = 0; leg + 1 < poses_.size(); ++leg) {
     look(leg, Real(0)), look(leg, Real(1));
-    for (int k = 0; k < first; ++k) add({leg, Real::ratio(k, first), Real::ratio(k + 1, first)});
+    for (int k = 0; k < first_parts_; ++k) add({leg, Real::ratio(k, first_parts_), Real::ratio(k + 1, first_parts_)});
   }
-  for (int k = 0; k < most && best - queue.top().low > kCloseEnough; k += 2) {
+  for (int k = 0; k < most_parts_ && best - queue.top().low > kCloseEnough; k += 2) {
     const PartOfLeg part = queue.top().part;
     queue.pop();
     const Real mid = Real::ratio(1, 2) * (part.from + part.to);

@@ -44,11 +44,14 @@ class RotationInTime {
  private:
   BoundedTurns circles(const PartOfLeg& part) const;
 
+  static constexpr int kMostParts = 150, kFirstParts = 8;  // of all the time; of it around a position less will do
+
   plane::Region b_, a_;
   Which which_;
   exact::RealPoint centre_, p_;
   std::vector<TurningPose> poses_;
   double b_reach_, a_reach_, radius_ = 0;
+  int first_parts_ = kFirstParts, most_parts_ = kMostParts;
 };
 
 }  // namespace findspace::distance

@@ -41,8 +41,8 @@ Real unit_of(const Distance& d, const Solver& solver) {
 
 /// The best of the certain positions, and no better than the best of the possible ones.
 Optimum between(Optimum certain, const Optimum& possible, Sense sense) {
-  const double none = sense == Sense::kMinimum ? -std::numeric_limits<double>::infinity()
-                                               : std::numeric_limits<double>::infinity();
+  const double none =
+      sense == Sense::kMinimum ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
   const bool exact = certain.value && possible.value && certain.proven && possible.proven &&
                      compare(*certain.value, *possible.value) == 0;
   if (exact || certain.unbounded) return certain;
@@ -96,8 +96,7 @@ Optimum optimize(const plane::Region& region, const Objective& objective, Sense 
 
 std::optional<Optimum> minimum_of(const Formula& formula, const Solver& solver) {
   for (const SignMap& m : formula.sign_maps())
-    if (m.minimum)
-      return optimum(solver.least(m.distance), solver.world().step, false, unit_of(m.distance, solver));
+    if (m.minimum) return optimum(solver.least(m.distance), solver.world().step, false, unit_of(m.distance, solver));
   return std::nullopt;
 }
 

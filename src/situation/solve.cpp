@@ -124,7 +124,8 @@ TDistancePointer Solver::searched(const Roles& r) const {
 distance::PositionFunctionPointer Solver::of_instant(const Roles& r) const {
   const Distance& d = r.wanted;
   if (d.mode == Mode::kPlain) return plain(r);
-  if (d.mode == Mode::kTurning) refuse(d, "distances in rotation are known between bounds only, and have no exact region here");
+  if (d.mode == Mode::kTurning)
+    refuse(d, "distances in rotation are known between bounds only, and have no exact region here");
   auto base = pair(r.names)->pair().distance(signed_base(d.kind));
   const plane::SignMap& map = static_cast<const distance::SignedDistance&>(*base).base();
   if (is_farthest(d.kind)) return std::make_shared<distance::DirectionalFarthest>(map, track(d));
@@ -191,8 +192,8 @@ distance::Extremum Solver::least(const Distance& wanted) const {
     if (found != cache_->least.end()) return found->second;
   }
   const plane::Region whole = CellComplex::uniform(1);
-  distance::Extremum e = is_bounded(wanted) ? best_position(wanted, {whole, whole}, distance::Sense::kMinimum)
-                         : world_.motion.given()    ? least_over_time(wanted)
+  distance::Extremum e = is_bounded(wanted)       ? best_position(wanted, {whole, whole}, distance::Sense::kMinimum)
+                         : world_.motion.given()  ? least_over_time(wanted)
                          : is_directional(wanted) ? least_directional(roles(wanted))
                                                   : distance::least(*distance(wanted));
   std::lock_guard lock(cache_->guard);

@@ -27,8 +27,9 @@ using plane::Mark;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kBoxes = 600, kBoxesOverTime = 320, kBoxesOfRotationOverTime = 48;
-const Real kAllTurns(-180);  // below it a rotational distance is -infinity
+constexpr std::size_t kBoxes = 600, kBoxesOverTime = 320, kBoxesOfRotationOverTime = 24;
+constexpr double kCloseDegrees = 1e-7, kClosePart = 1e-9;  // no sign: where a search may end
+const Real kAllTurns(-180);                                // below it a rotational distance is -infinity
 
 double far(const RealPoint& p) { return std::hypot(distance::near_value(p.x), distance::near_value(p.y)); }
 
@@ -42,9 +43,7 @@ bool ends(Kind kind) { return kind == Kind::kPenetration || kind == Kind::kDstar
 
 }  // namespace
 
-bool Solver::is_bounded(const Distance& wanted) const {
-  return wanted.mode == Mode::kTurning || roles(wanted).turning;
-}
+bool Solver::is_bounded(const Distance& wanted) const { return wanted.mode == Mode::kTurning || roles(wanted).turning; }
 
 DiscRange Solver::disc_range(const Roles& r) const {
   const Sense sense = sense_over_time(r.wanted);
@@ -65,14 +64,18 @@ SearchWindow Solver::search_window(const Roles& r, const plane::Region& over) co
   const plane::Region a = shape(r.names.second);
   const bool rotation = r.wanted.mode == Mode::kTurning;
   double size = 2 + distance::reach(shape(r.names.first)) + distance::reach(a), way = 0;
-  for (const distance::TurningPose& p : turning_poses(r, false))
-    way = std::max(way, far(p.at) + 2 * far(p.fixed_at));
+  for (const distance::TurningPose& p : turning_poses(r, false)) way = std::max(way, far(p.at) + 2 * far(p.fixed_at));
   if (rotation) size += 2 * far(steps({r.wanted.vector.at(0), r.wanted.vector.at(1)}));
   size += way;
-  SearchWindow out{{}, !rotation && !ends(r.wanted.kind), rotation ? 1e-7 : 1e-9 * size,
-                   !world_.motion.given() ? kBoxes : rotation ? kBoxesOfRotationOverTime : kBoxesOverTime};
+  SearchWindow out{{},
+                   !rotation && !ends(r.wanted.kind),
+                   rotation ? kCloseDegrees : kClosePart * size,
+                   !world_.motion.given() ? kBoxes
+                   : rotation             ? kBoxesOfRotationOverTime
+                                          : kBoxesOverTime};
   if (out.worse_outside && over.faces[0].mark > 0) {
-    if (!plane::is_bounded(a)) refuse(r.wanted, "over unbounded positions, of an unbounded shape, no best is looked for");
+    if (!plane::is_bounded(a))
+      refuse(r.wanted, "over unbounded positions, of an unbounded shape, no best is looked for");
     // Some position has at most |p| + size; one farther off by twice that has more.
     double nearest = 0;
     if (!over.vertices.empty()) nearest = far(over.geometry.exact(over.vertices[0].point));

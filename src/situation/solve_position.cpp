@@ -33,7 +33,6 @@ distance::Which touching(distance::Which w) {
 
 constexpr double kClear = 0x1p-34;  // of the sizes; values at a position are right to far less
 
-
 }  // namespace
 
 DistanceAt Solver::value(const Distance& wanted, const RealPoint& p) const {
@@ -137,9 +136,10 @@ std::int8_t Solver::sign(const SignMap& asked, const RealPoint& p) const {
   if (v->high < level - room) return -1;
   const double unit = rotation ? 1 : world_.step.to_double();
   refuse(wanted.distance,
-         fmt::format("over time, in rotation or of shapes that turn, it lies between {:.10g} and {:.10g} here: too near to "
-                     "the level to decide",
-                     v->low * unit, v->high * unit));
+         fmt::format(
+             "over time, in rotation or of shapes that turn, it lies between {:.10g} and {:.10g} here: too near to "
+             "the level to decide",
+             v->low * unit, v->high * unit));
 }
 
 Solver::Check Solver::check(const Formula& formula, const RealPoint& position) const {

@@ -159,8 +159,7 @@ TurnMap TurnSolver::sign_map(const SignMap& wanted) const {
   }
   const Real& step = solver_.world().step;
   if (d.mode == Mode::kTurning && !is_plain_level(wanted)) {
-    if (turns_twice(wanted))
-      refuse(d, "about another point than \"about\" names it is known between bounds only");
+    if (turns_twice(wanted)) refuse(d, "about another point than \"about\" names it is known between bounds only");
     const Circle c = circle(d);
     return c.farthest ? farthest_turning_sign_map(c.base, wanted.level) : turning_sign_map(c.base, wanted.level);
   }

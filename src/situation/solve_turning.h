@@ -78,7 +78,8 @@ class TurnSolver {
   bool turns_twice(const SignMap& wanted) const;
   distance::BoundedTurns bounded_map(const SignMap& wanted) const;
   /// Its values over a set of angles: the better end is taken by an angle of `within`.
-  distance::ValueRange values_twice(const Distance& distance, const plane::TurnMap& within, distance::Sense sense) const;
+  distance::ValueRange values_twice(const Distance& distance, const plane::TurnMap& within,
+                                    distance::Sense sense) const;
   distance::ValueRange values_over(const Distance& distance, const plane::TurnInterval& angles,
                                    distance::Sense sense) const;
   plane::TurnMap directional_map(const Distance& wanted, const exact::Real& level) const;

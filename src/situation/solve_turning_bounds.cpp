@@ -30,6 +30,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Real kAboutAnEnd = Real::ratio(1, 1000000000);  // degrees: more than an angle in doubles is off
 
+constexpr double kBeyond = 1e-9;  // no sign: of a level that a value certainly does not pass
+
 double way_of(const plane::TurnInterval& i) {
   const double d = i.to.degrees() - i.from.degrees();
   return d < 0 ? d + 360 : d;
@@ -81,10 +83,9 @@ distance::ValueRange TurnSolver::values_over(const Distance& wanted, const plane
   const auto over = [&](std::size_t first_stop, std::size_t last_stop) {
     std::vector<distance::TurningPose> poses(2);
     poses[0].moving = stops[first_stop], poses[1].moving = stops[last_stop];
-    return distance::RotationInTime(plane::moved(solver_.shape(d.first), {-about_.x, -about_.y}),
-                                    solver_.shape(d.second), solver_.which(d),
-                                    {d.vector.at(0) / solver_.world().step, d.vector.at(1) / solver_.world().step}, at,
-                                    poses);
+    return distance::RotationInTime(
+        plane::moved(solver_.shape(d.first), {-about_.x, -about_.y}), solver_.shape(d.second), solver_.which(d),
+        {d.vector.at(0) / solver_.world().step, d.vector.at(1) / solver_.world().step}, at, poses);
   };
   const int turn = sense == Sense::kMinimum ? 1 : -1;
   const auto better = [turn](ValueRange v) { return turn > 0 ? v : ValueRange{-v.high, -v.low}; };
@@ -130,7 +131,7 @@ TurnSolver::Best TurnSolver::best(const Distance& d, const Bounds& within, Sense
     return out;
   }
   out.value = turn * value;
-  const distance::BoundedTurns near = bounded_map({d, Real::from_double(turn * value + turn * 1e-9)});
+  const distance::BoundedTurns near = bounded_map({d, Real::from_double(turn * value + turn * kBeyond)});
   const TurnMap& bound = turn > 0 ? near.low : near.high;
   out.possible = plane::overlay(std::array<const TurnMap*, 2>{&bound, &within.outer},
                                 [turn](std::span<const Mark> m) { return Mark(m[1] > 0 && turn * m[0] <= 0); });
