@@ -247,6 +247,10 @@ Solver::Check TurnSolver::check(const Formula& formula) const {
   Solver::Check out;
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
+    if (atom.minimum && (pose_.about || atom.distance.mode == Mode::kTurning)) {
+      out.atoms.push_back(check_least(atom));
+      continue;
+    }
     if (atom.distance.mode != Mode::kTurning) {
       out.atoms.push_back(check_plain(formula, k));
       continue;

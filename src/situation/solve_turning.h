@@ -98,6 +98,8 @@ class TurnSolver {
     plane::Mark sign;  // of the distance minus the level
   };
   Met turning_at(const Distance& turning, const exact::Real& level) const;
+  /// `-> min` over all angles, at the pose's.
+  AtomAt check_least(const Atom& atom) const;
   AtomAt check_plain(const Formula& whole, std::size_t atom) const;
 
   const Solver& solver_;

@@ -30,7 +30,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Real kAboutAnEnd = Real::ratio(1, 1000000000);  // degrees: more than an angle in doubles is off
 
-constexpr double kBeyond = 1e-9;  // no sign: of a level that a value certainly does not pass
+constexpr double kBeyond = 1e-9;  // no sign: more than values are off
 
 double way_of(const plane::TurnInterval& i) {
   const double d = i.to.degrees() - i.from.degrees();
@@ -135,6 +135,25 @@ TurnSolver::Best TurnSolver::best(const Distance& d, const Bounds& within, Sense
   const TurnMap& bound = turn > 0 ? near.low : near.high;
   out.possible = plane::overlay(std::array<const TurnMap*, 2>{&bound, &within.outer},
                                 [turn](std::span<const Mark> m) { return Mark(m[1] > 0 && turn * m[0] <= 0); });
+  return out;
+}
+
+AtomAt TurnSolver::check_least(const Atom& atom) const {
+  const Distance& d = atom.distance;
+  const bool turning = d.mode == Mode::kTurning;
+  AtomAt out{atom, turning ? turning_at(d, Real()).distance : turned_solver().distance_at(d, pose_.at), false, {}};
+  const TurnMap all = TurnMap::uniform(1);
+  std::optional<double> least_value;  // not proven
+  if (turns_twice(d)) {
+    least_value = best(d, {all, all}, Sense::kMinimum).value.value_or(-kInfinity);
+  } else if (const plane::TurnLeast found = least(d, all); found.exists && found.proven) {
+    out.holds = mark_at(found.at, exact::Angle::of_degrees(pose_.degrees)) > 0;
+  } else if (found.exists) {
+    least_value = found.value.to_double();
+  }
+  const auto& value = out.distance.value;
+  if (least_value && value && *value <= *least_value + kBeyond * (1 + std::abs(*least_value)))
+    refuse(d, "its least value over the angles is no whole number of steps; whether it is taken here is not decided");
   return out;
 }
 
