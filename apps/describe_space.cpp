@@ -31,8 +31,7 @@ space::ConvexSet whole(const space::Body& body) {
   core.parts[0].radius = Real();
   const space::Bounds3 box = space::bounds(core);
   space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, true, false, part.radius};
-  if (!part.core) return set;
-  for (const space::Plane& plane : part.core->planes()) set.region.cut(space::HalfSpace(plane));
+  for (const space::HalfSpace& plane : part.planes()) set.region.cut(plane);
   return set;
 }
 

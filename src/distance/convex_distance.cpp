@@ -31,7 +31,8 @@ class PlanesDistance {
   explicit PlanesDistance(std::span<const HalfSpace> planes) {
     for (const HalfSpace& h : planes) units_.push_back(h.unit), shifts_.push_back(h.shift);
   }
-  double operator()(const Vector& x) const {
+  double operator()(const Vector& x) const { return space::length(way(x)); }
+  Vector way(const Vector& x) const {
     Vector y;
     Basis basis;
     const double slack = 0x1p-46 * (space::size_of(x) + 1);
@@ -44,7 +45,7 @@ class PlanesDistance {
       }
       if (worst < 0 || !exchange(basis, worst, x, y)) break;
     }
-    return space::length(y);
+    return y;
   }
 
  private:
@@ -148,6 +149,10 @@ class FlatDistance {
 
 ConvexDistance distance_to(std::span<const HalfSpace> planes) {
   return [d = std::make_shared<const PlanesDistance>(planes)](const Vector& x) { return (*d)(x); };
+}
+
+std::function<Vector(const Vector&)> way_to(std::span<const HalfSpace> planes) {
+  return [d = std::make_shared<const PlanesDistance>(planes)](const Vector& x) { return d->way(x); };
 }
 
 ConvexDistance distance_to_flat(const space::ConvexRegion& set) {

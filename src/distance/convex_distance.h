@@ -12,6 +12,8 @@ namespace findspace::distance {
 
 /// {x : every plane <= 0}, bounded or not.
 ConvexDistance distance_to(std::span<const space::HalfSpace> planes);
+/// From a point to the place of the set that is nearest to it.
+std::function<space::Vector(const space::Vector&)> way_to(std::span<const space::HalfSpace> planes);
 /// A polygon, segment or point.
 ConvexDistance distance_to_flat(const space::ConvexRegion& set);
 

@@ -112,9 +112,9 @@ Source RaySignMaker::eta1(const Real& level) const {
     return space::negated_rays(RaySignMaker(b_, parts, grid_).gamma1(-level));
   }
   if (a_.round()) {
-    if (a_.convex() && (level.sign() <= 0 || (b_.convex() && !a_.parts[0].core && !b_.parts[0].core))) {
+    if (a_.convex() && (level.sign() <= 0 || (b_.convex() && a_.parts[0].point() && b_.parts[0].point()))) {
       const Real room = a_.parts[0].radius - b_.parts[0].radius;
-      const bool never = b_.convex() && !a_.parts[0].core && !b_.parts[0].core && room.sign() < 0;
+      const bool never = b_.convex() && a_.parts[0].point() && b_.parts[0].point() && room.sign() < 0;
       return never ? constant(1) : mu(level);
     }
     if (level.sign() == 0 && !a_.convex()) return mu(level);  // of what has no room they have the same sign
@@ -141,7 +141,7 @@ Source RaySignMaker::eta2(const Real& level) const {
   if (a_.outside) return constant(1);
   std::vector<std::pair<RealVector, Real>> all;
   if (a_.round()) {
-    if (!a_.convex() || !b_.convex() || a_.parts[0].core || b_.parts[0].core)
+    if (!a_.convex() || !b_.convex() || !a_.parts[0].point() || !b_.parts[0].point())
       fail("the farthest fit in a round shape is not computed on rays");
     const Real room = a_.parts[0].radius - b_.parts[0].radius;
     if (room.sign() < 0) return constant(1);
@@ -162,7 +162,7 @@ Source RaySignMaker::eta2(const Real& level) const {
 Source RaySignMaker::mu_of_vertices(const BodyPart& b, const Real& level) const {
   const BodyPart& a = a_.parts[0];
   const Real reach = level + a.radius - b.radius;
-  if (!a.core) {
+  if (a.point()) {
     std::vector<std::pair<RealVector, Real>> all;
     for (const space::Point& v : b.vertices()) all.emplace_back(real(a.center - v), reach);
     return balls(all);
@@ -183,11 +183,11 @@ Source RaySignMaker::mu_of_vertices(const BodyPart& b, const Real& level) const 
     return space::greatest_rays(std::move(all));
   }
   std::vector<HalfSpace> planes;
-  for (const space::Plane& p : core.core->planes()) {
-    const RealVector n = real(p.normal);
+  for (const HalfSpace& p : core.planes()) {
+    const RealVector& n = p.normal;
     BodyPart plain = b;
     plain.radius = Real();
-    planes.emplace_back(n, Real(p.offset) + support(plain, n) - reach * sqrt(space::dot(n, n)));
+    planes.emplace_back(n, p.offset + support(plain, n) - reach * sqrt(space::dot(n, n)));
   }
   return rays({space::polytope_piece(std::move(planes), space::everywhere().low, space::everywhere().high)});
 }

@@ -23,12 +23,6 @@ namespace {
 
 Real length(const RealVector& v) { return sqrt(space::dot(v, v)); }
 
-std::vector<HalfSpace> half_spaces(const BodyPart& part) {
-  std::vector<HalfSpace> planes;
-  for (const space::Plane& p : part.core->planes()) planes.emplace_back(p);
-  return planes;
-}
-
 /// The greatest plane value over its normal's length at x, among planes that come near it in doubles.
 Real depth_value(std::span<const HalfSpace> planes, const RealVector& x, const Vector& near, double top) {
   std::optional<Real> best;
@@ -53,32 +47,32 @@ std::vector<ConvexDistance> distances_to_parts(const Body& a) {
   std::vector<ConvexDistance> out;
   for (const BodyPart& part : a.parts) {
     const double radius = part.radius.to_double();
-    if (!part.core)
+    if (part.point())
       out.emplace_back([center = space::rounded(real(part.center)), radius](const Vector& x) {
         return space::length(x - center) - radius;
       });
     else if (radius == 0)
-      out.push_back(distance_to(half_spaces(part)));
+      out.push_back(distance_to(part.planes()));
     else
-      out.emplace_back([core = distance_to(half_spaces(part)), radius](const Vector& x) { return core(x) - radius; });
+      out.emplace_back([core = distance_to(part.planes()), radius](const Vector& x) { return core(x) - radius; });
   }
   return out;
 }
 
 bool polyhedra_and_balls(const Body& b) {
   return std::none_of(b.parts.begin(), b.parts.end(),
-                      [](const BodyPart& part) { return part.core && part.radius.sign() > 0; });
+                      [](const BodyPart& part) { return !part.point() && part.radius.sign() > 0; });
 }
 
 SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
-  const std::vector<HalfSpace> planes = a.core ? half_spaces(a) : std::vector<HalfSpace>();
+  const std::vector<HalfSpace> planes = a.planes();
   const RealVector center = real(a.center);
   std::vector<Corner> corners;
   for (const BodyPart& part : b.parts) {
     for (const space::Point& v : part.vertices()) {
       Corner c{&part, space::plus(real(v), p), {}, 0};
       c.near = space::rounded(c.at);
-      double highest = a.core ? -exact::kInfinity : space::length(c.near - space::rounded(center));
+      double highest = !a.point() ? -exact::kInfinity : space::length(c.near - space::rounded(center));
       for (const HalfSpace& h : planes) highest = std::max(highest, h.shadow_value(c.near));
       c.floor = highest + part.radius.to_double();
       corners.push_back(std::move(c));
@@ -97,7 +91,7 @@ SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVecto
     if (best && ceiling + radius < known - slack) continue;
     RealVector foot = center;
     Real core;
-    if (!a.core) {
+    if (a.point()) {
       core = length(space::minus(c.at, center));
     } else if (highest < -slack) {
       core = depth_value(planes, c.at, c.near, highest);
@@ -125,7 +119,7 @@ SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p)
   std::vector<RoundSolid> balls;
   const Vector by = space::rounded(p);
   for (const BodyPart& part : b.parts) {
-    if (!part.core) {
+    if (part.point()) {
       const Vector center = space::rounded(space::plus(real(part.center), p));
       balls.push_back({center, center, part.radius.to_double()});
       continue;
@@ -145,7 +139,7 @@ SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p)
         continue;
       std::optional<SolidValue> best;
       for (const BodyPart& t : a.parts) {
-        const RealVector foot = t.core ? *nearest_in(half_spaces(t), at) : real(t.center);
+        const RealVector foot = t.point() ? real(t.center) : *nearest_in(t.planes(), at);
         const Real core = length(space::minus(at, foot)), d = core - t.radius;
         if (best && !(d < best->value)) continue;
         best = SolidValue{};

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 
+#include "distance/front_room.h"
 #include "distance/solid_mu.h"
+#include "distance/solid_value.h"
 
 namespace findspace::distance {
 
@@ -21,15 +23,6 @@ namespace {
 [[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
 Real length(const RealVector& v) { return sqrt(space::dot(v, v)); }
-
-/// A signed distance whose zero set is nearest at q.
-SolidValue signed_value(const RealVector& p, const RealVector& q, int sign) {
-  const Real d = length(space::minus(q, p));
-  SolidValue out;
-  out.value = sign < 0 ? -d : d;
-  if (d.sign() != 0) out.nearest = q;
-  return out;
-}
 
 /// The value of a convex core with radius r around it; q is the nearest point of the core's frontier (or of the core).
 SolidValue with_radius(const RealVector& p, const RealVector& q, bool inside, const Real& r) {
@@ -47,13 +40,6 @@ SolidValue turned(SolidValue v) {
   return v;
 }
 
-std::optional<SolidValue> cut_off(std::optional<SolidValue> v, bool negated) {
-  if (!v) return negated ? std::optional<SolidValue>(SolidValue{}) : std::nullopt;
-  if (negated) v->value = -v->value;
-  if (v->value.sign() < 0) v->value = Real();
-  return v;
-}
-
 }  // namespace
 
 SolidPair::SolidPair(std::shared_ptr<const Body> b, std::shared_ptr<const Body> a)
@@ -65,84 +51,6 @@ SolidPair::SolidPair(std::shared_ptr<const Body> b, std::shared_ptr<const Body> 
   }
   forth_.moving = b_.get(), forth_.fixed = a_.get();
   back_.moving = a_.get(), back_.fixed = b_.get();
-}
-
-const SolidPair::Fit& SolidPair::fit(const Side& side) const {
-  std::call_once(side.made, [&] {
-    auto made = std::make_unique<Fit>();
-    const Body &b = *side.moving, &a = *side.fixed;
-    if (a.convex() && !a.parts[0].core) {
-      std::vector<space::Ball> balls;
-      for (const BodyPart& part : b.parts) {
-        for (const space::Point& v : part.vertices())
-          balls.push_back({real(a.parts[0].center - v), a.parts[0].radius - part.radius});
-      }
-      made->balls.emplace(std::move(balls));
-    } else if (a.round()) {
-      fail("containment in a union of balls, or in an offset shape, is not computed");
-    } else {
-      made->core = b;
-      if (!a.convex()) {
-        made->radius = b.parts[0].radius;
-        for (BodyPart& part : made->core.parts) {
-          if (part.radius != made->radius)
-            fail("containment of a union with several radii in a shape that is not convex is not computed");
-          part.radius = Real();
-        }
-      }
-      made->cells = space::outside_cells(a);
-      made->cover = space::outside_cover(made->core, made->cells);
-    }
-    side.fit = std::move(made);
-  });
-  return *side.fit;
-}
-
-std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVector& p) const {
-  if (side.fixed->convex() && side.fixed->parts[0].core && side.fixed->round()) {
-    // Inside an offset polytope both distances agree; outside the nearest fit is not known, so fit() refuses.
-    const SolidValue v = sticking_out(side, p);
-    if (v.value.sign() <= 0) return v;
-  }
-  const Fit& f = fit(side);
-  if (f.balls) {
-    const auto q = f.balls->nearest(p);
-    if (!q) return std::nullopt;
-    if (*q != p) return signed_value(p, *q, 1);
-    return sticking_out(side, p);  // inside E both distances agree
-  }
-  if (auto v = inside_polyhedra(side, p)) return v;
-  if (f.radius.sign() > 0)
-    fail("how far a round shape is from fitting into a shape that is not convex is not computed");
-  const auto q = f.cover.nearest_uncovered(p);
-  return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
-}
-
-std::optional<SolidValue> SolidPair::inside_polyhedra(const Side& side, const RealVector& p) const {
-  const Fit& f = fit(side);
-  if (f.cover.covers(p)) return std::nullopt;
-  SolidValue v = signed_value(p, *f.cover.nearest_touching(p), -1);
-  if (f.radius.sign() == 0) return v;
-  // The ball fits where it is no deeper than that; so much less is the way to where it does not.
-  v.value += f.radius;
-  v.nearest.reset();
-  return v.value.sign() > 0 ? std::nullopt : std::optional(v);
-}
-
-std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
-  const Fit& f = fit(side);
-  if (f.radius.sign() > 0) fail("the farthest fit of a round shape in a shape that is not convex is not computed");
-  std::optional<RealVector> q;
-  if (f.balls) {
-    q = f.balls->farthest(p);
-  } else {
-    const space::Bounds3 a = bounds(*side.fixed), b = bounds(*side.moving);
-    q = farthest_uncovered(f.cover, space::minus(a.low, b.low), space::minus(a.high, b.high), p);
-  }
-  if (!q) return std::nullopt;
-  SolidValue out;
-  out.value = length(space::minus(*q, p));
-  return out;
 }
 
 SolidValue SolidPair::gap(const RealVector& p, bool depth) const {
@@ -172,15 +80,17 @@ SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
   }
   const bool one_pair = a_->parts.size() == 1 && b_->parts.size() == 1;
   if (!depth || one_pair || best->value.sign() >= 0) return *best;
-  const auto is_ball = [](const BodyPart& part) { return !part.core; };
-  if (!std::all_of(a_->parts.begin(), a_->parts.end(), is_ball) ||
-      !std::all_of(b_->parts.begin(), b_->parts.end(), is_ball))
-    fail("the penetration depth of a union of round parts that are not all balls is not computed");
-  std::vector<space::Ball> balls;
-  for (const BodyPart& t : a_->parts) {
-    for (const BodyPart& s : b_->parts) balls.push_back({real(t.center - s.center), t.radius + s.radius});
-  }
-  return signed_value(p, nearest_outside(balls, p), -1);
+  std::call_once(round_overlap_made_, [&] {
+    const space::Bounds3 of_a = bounds(*a_), of_b = bounds(*b_);
+    std::vector<GrownSet> sets;
+    for (const BodyPart& t : a_->parts) {
+      for (const BodyPart& s : b_->parts)
+        sets.push_back({space::difference_planes(t, s), real(t.center - s.center), t.radius + s.radius});
+    }
+    round_overlap_ = std::make_shared<const FrontRoom>(FrontRoom::outside(
+        std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
+  });
+  return turned(*round_overlap_->nearest(p, true));
 }
 
 SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p, bool depth) const {
@@ -191,9 +101,8 @@ SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p, bool d
   if (!polyhedra_and_balls(*side.moving))
     fail("how far a rounded polyhedron sticks out of a shape that is not convex is not computed");
   SolidValue out = stick_out_of_union(*side.moving, *side.fixed, p);
-  if (depth && side.fixed->round() && out.value.sign() <= 0)
-    fail("the depth of a shape in a union of round parts is not computed");
-  return out;
+  const bool inside = side.fixed->round() && out.value.sign() <= 0;
+  return depth && inside ? depth_inside(side, p) : out;
 }
 
 std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) const {
@@ -236,9 +145,9 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
     case Which::kHBack:
       return cut_off(points_back(sticking_out(back_, q, false)), false);
     case Which::kDstar:
-      return cut_off(seen_back(contained(back_, q)), true);
+      return seen_back(clearance_inside(back_, q));
     case Which::kDstarBack:
-      return cut_off(contained(forth_, p), true);
+      return clearance_inside(forth_, p);
     case Which::kPenetration:
       return cut_off(gap(p), true);
     case Which::kDiameter: {

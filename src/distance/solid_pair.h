@@ -28,6 +28,8 @@
 
 namespace findspace::distance {
 
+class FrontRoom;
+
 struct SolidValue {
   exact::Real value;
   bool proven = true;                        // the exact number; else within 2^-38 relative
@@ -35,6 +37,7 @@ struct SolidValue {
   std::optional<space::RealVector> nearest;  // signed distances: the nearest position where they are 0
   /// The points of B + p and of A that take the distance, where it is one of points.
   std::optional<std::array<space::RealVector, 2>> points;
+  double error = 0;  // what a value that is not proven may be off
 };
 
 class SolidPair {
@@ -48,11 +51,19 @@ class SolidPair {
  private:
   /// "moving in fixed": E of a body in another, made when first needed.
   struct Fit {
-    space::Body core;  // what moves, without its radius where that is taken apart from the cover
-    exact::Real radius;
+    /// What moves without its radius, where that is taken apart from the cover.
+    struct Group {
+      space::Body core;
+      exact::Real radius;
+      space::OpenCover cover;
+    };
     std::vector<space::OutsideCell> cells;
-    space::OpenCover cover;
+    std::vector<Group> groups;  // one for each radius
     std::optional<space::BallMeet> balls;
+    bool round = false;  // the front of E is
+    bool none = false;   // the moving one is too large
+    mutable std::once_flag front_made;
+    mutable std::shared_ptr<const FrontRoom> front;
   };
   struct Side {  // one of the two as moving, the other as fixed
     const space::Body* moving = nullptr;
@@ -62,10 +73,16 @@ class SolidPair {
   };
 
   const Fit& fit(const Side& side) const;
+  static std::unique_ptr<Fit> made_fit(const Side& side);
+  static const FrontRoom& front(const Side& side, const Fit& fit);
   std::optional<SolidValue> contained(const Side& side, const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
   std::optional<SolidValue> inside_polyhedra(const Side& side, const space::RealVector& p) const;
   std::optional<SolidValue> farthest_fit(const Side& side, const space::RealVector& p) const;
+  /// max(0, -eta1), also where eta1 is not computed.
+  std::optional<SolidValue> clearance_inside(const Side& side, const space::RealVector& p) const;
+  /// Minus the distance of the moving body, which lies in the fixed one, to what is outside that.
+  static SolidValue depth_inside(const Side& side, const space::RealVector& p);
   /// Without `depth` a value below 0 need only be below 0; so also below.
   SolidValue gap(const space::RealVector& p, bool depth = true) const;
   SolidValue round_gap(const space::RealVector& p, bool depth) const;
@@ -79,6 +96,8 @@ class SolidPair {
   Side forth_, back_;
   mutable std::once_flag overlap_made_;
   mutable std::unique_ptr<space::OpenCover> overlap_;
+  mutable std::once_flag round_overlap_made_;
+  mutable std::shared_ptr<const FrontRoom> round_overlap_;
 };
 
 /// max |v - w| + radii over two points of the body.

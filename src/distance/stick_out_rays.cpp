@@ -71,9 +71,9 @@ StickOutRays::StickOutRays(const Body& b, const Body& a, const Real& level, cons
                            const RayGrid& grid)
     : grid_(grid), unit_(static_cast<double>(b.scale) / static_cast<double>(grid.parts)) {
   for (const BodyPart& part : b.parts) {
-    if (!part.core && part.radius.sign() == 0) continue;  // a point is its vertex
+    if (part.point() && part.radius.sign() == 0) continue;  // a point is its vertex
     Part& made = parts_.emplace_back();
-    if (!part.core) {
+    if (part.point()) {
       made.center = exact::shadow(part.center), made.radius = part.radius.to_double();
       continue;
     }

@@ -124,7 +124,7 @@ int SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v)
   const Real level = wanted.level / world_.step;
   if (!v->proven) {
     const double gap = std::fabs((v->value - level).to_double());
-    if (gap <= 0x1p-34 * std::fabs(v->value.to_double())) {
+    if (gap <= std::max(0x1p-34 * std::fabs(v->value.to_double()), v->error)) {
       throw Error(ErrorCode::kUnsupported, text(wanted.distance) +
                                                ": the value, found by search, is too near the level " +
                                                "to tell on which side of it it lies");

@@ -67,7 +67,7 @@ void scale_down(SolidValue& v, const Real& scale) {
   const auto down = [&](RealVector& q) {
     for (Real& c : q) c /= scale;
   };
-  v.value /= scale;
+  v.value /= scale, v.error /= scale.to_double();
   if (v.nearest) down(*v.nearest);
   if (v.points) down((*v.points)[0]), down((*v.points)[1]);
 }
@@ -149,7 +149,7 @@ std::optional<SpacePair::Sublevel> SpacePair::sublevel(Which which, const Real& 
   const bool eta = which == Which::kEta1 || (which == Which::kMu && level.sign() <= 0),
              delta = which == Which::kDelta1 || (which == Which::kMuBack && level.sign() <= 0);
   const bool one_pair = a_->convex() && b_->convex();
-  const bool balls = one_pair && !a_->parts[0].core && !b_->parts[0].core;
+  const bool balls = one_pair && a_->parts[0].point() && b_->parts[0].point();
   const auto plain = [](const Body& body) { return body.convex() && body.parts[0].core && !body.round(); };
   std::vector<space::HalfSpace> planes;
   Real radius;

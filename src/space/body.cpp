@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "space/flat_core.h"
+
 namespace findspace::space {
 
 using exact::Real;
@@ -38,12 +40,6 @@ std::int64_t in_range(int128 c) {
   if (c > kCoordinateLimit || c < -kCoordinateLimit)
     throw Error(ErrorCode::kOutOfRange, "a coordinate exceeds 2^40 grid steps");
   return static_cast<std::int64_t>(c);
-}
-
-BodyPart part_of(const std::vector<Point>& core, Real radius) {
-  BodyPart part{std::nullopt, core[0], std::move(radius)};
-  if (core.size() > 1) part.core = Polytope::hull(core);
-  return part;
 }
 
 /// Of parts of one radius: the hull of the cores, grown by it.
@@ -139,6 +135,23 @@ Body mixed(const plane::Shape& shape) {
 
 }  // namespace
 
+std::vector<HalfSpace> BodyPart::planes() const {
+  std::vector<HalfSpace> out;
+  if (!core) return flat.empty() ? out : flat_planes(flat);
+  for (const Plane& p : core->planes()) out.emplace_back(p);
+  return out;
+}
+
+BodyPart part_of(std::span<const Point> points, Real radius) {
+  BodyPart part{std::nullopt, points[0], std::move(radius)};
+  auto corners = flat_corners(points);
+  if (!corners || (corners->size() > 1 && part.radius.sign() == 0))
+    part.core = Polytope::hull(points);
+  else if (corners->size() > 1)
+    part.flat = *std::move(corners);
+  return part;
+}
+
 bool Body::round() const {
   return std::any_of(parts.begin(), parts.end(), [](const BodyPart& p) { return p.radius.sign() > 0; });
 }
@@ -155,7 +168,9 @@ Body body(const plane::Shape& shape) {
 Body translated(Body body, const Point& t) {
   const auto by = [&](std::int64_t c, std::int64_t d) { return in_range(c + int128(d) * body.scale); };
   for (BodyPart& part : body.parts) {
-    part.center = {by(part.center.x, t.x), by(part.center.y, t.y), by(part.center.z, t.z)};
+    const auto moved = [&](const Point& p) { return Point{by(p.x, t.x), by(p.y, t.y), by(p.z, t.z)}; };
+    part.center = moved(part.center);
+    for (Point& v : part.flat) v = moved(v);
     if (!part.core) continue;
     for (const Point& v : part.core->vertices()) by(v.x, t.x), by(v.y, t.y), by(v.z, t.z);
     part.core = part.core->translated({t.x * body.scale, t.y * body.scale, t.z * body.scale});
@@ -174,6 +189,7 @@ Body at_scale(const Body& body, std::int64_t scale) {
   for (BodyPart& part : out.parts) {
     part.center = times(part.center);
     part.radius *= Real(factor);
+    for (Point& v : part.flat) v = times(v);
     if (!part.core) continue;
     std::vector<Point> points;
     for (const Point& v : part.core->vertices()) points.push_back(times(v));
@@ -195,6 +211,7 @@ Body united(const std::vector<const Body*>& bodies) {
 Body mirrored(Body body) {
   for (BodyPart& part : body.parts) {
     part.center = -part.center;
+    for (Point& v : part.flat) v = -v;
     if (part.core) part.core = part.core->mirrored();
   }
   return body;

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A solid shape as the distances of space see it: the closed bounded set that is the union of finitely many parts, each
-// the sum of a convex polytope (or a point) and a ball of radius >= 0. So a ball is a point with a radius, an offset
-// polytope keeps its true round edges, and a mesh is its exact convex parts (convex_parts.h). Or, if `outside`, the
+// the sum of a convex polytope (or a polygon, segment or point) and a ball of radius >= 0. So a ball is a point with a
+// radius, a capsule a segment with one, an offset polytope keeps its true round edges, and a mesh is its exact convex parts (convex_parts.h). Or, if `outside`, the
 // closure of the complement of that union. Nodes: polytope, box, ball, prism, mesh; union, intersection, difference,
 // complement, interior, closure, regularize (the distances take closures, so the last three change nothing here),
 // translate, mirror, offset by a positive amount, hull of parts of one radius, minkowski_sum; intersection and
@@ -22,12 +22,21 @@
 namespace findspace::space {
 
 struct BodyPart {
-  std::optional<Polytope> core;  // none: the point `center`
+  std::optional<Polytope> core;  // none: the point `center`, or `flat`
   Point center;
-  exact::Real radius;  // in the same steps as the coordinates
+  exact::Real radius;         // in the same steps as the coordinates
+  std::vector<Point> flat{};  // the corners of a core without interior, as of flat_corners(): two or more
 
-  std::span<const Point> vertices() const { return core ? core->vertices() : std::span<const Point>(&center, 1); }
+  bool point() const { return !core && flat.empty(); }
+  std::span<const Point> vertices() const {
+    return core ? core->vertices() : flat.empty() ? std::span<const Point>(&center, 1) : std::span<const Point>(flat);
+  }
+  /// The core is {x : every plane <= 0}; none of a point.
+  std::vector<HalfSpace> planes() const;
 };
+
+/// The hull of the points grown by the radius; without a radius they have to enclose a volume or be one point.
+BodyPart part_of(std::span<const Point> points, exact::Real radius);
 
 struct Body {
   std::vector<BodyPart> parts;

@@ -49,7 +49,7 @@ void subtract(ConvexRegion region, const Polytope& part, std::vector<ConvexRegio
 std::vector<OutsideCell> outside_cells(const Body& body) {
   std::vector<OutsideCell> cells;
   if (body.parts.size() == 1) {
-    for (const Plane& p : body.parts[0].core->planes()) cells.push_back({{HalfSpace(p).opposite()}, {}, {}});
+    for (const HalfSpace& h : body.parts[0].planes()) cells.push_back({{h.opposite()}, {}, {}});
     return cells;
   }
   const Bounds3 box = bounds(body);

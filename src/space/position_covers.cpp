@@ -65,12 +65,31 @@ std::vector<HalfSpace> moved_planes(const OutsideCell& cell, const Point& c) {
   return planes;
 }
 
+/// Of the core; of a polygon or segment from corner to corner.
+std::vector<RealVector> edge_directions(const BodyPart& part) {
+  std::vector<RealVector> out;
+  for (std::size_t k = 0; k < part.flat.size(); ++k)
+    out.push_back(real(part.flat[(k + 1) % part.flat.size()] - part.flat[k]));
+  if (!part.core) return out;
+  for (int h = 0; h < static_cast<int>(part.core->half_edges().size()); ++h) {
+    if (part.core->half_edges()[static_cast<std::size_t>(h)].twin > h) out.push_back(real(part.core->edge(h)));
+  }
+  return out;
+}
+
 }  // namespace
 
 Extent difference_extent(const BodyPart& a, const BodyPart& b) { return difference(extent_of(a), extent_of(b)); }
 
 std::vector<HalfSpace> difference_planes(const BodyPart& a, const BodyPart& b) {
   std::vector<HalfSpace> planes;
+  if (!a.flat.empty() || !b.flat.empty()) {
+    std::vector<Point> points;
+    for (const Point& v : a.vertices()) {
+      for (const Point& w : b.vertices()) points.push_back(v - w);
+    }
+    return part_of(points, Real(1)).planes();
+  }
   if (a.core && b.core) {
     const ContactSurface surface(*a.core, *b.core);
     for (int f = 0; f < surface.facet_count(); ++f) planes.emplace_back(surface.plane(f));
@@ -85,7 +104,8 @@ std::vector<HalfSpace> difference_planes(const BodyPart& a, const BodyPart& b) {
   return planes;
 }
 
-std::vector<HalfSpace> difference_planes(const OutsideCell& a, const Polytope& b) {
+std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b) {
+  if (b.point()) return moved_planes(a, b.center);
   std::vector<HalfSpace> planes;
   std::vector<RealVector> reflected;
   for (const Point& v : b.vertices()) reflected.push_back(real(-v));
@@ -93,14 +113,14 @@ std::vector<HalfSpace> difference_planes(const OutsideCell& a, const Polytope& b
     planes.emplace_back(n, -(highest(a.vertices, n) + highest(reflected, n)));
   };
   for (const HalfSpace& h : a.planes) add(h.normal);
-  for (const Plane& p : b.planes()) add(real(-p.normal));
+  for (const HalfSpace& p : b.planes()) add(negated(p.normal));
   std::vector<Vector> points_a, points_b;
   for (const RealVector& v : a.vertices) points_a.push_back(space::rounded(v));
   for (const RealVector& v : reflected) points_b.push_back(space::rounded(v));
+  const std::vector<RealVector> edges = edge_directions(b);
   for (const RealVector& d : a.directions) {
-    for (int h = 0; h < static_cast<int>(b.half_edges().size()); ++h) {
-      if (b.half_edges()[h].twin < h) continue;
-      const RealVector e = real(b.edge(h)), n = cross(d, e);
+    for (const RealVector& e : edges) {
+      const RealVector n = cross(d, e);
       if (is_zero(n)) continue;
       for (const RealVector& m : {n, negated(n)}) {
         const Vector near = space::rounded(m), unit = scaled(1 / length(near), near);
@@ -135,7 +155,7 @@ OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
     const Extent extent = extent_of(cell);
     for (const BodyPart& s : b.parts) {
       cover.add(difference(extent, extent_of(s)),
-                [&cell, &s] { return s.core ? difference_planes(cell, *s.core) : moved_planes(cell, s.center); });
+                [&cell, &s] { return difference_planes(cell, s); });
     }
   }
   return cover;

@@ -19,7 +19,7 @@ namespace findspace::space {
 
 /// {a - b}: planes and a box around it.
 std::vector<HalfSpace> difference_planes(const BodyPart& a, const BodyPart& b);
-std::vector<HalfSpace> difference_planes(const OutsideCell& a, const Polytope& b);
+std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b);
 Extent difference_extent(const BodyPart& a, const BodyPart& b);
 
 /// Neither body has a radius (nor is one `outside`). The bodies have to outlive the cover.

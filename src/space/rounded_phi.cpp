@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/rounded_phi.h"
 
+#include <findspace/error.h>
+
 namespace findspace::space {
 namespace {
 
@@ -44,6 +46,8 @@ PhiFunction function_of(const BodyPart& p, const BodyPart& q) {
 
 RoundedPhi::RoundedPhi(std::span<const BodyPart> a, std::span<const BodyPart> b)
     : pairs_(all_pairs<RoundedPair>(a, b, [](RoundedPair& pair, const BodyPart& p, const BodyPart& q) {
+        if (!p.flat.empty() || !q.flat.empty())
+          throw Error(ErrorCode::kUnsupported, "the Phi-function of a capsule, or of a flat core, is not made");
         if (p.core || q.core)
           pair.phi.emplace(function_of(p, q));
         else

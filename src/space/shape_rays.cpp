@@ -67,14 +67,12 @@ RaySourcePointer body_rays(const Body& body, const Placing& placing, const Wante
   std::vector<LinePiece> pieces;
   for (BodyPart part : body.parts) {
     std::vector<HalfSpace> planes;
-    if (part.core) {
-      for (const Plane& p : part.core->planes()) {
-        const RealVector n = placing.factor < 0 ? negated(real(p.normal)) : real(p.normal);
-        planes.emplace_back(n, Real(p.offset) - dot(n, by));
-      }
+    for (const HalfSpace& p : part.planes()) {
+      const RealVector n = placing.factor < 0 ? negated(p.normal) : p.normal;
+      planes.emplace_back(n, p.offset - dot(n, by));
     }
     if (!change_part(part, change, planes)) continue;
-    if (!part.core) {
+    if (part.point()) {
       pieces.push_back(ball_piece(placed(real(part.center)), part.radius));
       continue;
     }

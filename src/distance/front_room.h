@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sets of positions with round fronts that no planes and balls alone express, and the place of such a set nearest to or
+// farthest from a position:
+//   outside   what a union of open convex sets, each grown by a ball, leaves: of parts with radii the complement of U,
+//             and E where A is not convex;
+//   inside    the positions at which a body lies in one convex round part, vertex by vertex.
+// Guarantee: places are found by search (front_search.h) to 2^-40 of the sizes, `proven` is false; whether a place
+// belongs is decided exactly. A passage or fit of no room that would change the answer is refused with
+// Error(kUnsupported), not passed over. Keywords: penetration depth, rounded polyhedra, containment.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "distance/front_search.h"
+#include "distance/solid_pair.h"
+
+namespace findspace::distance {
+
+/// The open set of what is nearer than the radius to {x : every plane < 0}, or to the centre where there are no planes.
+struct GrownSet {
+  std::vector<space::HalfSpace> planes;
+  space::RealVector center;
+  exact::Real radius;
+
+  bool holds(const space::RealVector& p) const;
+  /// The signed distance to its front, negative inside, and the place of the front nearest to p where that is known.
+  SolidValue front(const space::RealVector& p) const;
+};
+
+class FrontRoom {
+ public:
+  static FrontRoom outside(std::vector<GrownSet> sets, const space::RealVector& low, const space::RealVector& high);
+  static FrontRoom inside(const space::Body& b, const space::BodyPart& a, const space::RealVector& low,
+                          const space::RealVector& high);
+
+  bool holds(const space::RealVector& p) const { return allows_(p); }
+  /// How far the nearest place is from p, which does not belong; nothing where there is none. Beyond the box all
+  /// belongs if `open`.
+  std::optional<SolidValue> nearest(const space::RealVector& p, bool open) const;
+  /// The least distance of a place that belongs to a set; the value is that of `to` there.
+  SolidValue nearest_to(const TouchingRule& to, double known) const;
+  std::optional<SolidValue> farthest(const space::RealVector& p) const;
+
+ private:
+  std::optional<SolidValue> settled(const FrontPlace& found, const space::RealVector& p) const;
+  std::optional<space::RealVector> even_place(const FrontPlace& found) const;
+
+  Rules rules_;
+  std::vector<GrownSet> sets_;
+  std::function<bool(const space::RealVector&)> allows_;
+  space::RealVector low_, high_;
+  space::Vector box_low_, box_high_;  // a little more
+  double size_ = 0;
+};
+
+/// d(x, core) - radius of a part moved by p, with its slope.
+TouchingRule touching_distance(const space::BodyPart& part, const space::Vector& p, double radius);
+
+}  // namespace findspace::distance

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/front_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+
+#include "distance/matrix_game.h"
+#include "exact/interval.h"
+
+namespace findspace::distance {
+
+using space::Vector;
+
+namespace {
+
+using Column = std::array<double, 4>;
+
+/// Of the size: what rounding may do to a function, and where cells are no longer divided.
+constexpr double kNoise = 0x1p-46, kLeast = 0x1p-44;
+/// Of the size: what is better than the best by less is not looked for. It is more than the noise, so that near the best
+/// place, where fronts and the sphere about it part by squares only, cells are settled before these are lost in noise.
+constexpr double kBetter = 0x1p-43;
+
+struct Cell {
+  Tetrahedron corner;
+  std::vector<int> out, in;  // the functions that are not satisfied in all of the cell
+  double key = 0;            // nothing in it is better
+  bool operator<(const Cell& other) const { return key > other.key; }
+};
+
+Vector centre(const Tetrahedron& t) {
+  return space::scaled(0.25, space::plus(space::plus(t[0], t[1]), space::plus(t[2], t[3])));
+}
+
+double longest(const Tetrahedron& t, std::size_t& a, std::size_t& b) {
+  double most = -1;
+  for (std::size_t v = 0; v < 4; ++v) {
+    for (std::size_t w = v + 1; w < 4; ++w) {
+      const double d = space::length(t[v] - t[w]);
+      if (d > most) most = d, a = v, b = w;
+    }
+  }
+  return most;
+}
+
+/// At most what a convex function is, at the corners, by its tangent at x.
+Column tangent(const Touching& at, const Vector& x, const Tetrahedron& corner) {
+  Column out;
+  for (std::size_t v = 0; v < 4; ++v) out[v] = at.value + space::dot(at.slope, corner[v] - x);
+  return out;
+}
+
+double most(const Column& c) { return *std::max_element(c.begin(), c.end()); }
+double least(const Column& c) { return *std::min_element(c.begin(), c.end()); }
+
+/// The objective is minimised: the distance, or minus that from a point.
+class Search {
+ public:
+  Search(const Rules& rules, const TouchingRule* distance, const Vector& from, double size, double known)
+      : rules_(rules), distance_(distance), from_(from), size_(size) {
+    best_.value = known;
+  }
+
+  FrontPlace run(std::span<const Tetrahedron> room) {
+    std::vector<int> out(rules_.keep_out.size()), in(rules_.keep_in.size());
+    std::iota(out.begin(), out.end(), 0);
+    std::iota(in.begin(), in.end(), 0);
+    for (const Tetrahedron& t : room) add(t, out, in, -exact::kInfinity);
+    double left = exact::kInfinity;
+    for (int count = 0; !queue_.empty(); ++count) {
+      const Cell top = queue_.top();
+      if (!(top.key < wanted())) break;
+      if (count == kMostCells) {
+        best_.whole = false, left = top.key;
+        break;
+      }
+      queue_.pop();
+      std::size_t a = 0, b = 1;
+      if (longest(top.corner, a, b) < kLeast * size_) {
+        if (top.key < left) left = top.key, best_.unsure = centre(top.corner);
+        continue;
+      }
+      split(top, a, b);
+    }
+    best_.bound = std::min({best_.value, wanted(), left});
+    return best_;
+  }
+
+ private:
+  double wanted() const {
+    return std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value;
+  }
+
+  double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -space::length(x - from_); }
+
+  void offer(const Vector& x, const Cell& cell) {
+    const double value = objective(x);
+    if (!(value < best_.value)) return;
+    const double room = 2 * kNoise * size_;
+    for (const int i : cell.out) {
+      if (rules_.keep_out[static_cast<std::size_t>(i)](x) < room) return;
+    }
+    for (const int i : cell.in) {
+      if (rules_.keep_in[static_cast<std::size_t>(i)](x).value > -room) return;
+    }
+    best_.value = value, best_.place = x, best_.found = true;
+  }
+
+  /// Functions that cannot be 0 or beyond in the cell are left out; false where one allows nothing of the cell.
+  bool keep_near(const Tetrahedron& corner, const std::vector<int>& out, const std::vector<int>& in, double edge,
+                 Cell& cell, std::vector<Column>& columns) const {
+    const Vector middle = centre(corner);
+    for (const int i : out) {
+      const ConvexDistance& f = rules_.keep_out[static_cast<std::size_t>(i)];
+      Column c{};
+      for (std::size_t v = 0; v < 4; ++v) c[v] = f(corner[v]);
+      if (most(c) < -kNoise * size_) return false;
+      if (least(c) > edge + kNoise * size_) continue;
+      cell.out.push_back(i), columns.push_back(c);
+    }
+    for (const int i : in) {
+      const Touching at = rules_.keep_in[static_cast<std::size_t>(i)](middle);
+      if (at.value < -edge - kNoise * size_) continue;
+      Column c = tangent(at, middle, corner);
+      for (double& entry : c) entry = -entry;
+      if (most(c) < -kNoise * size_) return false;
+      cell.in.push_back(i), columns.push_back(c);
+    }
+    return true;
+  }
+
+  /// What no place of the cell is better than, at the corners: linear, or concave.
+  Column floor_of(const Tetrahedron& corner) const {
+    if (distance_) {
+      const Vector middle = centre(corner);
+      return tangent((*distance_)(middle), middle, corner);
+    }
+    Column out;
+    for (std::size_t v = 0; v < 4; ++v) out[v] = -space::length(corner[v] - from_);
+    return out;
+  }
+
+  void add(const Tetrahedron& corner, const std::vector<int>& out, const std::vector<int>& in, double floor) {
+    Cell cell;
+    cell.corner = corner;
+    const Column objective = floor_of(corner);
+    cell.key = std::max(floor, least(objective));
+    if (!(cell.key < wanted())) return;
+    std::size_t a = 0, b = 1;
+    std::vector<Column> columns;
+    if (!keep_near(corner, out, in, longest(corner, a, b), cell, columns)) return;
+    offer(centre(corner), cell);
+    if (std::isfinite(best_.value)) {
+      columns.emplace_back();
+      for (std::size_t v = 0; v < 4; ++v) columns.back()[v] = wanted() - objective[v];
+    }
+    if (columns.empty()) {
+      queue_.push(std::move(cell));
+      return;
+    }
+    double lowest = 0, highest = 0;
+    for (const Column& c : columns) lowest = std::min(lowest, least(c)), highest = std::max(highest, most(c));
+    for (Column& c : columns) {
+      for (double& entry : c) entry -= lowest;
+    }
+    const GameValue game = matrix_game(columns);
+    if (game.value + lowest < -kNoise * size_ - 0x1p-44 * (highest - lowest)) return;
+    Vector x;
+    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
+    offer(x, cell);
+    if (cell.key < wanted()) queue_.push(std::move(cell));
+  }
+
+  void split(const Cell& cell, std::size_t a, std::size_t b) {
+    const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
+    for (const std::size_t moved : {a, b}) {
+      Tetrahedron corner = cell.corner;
+      corner[moved] = middle;
+      add(corner, cell.out, cell.in, cell.key);
+    }
+  }
+
+  const Rules& rules_;
+  const TouchingRule* distance_;
+  Vector from_;
+  double size_;
+  FrontPlace best_;
+  std::priority_queue<Cell> queue_;
+};
+
+}  // namespace
+
+FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
+                           double size, double known) {
+  return Search(rules, &distance, {}, size, known).run(room);
+}
+
+FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const Vector& from, double size) {
+  FrontPlace out = Search(rules, nullptr, from, size, exact::kInfinity).run(room);
+  out.value = -out.value, out.bound = -out.bound;
+  return out;
+}
+
+/// Along the six ways from its lowest to its highest corner.
+std::vector<Tetrahedron> tetrahedra_of_box(const Vector& low, const Vector& high) {
+  const auto corner = [&](int k) {
+    return Vector{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z};
+  };
+  std::vector<Tetrahedron> out;
+  for (const int a : {1, 2, 4}) {
+    for (const int b : {1, 2, 4}) {
+      if (a != b) out.push_back({corner(0), corner(a), corner(a | b), corner(7)});
+    }
+  }
+  return out;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The place of a room nearest to a convex set, or farthest from a point, among those that convex functions allow: each
+// of `keep_out` is to be at least 0 there (the place is outside a grown set), each of `keep_in` at most 0 (inside one).
+// So distances to and from round fronts are found, of which planes alone are not enough. Branch and bound over
+// tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what its
+// tangent is there; weights for which no place of the cell can be allowed and better than the best one known are a
+// matrix game, whose other side is a place to try. Both bounds are off by the square of a cell's size, so smooth fronts
+// cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed place is better
+// than `bound`. Passages and places of no room, which numbers cannot tell from closed ones, make `bound` differ from
+// `value` (or nothing is found): `unsure` is such a place. Cost: some hundred to some thousand cells, each as many
+// values as functions are near 0 in it. Keywords: reverse convex programming, penetration depth, global optimisation.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "distance/solid_peak.h"
+
+namespace findspace::distance {
+
+/// A convex function at x: value + slope . (y - x) is nowhere more than it. No step changes it by more than its length.
+struct Touching {
+  double value = 0;
+  space::Vector slope;
+};
+using TouchingRule = std::function<Touching(const space::Vector&)>;
+
+struct Rules {
+  std::vector<ConvexDistance> keep_out;
+  std::vector<TouchingRule> keep_in;
+};
+
+struct FrontPlace {
+  bool found = false;
+  double value = 0, bound = 0;
+  space::Vector place;
+  std::optional<space::Vector> unsure;
+  bool whole = true;  // false: ended at kMostCells
+};
+
+/// `size`: of the coordinates and of what the functions are made of. `known`: of an allowed place, infinite if none is.
+FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
+                           double size, double known);
+FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const space::Vector& from,
+                            double size);
+
+/// The box in six.
+std::vector<Tetrahedron> tetrahedra_of_box(const space::Vector& low, const space::Vector& high);
+
+}  // namespace findspace::distance
