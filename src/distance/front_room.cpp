@@ -19,8 +19,9 @@ using space::Vector;
 
 namespace {
 
-/// What a value found by search may be off, of the sizes.
-constexpr double kError = 0x1p-40;
+/// What a value found by search may be off, of the sizes, mostly and at most (where fronts part from the sphere about p
+/// so slowly that the search ends before).
+constexpr double kError = 0x1p-40, kMostError = 0x1p-32;
 
 RealVector real_of(const Vector& v) { return {Real::from_double(v.x), Real::from_double(v.y), Real::from_double(v.z)}; }
 
@@ -44,7 +45,8 @@ double highest(std::span<const HalfSpace> planes, const Vector& x) {
 ConvexDistance grown_distance(const GrownSet& set) {
   const double radius = set.radius.to_double();
   if (set.planes.empty())
-    return [center = space::rounded(set.center), radius](const Vector& x) { return space::length(x - center) - radius; };
+    return
+        [center = space::rounded(set.center), radius](const Vector& x) { return space::length(x - center) - radius; };
   return [planes = set.planes, distance = distance_to(set.planes), radius](const Vector& x) {
     const double most = highest(planes, x);
     return (most < 0 ? most : distance(x)) - radius;
@@ -158,15 +160,16 @@ std::optional<RealVector> FrontRoom::even_place(const FrontPlace& found) const {
 }
 
 std::optional<SolidValue> FrontRoom::settled(const FrontPlace& found, const RealVector& p) const {
-  if (!found.whole) throw Error(ErrorCode::kUnsupported, "the nearest fit was not found within the limit of the search");
   SolidValue out;
-  const double slack = kError * (size_ + std::fabs(found.bound));
-  if (found.found && std::fabs(found.value - found.bound) <= slack) {
+  const double slack = kError * (size_ + std::fabs(found.bound)), off = std::fabs(found.value - found.bound);
+  if (found.found && off <= kMostError * size_) {
     out.value = Real::from_double(found.value);
     out.nearest = real_of(found.place);
-    out.proven = false, out.error = 2 * slack;
+    out.proven = false, out.error = slack + off;
     return out;
   }
+  if (!found.whole)
+    throw Error(ErrorCode::kUnsupported, "the nearest fit was not found within the limit of the search");
   if (!found.found && !found.unsure) return std::nullopt;
   if (const auto even = even_place(found)) {
     const RealVector w = space::minus(*even, p);
@@ -195,8 +198,8 @@ std::optional<SolidValue> FrontRoom::nearest(const RealVector& p, bool open) con
   Vector low = box_low_ - Vector{room, room, room}, high = space::plus(box_high_, {room, room, room});
   double known = exact::kInfinity;
   if (open) {
-    for (const double d : {near.x - low.x, high.x - near.x, near.y - low.y, high.y - near.y, near.z - low.z,
-                           high.z - near.z})
+    for (const double d :
+         {near.x - low.x, high.x - near.x, near.y - low.y, high.y - near.y, near.z - low.z, high.z - near.z})
       known = std::min(known, d);
     const Vector by{known, known, known};
     low = near - by, high = space::plus(near, by);
@@ -211,23 +214,23 @@ std::optional<SolidValue> FrontRoom::nearest(const RealVector& p, bool open) con
 
 SolidValue FrontRoom::nearest_to(const TouchingRule& to, double known) const {
   const double room = 0x1p-30 * size_;
-  const FrontPlace found =
-      nearest_allowed(tetrahedra_of_box(box_low_ - Vector{room, room, room}, space::plus(box_high_, {room, room, room})),
-                      rules_, to, size_, known);
-  const double slack = kError * size_;
-  if (!found.whole || std::fabs(found.value - found.bound) > slack)
+  const FrontPlace found = nearest_allowed(
+      tetrahedra_of_box(box_low_ - Vector{room, room, room}, space::plus(box_high_, {room, room, room})), rules_, to,
+      size_, known);
+  const double off = std::fabs(found.value - found.bound);
+  if (!found.found || off > kMostError * size_)
     throw Error(ErrorCode::kUnsupported, "the depth of the shape was not found within the limit of the search");
   SolidValue out;
   out.value = Real::from_double(found.value);
-  out.proven = false, out.error = 2 * slack;
+  out.proven = false, out.error = kError * size_ + off;
   return out;
 }
 
 std::optional<SolidValue> FrontRoom::farthest(const RealVector& p) const {
   const double room = 0x1p-30 * size_;
-  return settled(farthest_allowed(tetrahedra_of_box(box_low_ - Vector{room, room, room},
-                                                    space::plus(box_high_, {room, room, room})),
-                                  rules_, space::rounded(p), size_),
+  return settled(farthest_allowed(
+                     tetrahedra_of_box(box_low_ - Vector{room, room, room}, space::plus(box_high_, {room, room, room})),
+                     rules_, space::rounded(p), size_),
                  p);
 }
 

@@ -6,9 +6,10 @@
 //   outside   what a union of open convex sets, each grown by a ball, leaves: of parts with radii the complement of U,
 //             and E where A is not convex;
 //   inside    the positions at which a body lies in one convex round part, vertex by vertex.
-// Guarantee: places are found by search (front_search.h) to 2^-40 of the sizes, `proven` is false; whether a place
-// belongs is decided exactly. A passage or fit of no room that would change the answer is refused with
-// Error(kUnsupported), not passed over. Keywords: penetration depth, rounded polyhedra, containment.
+// Guarantee: places are found by search (front_search.h), mostly to 2^-40 of the sizes; `proven` is false and `error`
+// says how far values may be off; whether a place belongs is decided exactly. A passage or fit of no room that would
+// change the answer is refused with Error(kUnsupported), not passed over. Keywords: penetration depth, rounded
+// polyhedra, containment.
 #pragma once
 
 #include <functional>

@@ -18,10 +18,12 @@ namespace {
 
 using Column = std::array<double, 4>;
 
-/// Of the size: what rounding may do to a function, and where cells are no longer divided.
-constexpr double kNoise = 0x1p-46, kLeast = 0x1p-44;
-/// Of the size: what is better than the best by less is not looked for. It is more than the noise, so that near the best
-/// place, where fronts and the sphere about it part by squares only, cells are settled before these are lost in noise.
+/// Of the size: what rounding may do to a function, how much of it what is found has to be allowed by (distances to
+/// planes err to the safe side), and where cells are no longer divided.
+constexpr double kNoise = 0x1p-46, kRoom = 0x1p-48, kLeast = 0x1p-44;
+/// Of the size: what is better than the best by less is not looked for. It is more than the noise, so that near the
+/// best place, where fronts and the sphere about it part by squares only, cells are settled before these are lost in
+/// noise.
 constexpr double kBetter = 0x1p-43;
 
 struct Cell {
@@ -73,7 +75,7 @@ class Search {
     for (int count = 0; !queue_.empty(); ++count) {
       const Cell top = queue_.top();
       if (!(top.key < wanted())) break;
-      if (count == kMostCells) {
+      if (count == kMostFrontCells) {
         best_.whole = false, left = top.key;
         break;
       }
@@ -90,16 +92,14 @@ class Search {
   }
 
  private:
-  double wanted() const {
-    return std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value;
-  }
+  double wanted() const { return std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value; }
 
   double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -space::length(x - from_); }
 
   void offer(const Vector& x, const Cell& cell) {
     const double value = objective(x);
     if (!(value < best_.value)) return;
-    const double room = 2 * kNoise * size_;
+    const double room = kRoom * size_;
     for (const int i : cell.out) {
       if (rules_.keep_out[static_cast<std::size_t>(i)](x) < room) return;
     }

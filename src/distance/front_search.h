@@ -34,12 +34,14 @@ struct Rules {
   std::vector<TouchingRule> keep_in;
 };
 
+inline constexpr int kMostFrontCells = 60000;
+
 struct FrontPlace {
   bool found = false;
   double value = 0, bound = 0;
   space::Vector place;
   std::optional<space::Vector> unsure;
-  bool whole = true;  // false: ended at kMostCells
+  bool whole = true;  // false: ended at kMostFrontCells
 };
 
 /// `size`: of the coordinates and of what the functions are made of. `known`: of an allowed place, infinite if none is.

@@ -10,6 +10,7 @@
 
 #include "distance/solid_mu.h"
 #include "distance/stick_out_rays.h"
+#include "distance/value_rays.h"
 #include "space/cover_frontier.h"
 #include "space/position_covers.h"
 
@@ -54,6 +55,10 @@ Source RaySignMaker::cover(const RayCover& cover, const Real& level) const {
   return space::combined_rays(std::move(both), [](Signs s) { return std::int8_t(s[0] < 0 ? -s[1] : 1); });
 }
 
+Source RaySignMaker::values(Which which, const Real& level) const {
+  return std::make_unique<ValueRays>(which, level, b_, a_, grid_);
+}
+
 Source RaySignMaker::balls(const std::vector<std::pair<RealVector, Real>>& all) const {
   std::vector<LinePiece> pieces;
   for (const auto& [center, radius] : all) {
@@ -77,14 +82,12 @@ Source RaySignMaker::gamma1(const Real& level) const {
     parts.outside = false;
     return space::negated_rays(RaySignMaker(b_, parts, grid_).eta1(-level));
   }
+  if (by_values(Which::kGamma1, level, b_, a_)) return values(Which::kGamma1, level);
   if (a_.parts.size() == 1 && b_.parts.size() == 1) {
     const Real grown = a_.parts[0].radius + b_.parts[0].radius + level;
     if (grown.sign() <= 0) return convex_gap(b_.parts[0], a_.parts[0], grown);
   }
-  if (level.sign() < 0 && !(a_.parts.size() == 1 && b_.parts.size() == 1)) {
-    if (a_.round() || b_.round()) fail("the depth in a union of round parts is not computed on rays");
-    return cover(overlap_sets(b_, a_), level);
-  }
+  if (level.sign() < 0 && !(a_.parts.size() == 1 && b_.parts.size() == 1)) return cover(overlap_sets(b_, a_), level);
   std::vector<LinePiece> pieces;
   for (const BodyPart& t : a_.parts) {
     for (const BodyPart& s : b_.parts) add_near(t, s, level, pieces);
@@ -111,19 +114,23 @@ Source RaySignMaker::eta1(const Real& level) const {
     parts.outside = false;
     return space::negated_rays(RaySignMaker(b_, parts, grid_).gamma1(-level));
   }
+  if (by_values(Which::kEta1, level, b_, a_)) return values(Which::kEta1, level);
   if (a_.round()) {
+    if (level.sign() > 0 && a_.convex()) {
+      if (const auto plain = without_radius(b_, a_))
+        return RaySignMaker(plain->first, plain->second, grid_).eta1(level);
+    }
     if (a_.convex() && (level.sign() <= 0 || (b_.convex() && a_.parts[0].point() && b_.parts[0].point()))) {
       const Real room = a_.parts[0].radius - b_.parts[0].radius;
       const bool never = b_.convex() && a_.parts[0].point() && b_.parts[0].point() && room.sign() < 0;
       return never ? constant(1) : mu(level);
     }
     if (level.sign() == 0 && !a_.convex()) return mu(level);  // of what has no room they have the same sign
-    fail("containment in a round shape is computed on rays at levels up to 0, in a union of such at level 0");
+    fail("how far a shape is from fitting into a union of round parts is not computed");
   }
   const RayCover complement = outside_sets(b_, a_);
   if (complement.all) return constant(1);
   if (!b_.round() || a_.convex()) return space::negated_rays(cover(complement, -level));
-  if (level.sign() > 0) fail("containment of a round shape in one that is not convex is computed up to level 0");
   // Each part has to fit: its core, deeper than its radius.
   std::vector<Source> all;
   for (const BodyPart& part : b_.parts) {
@@ -139,17 +146,17 @@ Source RaySignMaker::eta1(const Real& level) const {
 /// The frontier of E holds the vertices of its hull.
 Source RaySignMaker::eta2(const Real& level) const {
   if (a_.outside) return constant(1);
+  if (by_values(Which::kEta2, level, b_, a_)) return values(Which::kEta2, level);
   std::vector<std::pair<RealVector, Real>> all;
   if (a_.round()) {
-    if (!a_.convex() || !b_.convex() || !a_.parts[0].point() || !b_.parts[0].point())
-      fail("the farthest fit in a round shape is not computed on rays");
+    if (!a_.convex()) fail("how far a shape is from fitting into a union of round parts is not computed");
+    if (const auto plain = without_radius(b_, a_); plain && !a_.parts[0].point())
+      return RaySignMaker(plain->first, plain->second, grid_).eta2(level);
     const Real room = a_.parts[0].radius - b_.parts[0].radius;
     if (room.sign() < 0) return constant(1);
     all.emplace_back(real(a_.parts[0].center - b_.parts[0].center), level - room);
     return balls(all);
   }
-  if (b_.round() && !a_.convex())
-    fail("the farthest fit of a round shape in one that is not convex is not computed on rays");
   const RayCover complement = outside_sets(b_, a_);
   if (complement.all) return constant(1);
   for (const ConvexRegion& piece : space::cover_frontier(complement.sets, complement.low, complement.high)) {
@@ -218,8 +225,7 @@ Source RaySignMaker::mu(const Real& level) const {
   }
   if (level.sign() < 0 || (level.sign() == 0 && !a_.round())) return eta1(level);
   if (a_.outside) fail("how far a shape sticks out of a complement is not computed");
-  if (!polyhedra_and_balls(b_))
-    fail("how far a rounded polyhedron sticks out of one that is not convex is not computed");
+  if (by_values(Which::kMu, level, b_, a_)) return values(Which::kMu, level);
   return std::make_unique<StickOutRays>(
       b_, a_, level, [&](const Real& l) { return vertices_near(l); }, grid_);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "distance/ray_covers.h"
+#include "distance/shape_pair.h"
 #include "space/piece_rays.h"
 #include "space/ray_sources.h"
 
@@ -32,6 +33,7 @@ class RaySignMaker {
     space::drop_repeated(pieces);
     return std::make_unique<space::PieceRays>(pieces, scale_, grid_, of);
   }
+  space::RaySourcePointer values(Which which, const exact::Real& level) const;
   space::RaySourcePointer balls(const std::vector<std::pair<space::RealVector, exact::Real>>& all) const;
   /// The sign of the signed distance to the cover (negative inside) less a level.
   space::RaySourcePointer cover(const RayCover& cover, const exact::Real& level) const;

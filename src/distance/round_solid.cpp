@@ -10,6 +10,7 @@ using space::dot;
 using space::Vector;
 
 Vector RoundSolid::foot(const Vector& x) const {
+  if (way) return space::plus(x, way(x));
   const Vector e = to - from;
   const double square = dot(e, e), part = square > 0 ? std::clamp(dot(x - from, e) / square, 0.0, 1.0) : 0;
   return space::plus(from, space::scaled(part, e));

@@ -102,9 +102,9 @@ class Least {
       case Which::kGamma1:
         return a_.round() || b_.round() ? searched(which, -exact::kInfinity) : overlap();
       case Which::kEta1:
-        return a_.round() ? searched(which, -exact::kInfinity) : containment();
+        return a_.round() || radii_differ() ? searched(which, -exact::kInfinity) : containment();
       case Which::kMu:
-        if (auto fits = a_.round() ? std::nullopt : containment()) return fits;
+        if (auto fits = a_.round() || radii_differ() ? std::nullopt : containment()) return fits;
         return searched(which, -exact::kInfinity);
       case Which::kGamma2:
         return reach();
@@ -126,6 +126,11 @@ class Least {
   }
 
  private:
+  bool radii_differ() const {
+    return !a_.convex() && std::any_of(b_.parts.begin(), b_.parts.end(),
+                                       [&](const space::BodyPart& part) { return part.radius != b_.parts[0].radius; });
+  }
+
   Obstacles around_overlap() const {
     const space::OpenCover cover = space::overlap_cover(b_, a_);
     RealVector low = low_, high = high_;
@@ -170,7 +175,6 @@ class Least {
     if (!a_.convex()) {
       radius = b_.parts[0].radius;
       for (space::BodyPart& part : core.parts) {
-        if (part.radius != radius) fail("the best fit of a union with several radii is not computed");
         part.radius = Real();
       }
     }
@@ -197,8 +201,8 @@ class Least {
         return std::nullopt;
       }
     });
-    if (!found && radius.sign() > 0) fail("whether a round shape fits into one that is not convex is not decided");
-    return found;
+    // Where it fits nowhere with its radius the value says so, or that this is not decided.
+    return !found && radius.sign() > 0 ? searched(Which::kEta1, -exact::kInfinity) : found;
   }
 
   std::optional<SolidLeast> farthest_fit() const {

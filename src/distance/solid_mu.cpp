@@ -41,6 +41,19 @@ struct Corner {
   double floor = 0;  // at most the signed distance to the core, plus the part's radius
 };
 
+RoundSolid round_solid(const BodyPart& part, const Vector& by) {
+  RoundSolid out;
+  out.radius = part.radius.to_double();
+  out.way = [way = way_to(part.planes()), by](const Vector& x) { return way(x - by); };
+  out.from = out.to = space::plus(exact::shadow(part.vertices()[0]), by);
+  for (const space::Point& v : part.vertices()) {
+    const Vector at = space::plus(exact::shadow(v), by);
+    out.from = {std::min(out.from.x, at.x), std::min(out.from.y, at.y), std::min(out.from.z, at.z)};
+    out.to = {std::max(out.to.x, at.x), std::max(out.to.y, at.y), std::max(out.to.z, at.z)};
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<ConvexDistance> distances_to_parts(const Body& a) {
@@ -62,6 +75,17 @@ std::vector<ConvexDistance> distances_to_parts(const Body& a) {
 bool polyhedra_and_balls(const Body& b) {
   return std::none_of(b.parts.begin(), b.parts.end(),
                       [](const BodyPart& part) { return !part.point() && part.radius.sign() > 0; });
+}
+
+std::optional<std::pair<Body, Body>> without_radius(const Body& b, const Body& a) {
+  const Real by = a.parts[0].radius;
+  std::pair<Body, Body> out{b, a};
+  for (BodyPart& part : out.first.parts) {
+    if (part.radius < by) return std::nullopt;
+    part.radius -= by;
+  }
+  out.second.parts[0].radius = Real();
+  return out;
 }
 
 SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
@@ -124,6 +148,10 @@ SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p)
       balls.push_back({center, center, part.radius.to_double()});
       continue;
     }
+    if (part.radius.sign() > 0) {
+      balls.push_back(round_solid(part, by));
+      continue;
+    }
     for (Tetrahedron& t : tetrahedra(*part.core)) {
       for (Vector& v : t) v = space::plus(v, by);
       cells.push_back(t);
@@ -152,6 +180,7 @@ SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p)
   SolidValue out;
   out.value = Real::from_double(peak.value);
   out.proven = false;
+  out.error = peak.bound - peak.value + 0x1p-40 * space::size_of(peak.place);
   return out;
 }
 

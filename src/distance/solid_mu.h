@@ -8,6 +8,8 @@
 // reached (`proven` is false then). Keywords: directed Hausdorff distance, branch and bound.
 #pragma once
 
+#include <utility>
+
 #include "distance/solid_pair.h"
 #include "distance/solid_peak.h"
 
@@ -17,9 +19,11 @@ namespace findspace::distance {
 std::vector<ConvexDistance> distances_to_parts(const space::Body& a);
 /// Whether no polyhedron among the parts has a radius.
 bool polyhedra_and_balls(const space::Body& b);
+/// Both less the radius of a convex A, where no part of B is less round: (P (+) r) (-) r = P, so they fit as they did.
+std::optional<std::pair<space::Body, space::Body>> without_radius(const space::Body& b, const space::Body& a);
 /// A convex, of any radius.
 SolidValue stick_out_of_convex(const space::Body& b, const space::BodyPart& a, const space::RealVector& p);
-/// B of polyhedra and balls; B + p is not inside A.
+/// B + p is not inside A.
 SolidValue stick_out_of_union(const space::Body& b, const space::Body& a, const space::RealVector& p);
 
 }  // namespace findspace::distance

@@ -80,6 +80,16 @@ SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
   }
   const bool one_pair = a_->parts.size() == 1 && b_->parts.size() == 1;
   if (!depth || one_pair || best->value.sign() >= 0) return *best;
+  const auto is_ball = [](const BodyPart& part) { return part.point(); };
+  if (std::all_of(a_->parts.begin(), a_->parts.end(), is_ball) &&
+      std::all_of(b_->parts.begin(), b_->parts.end(), is_ball) &&
+      a_->parts.size() * b_->parts.size() <= space::BallMeet::kMostBalls) {
+    std::vector<space::Ball> balls;
+    for (const BodyPart& t : a_->parts) {
+      for (const BodyPart& s : b_->parts) balls.push_back({real(t.center - s.center), t.radius + s.radius});
+    }
+    return signed_value(p, nearest_outside(balls, p), -1);
+  }
   std::call_once(round_overlap_made_, [&] {
     const space::Bounds3 of_a = bounds(*a_), of_b = bounds(*b_);
     std::vector<GrownSet> sets;
@@ -87,8 +97,8 @@ SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
       for (const BodyPart& s : b_->parts)
         sets.push_back({space::difference_planes(t, s), real(t.center - s.center), t.radius + s.radius});
     }
-    round_overlap_ = std::make_shared<const FrontRoom>(FrontRoom::outside(
-        std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
+    round_overlap_ = std::make_shared<const FrontRoom>(
+        FrontRoom::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
   });
   return turned(*round_overlap_->nearest(p, true));
 }
@@ -98,8 +108,6 @@ SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p, bool d
   if (!side.fixed->round()) {
     if (auto inside = inside_polyhedra(side, p)) return *inside;
   }
-  if (!polyhedra_and_balls(*side.moving))
-    fail("how far a rounded polyhedron sticks out of a shape that is not convex is not computed");
   SolidValue out = stick_out_of_union(*side.moving, *side.fixed, p);
   const bool inside = side.fixed->round() && out.value.sign() <= 0;
   return depth && inside ? depth_inside(side, p) : out;

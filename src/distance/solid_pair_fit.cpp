@@ -32,18 +32,6 @@ namespace {
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
-/// Both less the radius of a convex A, where no part of B is less round.
-std::optional<std::pair<Body, Body>> without_radius(const Body& b, const Body& a) {
-  const Real by = a.parts[0].radius;
-  std::pair<Body, Body> out{b, a};
-  for (BodyPart& part : out.first.parts) {
-    if (part.radius < by) return std::nullopt;
-    part.radius -= by;
-  }
-  out.second.parts[0].radius = Real();
-  return out;
-}
-
 /// Positions at which the box around B lies in that around A; nothing where it never does.
 std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) {
   const space::Bounds3 outer = bounds(a), inner = bounds(b);
@@ -206,8 +194,8 @@ SolidValue SolidPair::depth_inside(const Side& side, const RealVector& p) {
   const FrontRoom room = FrontRoom::outside(std::move(sets), box.low, box.high);
   std::optional<SolidValue> least;
   for (const BodyPart& part : side.moving->parts) {
-    SolidValue v = room.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()),
-                                   exact::kInfinity);
+    SolidValue v =
+        room.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()), exact::kInfinity);
     if (!least || v.value < least->value) least = std::move(v);
   }
   least->value = -least->value;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distance/convex_distance.h"
+#include "distance/ray_place.h"
 #include "distance/solid_mu.h"
 #include "space/oblique_line.h"
 
@@ -37,18 +38,6 @@ constexpr int kMostSteps = 60;
 double size_of(const Body& body) {
   const space::Bounds3 box = bounds(body);
   return space::length(space::rounded(space::minus(box.high, box.low)));
-}
-
-/// The double itself as a fraction; what is below 2^-62 is lost.
-RayPosition position(double z) {
-  int exponent = 0;
-  const double mantissa = std::frexp(z, &exponent);
-  const int down = std::clamp(53 - exponent, 0, 62);
-  const auto numerator = static_cast<exact::int128>(std::ldexp(mantissa, exponent + down));
-  RayPosition at;
-  at.exact = exact::reduced({numerator, exact::int128(1) << down});
-  at.value = exact::to_double(at.exact);
-  return at;
 }
 
 /// The line {x - s * unit} meets the half spaces for s in between.
@@ -248,9 +237,9 @@ void StickOutRays::keep(const Side& side, const Line& line, const RayEvent& firs
     if (length > 0) out.push_back({from, -1, -1}), out.push_back({to, -1, 1});
   };
   for (const Stretch& cut : gone) {
-    if (cut.from > whole.from && !open) put(position(cut.from / unit_));
+    if (cut.from > whole.from && !open) put(ray_place(cut.from / unit_));
     open = cut.to >= whole.to;
-    from = position(cut.to / unit_);
+    from = ray_place(cut.to / unit_);
   }
   if (!open) put(last.at);
 }

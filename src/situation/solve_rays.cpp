@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "distance/ray_directional.h"
+#include "distance/ray_runs.h"
 #include "distance/ray_signs.h"
 #include "situation/evaluate.h"
 #include "situation/room_parts.h"
@@ -15,6 +16,7 @@
 #include "situation/surface_rays.h"
 #include "situation/text.h"
 #include "situation/which.h"
+#include "space/oblique_line.h"
 #include "space/shape_rays.h"
 
 namespace findspace::situation {
@@ -32,10 +34,6 @@ constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 
 
 [[noreturn]] void refuse(const SignMap& map, const std::string& why) {
   throw Error(ErrorCode::kUnsupported, text(map.distance) + " has no ray map here: " + why);
-}
-
-bool second_moves(const Distance& d, const std::vector<std::string>& moving) {
-  return std::find(moving.begin(), moving.end(), d.first.at(0)) == moving.end();
 }
 
 /// All solids of the names; nothing where one of them is no union of solids.
@@ -99,10 +97,42 @@ SurfaceRays in_room(const RayWorld& world, const SignMap& map, const Distance& d
   return out;
 }
 
+/// Whether the direction is that of the lines, or the opposite one.
+bool runs_along(const Distance& d, const RayGrid& grid) {
+  const RealVector direction = direction_of(d);
+  if (grid.oblique) return space::is_zero(space::cross(direction, grid.oblique->frame[2]));
+  RealVector axis;
+  axis[static_cast<std::size_t>(grid.axis)] = Real(1);
+  return space::is_zero(space::cross(direction, axis));
+}
+
+/// Off the signs at level 0 on the same lines.
+space::RaySourcePointer along_lines(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                                    const RayGrid& grid) {
+  const distance::Which base = which(d.kind, second);
+  SignMap zero{d, Real(), false};
+  zero.distance.mode = Mode::kPlain;
+  zero.distance.vector.clear();
+  distance::RunWish wish;
+  wish.farthest =
+      base == distance::Which::kGamma2 || base == distance::Which::kEta2 || base == distance::Which::kDelta2;
+  if (d.kind == Kind::kGamma2) zero.distance.kind = Kind::kGamma1;
+  if (d.kind == Kind::kEta2) zero.distance.kind = Kind::kEta1;
+  if (d.kind == Kind::kDelta2) zero.distance.kind = Kind::kDelta1;
+  wish.both_ways = d.mode == Mode::kAlong;
+  const RealVector direction = direction_of(d);
+  wish.forward =
+      (grid.oblique ? space::dot(direction, grid.oblique->frame[2]) : direction[static_cast<std::size_t>(grid.axis)])
+          .sign() > 0;
+  auto rays = std::make_shared<SurfaceRays>(parts(world, zero, grid));
+  return std::make_unique<distance::RayRuns>([rays](int j) { return rays->row(j); }, wish,
+                                             map.level / world.step * Real(grid.parts), grid);
+}
+
 SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   Distance d = moving_first(map.distance, world.moving);
   if (d.mode == Mode::kTurning || d.prefix != Extremum::kNone) refuse(map, "only translations are");
-  const bool second = second_moves(d, world.moving);
+  const bool second = second_is_moving(d, world.moving);
   const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 || d.kind == Kind::kMu;
   SurfaceRays result;
   if (known && !second && !grid.oblique && (!is_directional(d) || map.level.sign() == 0)) {
@@ -110,6 +140,10 @@ SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid
     if (b && a) result = surface_rays(which(d.kind, false), *b, *a, map.level / world.step, grid);
   }
   if (!result.sources.empty()) return result;
+  if (is_directional(d) && runs_along(d, grid)) {
+    result.sources.push_back(along_lines(world, map, d, second, grid));
+    return result;
+  }
   try {
     result.sources.push_back(by_parts(world, map, d, second, grid));
   } catch (const Error& e) {
@@ -148,7 +182,7 @@ RayWindow window(const RayWorld& world, const Formula& formula) {
   bool first = true;
   for (const SignMap& map : formula.sign_maps()) {
     Distance d = moving_first(map.distance, world.moving);
-    if (second_moves(d, world.moving)) std::swap(d.first, d.second);
+    if (second_is_moving(d, world.moving)) std::swap(d.first, d.second);
     space::Point b_low, b_high, a_low, a_high;
     bool any_b = false, any_a = false;
     for (const std::string& name : d.first) world.shapes.at(name).extend_box(b_low, b_high, any_b);
@@ -208,10 +242,10 @@ std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, c
 bool found_by_search(const RayWorld& world, const SignMap& map) {
   const Distance d = moving_first(map.distance, world.moving);
   if (d.mode != Mode::kPlain) return false;
-  const bool second = second_moves(d, world.moving);
+  const bool second = second_is_moving(d, world.moving);
   const distance::Which base = which(d.kind, second);
   const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
-  if (base == distance::Which::kGamma1 || base == distance::Which::kGamma2) return false;
+  if (base == distance::Which::kGamma2) return false;
   // Up to level 0 only round parts need a search, and surfaces may have no convex parts in reasonable time.
   const auto all_flat = [&](const std::vector<std::string>& names) {
     const auto all = solids(world, names);
@@ -224,41 +258,6 @@ bool found_by_search(const RayWorld& world, const SignMap& map) {
     if (e.code() != ErrorCode::kUnsupported) throw;
     return false;  // by surfaces
   }
-}
-
-bool holds_far_away(const RayWorld& world, const Formula& formula) {
-  std::vector<std::int8_t> signs;
-  for (const SignMap& map : formula.sign_maps()) {
-    Distance d = moving_first(map.distance, world.moving);
-    const bool second = second_moves(d, world.moving);
-    if (second) std::swap(d.first, d.second);
-    const bool outside = std::any_of(d.second.begin(), d.second.end(), [&](const std::string& name) {
-      const RayShape& shape = world.shapes.at(name);
-      return shape.outside();
-    });
-    const int level = map.level.sign();
-    switch (which(d.kind, second)) {
-      case distance::Which::kGamma1:  // in a complement far away all fits
-      case distance::Which::kEta1:
-      case distance::Which::kMu:
-        signs.push_back(outside ? -1 : 1);
-        break;
-      case distance::Which::kD1:
-      case distance::Which::kH:
-        signs.push_back(static_cast<std::int8_t>(outside ? -level : 1));
-        break;
-      case distance::Which::kPenetration:
-      case distance::Which::kDstarBack:
-        signs.push_back(static_cast<std::int8_t>(outside ? 1 : -level));
-        break;
-      case distance::Which::kDstar:
-        signs.push_back(static_cast<std::int8_t>(-level));
-        break;
-      default:
-        signs.push_back(1);
-    }
-  }
-  return evaluate(formula, signs);
 }
 
 }  // namespace findspace::situation

@@ -71,4 +71,8 @@ distance::Track track(const Distance& d) {
   return {direction->x, direction->y, d.mode == Mode::kAlong};
 }
 
+bool second_is_moving(const Distance& d, const std::vector<std::string>& moving) {
+  return std::find(moving.begin(), moving.end(), d.first.at(0)) == moving.end();
+}
+
 }  // namespace findspace::situation

@@ -28,4 +28,7 @@ bool is_directional(const Distance& d);
 /// Their direction; throws Error(kUnsupported) where it is no ratio of integers below 2^53.
 distance::Track track(const Distance& d);
 
+/// Whether the second argument of a distance of moving_first() is the one that moves.
+bool second_is_moving(const Distance& d, const std::vector<std::string>& moving);
+
 }  // namespace findspace::situation

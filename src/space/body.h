@@ -3,13 +3,13 @@
 //
 // A solid shape as the distances of space see it: the closed bounded set that is the union of finitely many parts, each
 // the sum of a convex polytope (or a polygon, segment or point) and a ball of radius >= 0. So a ball is a point with a
-// radius, a capsule a segment with one, an offset polytope keeps its true round edges, and a mesh is its exact convex parts (convex_parts.h). Or, if `outside`, the
-// closure of the complement of that union. Nodes: polytope, box, ball, prism, mesh; union, intersection, difference,
-// complement, interior, closure, regularize (the distances take closures, so the last three change nothing here),
-// translate, mirror, offset by a positive amount, hull of parts of one radius, minkowski_sum; intersection and
-// difference of polytopes and meshes only. Guarantee: exact, but for vertices rounded and counted by convex_parts.h.
-// Cost: as there. Source: phi.md 7, 10. Keywords: solid model, constructive solid geometry, sphere-swept volume,
-// rounded box.
+// radius, a capsule a segment with one, an offset polytope keeps its true round edges, and a mesh is its exact convex
+// parts (convex_parts.h). Or, if `outside`, the closure of the complement of that union. Nodes: polytope, box, ball,
+// prism, mesh; union, intersection, difference, complement, interior, closure, regularize (the distances take closures,
+// so the last three change nothing here), translate, mirror, offset by a positive amount, hull of parts of one radius,
+// minkowski_sum; intersection and difference of polytopes and meshes only. Guarantee: exact, but for vertices rounded
+// and counted by convex_parts.h. Cost: as there. Source: phi.md 7, 10. Keywords: solid model, constructive solid
+// geometry, sphere-swept volume, rounded box.
 #pragma once
 
 #include <optional>

@@ -100,8 +100,8 @@ std::vector<HalfSpace> flat_planes(std::span<const Point> corners) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Point &from = corners[k], &to = corners[(k + 1) % corners.size()];
     const HalfSpace side = through(cross(real(to - from), n), from);
-    const bool inward = std::any_of(corners.begin(), corners.end(),
-                                    [&](const Point& p) { return side.value(real(p)).sign() > 0; });
+    const bool inward =
+        std::any_of(corners.begin(), corners.end(), [&](const Point& p) { return side.value(real(p)).sign() > 0; });
     planes.push_back(inward ? side.opposite() : side);
   }
   return planes;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Convex sets whose union is the closure of the complement of a body whose parts have no radius (a single one may be flat). The first ones are
-// half spaces; the others, cells of the bounding box, do not meet in their interiors. Guarantee: exact. Cost: a cell of
-// the box is cut by every part it overlaps. Keywords: complement, convex decomposition.
+// Convex sets whose union is the closure of the complement of a body whose parts have no radius (a single one may be
+// flat). The first ones are half spaces; the others, cells of the bounding box, do not meet in their interiors.
+// Guarantee: exact. Cost: a cell of the box is cut by every part it overlaps. Keywords: complement, convex
+// decomposition.
 #pragma once
 
 #include <vector>

@@ -154,8 +154,7 @@ OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
     }
     const Extent extent = extent_of(cell);
     for (const BodyPart& s : b.parts) {
-      cover.add(difference(extent, extent_of(s)),
-                [&cell, &s] { return difference_planes(cell, s); });
+      cover.add(difference(extent, extent_of(s)), [&cell, &s] { return difference_planes(cell, s); });
     }
   }
   return cover;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/value_rays.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/ray_place.h"
+#include "distance/solid_mu.h"
+#include "space/oblique_line.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::RayRow;
+using space::RealVector;
+
+namespace {
+
+/// Values of a line before the coarser certainty is enough, and at most.
+constexpr int kFine = 600, kMost = 60000;
+
+bool balls(const Body& b, const Body& a) {
+  return a.convex() && b.convex() && a.parts[0].point() && b.parts[0].point();
+}
+
+Body bounded(Body a) {
+  a.outside = false;
+  return a;
+}
+
+bool eta1_by_values(const Real& level, const Body& b, const Body& a) {
+  if (!a.round()) return level.sign() > 0 && b.round() && !a.convex();
+  if (!a.convex()) return level.sign() < 0 || (level.sign() == 0 && !polyhedra_and_balls(b));
+  return level.sign() > 0 && !balls(b, a) && !without_radius(b, a);
+}
+
+bool eta2_by_values(const Body& b, const Body& a) {
+  if (!a.convex()) return b.round() && !a.round();
+  return a.round() && !balls(b, a) && !without_radius(b, a);
+}
+
+}  // namespace
+
+bool by_values(Which which, const Real& level, const Body& b, const Body& a) {
+  switch (which) {
+    case Which::kGamma1:
+      if (a.outside) return by_values(Which::kEta1, -level, b, bounded(a));
+      return level.sign() < 0 && (a.round() || b.round()) && !(a.convex() && b.convex());
+    case Which::kEta1:
+      if (a.outside) return by_values(Which::kGamma1, -level, b, bounded(a));
+      return eta1_by_values(level, b, a);
+    case Which::kEta2:
+      return !a.outside && eta2_by_values(b, a);
+    default:
+      if (a.convex()) return false;
+      if (level.sign() < 0 || (level.sign() == 0 && !a.round())) return by_values(Which::kEta1, level, b, a);
+      return !a.outside && !polyhedra_and_balls(b);
+  }
+}
+
+ValueRays::ValueRays(Which which, const Real& level, const Body& b, const Body& a, const space::RayGrid& grid)
+    : which_(which),
+      level_(level),
+      pair_(std::make_shared<const Body>(b), std::make_shared<const Body>(a)),
+      grid_(grid),
+      unit_(static_cast<double>(b.scale) / static_cast<double>(grid.parts)) {
+  // Where mu is below 0 it is eta1; of a union of round parts only that is known.
+  if (which == Which::kEta1 && level.sign() <= 0) which_ = Which::kMu;
+  const space::Bounds3 of_a = bounds(a), of_b = bounds(b);
+  const space::Vector low = space::rounded(space::minus(of_a.low, of_b.high)),
+                      high = space::rounded(space::minus(of_a.high, of_b.low));
+  middle_ = space::scaled(0.5, space::plus(low, high));
+  size_ = space::length(high - low) + std::fabs(level.to_double()) + 1;
+}
+
+ValueRays::Walk ValueRays::walk(int i, int j) const {
+  Walk out;
+  const Real unit = Real::ratio(1, grid_.parts);
+  if (grid_.oblique) {
+    out.start = space::scaled(Real::from_double(unit_), grid_.oblique->origin);
+    out.unit = grid_.oblique->frame[2];
+    return out;
+  }
+  const Real scale = Real::from_double(unit_ * static_cast<double>(grid_.parts)) * unit;
+  const auto axis = static_cast<std::size_t>(grid_.axis);
+  out.start[(axis + 1) % 3] = Real(grid_.u_at(i)) * scale;
+  out.start[(axis + 2) % 3] = Real(grid_.v_at(j)) * scale;
+  out.unit[axis] = Real(1);
+  return out;
+}
+
+/// The signs between two places; what is known comes by growing place.
+void ValueRays::look(Walk& walk, double from, double to) const {
+  const double blur = size_ * (walk.values < kFine ? kCertain : kCoarse), middle = (from + to) / 2;
+  if (to - from < blur || !(from < middle && middle < to)) {
+    walk.known.push_back({from, to, 0});
+    return;
+  }
+  if (++walk.values > kMost)
+    throw Error(ErrorCode::kUnsupported, "the signs along a line were not found within the limit of the search");
+  const auto v = pair_.value(which_, space::along(walk.start, Real::from_double(middle), walk.unit));
+  if (!v) {  // undefined there, so everywhere
+    walk.known.push_back({from, to, 1});
+    return;
+  }
+  const double gap = (v->value - level_).to_double();
+  // Numbers of the line are as exact as the value: what they lose is less than the blur.
+  const double reach = std::max(std::fabs(gap) - v->error - size_ * 0x1p-44, 0.0);
+  const bool near = reach < blur / 2;
+  const double first = middle - (near ? blur / 2 : reach), last = middle + (near ? blur / 2 : reach);
+  if (first > from) look(walk, from, first);
+  walk.known.push_back({std::max(first, from), std::min(last, to), near ? 0 : gap < 0 ? -1 : 1});
+  if (last < to) look(walk, last, to);
+}
+
+void ValueRays::put(const Walk& walk, RayRow& row) const {
+  int before = 1;
+  row.before.push_back(1);
+  for (std::size_t k = 0; k < walk.known.size();) {
+    std::size_t next = k;
+    while (next < walk.known.size() && walk.known[next].sign == walk.known[k].sign) ++next;
+    const int sign = walk.known[k].sign;
+    // Between - and + there always is a stretch of 0; at its ends the sign is 0, too.
+    if (sign != before) {
+      row.events.push_back({ray_place(walk.known[k].from / unit_), 0, static_cast<std::int8_t>(sign)});
+      before = sign;
+    }
+    k = next;
+  }
+  if (before != 1) row.events.push_back({ray_place(walk.known.back().to / unit_), 0, 1});
+  row.first.push_back(static_cast<int>(row.events.size()));
+}
+
+RayRow ValueRays::row(int j) const {
+  RayRow out;
+  for (int i = 0; i < grid_.nu; ++i) {
+    Walk line = walk(i, j);
+    // Beyond this the bodies are farther apart than the level, and every distance is more than that.
+    const double place = space::dot(middle_ - space::rounded(line.start), space::rounded(line.unit));
+    look(line, place - 2 * size_, place + 2 * size_);
+    put(line, out);
+  }
+  return out;
+}
+
+}  // namespace findspace::distance
