@@ -196,27 +196,26 @@ std::optional<SolidValue> FrontRoom::nearest(const RealVector& p, bool open) con
   }
   const double room = 0x1p-30 * size_;
   Vector low = box_low_ - Vector{room, room, room}, high = space::plus(box_high_, {room, room, room});
-  double known = exact::kInfinity;
   if (open) {
+    double known = exact::kInfinity;
     for (const double d :
          {near.x - low.x, high.x - near.x, near.y - low.y, high.y - near.y, near.z - low.z, high.z - near.z})
       known = std::min(known, d);
     const Vector by{known, known, known};
     low = near - by, high = space::plus(near, by);
-    known = exact::kInfinity;
   }
   TouchingRule away = [near](const Vector& x) {
     const double d = space::length(x - near);
     return Touching{d, d > 0 ? space::scaled(1 / d, x - near) : Vector{}};
   };
-  return settled(nearest_allowed(tetrahedra_of_box(low, high), rules_, away, size_, known), p);
+  return settled(nearest_allowed(tetrahedra_of_box(low, high), rules_, away, size_, -deepest), p);
 }
 
-SolidValue FrontRoom::nearest_to(const TouchingRule& to, double known) const {
+SolidValue FrontRoom::nearest_to(const TouchingRule& to) const {
   const double room = 0x1p-30 * size_;
   const FrontPlace found = nearest_allowed(
       tetrahedra_of_box(box_low_ - Vector{room, room, room}, space::plus(box_high_, {room, room, room})), rules_, to,
-      size_, known);
+      size_, -exact::kInfinity);
   const double off = std::fabs(found.value - found.bound);
   if (!found.found || off > kMostError * size_)
     throw Error(ErrorCode::kUnsupported, "the depth of the shape was not found within the limit of the search");

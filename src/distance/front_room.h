@@ -43,7 +43,7 @@ class FrontRoom {
   /// belongs if `open`.
   std::optional<SolidValue> nearest(const space::RealVector& p, bool open) const;
   /// The least distance of a place that belongs to a set; the value is that of `to` there.
-  SolidValue nearest_to(const TouchingRule& to, double known) const;
+  SolidValue nearest_to(const TouchingRule& to) const;
   std::optional<SolidValue> farthest(const space::RealVector& p) const;
 
  private:

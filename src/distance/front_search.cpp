@@ -30,7 +30,9 @@ struct Cell {
   Tetrahedron corner;
   std::vector<int> out, in;  // the functions that are not satisfied in all of the cell
   double key = 0;            // nothing in it is better
-  bool operator<(const Cell& other) const { return key > other.key; }
+  int depth = 0;
+  /// Of cells as good as each other the smallest comes first: where all of a front is as near, any place of it will do.
+  bool operator<(const Cell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
 };
 
 Vector centre(const Tetrahedron& t) {
@@ -61,16 +63,16 @@ double least(const Column& c) { return *std::min_element(c.begin(), c.end()); }
 /// The objective is minimised: the distance, or minus that from a point.
 class Search {
  public:
-  Search(const Rules& rules, const TouchingRule* distance, const Vector& from, double size, double known)
+  Search(const Rules& rules, const TouchingRule* distance, const Vector& from, double size)
       : rules_(rules), distance_(distance), from_(from), size_(size) {
-    best_.value = known;
+    best_.value = exact::kInfinity;
   }
 
-  FrontPlace run(std::span<const Tetrahedron> room) {
+  FrontPlace run(std::span<const Tetrahedron> room, double floor) {
     std::vector<int> out(rules_.keep_out.size()), in(rules_.keep_in.size());
     std::iota(out.begin(), out.end(), 0);
     std::iota(in.begin(), in.end(), 0);
-    for (const Tetrahedron& t : room) add(t, out, in, -exact::kInfinity);
+    for (const Tetrahedron& t : room) add(t, out, in, floor, 0);
     double left = exact::kInfinity;
     for (int count = 0; !queue_.empty(); ++count) {
       const Cell top = queue_.top();
@@ -143,9 +145,10 @@ class Search {
     return out;
   }
 
-  void add(const Tetrahedron& corner, const std::vector<int>& out, const std::vector<int>& in, double floor) {
+  void add(const Tetrahedron& corner, const std::vector<int>& out, const std::vector<int>& in, double floor,
+           int depth) {
     Cell cell;
-    cell.corner = corner;
+    cell.corner = corner, cell.depth = depth;
     const Column objective = floor_of(corner);
     cell.key = std::max(floor, least(objective));
     if (!(cell.key < wanted())) return;
@@ -153,25 +156,33 @@ class Search {
     std::vector<Column> columns;
     if (!keep_near(corner, out, in, longest(corner, a, b), cell, columns)) return;
     offer(centre(corner), cell);
-    if (std::isfinite(best_.value)) {
-      columns.emplace_back();
-      for (std::size_t v = 0; v < 4; ++v) columns.back()[v] = wanted() - objective[v];
+    // First what is a little better than the best, so that this comes as near to the least as rounding lets it; the
+    // cell is kept only where something clearly better may be.
+    for (const double target : {best_.value, wanted()}) {
+      std::vector<Column> all = columns;
+      if (std::isfinite(target)) {
+        all.emplace_back();
+        for (std::size_t v = 0; v < 4; ++v) all.back()[v] = target - objective[v];
+      }
+      if (!try_best(all, corner, cell)) return;
     }
-    if (columns.empty()) {
-      queue_.push(std::move(cell));
-      return;
-    }
+    if (cell.key < wanted()) queue_.push(std::move(cell));
+  }
+
+  /// Offers the place at which the least of the columns is greatest; false where that is less than 0.
+  bool try_best(std::vector<Column>& columns, const Tetrahedron& corner, const Cell& cell) {
+    if (columns.empty()) return true;
     double lowest = 0, highest = 0;
     for (const Column& c : columns) lowest = std::min(lowest, least(c)), highest = std::max(highest, most(c));
     for (Column& c : columns) {
       for (double& entry : c) entry -= lowest;
     }
     const GameValue game = matrix_game(columns);
-    if (game.value + lowest < -kNoise * size_ - 0x1p-44 * (highest - lowest)) return;
+    if (game.value + lowest < -kNoise * size_ - 0x1p-44 * (highest - lowest)) return false;
     Vector x;
     for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
     offer(x, cell);
-    if (cell.key < wanted()) queue_.push(std::move(cell));
+    return true;
   }
 
   void split(const Cell& cell, std::size_t a, std::size_t b) {
@@ -179,7 +190,7 @@ class Search {
     for (const std::size_t moved : {a, b}) {
       Tetrahedron corner = cell.corner;
       corner[moved] = middle;
-      add(corner, cell.out, cell.in, cell.key);
+      add(corner, cell.out, cell.in, cell.key, cell.depth + 1);
     }
   }
 
@@ -194,12 +205,12 @@ class Search {
 }  // namespace
 
 FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
-                           double size, double known) {
-  return Search(rules, &distance, {}, size, known).run(room);
+                           double size, double floor) {
+  return Search(rules, &distance, {}, size).run(room, floor);
 }
 
 FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const Vector& from, double size) {
-  FrontPlace out = Search(rules, nullptr, from, size, exact::kInfinity).run(room);
+  FrontPlace out = Search(rules, nullptr, from, size).run(room, -exact::kInfinity);
   out.value = -out.value, out.bound = -out.bound;
   return out;
 }

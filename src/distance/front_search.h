@@ -44,9 +44,9 @@ struct FrontPlace {
   bool whole = true;  // false: ended at kMostFrontCells
 };
 
-/// `size`: of the coordinates and of what the functions are made of. `known`: of an allowed place, infinite if none is.
+/// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.
 FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
-                           double size, double known);
+                           double size, double floor);
 FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const space::Vector& from,
                             double size);
 

@@ -194,8 +194,7 @@ SolidValue SolidPair::depth_inside(const Side& side, const RealVector& p) {
   const FrontRoom room = FrontRoom::outside(std::move(sets), box.low, box.high);
   std::optional<SolidValue> least;
   for (const BodyPart& part : side.moving->parts) {
-    SolidValue v =
-        room.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()), exact::kInfinity);
+    SolidValue v = room.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
     if (!least || v.value < least->value) least = std::move(v);
   }
   least->value = -least->value;
