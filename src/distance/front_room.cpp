@@ -168,9 +168,7 @@ std::optional<SolidValue> FrontRoom::settled(const FrontPlace& found, const Real
     out.proven = false, out.error = slack + off;
     return out;
   }
-  if (!found.whole)
-    throw Error(ErrorCode::kUnsupported, "the nearest fit was not found within the limit of the search");
-  if (!found.found && !found.unsure) return std::nullopt;
+  if (!found.found && !found.unsure && found.whole) return std::nullopt;
   if (const auto even = even_place(found)) {
     const RealVector w = space::minus(*even, p);
     const Real d = sqrt(space::dot(w, w));

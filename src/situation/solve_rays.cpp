@@ -163,13 +163,22 @@ class RegionRays : public RaySource {
   const RayGrid& grid() const override { return grid_; }
   RayRow row(int j) const override {
     std::vector<RayRow> rows;
-    for (const SurfaceRays& map : maps_) rows.push_back(map.row(j));
+    for (std::size_t k = 0; k < maps_.size(); ++k) rows.push_back(named_row(k, j));
     return space::combined(rows, [&](std::span<const std::int8_t> signs) {
       return static_cast<std::int8_t>(evaluate(formula_, signs) ? -1 : 1);
     });
   }
 
  private:
+  RayRow named_row(std::size_t k, int j) const {
+    try {
+      return maps_[k].row(j);
+    } catch (const Error& e) {
+      if (e.code() != ErrorCode::kUnsupported) throw;
+      throw e.within(text(formula_.sign_maps()[k].distance));
+    }
+  }
+
   const Formula& formula_;
   RayGrid grid_;
   std::vector<SurfaceRays> maps_;

