@@ -7,17 +7,20 @@
 namespace findspace::exact::detail {
 
 using Coefficients = ModularTower::Coefficients;
+using Word = ModularTower::Word;
 
 namespace {
 
-bool is_zero(std::span<const ModularTower::Word> a) {
-  return std::all_of(a.begin(), a.end(), [](ModularTower::Word w) { return w == 0; });
+/// x modulo the prime; `inverse` is 2^64 / prime, rounded down.
+Word reduced(std::uint64_t x, Word prime, std::uint64_t inverse) {
+  const auto q = static_cast<std::uint64_t>((static_cast<unsigned __int128>(x) * inverse) >> 64);
+  const std::uint64_t r = x - q * prime;  // below twice the prime
+  return Word(r < prime ? r : r - prime);
 }
 
 }  // namespace
 
 const std::vector<ModularTower::Word>& tower_primes() {
-  using Word = ModularTower::Word;
   static const std::vector<Word> found = [] {
     constexpr Word kTop = Word(1) << 31, kSpan = 16384, kRoot = 46341;
     constexpr std::size_t kMost = 512;
@@ -73,42 +76,56 @@ Coefficients ModularTower::flipped(Coefficients a, std::size_t variable) const {
   return a;
 }
 
+std::span<const Word> ModularTower::trimmed(std::span<const Word> a) const {
+  std::size_t used = a.size();
+  while (used > 0 && a[used - 1] == 0) --used;
+  return used < 2 ? a.first(used) : a.first(*std::lower_bound(sizes_.begin(), sizes_.end(), used));
+}
+
 Coefficients ModularTower::product(std::span<const Word> a, std::span<const Word> b) const {
-  if (a.size() < b.size()) std::swap(a, b);
-  if (is_zero(b) || is_zero(a)) return {};
-  if (a.size() == 1) return {Word(std::uint64_t(a[0]) * b[0] % prime_)};
-  const std::size_t level = std::size_t(std::lower_bound(sizes_.begin(), sizes_.end(), a.size()) - sizes_.begin()) - 1,
-                    block = sizes_[level];
-  const auto block_of = [block](std::span<const Word> s, std::size_t k) { return s.subspan(k * block, block); };
-  std::vector<Coefficients> blocks;
-  if (b.size() <= block) {
-    for (std::size_t i = 0; i < a.size() / block; ++i) blocks.push_back(product(block_of(a, i), b));
-    return joined(blocks, block);
-  }
-  blocks.resize(a.size() / block + b.size() / block - 1);
-  for (std::size_t i = 0; i < a.size() / block; ++i)
-    for (std::size_t k = 0; k < b.size() / block; ++k)
-      blocks[i + k] = sum(std::move(blocks[i + k]), product(block_of(a, i), block_of(b, k)));
-  reduce(blocks, relations_[level]);
-  return joined(blocks, block);
-}
-
-void ModularTower::reduce(std::vector<Coefficients>& blocks, const std::vector<Coefficients>& relation) const {
-  const std::size_t degree = relation.size();
-  for (std::size_t k = blocks.size(); k-- > degree;) {
-    for (std::size_t i = 0; i < degree; ++i) {
-      Coefficients& to = blocks[k - degree + i];
-      to = sum(std::move(to), product(blocks[k], relation[i]));
-    }
-    blocks.pop_back();
-  }
-}
-
-Coefficients ModularTower::joined(const std::vector<Coefficients>& blocks, std::size_t block) const {
-  Coefficients out(blocks.size() * block);
-  for (std::size_t k = 0; k < blocks.size(); ++k)
-    std::copy(blocks[k].begin(), blocks[k].end(), out.begin() + std::ptrdiff_t(k * block));
+  a = trimmed(a), b = trimmed(b);
+  if (a.empty() || b.empty()) return {};
+  Coefficients out(std::max(a.size(), b.size()));
+  std::vector<Word> scratch(4 *
+                            out.size());  // each level needs less than twice its size, the next at most half of that
+  add_product(out.data(), a, b, scratch.data());
   return trimmed(std::move(out));
+}
+
+void ModularTower::add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* scratch) const {
+  a = trimmed(a), b = trimmed(b);
+  if (a.size() < b.size()) std::swap(a, b);
+  if (b.empty()) return;
+  if (b.size() == 1) {
+    for (std::size_t k = 0; k < a.size(); ++k) out[k] = reduced(out[k] + std::uint64_t(a[k]) * b[0], prime_, inverse_);
+    return;
+  }
+  const std::size_t level = std::size_t(std::lower_bound(sizes_.begin(), sizes_.end(), a.size()) - sizes_.begin()) - 1,
+                    block = sizes_[level], degree = relations_[level].size();
+  const auto block_of = [block](std::span<const Word> s, std::size_t k) { return s.subspan(k * block, block); };
+  if (b.size() <= block) {
+    for (std::size_t i = 0; i < degree; ++i) add_product(out + i * block, block_of(a, i), b, scratch);
+    return;
+  }
+  const std::size_t room = (2 * degree - 1) * block;
+  std::fill_n(scratch, room, 0);
+  for (std::size_t i = 0; i < degree; ++i)
+    for (std::size_t k = 0; k < degree; ++k)
+      add_product(scratch + (i + k) * block, block_of(a, i), block_of(b, k), scratch + room);
+  reduce(scratch, level, scratch + room);
+  for (std::size_t k = 0; k < degree * block; ++k) {
+    const Word s = out[k] + scratch[k];  // below 2^32
+    out[k] = s < prime_ ? s : s - prime_;
+  }
+}
+
+void ModularTower::reduce(Word* blocks, std::size_t level, Word* scratch) const {
+  const std::vector<Coefficients>& relation = relations_[level];
+  const std::size_t block = sizes_[level], degree = relation.size();
+  for (std::size_t k = 2 * degree - 1; k-- > degree;) {
+    const std::span<const Word> high(blocks + k * block, block);
+    for (std::size_t i = 0; i < degree; ++i) add_product(blocks + (k - degree + i) * block, high, relation[i], scratch);
+  }
 }
 
 }  // namespace findspace::exact::detail

@@ -20,7 +20,7 @@ class ModularTower {
   using Coefficients = std::vector<Word>;
 
   /// The prime is below 2^31.
-  explicit ModularTower(Word prime) : prime_(prime) {}
+  explicit ModularTower(Word prime) : prime_(prime), inverse_(~std::uint64_t(0) / prime) {}
 
   Word prime() const { return prime_; }
   /// Adds the next variable, given the r_k; returns it.
@@ -34,10 +34,15 @@ class ModularTower {
 
  private:
   Coefficients trimmed(Coefficients a) const;
-  Coefficients joined(const std::vector<Coefficients>& blocks, std::size_t block) const;
-  void reduce(std::vector<Coefficients>& blocks, const std::vector<Coefficients>& relation) const;
+  /// The same polynomial; none for 0.
+  std::span<const Word> trimmed(std::span<const Word> a) const;
+  /// Adds a b to as many coefficients as the larger has. `scratch` has room for four times as many.
+  void add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* scratch) const;
+  /// Of 2 n - 1 coefficients of the variable with that index, n is its degree, to the first n.
+  void reduce(Word* blocks, std::size_t level, Word* scratch) const;
 
   Word prime_;
+  std::uint64_t inverse_;              // 2^64 / prime
   std::vector<std::size_t> sizes_{1};  // how many coefficients the first so many variables need
   std::vector<std::vector<Coefficients>> relations_;
 };
