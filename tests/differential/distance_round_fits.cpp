@@ -179,7 +179,15 @@ TEST(RoundFits, RoundedBoxesInRoom) {
       space::part_of(std::vector<Point>{{-1, 0, -2}, {1, 0, -2}, {1, 0, 2}, {-1, 0, 2}}, Real::ratio(1, 2)));
   const SolidPair box(space::shared(plate), space::shared(room));
   expect_nearest(box, Which::kEta1, 1, fits({1, 0, 2}, 0.5), 9, 40, 6);
-  expect_farthest(box, fits({1, 0, 2}, 0.5), 16, 4, 7);
+  // The farthest place is a corner of one of the two arms.
+  double most = 0;
+  for (int k = 0; k < 8; ++k) {
+    const double z = k & 1 ? 5.5 : 2.5;
+    for (const Vector& corner :
+         {Vector{k & 2 ? 10.5 : 1.5, k & 4 ? 3.5 : 0.5, z}, Vector{k & 2 ? 2.5 : 1.5, k & 4 ? 11.5 : 0.5, z}})
+      most = std::max(most, space::length(corner - Vector{1, 2, 3}));
+  }
+  EXPECT_NEAR(box.value(Which::kEta2, space::place(1, 2, 3))->value.to_double(), most, 1e-10);
   // Two radii: both have to fit.
   Body small;
   small.parts.push_back({std::nullopt, {1, 0, 0}, Real::ratio(1, 2)});
