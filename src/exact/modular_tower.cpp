@@ -76,7 +76,8 @@ Coefficients ModularTower::flipped(Coefficients a, std::size_t variable) const {
   return a;
 }
 
-std::span<const Word> ModularTower::trimmed(std::span<const Word> a) const {
+inline std::span<const Word> ModularTower::trimmed(std::span<const Word> a) const {
+  if (a.empty() || a.back() != 0) return a;
   std::size_t used = a.size();
   while (used > 0 && a[used - 1] == 0) --used;
   return used < 2 ? a.first(used) : a.first(*std::lower_bound(sizes_.begin(), sizes_.end(), used));
@@ -93,25 +94,30 @@ Coefficients ModularTower::product(std::span<const Word> a, std::span<const Word
 }
 
 void ModularTower::add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* scratch) const {
-  a = trimmed(a), b = trimmed(b);
   if (a.size() < b.size()) std::swap(a, b);
-  if (b.empty()) return;
   if (b.size() == 1) {
     for (std::size_t k = 0; k < a.size(); ++k) out[k] = reduced(out[k] + std::uint64_t(a[k]) * b[0], prime_, inverse_);
     return;
   }
   const std::size_t level = std::size_t(std::lower_bound(sizes_.begin(), sizes_.end(), a.size()) - sizes_.begin()) - 1,
                     block = sizes_[level], degree = relations_[level].size();
-  const auto block_of = [block](std::span<const Word> s, std::size_t k) { return s.subspan(k * block, block); };
+  const auto block_of = [&](std::span<const Word> s, std::size_t k) { return trimmed(s.subspan(k * block, block)); };
   if (b.size() <= block) {
-    for (std::size_t i = 0; i < degree; ++i) add_product(out + i * block, block_of(a, i), b, scratch);
+    for (std::size_t i = 0; i < degree; ++i) {
+      const std::span<const Word> a_i = block_of(a, i);
+      if (!a_i.empty()) add_product(out + i * block, a_i, b, scratch);
+    }
     return;
   }
   const std::size_t room = (2 * degree - 1) * block;
   std::fill_n(scratch, room, 0);
-  for (std::size_t i = 0; i < degree; ++i)
-    for (std::size_t k = 0; k < degree; ++k)
-      add_product(scratch + (i + k) * block, block_of(a, i), block_of(b, k), scratch + room);
+  for (std::size_t i = 0; i < degree; ++i) {
+    const std::span<const Word> a_i = block_of(a, i);
+    for (std::size_t k = 0; !a_i.empty() && k < degree; ++k) {
+      const std::span<const Word> b_k = block_of(b, k);
+      if (!b_k.empty()) add_product(scratch + (i + k) * block, a_i, b_k, scratch + room);
+    }
+  }
   reduce(scratch, level, scratch + room);
   for (std::size_t k = 0; k < degree * block; ++k) {
     const Word s = out[k] + scratch[k];  // below 2^32
@@ -123,8 +129,9 @@ void ModularTower::reduce(Word* blocks, std::size_t level, Word* scratch) const 
   const std::vector<Coefficients>& relation = relations_[level];
   const std::size_t block = sizes_[level], degree = relation.size();
   for (std::size_t k = 2 * degree - 1; k-- > degree;) {
-    const std::span<const Word> high(blocks + k * block, block);
-    for (std::size_t i = 0; i < degree; ++i) add_product(blocks + (k - degree + i) * block, high, relation[i], scratch);
+    const std::span<const Word> high = trimmed(std::span<const Word>(blocks + k * block, block));
+    for (std::size_t i = 0; !high.empty() && i < degree; ++i)
+      if (!relation[i].empty()) add_product(blocks + (k - degree + i) * block, high, relation[i], scratch);
   }
 }
 

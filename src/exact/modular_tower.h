@@ -36,7 +36,8 @@ class ModularTower {
   Coefficients trimmed(Coefficients a) const;
   /// The same polynomial; none for 0.
   std::span<const Word> trimmed(std::span<const Word> a) const;
-  /// Adds a b to as many coefficients as the larger has. `scratch` has room for four times as many.
+  /// Adds a b, trimmed and neither 0, to as many coefficients as the larger has. `scratch` has room for four times as
+  /// many.
   void add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* scratch) const;
   /// Of 2 n - 1 coefficients of the variable with that index, n is its degree, to the first n.
   void reduce(Word* blocks, std::size_t level, Word* scratch) const;
