@@ -148,52 +148,77 @@ void take_side(const Session& session, RaySet& set) {
   if (!side.empty()) set.side = side == "inner" ? situation::Side::kInner : situation::Side::kOuter;
 }
 
-Outcome rays_outcome(const Session& session, const RaySet& set) {
-  const Options& options = session.options();
+namespace {
+
+/// The outputs that such a map can have; anything else is refused.
+void check_ray_outputs(const Options& options, const RaySet& set) {
   std::vector<std::string> formats{".json"};
-  const bool cells = set.side != situation::Side::kNone;
-  if (!cells) formats.insert(formats.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+  if (set.side == situation::Side::kNone)
+    formats.insert(formats.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   check_outputs(options, formats);
   if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply needs an exact map, not one on rays");
+}
+
+/// The set, its lines and its best value, as they are written; ends on the grid, `step` in the scene's unit.
+struct RaysShown {
+  const Session& session;
+  const RaySet& set;
+  std::shared_ptr<const Cast> cast;
+  std::optional<io::RayOptimum> optimum;
+  double step;
+
+  /// Does not refer to the session or the set: it may be written after them.
+  std::function<void(const io::Sink&)> json() const {
+    return [cast = cast, step = step, optimum = optimum, unit = session.unit(), axes = set.lines.axes,
+            unbounded = set.unbounded, on_lines = situation::name(set.on_lines), side = situation::name(set.side),
+            somewhere = set.somewhere](const io::Sink& sink) {
+      const io::RaysText text{unit, &cast->lines, axes, unbounded, on_lines, side, somewhere, optimum};
+      io::rays_json(cast->summary, cast->grid, step, text, sink);
+    };
+  }
+  io::Surface surface() const {
+    if (set.lines.axes) return io::ray_surface_mesh(cast->surface, step);
+    const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
+    const auto source = [&](int axis) { return set.source(lattice.grid(axis)); };
+    return io::ray_surface_mesh(space::ray_surface(lattice, source, in_region), step);
+  }
+  std::string slices() const {
+    const auto [low, high] = shown_box(set, cast->summary);
+    const space::RayGrid slices = io::slice_grid(low, high, kLayers, std::max(cast->grid.nu, cast->grid.nv));
+    const io::SlicesText layers{set.title, set.subtitle, session.unit(), set.meaning};
+    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, layers);
+  }
+  Writers writers() const {
+    Writers out;
+    for (const char* ending : io::kSurfaceEndings)
+      out.emplace(ending, [this, ending] { return io::surface_text(surface(), set.title, ending, session.unit()); });
+    out[".svg"] = [this] { return slices(); };
+    return out;
+  }
+};
+
+}  // namespace
+
+Outcome rays_outcome(const Session& session, const RaySet& set) {
+  const Options& options = session.options();
+  check_ray_outputs(options, set);
   const double step = session.step().to_double();
   session.talk().stage("casting rays");
   const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
                                                    [](const auto& file) { return file.extension() == ".json"; });
-  const auto kept =
+  const auto cast =
       std::make_shared<Cast>(set.lines.axes ? cast_axes(set, step, written) : cast_lines(set, step, written));
-  Cast& cast = *kept;
   if (set.objective) session.talk().stage("looking for the best place");
-  const auto optimum = set.objective ? best_of(set, cast, step)
-                       : set.aim     ? std::optional(optimum_of(set, cast, step))
+  const auto optimum = set.objective ? best_of(set, *cast, step)
+                       : set.aim     ? std::optional(optimum_of(set, *cast, step))
                                      : set.least;
-  const auto json = [kept, step, optimum, unit = session.unit(), axes = set.lines.axes, unbounded = set.unbounded,
-                     on_lines = situation::name(set.on_lines), side = situation::name(set.side),
-                     somewhere = set.somewhere](const io::Sink& sink) {
-    const io::RaysText text{unit, &kept->lines, axes, unbounded, on_lines, side, somewhere, optimum};
-    io::rays_json(kept->summary, kept->grid, step, text, sink);
-  };
-  const auto surface = [&] {
-    if (set.lines.axes) return io::ray_surface_mesh(cast.surface, step);
-    const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
-    return io::ray_surface_mesh(space::ray_surface(
-                                    lattice, [&](int axis) { return set.source(lattice.grid(axis)); }, in_region),
-                                step);
-  };
+  const RaysShown shown{session, set, cast, optimum, step};
   session.talk().stage("writing");
-  Writers writers;
-  for (const char* ending : io::kSurfaceEndings)
-    writers.emplace(ending, [=] { return io::surface_text(surface(), set.title, ending, session.unit()); });
-  writers[".svg"] = [&] {
-    const auto [low, high] = shown_box(set, cast.summary);
-    const space::RayGrid slices = io::slice_grid(low, high, kLayers, std::max(cast.grid.nu, cast.grid.nv));
-    const io::SlicesText layers{set.title, set.subtitle, session.unit(), set.meaning};
-    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, layers);
-  };
-  write_outputs(options, writers, {{".json", json}});
-  const bool proven_empty = set.side == situation::Side::kOuter && cast.summary.empty && !set.unbounded;
+  write_outputs(options, shown.writers(), {{".json", shown.json()}});
+  const bool proven_empty = set.side == situation::Side::kOuter && cast->summary.empty && !set.unbounded;
   const ExitStatus status = proven_empty ? kEmpty : kDone;
-  if (options.json) return {{}, status, json};
-  std::string text = summary_text(set, cast.summary, step, session.unit());
+  if (options.json) return {{}, status, shown.json()};
+  std::string text = summary_text(set, cast->summary, step, session.unit());
   if (optimum && optimum->value) text += optimum_text(*optimum, set.aim || set.objective);
   return {std::move(text), status};
 }

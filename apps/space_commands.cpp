@@ -62,6 +62,15 @@ space::ConvexSet applied(const std::string& operation, space::ConvexSet set) {
   return set;
 }
 
+space::BoxComplex applied(const std::string& operation, space::BoxComplex set) {
+  if (operation == "interior") return set.interior();
+  if (operation == "closure") return set.closure();
+  if (operation == "regularize") return set.regularized();
+  if (operation == "complement") return set.complement();
+  if (operation == "boundary") return set.boundary();
+  return set;
+}
+
 Outcome on_lines(const Session& session) { return map_rays(session, lines_unasked(session, "map")); }
 
 /// One convex set, or else the map on lines.
@@ -117,6 +126,25 @@ situation::SpaceWorld space_world(const Session& session) {
   return world;
 }
 
+namespace {
+
+/// The value of the goal, or of the formula's `-> min`; the region becomes the set of the best positions.
+std::optional<io::ExtremeValue> extreme_of(const situation::SpaceSolver& solver, const situation::Formula& formula,
+                                           const std::optional<Session::Goal>& goal, space::BoxComplex& region) {
+  const auto number = [](const std::optional<Real>& v) { return v ? std::optional(v->to_double()) : std::nullopt; };
+  if (goal) {
+    situation::SpaceOptimum best = solver.optimize(region, goal->objective, goal->sense);
+    region = std::move(best.at);
+    return io::ExtremeValue{goal->sense == distance::Sense::kMaximum, number(best.value), best.unbounded, best.attained,
+                            true};
+  }
+  const auto least = solver.minimum_of(formula);
+  if (!least) return std::nullopt;
+  return io::ExtremeValue{false, number(least->value), false, least->attained, true};
+}
+
+}  // namespace
+
 Outcome map_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, space_formats());
@@ -128,27 +156,8 @@ Outcome map_space(const Session& session) {
   std::optional<space::BoxComplex> boxes = by_distance ? std::nullopt : box_region(solver, formula);
   if (!boxes) return map_without_boxes(session, solver, formula);
   space::BoxComplex region = std::move(*boxes);
-  std::optional<io::ExtremeValue> extreme;
-  if (goal) {
-    const bool greatest = goal->sense == distance::Sense::kMaximum;
-    situation::SpaceOptimum best = solver.optimize(region, goal->objective, goal->sense);
-    extreme = io::ExtremeValue{greatest, best.value ? std::optional(best.value->to_double()) : std::nullopt,
-                               best.unbounded, best.attained, true};
-    region = std::move(best.at);
-  } else if (const auto least = solver.minimum_of(formula)) {
-    const auto value = least->value ? std::optional(least->value->to_double()) : std::nullopt;
-    extreme = io::ExtremeValue{false, value, false, least->attained, true};
-  }
-  if (options.apply == "interior") region = region.interior();
-  if (options.apply == "closure") region = region.closure();
-  if (options.apply == "regularize") region = region.interior().closure();
-  if (options.apply == "complement") region = region.complement();
-  if (options.apply == "boundary") {
-    const space::BoxComplex closed = region.closure(), open = region.interior();
-    region = overlay(std::array<const space::BoxComplex*, 2>{&closed, &open},
-                     [](std::span<const space::Mark> m) { return space::Mark(m[0] && !m[1]); });
-  }
-  region = region.simplified();
+  const std::optional<io::ExtremeValue> extreme = extreme_of(solver, formula, goal, region);
+  region = applied(options.apply, std::move(region)).simplified();
   const space::SpaceSummary summary = space::summarize(region, session.step());
   const io::ExtremeValue* shown = extreme ? &*extreme : nullptr;
   const std::string title = title_of(session);

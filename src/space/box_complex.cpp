@@ -216,6 +216,14 @@ BoxComplex BoxComplex::complement() const {
 
 BoxComplex BoxComplex::interior() const { return complement().closure().complement(); }
 
+BoxComplex BoxComplex::boundary() const {
+  const BoxComplex closed = closure(), open = interior();
+  return overlay(std::array<const BoxComplex*, 2>{&closed, &open},
+                 [](std::span<const Mark> m) { return Mark(m[0] && !m[1]); });
+}
+
+BoxComplex BoxComplex::regularized() const { return interior().closure(); }
+
 BoxComplex BoxComplex::mirrored() const {
   Axes at;
   for (int k = 0; k < 3; ++k) {

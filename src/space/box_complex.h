@@ -67,6 +67,8 @@ class BoxComplex {
   BoxComplex closure() const;
   BoxComplex interior() const;
   BoxComplex complement() const;
+  BoxComplex boundary() const;     // closure without interior
+  BoxComplex regularized() const;  // closure of the interior
 
   BoxComplex mirrored() const;
   BoxComplex translated(const RealVector& by) const;

@@ -5,7 +5,9 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <span>
 
 #include "space/convex_polygon.h"
 #include "space/mesh.h"
@@ -175,24 +177,28 @@ std::optional<BoxComplex> offset_of(const BoxComplex& set, const Real& amount) {
   return BoxComplex::of_boxes(std::array<IntervalBox, 1>{*box});
 }
 
+/// {p : combine(marks of p in each set)}.
+BoxComplex overlaid(const std::vector<BoxComplex>& sets, const std::function<Mark(std::span<const Mark>)>& combine) {
+  std::vector<const BoxComplex*> each;
+  for (const BoxComplex& s : sets) each.push_back(&s);
+  return overlay(each, combine);
+}
+
+constexpr auto kIn = [](Mark m) { return m != 0; };
+
+Mark in_any(std::span<const Mark> m) { return Mark(std::any_of(m.begin(), m.end(), kIn)); }
+Mark in_all(std::span<const Mark> m) { return Mark(std::all_of(m.begin(), m.end(), kIn)); }
+Mark in_first_alone(std::span<const Mark> m) { return Mark(m[0] && std::none_of(m.begin() + 1, m.end(), kIn)); }
+
+/// The node over its operands' sets; nothing where the result has other faces than those of boxes.
 std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxComplex>& c) {
-  std::vector<const BoxComplex*> sets;
-  for (const BoxComplex& s : c) sets.push_back(&s);
-  auto united = [&] {
-    return overlay(
-        sets, [](std::span<const Mark> m) { return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x; })); });
-  };
   switch (shape.kind) {
     case Kind::kUnion:
-      return united();
+      return overlaid(c, in_any);
     case Kind::kIntersection:
-      return overlay(sets, [](std::span<const Mark> m) {
-        return Mark(std::all_of(m.begin(), m.end(), [](Mark x) { return x; }));
-      });
+      return overlaid(c, in_all);
     case Kind::kDifference:
-      return overlay(sets, [](std::span<const Mark> m) {
-        return Mark(m[0] && std::none_of(m.begin() + 1, m.end(), [](Mark x) { return x; }));
-      });
+      return overlaid(c, in_first_alone);
     case Kind::kComplement:
       return c[0].complement();
     case Kind::kInterior:
@@ -200,12 +206,9 @@ std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxC
     case Kind::kClosure:
       return c[0].closure();
     case Kind::kRegularize:
-      return c[0].interior().closure();
-    case Kind::kBoundary: {
-      const BoxComplex closed = c[0].closure(), open = c[0].interior();
-      return overlay(std::array<const BoxComplex*, 2>{&closed, &open},
-                     [](std::span<const Mark> m) { return Mark(m[0] && !m[1]); });
-    }
+      return c[0].regularized();
+    case Kind::kBoundary:
+      return c[0].boundary();
     case Kind::kTranslate:
       return c[0].translated({Real(shape.points[0].x), Real(shape.points[0].y), Real(shape.lift)});
     case Kind::kMirror:
@@ -215,7 +218,7 @@ std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxC
     case Kind::kMinkowskiDifference:
       return sum(c[0].complement(), c[1]).complement();
     case Kind::kHull:
-      return hull_of(united());
+      return hull_of(overlaid(c, in_any));
     case Kind::kOffset:
       return offset_of(c[0], shape.amount);
     default:

@@ -152,56 +152,62 @@ struct Exact {
 
 class Summarizer {
  public:
-  Summarizer(const BoxComplex& set, const Real& step) : set_(set), step_(step) {}
+  Summarizer(const BoxComplex& set, const Real& step)
+      : set_(set),
+        step_(step),
+        open_(set.interior()),
+        solid_(open_.closure()),
+        closed_(set.closure()),
+        full_(closed_.interior()),
+        parts_(set, true),
+        each_(std::size_t(parts_.count())) {
+    out_.whole = true;
+  }
 
   SpaceSummary run() {
-    const BoxComplex open = set_.interior(), solid = open.closure(), closed = set_.closure(), full = closed.interior();
-    const Components parts(set_, true), holes(set_, false);
-    std::vector<Exact> each(std::size_t(parts.count()));
-    Exact all;
-    Real crack_area, crack_length;
-    bool whole = true;
     for (int z = 0; z < set_.cells(2); ++z) {
       for (int y = 0; y < set_.cells(1); ++y) {
-        for (int x = 0; x < set_.cells(0); ++x) {
-          const std::array<int, 3> cell{x, y, z};
-          const bool in = set_.mark(x, y, z) != 0;
-          out_.open = out_.open && in == (open.mark(x, y, z) != 0);
-          out_.closed = out_.closed && in == (closed.mark(x, y, z) != 0);
-          out_.regular = out_.regular && in == (solid.mark(x, y, z) != 0);
-          whole = whole && in;
-          if (in) {
-            const bool dangling = solid.mark(x, y, z) == 0 && !borders_face(cell, true);
-            all.add(set_, cell, dangling);
-            each[std::size_t(parts.of(x, y, z))].add(set_, cell, dangling);
-          } else if (full.mark(x, y, z) != 0) {
-            const auto s = size(set_, cell);
-            if (s && dimension(x, y, z) == 2) crack_area += *s;
-            if (s && dimension(x, y, z) == 1 && !borders_face(cell, false)) crack_length += *s;
-          }
-        }
+        for (int x = 0; x < set_.cells(0); ++x) count({x, y, z});
       }
     }
-    out_.empty = !all.any;
-    out_.whole = whole;
-    out_.bounded = all.bounded;
-    if (all.bounded) out_.volume = scaled_size(all.volume, 3);
-    out_.dangling_area = scaled_size(all.dangling_area, 2);
-    out_.dangling_length = scaled_size(all.dangling_length, 1);
-    out_.crack_area = scaled_size(crack_area, 2);
-    out_.crack_length = scaled_size(crack_length, 1);
-    out_.holes = holes.bounded_count();
-    if (all.any) out_.bbox = box(all);
-    for (int c = 0; c < parts.count(); ++c) add_component(each[std::size_t(c)], parts, c);
+    out_.empty = !all_.any;
+    out_.bounded = all_.bounded;
+    if (all_.bounded) out_.volume = scaled_size(all_.volume, 3);
+    out_.dangling_area = scaled_size(all_.dangling_area, 2);
+    out_.dangling_length = scaled_size(all_.dangling_length, 1);
+    out_.crack_area = scaled_size(crack_area_, 2);
+    out_.crack_length = scaled_size(crack_length_, 1);
+    out_.holes = Components(set_, false).bounded_count();
+    if (all_.any) out_.bbox = box(all_);
+    for (int c = 0; c < parts_.count(); ++c) add_component(each_[std::size_t(c)], c);
     std::stable_sort(out_.components.begin(), out_.components.end(), [](const auto& a, const auto& b) {
       return a.dimension != b.dimension ? a.dimension > b.dimension : a.sample < b.sample;
     });
     std::sort(out_.isolated.begin(), out_.isolated.end());
-    return out_;
+    return std::move(out_);
   }
 
  private:
-  void add_component(const Exact& e, const Components& parts, int id) {
+  /// One cell into the sums: of the set, of its component, or of the cracks.
+  void count(const std::array<int, 3>& cell) {
+    const auto [x, y, z] = cell;
+    const bool in = set_.mark(x, y, z) != 0;
+    out_.open = out_.open && in == (open_.mark(x, y, z) != 0);
+    out_.closed = out_.closed && in == (closed_.mark(x, y, z) != 0);
+    out_.regular = out_.regular && in == (solid_.mark(x, y, z) != 0);
+    out_.whole = out_.whole && in;
+    if (in) {
+      const bool dangling = solid_.mark(x, y, z) == 0 && !borders_face(cell, true);
+      all_.add(set_, cell, dangling);
+      each_[std::size_t(parts_.of(x, y, z))].add(set_, cell, dangling);
+    } else if (full_.mark(x, y, z) != 0) {
+      const auto s = size(set_, cell);
+      if (s && dimension(x, y, z) == 2) crack_area_ += *s;
+      if (s && dimension(x, y, z) == 1 && !borders_face(cell, false)) crack_length_ += *s;
+    }
+  }
+
+  void add_component(const Exact& e, int id) {
     SpaceComponent c;
     c.dimension = e.dimension;
     if (e.bounded) c.volume = scaled_size(e.volume, 3);
@@ -213,7 +219,7 @@ class Summarizer {
     BoxComplex alone = set_;
     for (int z = 0; z < set_.cells(2); ++z) {
       for (int y = 0; y < set_.cells(1); ++y) {
-        for (int x = 0; x < set_.cells(0); ++x) alone.set_mark(x, y, z, parts.of(x, y, z) == id);
+        for (int x = 0; x < set_.cells(0); ++x) alone.set_mark(x, y, z, parts_.of(x, y, z) == id);
       }
     }
     c.holes = e.dimension < 2 ? 0 : Components(alone, false).bounded_count();
@@ -249,6 +255,11 @@ class Summarizer {
 
   const BoxComplex& set_;
   const Real& step_;
+  const BoxComplex open_, solid_, closed_, full_;  // interior, its closure; closure, its interior
+  const Components parts_;
+  Exact all_;
+  std::vector<Exact> each_;  // of each component
+  Real crack_area_, crack_length_;
   SpaceSummary out_;
 };
 

@@ -95,51 +95,88 @@ class Head {
   std::optional<exact::Real> exact_;
 };
 
+using Combine = std::function<std::int8_t(std::span<const std::int8_t>)>;
+
+/// Several rows walked side by side, line by line.
+class Merge {
+ public:
+  Merge(std::span<const RayRow> rows, const Combine& combine)
+      : rows_(rows),
+        combine_(combine),
+        here_(rows.size()),
+        after_(rows.size()),
+        next_(rows.size()),
+        heads_(rows.size()) {}
+
+  RayRow run() {
+    for (std::size_t line = 0; line < rows_[0].before.size(); ++line) {
+      begin(line);
+      while (step(line)) {
+      }
+      result_.first.push_back(static_cast<int>(result_.events.size()));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void begin(std::size_t line) {
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      after_[k] = rows_[k].before[line];
+      next_[k] = rows_[k].first[line];
+      advance(line, k);
+    }
+    last_ = combine_(after_);
+    result_.before.push_back(last_);
+  }
+
+  /// The next event of row k becomes its head.
+  void advance(std::size_t line, std::size_t k) {
+    heads_[k].reset();
+    if (next_[k] < rows_[k].first[line + 1]) heads_[k].emplace(rows_[k].events[static_cast<std::size_t>(next_[k]++)]);
+  }
+
+  /// The rows whose heads come first, all at one position.
+  void find_first() {
+    at_once_.clear();
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      if (!heads_[k]) continue;
+      const int order = at_once_.empty() ? -1 : Head::compare(*heads_[k], *heads_[at_once_[0]]);
+      if (order < 0) at_once_.clear();
+      if (order <= 0) at_once_.push_back(k);
+    }
+  }
+
+  /// Passes the next position where a row has an event; false at the end of the line.
+  bool step(std::size_t line) {
+    find_first();
+    if (at_once_.empty()) return false;
+    const RayPosition at = heads_[at_once_[0]]->event().at;
+    here_ = after_;
+    for (const std::size_t k : at_once_) {
+      here_[k] = heads_[k]->event().here;
+      after_[k] = heads_[k]->event().after;
+      advance(line, k);
+    }
+    const std::int8_t now = combine_(here_), then = combine_(after_);
+    if (now != last_ || then != last_) result_.events.push_back({at, now, then});
+    last_ = then;
+    return true;
+  }
+
+  std::span<const RayRow> rows_;
+  const Combine& combine_;
+  std::vector<std::int8_t> here_, after_;  // the rows' signs at the position, and behind it
+  std::vector<int> next_;
+  std::vector<std::optional<Head>> heads_;
+  std::vector<std::size_t> at_once_;
+  std::int8_t last_ = 0;
+  RayRow result_;
+};
+
 }  // namespace
 
 RayRow combined(std::span<const RayRow> rows, const std::function<std::int8_t(std::span<const std::int8_t>)>& combine) {
-  RayRow result;
-  const std::size_t count = rows.size(), lines = rows[0].before.size();
-  std::vector<std::int8_t> here(count), after(count);
-  std::vector<int> next(count);
-  std::vector<std::optional<Head>> heads(count);
-  std::vector<std::size_t> at_once;
-  for (std::size_t i = 0; i < lines; ++i) {
-    const auto advance = [&](std::size_t k) {
-      heads[k].reset();
-      if (next[k] < rows[k].first[i + 1]) heads[k].emplace(rows[k].events[static_cast<std::size_t>(next[k]++)]);
-    };
-    for (std::size_t k = 0; k < count; ++k) {
-      after[k] = rows[k].before[i];
-      next[k] = rows[k].first[i];
-      advance(k);
-    }
-    std::int8_t last = combine(after);
-    result.before.push_back(last);
-    while (true) {
-      at_once.clear();
-      for (std::size_t k = 0; k < count; ++k) {
-        if (!heads[k]) continue;
-        const int order = at_once.empty() ? -1 : Head::compare(*heads[k], *heads[at_once[0]]);
-        if (order < 0) at_once.clear();
-        if (order <= 0) at_once.push_back(k);
-      }
-      if (at_once.empty()) break;
-      const RayPosition at = heads[at_once[0]]->event().at;
-      here = after;
-      for (const std::size_t k : at_once) {
-        here[k] = heads[k]->event().here;
-        after[k] = heads[k]->event().after;
-        advance(k);
-      }
-      const std::int8_t now = combine(here), then = combine(after);
-      if (now == last && then == last) continue;
-      result.events.push_back({at, now, then});
-      last = then;
-    }
-    result.first.push_back(static_cast<int>(result.events.size()));
-  }
-  return result;
+  return Merge(rows, combine).run();
 }
 
 std::int8_t sign_at(const RayRow& row, int i, const exact::Real& z) {
