@@ -104,23 +104,20 @@ std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step
   if (!parts || (*parts)[0] <= 0 || (*parts)[0] > kMaxGridCoordinate || (*parts)[1] > kMaxGridCoordinate) {
     return std::nullopt;
   }
-  std::size_t at = 0;
-  bool negative = false;
-  if (at < text.size() && (text[at] == '+' || text[at] == '-')) negative = text[at++] == '-';
-  if (text.size() - at > kMostDigits + 1) return std::nullopt;
+  const char *at = text.data(), *const end = at + text.size();
+  const bool negative = at != end && *at == '-';
+  if (negative || (at != end && *at == '+')) ++at;
+  if (static_cast<std::size_t>(end - at) > kMostDigits + 1) return std::nullopt;
   std::int64_t digits = 0, below = 1;
-  std::size_t read = 0;
-  bool fraction = false;
-  for (; at < text.size(); ++at) {
-    if (text[at] == '.' && !fraction) {
-      fraction = true;
-      continue;
-    }
-    if (!is_digit(text[at]) || ++read > kMostDigits) return std::nullopt;
-    digits = digits * 10 + (text[at] - '0');
-    if (fraction) below *= 10;
+  const char* const begin = at;
+  for (; at != end && is_digit(*at); ++at) digits = digits * 10 + (*at - '0');
+  auto read = at - begin;
+  if (at != end && *at == '.') {
+    const char* const point = at++;
+    for (; at != end && is_digit(*at); ++at) digits = digits * 10 + (*at - '0'), below *= 10;
+    read += at - point - 1;
   }
-  if (read == 0) return std::nullopt;
+  if (at != end || read == 0 || read > static_cast<std::ptrdiff_t>(kMostDigits)) return std::nullopt;
   const int128 above = int128(digits) * (*parts)[1], divisor = int128(below) * (*parts)[0];
   constexpr int128 kWord = std::numeric_limits<std::int64_t>::max();
   const bool short_ones = above <= kWord && divisor <= kWord;  // the division of words is ten times faster

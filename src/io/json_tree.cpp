@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The only file that includes the JSON library, and only its event (SAX) parser: events carry no places, so the
-// parser reads through an iterator that counts bytes, and the start of each token is found from the end of the last.
+// The only file that includes the JSON reader (RapidJSON), and only its events: they carry no places, so the start of
+// each token is found from the end of the last.
 #include "io/json_tree.h"
 
+#include <rapidjson/memorystream.h>
+#include <rapidjson/reader.h>
+
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <unordered_set>
 
 #include "findspace/error.h"
@@ -15,31 +17,6 @@ namespace findspace::io {
 namespace {
 
 constexpr std::size_t kMaxDepth = 200;
-
-/// Input iterator over the text that leaves behind how far the parser has read.
-struct CountingIterator {
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  const char* at = nullptr;
-  const char** reached = nullptr;
-
-  reference operator*() const { return *at; }
-  CountingIterator& operator++() {
-    ++at;
-    *reached = at;
-    return *this;
-  }
-  CountingIterator operator++(int) {
-    CountingIterator old = *this;
-    ++*this;
-    return old;
-  }
-  friend bool operator!=(const CountingIterator& a, const CountingIterator& b) { return a.at != b.at; }
-};
 
 /// Byte offsets to lines and columns, for offsets that only grow.
 class LineCounter {
@@ -65,53 +42,105 @@ class LineCounter {
   int line_ = 1;
 };
 
+/// What is wrong, after "this is not JSON: ".
+const char* fault(rapidjson::ParseErrorCode code) {
+  switch (code) {
+    case rapidjson::kParseErrorDocumentEmpty:
+      return "there is no value";
+    case rapidjson::kParseErrorDocumentRootNotSingular:
+      return "text stands after the end";
+    case rapidjson::kParseErrorValueInvalid:
+      return "a value is expected: a number, a text in double quotes, a list, an object, true, false or null";
+    case rapidjson::kParseErrorObjectMissName:
+      return "a name in double quotes is expected";
+    case rapidjson::kParseErrorObjectMissColon:
+      return "':' is expected after the name";
+    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+      return "',' or '}' is expected";
+    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+      return "',' or ']' is expected";
+    case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+      return "four hexadecimal digits are expected after '\\u'";
+    case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+      return "half of a surrogate pair";
+    case rapidjson::kParseErrorStringEscapeInvalid:
+      return "no such escape in a text";
+    case rapidjson::kParseErrorStringMissQuotationMark:
+      return "a text without its closing '\"'";
+    case rapidjson::kParseErrorStringInvalidEncoding:
+      return "a control character or no UTF-8 in a text";
+    case rapidjson::kParseErrorNumberTooBig:
+      return "the number is beyond 1e308";
+    case rapidjson::kParseErrorNumberMissFraction:
+      return "digits are expected after the decimal point";
+    case rapidjson::kParseErrorNumberMissExponent:
+      return "digits are expected after the exponent's letter";
+    default:
+      return "a comment without its end";
+  }
+}
+
 class TreeBuilder {
  public:
-  using Json = nlohmann::json;
+  TreeBuilder(std::string_view text, const std::string& name)
+      : text_(text), name_(name), stream_(text.data(), text.size()), lines_(text) {}
 
-  TreeBuilder(std::string_view text, const std::string& name, const char* const* reached)
-      : text_(text), name_(name), reached_(reached), lines_(text) {}
+  JsonValue run() {
+    using namespace rapidjson;
+    if (text_.starts_with(kByteOrderMark))
+      stream_ = MemoryStream(text_.data() + 3, text_.size() - 3), mark_ = 3, end_ = 3;
+    Reader reader;
+    const ParseResult result = reader.Parse<kParseCommentsFlag | kParseValidateEncodingFlag>(stream_, *this);
+    if (result.IsError()) refuse(result);
+    if (offset() < text_.size()) fail(std::string(kNotJson) + fault(kParseErrorDocumentRootNotSingular), offset());
+    return std::move(root_);
+  }
 
-  JsonValue take() { return std::move(root_); }
-
-  bool null() { return begin(JsonValue::Kind::kNull) != nullptr; }
-  bool boolean(bool value) {
+  // The reader's events; the numbers it computes are not used.
+  bool Null() { return begin(JsonValue::Kind::kNull) != nullptr; }
+  bool Bool(bool value) {
     begin(JsonValue::Kind::kBoolean)->boolean = value;
     return true;
   }
-  bool number_integer(Json::number_integer_t) { return begin(JsonValue::Kind::kNumber) != nullptr; }
-  bool number_unsigned(Json::number_unsigned_t) { return begin(JsonValue::Kind::kNumber) != nullptr; }
-  bool number_float(Json::number_float_t, const std::string&) { return begin(JsonValue::Kind::kNumber) != nullptr; }
-  bool string(std::string& value) {
-    begin(JsonValue::Kind::kString)->text = std::move(value);
+  bool Int(int) { return number(); }
+  bool Uint(unsigned) { return number(); }
+  bool Int64(std::int64_t) { return number(); }
+  bool Uint64(std::uint64_t) { return number(); }
+  bool Double(double) { return number(); }
+  bool RawNumber(const char*, rapidjson::SizeType, bool) { return number(); }
+  bool String(const char* value, rapidjson::SizeType size, bool) {
+    begin(JsonValue::Kind::kString)->text.assign(value, size);
     return true;
   }
-  bool binary(Json::binary_t&) { return false; }
-  bool start_object(std::size_t) { return open(JsonValue::Kind::kObject); }
-  bool start_array(std::size_t) { return open(JsonValue::Kind::kArray); }
-  bool end_object() { return close(); }
-  bool end_array() { return close(); }
-  bool key(std::string& value) {
-    std::size_t start = token_start();
-    if (!seen_.back().insert(value).second) fail("the key '" + value + "' stands twice in one object", start);
-    open_.back()->keys.push_back(value);
+  bool StartObject() { return open(JsonValue::Kind::kObject); }
+  bool StartArray() { return open(JsonValue::Kind::kArray); }
+  bool EndObject(rapidjson::SizeType) { return close(); }
+  bool EndArray(rapidjson::SizeType) { return close(); }
+  bool Key(const char* value, rapidjson::SizeType size, bool) {
+    const std::string& key = open_.back()->keys.emplace_back(value, size);
+    if (!seen_.back().insert(key).second) fail("the key '" + key + "' stands twice in one object", token_start());
     end_ = offset();
     return true;
   }
-  bool parse_error(std::size_t, const std::string&, const Json::exception& error) {
-    if (const std::string_view sign = sign_at(std::max<std::size_t>(offset(), 1) - 1); sign.size() > 1) {
-      const std::string hint = sign == "−" ? "; the minus is '-'" : "";
-      fail("this is not JSON: stray character '" + std::string(sign) + "'" + hint, offset() - 1);
-    }
-    std::string message = error.what();
-    std::size_t cut = message.find("parse error at ");
-    cut = cut == std::string::npos ? message.find("] ") : message.find(": ", cut);
-    if (cut != std::string::npos) message.erase(0, cut + 2);
-    fail("this is not JSON: " + message, std::max<std::size_t>(offset(), 1) - 1);
-  }
 
  private:
-  std::size_t offset() const { return static_cast<std::size_t>(*reached_ - text_.data()); }
+  static constexpr std::string_view kNotJson = "this is not JSON: ", kByteOrderMark = "\xEF\xBB\xBF";
+
+  std::size_t offset() const { return mark_ + stream_.Tell(); }
+
+  [[noreturn]] void refuse(const rapidjson::ParseResult& result) {
+    const std::size_t at = std::min(mark_ + result.Offset(), text_.size());
+    const std::string_view sign = sign_at(at);
+    const bool in_text = result.Code() >= rapidjson::kParseErrorStringUnicodeEscapeInvalidHex &&
+                         result.Code() <= rapidjson::kParseErrorStringInvalidEncoding;
+    std::string message(kNotJson);
+    if (sign.size() > 1 && !in_text) {
+      message += "stray character '" + std::string(sign) + (sign == "−" ? "'; the minus is '-'" : "'");
+    } else {
+      message += std::string(at == text_.size() ? "the end comes too early; " : "") + fault(result.Code());
+    }
+    fail(message, at);
+  }
 
   /// The character that begins there if it is one of several bytes and well formed, else nothing.
   std::string_view sign_at(std::size_t start) const {
@@ -139,22 +168,10 @@ class TreeBuilder {
         case '/':
           i = comment_end(i);
           continue;
-        case '\xEF':
-          if (text_.substr(i, 3) != "\xEF\xBB\xBF") return i;
-          i += 2;
-          continue;
         default:
           return std::min(i, text_.size());
       }
     }
-  }
-
-  std::size_t number_end(std::size_t i) const {
-    const auto in_number = [](char c) {
-      return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || c == 'e' || c == 'E';
-    };
-    while (i < text_.size() && in_number(text_[i])) ++i;
-    return i;
   }
 
   /// The last byte of the comment that begins at `i`.
@@ -169,16 +186,17 @@ class TreeBuilder {
   }
 
   JsonValue* begin(JsonValue::Kind kind) {
-    std::size_t start = token_start();
+    start_ = token_start();
     JsonValue* value = open_.empty() ? &root_ : &item_of(*open_.back());
     value->kind = kind;
-    lines_.place(start, value->line, value->column);
+    lines_.place(start_, value->line, value->column);
     end_ = offset();
-    if (kind == JsonValue::Kind::kNumber) {  // the parser has read one byte too many
-      end_ = number_end(start);
-      value->text = std::string(text_.substr(start, end_ - start));
-    }
     return value;
+  }
+
+  bool number() {
+    begin(JsonValue::Kind::kNumber)->text.assign(text_.substr(start_, end_ - start_));
+    return true;
   }
 
   bool open(JsonValue::Kind kind) {
@@ -203,9 +221,10 @@ class TreeBuilder {
 
   std::string_view text_;
   const std::string& name_;
-  const char* const* reached_;
+  rapidjson::MemoryStream stream_;  // the one stream whose place is right at every event
+  std::size_t mark_ = 0;            // bytes before the stream
   LineCounter lines_;
-  std::size_t end_ = 0;  // just behind the last token
+  std::size_t start_ = 0, end_ = 0;  // of the last token
   JsonValue root_;
   std::vector<JsonValue*> open_;
   std::vector<std::unordered_set<std::string>> seen_;
@@ -249,11 +268,7 @@ bool is_wide(std::string_view text) {
 
 JsonValue parse_json(std::string_view text, const std::string& name) {
   if (is_wide(text)) throw Error(ErrorCode::kSyntax, "this is not JSON in UTF-8 but looks like UTF-16 or UTF-32", name);
-  const char* reached = text.data();
-  TreeBuilder builder(text, name, &reached);
-  CountingIterator first{text.data(), &reached}, last{text.data() + text.size(), &reached};
-  nlohmann::json::sax_parse(first, last, &builder, nlohmann::json::input_format_t::json, true, true);
-  return builder.take();
+  return TreeBuilder(text, name).run();
 }
 
 }  // namespace findspace::io

@@ -58,7 +58,21 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"{\"findspace\": 1, \"shapes\": {}, \"unit\": \"furlong\"}", "unknown unit 'furlong'"},
         Refused{"{\"findspace\": 1, \"shapes\": {}, \"grid\": 0}", "\"grid\" must be more than 0"},
         Refused{"{\"findspace\": 1, \"shapes\": {}, \"grid\": -1e-3}", "\"grid\" must be more than 0"},
-        Refused{"\x00\xff\xfe\x80", "this is not JSON"}));
+        Refused{"\x00\xff\xfe\x80", "this is not JSON"},
+        Refused{"{\"a\": [1 2]}", "s.json:1:10: this is not JSON: ',' or ']'"},
+        Refused{"{\"a\": 01}", "s.json:1:8: this is not JSON: ',' or '}' is expected"},
+        Refused{"{\"a\": 1.}", "s.json:1:9: this is not JSON: digits are expected after the decimal point"},
+        Refused{"{\"a\": 1e}", "s.json:1:9: this is not JSON: digits are expected after the exponent's letter"},
+        Refused{"{\"a\": 1e999}", "s.json:1:7: this is not JSON: the number is beyond 1e308"},
+        Refused{"{\"a\": .5}", "s.json:1:7: this is not JSON: a value is expected"},
+        Refused{"{\"a\" 5}", "s.json:1:6: this is not JSON: ':' is expected after the name"},
+        Refused{"{\"a\": 5,}", "s.json:1:9: this is not JSON: a name in double quotes is expected"},
+        Refused{"{'a': 5}", "s.json:1:2: this is not JSON: a name in double quotes is expected"},
+        Refused{"{\"a\": \"b", "s.json:1:9: this is not JSON: the end comes too early; a text without its closing"},
+        Refused{"{\"a\": \"\\u12\"}", "four hexadecimal digits are expected after '\\u'"},
+        Refused{"{\"a\": \"\\q\"}", "no such escape in a text"}, Refused{"{\"a\": \"\xff\"}", "no UTF-8 in a text"},
+        Refused{"{\"a\": 5 /* b", "the end comes too early; a comment without its end"},
+        Refused{"\xEF\xBB\xBF{\"a\": −5}", "s.json:1:10: this is not JSON: stray character '−'; the minus is '-'"}));
 
 #define SHAPE(text) "{\"findspace\": 1, \"shapes\": {\"a\": " text "}}"
 INSTANTIATE_TEST_SUITE_P(
