@@ -3,6 +3,8 @@
 
 #include "plane/measure_cells.h"
 
+#include "plane/measure_cells_places.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -15,16 +17,11 @@ Twofold cross(const Twofold& ax, const Twofold& ay, const Twofold& bx, const Two
 CellMeasures::CellMeasures(const CellComplex& c) : c_(c) {
   x_.reserve(c.vertices.size());
   y_.reserve(c.vertices.size());
+  VertexPlaces places(c.geometry);
   for (Index v = 0; v < c.vertices.size(); ++v) {
-    const exact::Point& p = c.point(v);
-    if (p.kind == exact::Point::Kind::kGrid) {
-      x_.emplace_back(double(p.gx));  // at most 2^40 and what sums of such make: exact
-      y_.emplace_back(double(p.gy));
-      continue;
-    }
-    exact::RealPoint q = c.geometry.exact(c.vertices[v].point);
-    x_.emplace_back(q.x, p.x);
-    y_.emplace_back(q.y, p.y);
+    const auto [x, y] = places.at(c.vertices[v].point);
+    x_.push_back(x);
+    y_.push_back(y);
   }
   circle_of_carrier_.assign(c.geometry.carriers.size(), kNone);
   for (Index e = 0; e < c.edges.size(); ++e) {

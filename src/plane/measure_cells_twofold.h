@@ -24,7 +24,7 @@ struct Twofold {
     if (std::isfinite(hi)) lo = (value - exact::Real::from_double(hi)).to_double();
     *this = quick(hi, lo);
   }
-  /// The value, of which `near` is an approximation to some ten digits or more: one exact evaluation instead of two.
+  /// The value, of which `near` is an approximation to some 13 digits: one exact evaluation instead of two.
   Twofold(const exact::Real& value, double near) {
     *this = quick(near, (value - exact::Real::from_double(near)).to_double());
   }
