@@ -71,8 +71,10 @@ Outcome finish(const Session& session, const std::function<std::string()>& json,
 /// The bodies as convex parts, where they are unions of polygons and discs.
 std::optional<Outcome> by_parts(const Session& session) {
   const Options& options = session.options();
-  const auto p = space::planar_parts(*session.scene().shape(options.shapes[0]));
-  const auto q = space::planar_parts(*session.scene().shape(options.shapes[1]));
+  const io::Scene& scene = session.scene();
+  const double step = scene.grid.step_size();
+  const auto p = space::planar_parts(*scene.shape(options.shapes[0]), step);
+  const auto q = space::planar_parts(*scene.shape(options.shapes[1]), step);
   if (!p || !q) return std::nullopt;
   const exact::int128 multiple = exact::int128(p->scale / std::gcd(p->scale, q->scale)) * q->scale;
   if (multiple > space::kCoordinateLimit) return std::nullopt;

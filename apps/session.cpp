@@ -83,7 +83,8 @@ plane::Region Session::region(std::string_view name) const {
 std::vector<plane::Region> Session::regions(const std::vector<plane::ShapePtr>& shapes) const {
   if (scene_.dimension != 2) throw Error(ErrorCode::kUnsupported, "the scene has 3D shapes", scene_.file);
   std::vector<plane::BuildResult> built(shapes.size());
-  plane::parallel_for(shapes.size(), [&](std::size_t k) { built[k] = plane::build(*shapes[k]); });
+  plane::parallel_for(shapes.size(),
+                      [&](std::size_t k) { built[k] = plane::build(*shapes[k], scene_.grid.step_size()); });
   std::vector<plane::Region> out;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const plane::Rounding& moved = built[k].rounding;

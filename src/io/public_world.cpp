@@ -81,7 +81,8 @@ io::Scene scene_of(const std::map<std::string, Shape>& shapes, const std::string
 
 situation::World world_of(const io::Scene& scene) {
   situation::World world;
-  for (const plane::ShapePtr& s : scene.shapes) world.shapes.emplace(s->name, plane::build(*s).region);
+  for (const plane::ShapePtr& s : scene.shapes)
+    world.shapes.emplace(s->name, plane::build(*s, scene.grid.step_size()).region);
   world.moving = scene.moving;
   world.step = scene.grid.step();
   return world;
@@ -164,7 +165,7 @@ Optimum World::minimize(std::string_view objective, std::string_view formula) co
 }
 
 Region World::shape(const std::string& name) const {
-  return data_->region(plane::build(*data_->scene.shape(name)).region);
+  return data_->region(plane::build(*data_->scene.shape(name), data_->scene.grid.step_size()).region);
 }
 
 }  // namespace findspace

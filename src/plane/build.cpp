@@ -204,11 +204,11 @@ class Builder {
 
   /// Of all operands together.
   Region hull_of(const Shape& s) {
-    if (s.children.size() == 1) return hull(*child(s, 0));
+    if (s.children.size() == 1) return hull(*child(s, 0), step_);
     std::vector<RegionPtr> operands;
     std::vector<const Region*> all;
     for (std::size_t k = 0; k < s.children.size(); ++k) all.push_back(operands.emplace_back(child(s, k)).get());
-    return hull(unite(all));
+    return hull(unite(all), step_);
   }
 
   RegionPtr child(const Shape& s, std::size_t k) { return region(s.children[k]); }

@@ -3,6 +3,8 @@
 
 #include "plane/hull.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,11 +55,14 @@ std::optional<std::array<std::int64_t, 2>> integer_direction(const RealVector& d
   return result;
 }
 
-[[noreturn]] void refuse(const RealVector& at) {
-  throw Error(ErrorCode::kUnsupported,
-              "the convex hull has a straight side without an integer direction, near (" + at.x.text() + ", " +
-                  at.y.text() +
-                  ") grid steps: a tangent of circles of different radii, or a line through computed corners");
+[[noreturn]] void refuse(const RealVector& at, double step) {
+  const double x = at.x.to_double() * step, y = at.y.to_double() * step;
+  throw Error(
+      ErrorCode::kUnsupported,
+      fmt::format("the convex hull has a straight side without an integer direction, near ({:.10g}, {:.10g}): a "
+                  "tangent of circles of different radii, or a line through computed corners",
+                  x, y))
+      .at(x, y);
 }
 
 /// The elements that may lie on the hull, and which cells of the set they are.
@@ -151,7 +156,7 @@ class Candidates {
 
 class Hull {
  public:
-  explicit Hull(const Region& set) : set_(set), closed_(is_closed(set)), candidates_(set), to_(0) {}
+  Hull(const Region& set, double step) : set_(set), step_(step), closed_(is_closed(set)), candidates_(set), to_(0) {}
 
   Region region() {
     curves_ = wrap(candidates_.elements, candidates_.corners);
@@ -189,7 +194,7 @@ class Hull {
   void add_side(std::size_t k) {
     const HullCurve& side = curves_[k];
     auto d = integer_direction(side.direction);
-    if (!d) refuse(side.from);
+    if (!d) refuse(side.from, step_);
     std::int64_t a = (*d)[1], b = -(*d)[0];
     exact::make_primitive(a, b);
     Index line = to_.curves.geometry.add(Carrier::line(a, b, Real(a) * side.from.x + Real(b) * side.from.y));
@@ -268,6 +273,7 @@ class Hull {
   }
 
   const Region& set_;
+  double step_;
   bool closed_;
   Candidates candidates_;
   std::vector<HullCurve> curves_;
@@ -278,9 +284,9 @@ class Hull {
 
 }  // namespace
 
-Region hull(const Region& set) {
+Region hull(const Region& set, double step) {
   if (is_empty(set)) return set;
-  return is_bounded(set) ? Hull(set).region() : CellComplex::uniform(1);
+  return is_bounded(set) ? Hull(set, step).region() : CellComplex::uniform(1);
 }
 
 }  // namespace findspace::plane

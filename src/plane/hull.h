@@ -18,6 +18,7 @@
 
 namespace findspace::plane {
 
-Region hull(const Region& set);
+/// `step`: size of a grid step, for the place of a refusal.
+Region hull(const Region& set, double step = 1);
 
 }  // namespace findspace::plane

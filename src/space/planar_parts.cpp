@@ -117,13 +117,13 @@ Found from_region(const plane::Region& region) {
 }
 
 /// Nothing also where the shape is no body.
-Found from_region(const plane::Shape& shape) {
-  const plane::Region region = plane::closure(plane::build(shape).region);
+Found from_region(const plane::Shape& shape, double step) {
+  const plane::Region region = plane::closure(plane::build(shape, step).region);
   if (plane::is_empty(region) || !plane::is_bounded(region) || !plane::is_regular(region)) return std::nullopt;
   return from_region(region);
 }
 
-Found parts_of(const plane::Shape& shape);
+Found parts_of(const plane::Shape& shape, double step);
 
 std::optional<std::int64_t> common_multiple(std::int64_t a, std::int64_t b) {
   const exact::int128 multiple = exact::int128(a / std::gcd(a, b)) * b;
@@ -136,10 +136,10 @@ ConvexPolygon core_of(const std::vector<Point2>& points) {
 }
 
 /// The parts of all children on one grid.
-Found joined(const plane::Shape& shape) {
+Found joined(const plane::Shape& shape, double step) {
   PlanarParts sum;
   for (const plane::ShapePtr& child : shape.children) {
-    const Found more = parts_of(*child);
+    const Found more = parts_of(*child, step);
     if (!more) return std::nullopt;
     const auto scale = common_multiple(sum.scale, more->scale);
     if (!scale) return std::nullopt;
@@ -173,39 +173,39 @@ Found changed(Found parts, Change change) {
   return parts;
 }
 
-Found offset_of(const plane::Shape& shape) {
-  if (shape.amount.sign() < 0) return from_region(shape);
+Found offset_of(const plane::Shape& shape, double step) {
+  if (shape.amount.sign() < 0) return from_region(shape, step);
   const plane::Shape& child = *shape.children[0];
   Found parts;
   if (child.kind == Kind::kPoints && shape.amount.sign() > 0) {
     parts.emplace();
     for (const plane::GridPoint& p : child.points) parts->parts.push_back({ConvexPolygon::point({p.x, p.y}), Real()});
   } else {
-    parts = parts_of(child);
+    parts = parts_of(child, step);
   }
-  if (!parts) return from_region(shape);
+  if (!parts) return from_region(shape, step);
   for (PlanarPart& part : parts->parts) part.radius += shape.amount * Real(parts->scale);
   return parts;
 }
 
-Found hull_of(const plane::Shape& shape) {
-  Found parts = joined(shape);
-  if (!parts) return from_region(shape);
+Found hull_of(const plane::Shape& shape, double step) {
+  Found parts = joined(shape, step);
+  if (!parts) return from_region(shape, step);
   std::vector<Point2> points;
   for (const PlanarPart& part : parts->parts) {
-    if (part.radius != parts->parts[0].radius) return from_region(shape);
+    if (part.radius != parts->parts[0].radius) return from_region(shape, step);
     points.insert(points.end(), part.core.vertices().begin(), part.core.vertices().end());
   }
   const bool flat = parts->parts.size() > 1 && std::all_of(parts->parts.begin(), parts->parts.end(),
                                                            [](const auto& p) { return p.core.is_point(); });
-  if (flat) return from_region(shape);  // of discs in a row the core may be a segment
+  if (flat) return from_region(shape, step);  // of discs in a row the core may be a segment
   parts->parts = {{core_of(points), parts->parts[0].radius}};
   return parts;
 }
 
-Found sum_of(const plane::Shape& shape) {
-  const Found a = parts_of(*shape.children[0]), b = parts_of(*shape.children[1]);
-  if (!a || !b) return from_region(shape);
+Found sum_of(const plane::Shape& shape, double step) {
+  const Found a = parts_of(*shape.children[0], step), b = parts_of(*shape.children[1], step);
+  if (!a || !b) return from_region(shape, step);
   const auto scale = common_multiple(a->scale, b->scale);
   if (!scale) return std::nullopt;
   PlanarParts sum;
@@ -224,37 +224,39 @@ Found sum_of(const plane::Shape& shape) {
   return sum;
 }
 
-Found parts_of(const plane::Shape& shape) {
+Found parts_of(const plane::Shape& shape, double step) {
   switch (shape.kind) {
     case Kind::kDisc:
       if (shape.amount.sign() <= 0) return std::nullopt;
       return PlanarParts{{{ConvexPolygon::point({shape.points[0].x, shape.points[0].y}), shape.amount}}, 1};
     case Kind::kUnion:
-      return joined(shape);
+      return joined(shape, step);
     case Kind::kClosure:
-      return parts_of(*shape.children[0]);
+      return parts_of(*shape.children[0], step);
     case Kind::kTranslate:
-      return changed(parts_of(*shape.children[0]), [&](const Point2& p, std::int64_t scale) {
+      return changed(parts_of(*shape.children[0], step), [&](const Point2& p, std::int64_t scale) {
         return Point2{shifted(p.x, shape.points[0].x, scale), shifted(p.y, shape.points[0].y, scale)};
       });
     case Kind::kMirror:
-      return changed(parts_of(*shape.children[0]), [](const Point2& p, std::int64_t) { return Point2{-p.x, -p.y}; });
+      return changed(parts_of(*shape.children[0], step), [](const Point2& p, std::int64_t) {
+        return Point2{-p.x, -p.y};
+      });
     case Kind::kOffset:
-      return offset_of(shape);
+      return offset_of(shape, step);
     case Kind::kHull:
-      return hull_of(shape);
+      return hull_of(shape, step);
     case Kind::kMinkowskiSum:
-      return sum_of(shape);
+      return sum_of(shape, step);
     default:
-      return from_region(shape);
+      return from_region(shape, step);
   }
 }
 
 }  // namespace
 
-std::optional<PlanarParts> planar_parts(const plane::Shape& shape) {
-  if (Found parts = parts_of(shape); parts && !parts->parts.empty()) return parts;
-  const plane::Region region = plane::closure(plane::build(shape).region);
+std::optional<PlanarParts> planar_parts(const plane::Shape& shape, double step) {
+  if (Found parts = parts_of(shape, step); parts && !parts->parts.empty()) return parts;
+  const plane::Region region = plane::closure(plane::build(shape, step).region);
   if (!plane::is_bounded(region)) refuse(shape, "is not bounded");
   if (plane::is_empty(region)) refuse(shape, "is empty");
   if (!plane::is_regular(region)) refuse(shape, "has parts without interior (curves or single points)");

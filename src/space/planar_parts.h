@@ -31,8 +31,8 @@ struct PlanarParts {
 };
 
 /// Of the closure of a 2D shape. Throws Error(kGeometry) where that is no body: empty, unbounded, or with parts that
-/// have no interior.
-std::optional<PlanarParts> planar_parts(const plane::Shape& shape);
+/// have no interior. `step`: size of a grid step, for the places that errors name.
+std::optional<PlanarParts> planar_parts(const plane::Shape& shape, double step = 1);
 
 /// The same parts at a scale that is a multiple of theirs; nothing beyond 2^40 steps.
 std::optional<std::vector<PlanarPart>> at_scale(const PlanarParts& parts, std::int64_t scale);
