@@ -4,10 +4,11 @@
 // DXF drawings (ASCII): LINE, LWPOLYLINE and POLYLINE with bulges, CIRCLE, ARC, POINT, INSERT of blocks. Lines, arcs
 // and open polylines whose ends are the same grid point are joined; closed outlines nest by the even-odd rule, so a
 // circle inside an outline is a hole. What stays open is a polyline, and a note says so. Splines, ellipses and regions
-// are refused; texts, dimensions and hatches are left out with a note. Unit: $INSUNITS. Source: AutoCAD DXF reference
-// (2012).
+// are refused; texts, dimensions and hatches are left out with a note, and a z other than 0 is, with a note. Unit:
+// $INSUNITS. Source: AutoCAD DXF reference (2012).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -66,6 +67,10 @@ class DxfReader {
     for (const auto& [type, count] : left_out_) {
       context_.notes.push_back(fmt::format("{}: {} {} left out", document_.name, count, type));
     }
+    if (raised_ > 0) {
+      context_.notes.push_back(fmt::format("{}: {} {} a z other than 0, read as seen from above", document_.name,
+                                           raised_, raised_ == 1 ? "entity has" : "entities have"));
+    }
     return parts;
   }
 
@@ -120,8 +125,16 @@ class DxfReader {
     } else if (e.type == "POLYLINE") {
       polyline(e, out);
     } else {
-      other(e);
+      return other(e);
     }
+    raised_ += is_raised(e) ? 1 : 0;
+  }
+
+  /// Whether some height of it is not 0: its own, that of a line's end, or of a vertex.
+  bool is_raised(const DxfEntity& e) const {
+    for (const int code : {30, 31, 38})
+      if (document_.number(e, code, 0).sign() != 0) return true;
+    return std::any_of(e.vertices.begin(), e.vertices.end(), [&](const DxfEntity& v) { return is_raised(v); });
   }
 
   Real number(const DxfEntity& e, int code) const { return document_.number(e, code); }
@@ -198,6 +211,7 @@ class DxfReader {
       throw Error(ErrorCode::kUnsupported, "an array of blocks (several rows or columns)", document_.place(e));
     }
     check_flat(e);
+    raised_ += is_raised(e) ? 1 : 0;
     const DxfEntity& head = block->second.head;
     Affine own = map * Affine::translation(number(e, 10), number(e, 20)) *
                  Affine::rotation(document_.number(e, 50, 0)) *
@@ -218,6 +232,7 @@ class DxfReader {
   Outline outline_;
   std::set<std::string> layers_;
   std::map<std::string, int> left_out_;
+  int raised_ = 0;
   int drawn_ = 0;
 };
 

@@ -239,6 +239,23 @@ TEST(ReadDxf, OpenOutlinesAreNoted) {
   EXPECT_EQ(context.notes.at(0), "f.dxf: 1 open outline is read as a polyline, without an inside");
 }
 
+TEST(ReadDxf, HeightsAreNoted) {
+  auto notes = [](const std::string& entities) {
+    Context context;
+    read_dxf(dxf_text(entities, "4", "0 BLOCK|2 b|10 0|20 0|0 LINE|10 0|20 0|11 5|21 0|0 ENDBLK|"), "f.dxf", {},
+             context);
+    return context.notes;
+  };
+  const std::string note = "f.dxf: 1 entity has a z other than 0, read as seen from above";
+  EXPECT_EQ(notes("0 CIRCLE|10 0|20 0|30 0.0|40 5|"), std::vector<std::string>{});
+  EXPECT_EQ(notes("0 CIRCLE|10 0|20 0|30 2|40 5|"), std::vector<std::string>{note});
+  EXPECT_EQ(notes("0 LINE|10 0|20 0|30 0|11 5|21 0|31 -1|").at(1), note);
+  EXPECT_EQ(notes("0 LWPOLYLINE|38 1|70 1|10 0|20 0|10 9|20 0|10 9|20 9|"), std::vector<std::string>{note});
+  EXPECT_EQ(notes("0 POLYLINE|70 1|0 VERTEX|10 0|20 0|30 1|0 VERTEX|10 9|20 0|0 VERTEX|10 9|20 9|0 SEQEND|"),
+            std::vector<std::string>{note});
+  EXPECT_EQ(notes("0 INSERT|2 b|10 0|20 0|30 4|").at(1), note);
+}
+
 TEST(ReadDxf, BlocksAndLayers) {
   const char* block = "0 BLOCK|2 part|10 1|20 1|0 CIRCLE|8 0|10 1|20 1|40 2|0 ENDBLK|";
   ShapePtr disc = dxf("0 INSERT|8 holes|2 part|10 30|20 40|41 3|42 3|50 90|", {}, "4", block);
