@@ -75,7 +75,7 @@ class Maker {
       const bool placed = std::any_of(place_.bodies.begin(), place_.bodies.end(), [&](const io::PlacedBody& b) {
         return std::find(b.shapes.begin(), b.shapes.end(), s->name) != b.shapes.end();
       });
-      if (!placed) context.shapes.push_back(s->name);
+      (placed ? context.placed : context.shapes).push_back(s->name);
     }
     return context;
   }
@@ -83,6 +83,7 @@ class Maker {
   situation::Context named_context() const {
     situation::Context context = fixed_context();
     context.moving.clear();
+    context.placed.clear();
     context.independent = true;
     for (const auto& [name, role] : demands_.names) context.moving.push_back(name);
     return context;

@@ -34,12 +34,13 @@ namespace findspace::situation {
 
 /// What a formula may speak of.
 struct Context {
-  std::vector<std::string> shapes;  // the scene's shapes
-  std::vector<std::string> moving;  // those that move, all together unless `independent`
-  std::vector<std::string> extra;   // further names that stand still: `other` in a placement's `pairs`
-  bool independent = false;         // each moving shape has its own position (a placement's `constraints`)
-  bool motion = false;              // the scene has a motion: `inf` and `sup` mean something
-  std::optional<Unit> unit;         // the scene's unit; without one, numbers may not carry units
+  std::vector<std::string> shapes;    // the scene's shapes
+  std::vector<std::string> moving;    // those that move, all together unless `independent`
+  std::vector<std::string> extra;     // further names that stand still: `other` in a placement's `pairs`
+  std::vector<std::string> placed{};  // those that are placed themselves: not to be named in `each` and `pairs`
+  bool independent = false;           // each moving shape has its own position (a placement's `constraints`)
+  bool motion = false;                // the scene has a motion: `inf` and `sup` mean something
+  std::optional<Unit> unit;           // the scene's unit; without one, numbers may not carry units
   int dimension = 2;
 };
 

@@ -204,6 +204,12 @@ std::string Reader::shape(std::string_view word) {
       (find_distance(token.text) != nullptr || find_predicate(token.text) != nullptr)) {
     fail_syntax("a shape is meant here, not {}", found());
   }
+  if (!known && contains(context_.placed, token.text)) {
+    fail(ErrorCode::kBadValue, token.span,
+         "'{}' is placed itself, and here only shapes that stand still are meant; name it in \"constraints\", or as "
+         "'other' in \"pairs\"",
+         printable(token.text));
+  }
   if (!known) fail_unknown_shape(token);
   return take().text;
 }
