@@ -237,6 +237,9 @@ int program(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     app.exit(asked);
     return kDone;
+  } catch (const CLI::ExtrasError&) {
+    errors.error(fmt::format("not expected: {}\nTry 'findspace --help'.", fmt::join(app.remaining(true), " ")));
+    return kUsage;
   } catch (const CLI::ParseError& e) {
     errors.error(fmt::format("{}\nTry 'findspace --help'.", e.what()));
     return kUsage;

@@ -24,6 +24,15 @@ Real limit_of(const std::string& text, const char* option) {
   throw Error(ErrorCode::kUsage, fmt::format("{} wants a decimal number >= 0, not '{}'", option, text));
 }
 
+void refuse_crossed_limits(const Options& options) {
+  if (!options.min_distance || !options.max_distance) return;
+  const Real least = limit_of(*options.min_distance, "--min-distance");
+  const Real greatest = limit_of(*options.max_distance, "--max-distance");
+  if (compare(least, greatest) <= 0) return;
+  throw Error(ErrorCode::kUsage, fmt::format("--min-distance {} is more than --max-distance {}: no distance is allowed",
+                                             *options.min_distance, *options.max_distance));
+}
+
 void note_parts(const Session& session, const std::string& name, const space::Body& body) {
   if (body.parts.size() > 1) session.talk().note(fmt::format("{}: {} convex parts", name, body.parts.size()));
   if (body.rounded == 0) return;
@@ -53,14 +62,12 @@ Writers writers(const io::PhiReport& report) {
 std::vector<io::PhiLimit> phi_limits(const Options& options, double normalised,
                                      const std::function<int(const Real&)>& sign) {
   std::vector<io::PhiLimit> limits;
-  if (options.min_distance) {
-    const Real rho = limit_of(*options.min_distance, "--min-distance");
-    limits.push_back({true, rho, normalised - rho.to_double(), sign(rho)});
-  }
-  if (options.max_distance) {
-    const Real rho = limit_of(*options.max_distance, "--max-distance");
-    limits.push_back({false, rho, rho.to_double() - normalised, -sign(rho)});
-  }
+  const auto add = [&](const Real& rho, bool least) {
+    const double off = normalised - rho.to_double();
+    limits.push_back({least, rho, least ? off : -off, least ? sign(rho) : -sign(rho)});
+  };
+  if (options.min_distance) add(limit_of(*options.min_distance, "--min-distance"), true);
+  if (options.max_distance) add(limit_of(*options.max_distance, "--max-distance"), false);
   return limits;
 }
 
@@ -96,6 +103,7 @@ Outcome space_phi(const Session& session) {
 Outcome run_phi_verb(const Options& options, Talk& talk) {
   if ((options.min_distance || options.max_distance) && !options.at)
     throw Error(ErrorCode::kUsage, "--min-distance and --max-distance need the position of --at");
+  refuse_crossed_limits(options);
   const Session session(options, talk);
   return session.in_space() ? space_phi(session) : planar_phi(session);
 }
