@@ -246,7 +246,8 @@ def refusal_faults(want, status, said):
         yield f"exit status: expected {want['exit']}, got {status}"
     if status and not said.strip():
         yield "no message on standard error"
-    for pattern in want.get("says", []):
+    says = want.get("says", [])
+    for pattern in [says] if isinstance(says, str) else says:
         if not re.search(pattern, said, re.I):
             yield f"the message lacks '{pattern}': {said.strip()[:200]}"
 
