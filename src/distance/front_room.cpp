@@ -53,6 +53,21 @@ ConvexDistance grown_distance(const GrownSet& set) {
   };
 }
 
+/// Polyhedra that hold the sets, with faces along theirs; of balls there is none.
+std::shared_ptr<const space::OpenCover> sharp_cover(const std::vector<GrownSet>& sets) {
+  auto out = std::make_shared<space::OpenCover>();
+  for (const GrownSet& set : sets) {
+    if (set.planes.empty()) continue;
+    out->add(space::everywhere(), [planes = set.planes, radius = set.radius] {
+      space::OpenCover::Planes moved;
+      for (const HalfSpace& h : planes)
+        moved.emplace_back(h.normal, h.offset - radius * sqrt(space::dot(h.normal, h.normal)));
+      return moved;
+    });
+  }
+  return out;
+}
+
 /// B's vertex v in A's planes moved inward by `by`.
 TouchingRule eroded_rule(std::vector<HalfSpace> planes, const Vector& v, double by) {
   return [planes = std::move(planes), v, by](const Vector& x) {
@@ -121,6 +136,7 @@ FrontRoom FrontRoom::outside(std::vector<GrownSet> sets, const RealVector& low, 
   out.box_low_ = space::rounded(low), out.box_high_ = space::rounded(high);
   out.size_ = std::max(space::length(out.box_low_), space::length(out.box_high_)) + 1;
   for (const GrownSet& set : sets) out.rules_.keep_out.push_back(grown_distance(set));
+  out.sharp_ = sharp_cover(sets);
   out.sets_ = std::move(sets);
   out.allows_ = [sets = out.sets_, rules = out.rules_.keep_out, size = out.size_](const RealVector& p) {
     const Vector near = space::rounded(p);
@@ -159,24 +175,40 @@ std::optional<RealVector> FrontRoom::even_place(const FrontPlace& found) const {
   return allows_(p) ? std::optional(p) : std::nullopt;
 }
 
-std::optional<SolidValue> FrontRoom::settled(const FrontPlace& found, const RealVector& p) const {
+/// Asks `find` for a place that belongs; the objective there is its distance to p, times the sense.
+KnownPlace FrontRoom::known_at(std::function<std::optional<RealVector>()> find, const RealVector& p, int sense,
+                               std::optional<RealVector>& known) const {
+  return [this, find = std::move(find), p, sense, &known]() -> std::optional<double> {
+    const auto place = find();
+    if (!place || !allows_(*place)) return std::nullopt;
+    known = place;
+    return sense * space::length(space::rounded(space::minus(*place, p)));
+  };
+}
+
+std::optional<SolidValue> FrontRoom::settled(const FrontPlace& found, const RealVector& p,
+                                             const std::optional<RealVector>& known) const {
   SolidValue out;
   const double slack = kError * (size_ + std::fabs(found.bound)), off = std::fabs(found.value - found.bound);
-  if (found.found && off <= kMostError * size_) {
+  const RealVector place = real_of(found.place);
+  if (found.found && off <= kMostError * size_ && allows_(place)) {
     out.value = Real::from_double(found.value);
-    out.nearest = real_of(found.place);
+    out.nearest = place;
     out.proven = false, out.error = slack + off;
     return out;
   }
-  if (!found.found && !found.unsure && found.whole) return std::nullopt;
-  if (const auto even = even_place(found)) {
-    const RealVector w = space::minus(*even, p);
+  if (!found.found && !found.known && !found.unsure && found.whole) return std::nullopt;
+  for (const auto& exact : {found.known ? known : std::nullopt, even_place(found)}) {
+    if (!exact) continue;
+    const RealVector w = space::minus(*exact, p);
     const Real d = sqrt(space::dot(w, w));
-    if (std::fabs(d.to_double() - found.bound) <= 16 * slack) {
-      out.value = d, out.nearest = *even;
-      return out;
-    }
+    if (std::fabs(d.to_double() - found.bound) > 16 * slack) continue;  // no sign: something may be better
+    out.value = d, out.nearest = *exact;
+    return out;
   }
+  if (found.found && !found.unsure && allows_(place))
+    throw Error(ErrorCode::kUnsupported,
+                "how far a round shape is from fitting was not found within the limit of the search");
   throw Error(ErrorCode::kUnsupported, "whether a round shape fits where it has no room to spare is not decided");
 }
 
@@ -206,7 +238,9 @@ std::optional<SolidValue> FrontRoom::nearest(const RealVector& p, bool open) con
     const double d = space::length(x - near);
     return Touching{d, d > 0 ? space::scaled(1 / d, x - near) : Vector{}};
   };
-  return settled(nearest_allowed(tetrahedra_of_box(low, high), rules_, away, size_, -deepest), p);
+  std::optional<RealVector> known;
+  const KnownPlace ask = known_at([&] { return sharp_ ? sharp_->nearest_uncovered(p) : std::nullopt; }, p, 1, known);
+  return settled(nearest_allowed(tetrahedra_of_box(low, high), rules_, away, size_, -deepest, ask), p, known);
 }
 
 SolidValue FrontRoom::nearest_to(const TouchingRule& to) const {
@@ -225,10 +259,13 @@ SolidValue FrontRoom::nearest_to(const TouchingRule& to) const {
 
 std::optional<SolidValue> FrontRoom::farthest(const RealVector& p) const {
   const double room = 0x1p-30 * size_;
+  std::optional<RealVector> known;
+  const KnownPlace ask = known_at(
+      [&] { return sharp_ ? space::farthest_uncovered(*sharp_, low_, high_, p) : std::nullopt; }, p, -1, known);
   return settled(farthest_allowed(
                      tetrahedra_of_box(box_low_ - Vector{room, room, room}, space::plus(box_high_, {room, room, room})),
-                     rules_, space::rounded(p), size_),
-                 p);
+                     rules_, space::rounded(p), size_, ask),
+                 p, known);
 }
 
 }  // namespace findspace::distance

@@ -7,12 +7,14 @@
 //             and E where A is not convex;
 //   inside    the positions at which a body lies in one convex round part, vertex by vertex.
 // Guarantee: places are found by search (front_search.h), mostly to 2^-40 of the sizes; `proven` is false and `error`
-// says how far values may be off; whether a place belongs is decided exactly. A passage or fit of no room that would
-// change the answer is refused with Error(kUnsupported), not passed over. Keywords: penetration depth, rounded
-// polyhedra, containment.
+// says how far values may be off; whether a place belongs is decided exactly. A passage or fit of no room, which
+// numbers cannot tell from none, is found among the planes along the faces of the sets, exactly; one between other
+// fronts (an edge and a face, two edges) that would change the answer is refused with Error(kUnsupported), not passed
+// over. Keywords: penetration depth, rounded polyhedra, containment.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -47,12 +49,17 @@ class FrontRoom {
   std::optional<SolidValue> farthest(const space::RealVector& p) const;
 
  private:
-  std::optional<SolidValue> settled(const FrontPlace& found, const space::RealVector& p) const;
+  std::optional<SolidValue> settled(const FrontPlace& found, const space::RealVector& p,
+                                    const std::optional<space::RealVector>& known) const;
+  KnownPlace known_at(std::function<std::optional<space::RealVector>()> find, const space::RealVector& p, int sense,
+                      std::optional<space::RealVector>& known) const;
   std::optional<space::RealVector> even_place(const FrontPlace& found) const;
 
   Rules rules_;
   std::vector<GrownSet> sets_;
   std::function<bool(const space::RealVector&)> allows_;
+  std::shared_ptr<const space::OpenCover>
+      sharp_;  // the sets within their planes moved out by the radii: they hold them
   space::RealVector low_, high_;
   space::Vector box_low_, box_high_;  // a little more
   double size_ = 0;

@@ -26,6 +26,9 @@ constexpr double kNoise = 0x1p-46, kRoom = 0x1p-48, kLeast = 0x1p-44;
 /// noise.
 constexpr double kBetter = 0x1p-43;
 
+/// Cells after which it is asked for a place of no room, as most of what is left may be such.
+constexpr int kAskAt = 3000;
+
 struct Cell {
   Tetrahedron corner;
   std::vector<int> out, in;  // the functions that are not satisfied in all of the cell
@@ -63,8 +66,8 @@ double least(const Column& c) { return *std::min_element(c.begin(), c.end()); }
 /// The objective is minimised: the distance, or minus that from a point.
 class Search {
  public:
-  Search(const Rules& rules, const TouchingRule* distance, const Vector& from, double size)
-      : rules_(rules), distance_(distance), from_(from), size_(size) {
+  Search(const Rules& rules, const TouchingRule* distance, const Vector& from, double size, const KnownPlace& known)
+      : rules_(rules), distance_(distance), from_(from), size_(size), known_(known) {
     best_.value = exact::kInfinity;
   }
 
@@ -77,14 +80,16 @@ class Search {
     for (int count = 0; !queue_.empty(); ++count) {
       const Cell top = queue_.top();
       if (!(top.key < wanted())) break;
+      if (count == kAskAt) ask();
       if (count == kMostFrontCells) {
-        best_.whole = false, left = top.key;
+        best_.whole = false, left = std::min(left, top.key);
         break;
       }
       queue_.pop();
       std::size_t a = 0, b = 1;
       if (longest(top.corner, a, b) < kLeast * size_) {
         if (top.key < left) left = top.key, best_.unsure = centre(top.corner);
+        ask();
         continue;
       }
       split(top, a, b);
@@ -108,7 +113,14 @@ class Search {
     for (const int i : cell.in) {
       if (rules_.keep_in[static_cast<std::size_t>(i)](x).value > -room) return;
     }
-    best_.value = value, best_.place = x, best_.found = true;
+    best_.value = value, best_.place = x, best_.found = true, best_.known = false;
+  }
+
+  void ask() {
+    if (asked_ || !known_) return;
+    asked_ = true;
+    const auto value = known_();
+    if (value && *value < best_.value) best_.value = *value, best_.found = false, best_.known = true;
   }
 
   /// Functions that cannot be 0 or beyond in the cell are left out; false where one allows nothing of the cell.
@@ -198,19 +210,22 @@ class Search {
   const TouchingRule* distance_;
   Vector from_;
   double size_;
+  const KnownPlace& known_;
   FrontPlace best_;
+  bool asked_ = false;
   std::priority_queue<Cell> queue_;
 };
 
 }  // namespace
 
 FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
-                           double size, double floor) {
-  return Search(rules, &distance, {}, size).run(room, floor);
+                           double size, double floor, const KnownPlace& known) {
+  return Search(rules, &distance, {}, size, known).run(room, floor);
 }
 
-FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const Vector& from, double size) {
-  FrontPlace out = Search(rules, nullptr, from, size).run(room, -exact::kInfinity);
+FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const Vector& from, double size,
+                            const KnownPlace& known) {
+  FrontPlace out = Search(rules, nullptr, from, size, known).run(room, -exact::kInfinity);
   out.value = -out.value, out.bound = -out.bound;
   return out;
 }

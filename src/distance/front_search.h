@@ -9,8 +9,9 @@
 // matrix game, whose other side is a place to try. Both bounds are off by the square of a cell's size, so smooth fronts
 // cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed place is better
 // than `bound`. Passages and places of no room, which numbers cannot tell from closed ones, make `bound` differ from
-// `value` (or nothing is found): `unsure` is such a place. Cost: some hundred to some thousand cells, each as many
-// values as functions are near 0 in it. Keywords: reverse convex programming, penetration depth, global optimisation.
+// `value` (or nothing is found), unless such a place is known: `unsure` is one. Cost: some hundred to some thousand
+// cells, each as many values as functions are near 0 in it. Keywords: reverse convex programming, penetration depth,
+// global optimisation.
 #pragma once
 
 #include <functional>
@@ -34,6 +35,10 @@ struct Rules {
   std::vector<TouchingRule> keep_in;
 };
 
+/// The objective at a place of no room that is known to be allowed; asked once, where the search comes to one or is
+/// long.
+using KnownPlace = std::function<std::optional<double>()>;
+
 inline constexpr int kMostFrontCells = 60000;
 
 struct FrontPlace {
@@ -41,14 +46,15 @@ struct FrontPlace {
   double value = 0, bound = 0;
   space::Vector place;
   std::optional<space::Vector> unsure;
-  bool whole = true;  // false: ended at kMostFrontCells
+  bool known = false;  // instead of `found`: the value is that at the place asked for
+  bool whole = true;   // false: ended at kMostFrontCells
 };
 
 /// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.
 FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
-                           double size, double floor);
+                           double size, double floor, const KnownPlace& known = {});
 FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const space::Vector& from,
-                            double size);
+                            double size, const KnownPlace& known = {});
 
 /// The box in six.
 std::vector<Tetrahedron> tetrahedra_of_box(const space::Vector& low, const space::Vector& high);
