@@ -230,18 +230,4 @@ FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rule
   return out;
 }
 
-/// Along the six ways from its lowest to its highest corner.
-std::vector<Tetrahedron> tetrahedra_of_box(const Vector& low, const Vector& high) {
-  const auto corner = [&](int k) {
-    return Vector{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z};
-  };
-  std::vector<Tetrahedron> out;
-  for (const int a : {1, 2, 4}) {
-    for (const int b : {1, 2, 4}) {
-      if (a != b) out.push_back({corner(0), corner(a), corner(a | b), corner(7)});
-    }
-  }
-  return out;
-}
-
 }  // namespace findspace::distance

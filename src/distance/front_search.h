@@ -56,7 +56,4 @@ FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules
 FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const space::Vector& from,
                             double size, const KnownPlace& known = {});
 
-/// The box in six.
-std::vector<Tetrahedron> tetrahedra_of_box(const space::Vector& low, const space::Vector& high);
-
 }  // namespace findspace::distance

@@ -41,16 +41,7 @@ std::vector<Tetrahedron> around(const RoundSolid& solid) {
   const auto high = space::plus(
       {std::max(solid.from.x, solid.to.x), std::max(solid.from.y, solid.to.y), std::max(solid.from.z, solid.to.z)},
       room);
-  const auto corner = [&](int k) {
-    return Vector{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z};
-  };
-  std::vector<Tetrahedron> out;
-  for (const int a : {1, 2, 4}) {
-    for (const int b : {1, 2, 4}) {
-      if (a != b) out.push_back({corner(0), corner(a), corner(a | b), corner(7)});
-    }
-  }
-  return out;
+  return tetrahedra_of_box(low, high);
 }
 
 }  // namespace findspace::distance

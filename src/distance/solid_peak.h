@@ -29,6 +29,9 @@ namespace findspace::distance {
 inline constexpr int kMostCells = 200000;
 
 using Tetrahedron = std::array<space::Vector, 4>;
+
+/// The box in six, along the ways from its lowest to its highest corner.
+std::vector<Tetrahedron> tetrahedra_of_box(const space::Vector& low, const space::Vector& high);
 /// The distance to a closed convex set, or another convex function of which no step changes more than its length.
 using ConvexDistance = std::function<double(const space::Vector&)>;
 
