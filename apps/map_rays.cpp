@@ -270,7 +270,9 @@ Outcome map_rays(const Session& session, const LineChoice& lines) {
   take_minima(levels, set);
   take_side(session, set);
   if (set.side != situation::Side::kNone) formula = for_cells(set, formula, session.step());
-  set.on_lines = situation::both(set.on_lines, situation::side_of_search(world, formula));
+  const space::RayGrid grid = set.lines.grid(set.low, set.high);
+  set.on_lines =
+      situation::both(set.on_lines, situation::side_of_search(world, formula, set.lines.axes ? nullptr : &grid));
   if (by_distance)
     set.objective = objective_of(*solver, *goal);
   else if (goal)

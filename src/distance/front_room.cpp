@@ -40,19 +40,6 @@ double highest(std::span<const HalfSpace> planes, const Vector& x) {
   return most;
 }
 
-/// The distance to the set less its radius; inside the set without a radius minus the depth in its planes, so that it
-/// is convex.
-ConvexDistance grown_distance(const GrownSet& set) {
-  const double radius = set.radius.to_double();
-  if (set.planes.empty())
-    return
-        [center = space::rounded(set.center), radius](const Vector& x) { return space::length(x - center) - radius; };
-  return [planes = set.planes, distance = distance_to(set.planes), radius](const Vector& x) {
-    const double most = highest(planes, x);
-    return (most < 0 ? most : distance(x)) - radius;
-  };
-}
-
 /// Polyhedra that hold the sets, with faces along theirs; of balls there is none.
 std::shared_ptr<const space::OpenCover> sharp_cover(const std::vector<GrownSet>& sets) {
   auto out = std::make_shared<space::OpenCover>();
@@ -81,6 +68,17 @@ TouchingRule eroded_rule(std::vector<HalfSpace> planes, const Vector& v, double 
 }
 
 }  // namespace
+
+ConvexDistance grown_distance(const GrownSet& set) {
+  const double radius = set.radius.to_double();
+  if (set.planes.empty())
+    return
+        [center = space::rounded(set.center), radius](const Vector& x) { return space::length(x - center) - radius; };
+  return [planes = set.planes, distance = distance_to(set.planes), radius](const Vector& x) {
+    const double most = highest(planes, x);
+    return (most < 0 ? most : distance(x)) - radius;
+  };
+}
 
 TouchingRule touching_distance(const space::BodyPart& part, const Vector& p, double radius) {
   if (part.point()) {

@@ -65,6 +65,10 @@ class FrontRoom {
   double size_ = 0;
 };
 
+/// The distance to the set less its radius; inside the set without a radius minus the depth in its planes, so that it
+/// is convex.
+ConvexDistance grown_distance(const GrownSet& set);
+
 /// d(x, core) - radius of a part moved by p, with its slope.
 TouchingRule touching_distance(const space::BodyPart& part, const space::Vector& p, double radius);
 

@@ -2,12 +2,11 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/ray_directional.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 
 #include "distance/ray_covers.h"
 #include "distance/ray_signs.h"
+#include "distance/round_directional.h"
 #include "space/cover_frontier.h"
 #include "space/piece_rays.h"
 #include "space/ray_sources.h"
@@ -98,6 +97,8 @@ class Directional {
   Source farthest_map(const ClosedSets& closed, const Real& level) const;
   /// From p at most `reach` along the way: sums of what is met with the way back.
   Source within(const ClosedSets& sets, const Real& reach) const;
+  DirectionalWish wish(bool farthest) const { return {unit_, both_ways_, farthest}; }
+  const RayGrid& grid() const { return grid_; }
 
  private:
   Source constant(int sign) const { return space::constant_rays(grid_, sign); }
@@ -181,7 +182,17 @@ Source Directional::farthest_map(const ClosedSets& closed, const Real& level) co
   return space::greatest_rays(std::move(all));
 }
 
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
+Body bounded(Body a) {
+  a.outside = false;
+  return a;
+}
+
+/// Of eta1 and eta2, A bounded.
+bool fit_by_values(const Body& b, const Body& a) { return a.round() || (b.round() && !a.convex()); }
+
+bool depth_by_values(const Real& level, const Body& b, const Body& a) {
+  return level.sign() < 0 && (a.round() || b.round()) && !(a.convex() && b.convex());
+}
 
 Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest);
 
@@ -189,13 +200,8 @@ Source gamma(const Directional& maker, const Body& b, const Body& a, const Real&
 Source eta(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest,
            const RayGrid& grid) {
   if (a.outside && farthest) return space::constant_rays(grid, 1);
-  if (a.outside) {
-    Body parts = a;
-    parts.outside = false;
-    return space::negated_rays(gamma(maker, b, parts, -level, false));
-  }
-  if (a.round() || (b.round() && !a.convex()))
-    fail("containment of or in round shapes along a direction is computed on rays at level 0 only");
+  if (a.outside) return space::negated_rays(gamma(maker, b, bounded(a), -level, false));
+  if (fit_by_values(b, a)) return round_fit_map(level, maker.wish(farthest), b, a, grid);
   const RayCover cover = outside_sets(b, a);
   if (cover.all) return space::constant_rays(grid, 1);
   return farthest ? maker.farthest_map(rest(cover), level) : space::negated_rays(maker.signed_map(cover, -level));
@@ -207,13 +213,30 @@ Source gamma(const Directional& maker, const Body& b, const Body& a, const Real&
     if (farthest) return maker.farthest_map(closed, level);
     if (level.sign() > 0) return maker.within(closed, level);
     if (closed.regions.size() == 1) return maker.depth_map(closed.regions[0], level);
-    fail("the depth along a direction in a union of round parts is not computed on rays");
+    return round_depth_map(level, maker.wish(false), b, a, maker.grid());
   }
   const RayCover cover = overlap_sets(b, a);
   return farthest ? maker.farthest_map(closures(cover), level) : maker.signed_map(cover, level);
 }
 
 }  // namespace
+
+bool directional_by_values(Which which, const Real& level, const Body& b, const Body& a) {
+  switch (which) {
+    case Which::kGamma1:
+      if (a.outside) return fit_by_values(b, bounded(a));
+      return depth_by_values(level, b, a);
+    case Which::kGamma2:
+      return false;
+    case Which::kEta1:
+      if (a.outside) return depth_by_values(-level, b, bounded(a));
+      return fit_by_values(b, a);
+    case Which::kEta2:
+      return !a.outside && fit_by_values(b, a);
+    default:
+      return !a.outside && fit_by_values(mirrored(a), mirrored(b));
+  }
+}
 
 std::unique_ptr<space::RaySource> ray_directional_map(Which which, const Real& level, const RealVector& direction,
                                                       bool both_ways, const Body& b, const Body& a,
@@ -226,11 +249,7 @@ std::unique_ptr<space::RaySource> ray_directional_map(Which which, const Real& l
     case Which::kGamma2:
       if (!a.outside) return gamma(maker, b, a, level, farthest);
       if (farthest) return space::constant_rays(grid, 1);
-      {
-        Body parts = a;
-        parts.outside = false;
-        return space::negated_rays(eta(maker, b, parts, -level, false, grid));
-      }
+      return space::negated_rays(eta(maker, b, bounded(a), -level, false, grid));
     case Which::kEta1:
     case Which::kEta2:
       return eta(maker, b, a, level, farthest, grid);

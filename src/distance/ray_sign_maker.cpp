@@ -56,7 +56,7 @@ Source RaySignMaker::cover(const RayCover& cover, const Real& level) const {
 }
 
 Source RaySignMaker::values(Which which, const Real& level) const {
-  return std::make_unique<ValueRays>(which, level, b_, a_, grid_);
+  return by_values_map(which, level, b_, a_, grid_);
 }
 
 Source RaySignMaker::balls(const std::vector<std::pair<RealVector, Real>>& all) const {

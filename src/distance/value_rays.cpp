@@ -62,19 +62,23 @@ bool by_values(Which which, const Real& level, const Body& b, const Body& a) {
   }
 }
 
-ValueRays::ValueRays(Which which, const Real& level, const Body& b, const Body& a, const space::RayGrid& grid)
-    : which_(which),
-      level_(level),
-      pair_(std::make_shared<const Body>(b), std::make_shared<const Body>(a)),
-      grid_(grid),
-      unit_(static_cast<double>(b.scale) / static_cast<double>(grid.parts)) {
+std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, const Body& b, const Body& a,
+                                                const space::RayGrid& grid) {
   // Where mu is below 0 it is eta1; of a union of round parts only that is known.
-  if (which == Which::kEta1 && level.sign() <= 0) which_ = Which::kMu;
+  if (which == Which::kEta1 && level.sign() <= 0) which = Which::kMu;
+  const auto pair = std::make_shared<const SolidPair>(std::make_shared<const Body>(b), std::make_shared<const Body>(a));
   const space::Bounds3 of_a = bounds(a), of_b = bounds(b);
   const space::Vector low = space::rounded(space::minus(of_a.low, of_b.high)),
                       high = space::rounded(space::minus(of_a.high, of_b.low));
-  middle_ = space::scaled(0.5, space::plus(low, high));
-  size_ = space::length(high - low) + std::fabs(level.to_double()) + 1;
+  // Beyond this the bodies are farther apart than the level, and every distance is more than that.
+  const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
+  const RayRule rule = [pair, which, level](const RealVector& p) -> std::optional<Between> {
+    const auto v = pair->value(which, p);
+    if (!v) return std::nullopt;
+    const double gap = (v->value - level).to_double();
+    return Between{gap - v->error, gap + v->error};
+  };
+  return std::make_unique<ValueRays>(rule, space::scaled(0.5, space::plus(low, high)), size, b.scale, grid);
 }
 
 ValueRays::Walk ValueRays::walk(int i, int j) const {
@@ -102,18 +106,17 @@ void ValueRays::look(Walk& walk, double from, double to) const {
   }
   if (++walk.values > kMost)
     throw Error(ErrorCode::kUnsupported, "the signs along a line were not found within the limit of the search");
-  const auto v = pair_.value(which_, space::along(walk.start, Real::from_double(middle), walk.unit));
-  if (!v) {  // undefined there, so everywhere
+  const auto v = rule_(space::along(walk.start, Real::from_double(middle), walk.unit));
+  if (!v) {
     walk.known.push_back({from, to, 1});
     return;
   }
-  const double gap = (v->value - level_).to_double();
   // Numbers of the line are as exact as the value: what they lose is less than the blur.
-  const double reach = std::max(std::fabs(gap) - v->error - size_ * 0x1p-44, 0.0);
+  const double reach = std::max({v->low, -v->high, size_ * 0x1p-44}) - size_ * 0x1p-44;
   const bool near = reach < blur / 2;
   const double first = middle - (near ? blur / 2 : reach), last = middle + (near ? blur / 2 : reach);
   if (first > from) look(walk, from, first);
-  walk.known.push_back({std::max(first, from), std::min(last, to), near ? 0 : gap < 0 ? -1 : 1});
+  walk.known.push_back({std::max(first, from), std::min(last, to), near ? 0 : v->high < 0 ? -1 : 1});
   if (last < to) look(walk, last, to);
 }
 
@@ -139,7 +142,6 @@ RayRow ValueRays::row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
     Walk line = walk(i, j);
-    // Beyond this the bodies are farther apart than the level, and every distance is more than that.
     const double place = space::dot(middle_ - space::rounded(line.start), space::rounded(line.unit));
     look(line, place - 2 * size_, place + 2 * size_);
     put(line, out);

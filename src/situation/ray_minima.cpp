@@ -23,11 +23,11 @@ void each_atom(const Node& node, bool negated, const Visit& visit) {
 
 Side both(Side a, Side b) { return a == Side::kExact || a == b ? b : b == Side::kExact ? a : Side::kMixed; }
 
-Side side_of_search(const RayWorld& world, const Formula& formula) {
+Side side_of_search(const RayWorld& world, const Formula& formula, const space::RayGrid* grid) {
   Side side = Side::kExact;
   each_atom(formula.root(), false, [&](std::size_t k, bool negated) {
     const Atom& atom = formula.atoms()[k];
-    if (atom.minimum || !found_by_search(world, formula.sign_maps()[formula.sign_map_of(k)])) return;
+    if (atom.minimum || !found_by_search(world, formula.sign_maps()[formula.sign_map_of(k)], grid)) return;
     side = both(side, holds(atom, 0) != negated ? Side::kOuter : Side::kInner);
   });
   return side;

@@ -33,7 +33,7 @@ struct MinimaAsLevels {
 bool has_minima(const Formula& formula);
 Side both(Side a, Side b);
 /// The side on which lines lie whose sign maps are 0 near the levels as well as at them.
-Side side_of_search(const RayWorld& world, const Formula& formula);
+Side side_of_search(const RayWorld& world, const Formula& formula, const space::RayGrid* grid = nullptr);
 /// Throws Error(kUnsupported) where a least value is not computed.
 MinimaAsLevels minima_as_levels(const SpaceSolver& solver, const Formula& formula);
 

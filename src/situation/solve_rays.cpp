@@ -107,18 +107,13 @@ bool runs_along(const Distance& d, const RayGrid& grid) {
 }
 
 /// Off the signs at level 0 on the same lines.
-space::RaySourcePointer along_lines(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
-                                    const RayGrid& grid) {
-  const distance::Which base = which(d.kind, second);
+space::RaySourcePointer along_lines(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
   SignMap zero{d, Real(), false};
   zero.distance.mode = Mode::kPlain;
   zero.distance.vector.clear();
   distance::RunWish wish;
-  wish.farthest =
-      base == distance::Which::kGamma2 || base == distance::Which::kEta2 || base == distance::Which::kDelta2;
-  if (d.kind == Kind::kGamma2) zero.distance.kind = Kind::kGamma1;
-  if (d.kind == Kind::kEta2) zero.distance.kind = Kind::kEta1;
-  if (d.kind == Kind::kDelta2) zero.distance.kind = Kind::kDelta1;
+  wish.farthest = is_farthest(d.kind);
+  zero.distance.kind = nearest_kind(d.kind);
   wish.both_ways = d.mode == Mode::kAlong;
   const RealVector direction = direction_of(d);
   wish.forward =
@@ -141,7 +136,7 @@ SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid
   }
   if (!result.sources.empty()) return result;
   if (is_directional(d) && runs_along(d, grid)) {
-    result.sources.push_back(along_lines(world, map, d, second, grid));
+    result.sources.push_back(along_lines(world, map, d, grid));
     return result;
   }
   try {
@@ -244,17 +239,30 @@ std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, c
   if (!grid) return std::nullopt;
   const SurfaceRays source = parts(world, map, *grid);
   const int sign = space::sign_at(source.row(0), 0, p[2] * Real(grid->parts));
-  if (sign == 0 && found_by_search(world, map)) return std::nullopt;
+  if (sign == 0 && found_by_search(world, map, &*grid)) return std::nullopt;
   return sign;
 }
 
-bool found_by_search(const RayWorld& world, const SignMap& map) {
-  const Distance d = moving_first(map.distance, world.moving);
-  if (d.mode != Mode::kPlain) return false;
-  const bool second = second_is_moving(d, world.moving);
+namespace {
+
+/// In all directions, or at level 0 along one: from the sign of that on the same line others follow (along_lines).
+bool searched(const Distance& d, bool second, const Real& level, const space::Body& b, const space::Body& a,
+              bool runs) {
   const distance::Which base = which(d.kind, second);
+  if (!is_directional(d)) return distance::found_by_search(base, level, b, a);
+  const bool at_zero = level.sign() == 0 && !is_farthest(d.kind);
+  if (runs || at_zero) return distance::found_by_search(which(nearest_kind(d.kind), second), Real(), b, a);
+  return distance::directional_by_values(base, level, b, a);
+}
+
+}  // namespace
+
+bool found_by_search(const RayWorld& world, const SignMap& map, const RayGrid* grid) {
+  const Distance d = moving_first(map.distance, world.moving);
+  if (d.mode == Mode::kTurning) return false;
+  const bool second = second_is_moving(d, world.moving);
   const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
-  if (base == distance::Which::kGamma2) return false;
+  if (d.kind == Kind::kGamma2) return false;
   // Up to level 0 only round parts need a search, and surfaces may have no convex parts in reasonable time.
   const auto all_flat = [&](const std::vector<std::string>& names) {
     const auto all = solids(world, names);
@@ -262,7 +270,8 @@ bool found_by_search(const RayWorld& world, const SignMap& map) {
   };
   if (map.level.sign() <= 0 && all_flat(b) && all_flat(a)) return false;
   try {
-    return distance::found_by_search(base, map.level, body(world, b), body(world, a));
+    return searched(d, second, map.level, body(world, b), body(world, a),
+                    grid != nullptr && is_directional(d) && runs_along(d, *grid));
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
     return false;  // by surfaces

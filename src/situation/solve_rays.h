@@ -75,8 +75,9 @@ plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const sp
 /// grid, or where the sign is not certain.
 std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p);
 
-/// Whether the sign map is known only where the value is not very near the level (distance::found_by_search).
-bool found_by_search(const RayWorld& world, const SignMap& map);
+/// Whether the sign map is known only where the value is not very near the level (distance::found_by_search);
+/// `grid`: on these lines.
+bool found_by_search(const RayWorld& world, const SignMap& map, const space::RayGrid* grid = nullptr);
 
 /// Whether the formula holds far away.
 bool holds_far_away(const RayWorld& world, const Formula& formula);

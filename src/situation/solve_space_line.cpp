@@ -71,9 +71,7 @@ SignMap level_zero(const Distance& d) {
   Distance base = d;
   base.mode = Mode::kPlain;
   base.vector.clear();
-  if (base.kind == Kind::kGamma2) base.kind = Kind::kGamma1;
-  if (base.kind == Kind::kEta2) base.kind = Kind::kEta1;
-  if (base.kind == Kind::kDelta2) base.kind = Kind::kDelta1;
+  base.kind = nearest_kind(base.kind);
   SignMap map;
   map.distance = base;
   return map;

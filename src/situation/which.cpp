@@ -45,6 +45,13 @@ Which which(Kind kind, bool second_moves) {
   return Which::kGamma1;
 }
 
+Kind nearest_kind(Kind kind) {
+  return kind == Kind::kGamma2   ? Kind::kGamma1
+         : kind == Kind::kEta2   ? Kind::kEta1
+         : kind == Kind::kDelta2 ? Kind::kDelta1
+                                 : kind;
+}
+
 bool is_farthest(Kind kind) { return kind == Kind::kGamma2 || kind == Kind::kEta2 || kind == Kind::kDelta2; }
 
 bool is_plain_level(const SignMap& wanted) {
