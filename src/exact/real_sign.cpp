@@ -18,9 +18,11 @@ namespace findspace::exact::detail {
 
 namespace {
 
-constexpr double kFirst = 128;        // bits
-constexpr double kSmallBound = 1200;  // up to there, one evaluation that proves costs less than two
-constexpr double kMost = 0x1p28;      // a sign that needs more is refused: hours, not seconds
+constexpr double kFirst = 128;          // bits
+constexpr double kSmallBound = 1200;    // up to there, one evaluation that proves costs less than two
+constexpr double kLargeBound = 0x1p20;  // from there, seconds: larger proofs are tried
+constexpr std::size_t kLargeProof = 4096, kProof = 768;
+constexpr double kMost = 0x1p28;  // a sign that needs more is refused: hours, not seconds
 
 double first_precision(const Plan& plan, double bound_bits) {
   if (bound_bits > kSmallBound) return kFirst;
@@ -60,7 +62,8 @@ Evaluation evaluate(const Real& x, int relative_bits, bool count) {
       ++counts.zero_bound;
       return {};
     }
-    if (precision == kFirst && bound_bits > kSmallBound && proves_zero(plan)) {
+    if (precision == kFirst && bound_bits > kSmallBound &&
+        proves_zero(plan, bound_bits > kLargeBound ? kLargeProof : kProof)) {
       ++counts.zero_identity;
       return {};
     }

@@ -198,8 +198,8 @@ bool norm_is_zero(const ZeroShape& shape, const std::vector<int>& variables) {
 
 }  // namespace
 
-bool proves_zero(const Plan& plan) {
-  const ZeroShape shape(plan);
+bool proves_zero(const Plan& plan, std::size_t most_coefficients) {
+  const ZeroShape shape(plan, most_coefficients);
   if (!shape.possible()) return false;
   const Modulo first(shape, tower_primes()[0]);
   if (first.numerator().empty()) return norm_is_zero(shape, {});

@@ -19,6 +19,7 @@
 
 namespace findspace::exact::detail {
 
-bool proves_zero(const Plan& plan);
+/// `most_coefficients`: the product of the roots' degrees for which it is tried.
+bool proves_zero(const Plan& plan, std::size_t most_coefficients = 768);
 
 }  // namespace findspace::exact::detail

@@ -9,8 +9,6 @@ namespace findspace::exact::detail {
 
 namespace {
 
-constexpr std::size_t kMostCoefficients = 768;
-
 double up(double bits) { return bits + std::abs(bits) * 0x1p-40 + 0x1p-40; }  // no sign: more than log2 loses
 
 double log2_of(const mpz_class& z) { return sgn(z) == 0 ? 0 : double(mpz_sizeinbase(z.get_mpz_t(), 2)); }
@@ -30,7 +28,8 @@ Powers lacking(const Powers& from, const Powers& to) {
 
 }  // namespace
 
-ZeroShape::ZeroShape(const Plan& plan) : plan_(plan) {
+ZeroShape::ZeroShape(const Plan& plan, std::size_t most_coefficients)
+    : plan_(plan), most_coefficients_(most_coefficients) {
   for (std::size_t k = 0; k < plan.steps().size() && possible_; ++k) {
     const Step& step = plan.steps()[k];
     Fraction f = fraction_of(step);
@@ -76,7 +75,7 @@ Fraction ZeroShape::over(double size, const mpz_class& q) {
 
 Fraction ZeroShape::variable(double size, std::size_t degree) {
   coefficients_ *= degree;
-  if (coefficients_ > kMostCoefficients) possible_ = false;
+  if (coefficients_ > most_coefficients_) possible_ = false;
   return {size, {}, {}, {}, {}, variables_++, 0};
 }
 

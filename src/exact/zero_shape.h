@@ -32,9 +32,9 @@ struct Factor {
 
 class ZeroShape {
  public:
-  explicit ZeroShape(const Plan& plan);
+  ZeroShape(const Plan& plan, std::size_t most_coefficients);
 
-  bool possible() const { return possible_; }  // not too many variables
+  bool possible() const { return possible_; }  // not more coefficients than that
   const Plan& plan() const { return plan_; }
   const std::vector<Fraction>& fractions() const { return fractions_; }
   const std::vector<Factor>& factors() const { return factors_; }
@@ -55,6 +55,7 @@ class ZeroShape {
   Fraction fraction_of(const Step& step);
 
   const Plan& plan_;
+  std::size_t most_coefficients_;
   std::vector<Fraction> fractions_;
   std::vector<Factor> factors_;
   std::size_t coefficients_ = 1;

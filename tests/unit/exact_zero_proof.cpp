@@ -20,6 +20,16 @@ bool proven(const Real& x) { return detail::proves_zero(detail::Plan(x)); }
 
 Real root(int128 n) { return sqrt(Real(n)); }
 
+TEST(ZeroProof, OfMoreRootsWhereThatIsAskedFor) {
+  Real a, b;
+  for (const int n : {2, 3, 5, 7, 11}) a += sqrt(Real(n));
+  for (const int n : {13, 17, 19, 23, 29}) b += sqrt(Real(n));
+  const Real x = (a + b) * (a + b) - a * a - Real(2) * a * b - b * b;
+  EXPECT_FALSE(proven(x));
+  EXPECT_TRUE(detail::proves_zero(detail::Plan(x), 4096));
+  EXPECT_FALSE(detail::proves_zero(detail::Plan(x - Real::ratio(1, 1000000)), 4096));
+}
+
 TEST(ZeroProof, SumsOfRoots) {
   const Real a = root(2) + root(3), b = root(5) + root(7);
   EXPECT_TRUE(proven(a * b - root(2) * b - root(3) * b));
