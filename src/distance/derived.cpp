@@ -139,7 +139,7 @@ class Reflected : public TDistance {
 
   std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
     auto out = f_->fronts({-p.x, -p.y}, room);
-    for (NearFront& n : out) n.front.a = -n.front.a, n.front.b = -n.front.b;
+    for (NearFront& n : out) n.front = n.front.reflected();
     return out;
   }
 

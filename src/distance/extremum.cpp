@@ -28,7 +28,8 @@ using plane::operator-;
 namespace {
 
 constexpr int kMostProbes = 120;
-constexpr double kMost = 0x1p44;  // no level lies beyond: coordinates are below 2^40
+constexpr double kMost = 0x1p44;    // no level lies beyond: coordinates are below 2^40
+constexpr double kPlace = 0x1p-42;  // of the scale: so near the best positions are told
 
 /// A number between the two with few digits.
 double simple_between(double low, double high) {
@@ -63,9 +64,10 @@ class Search {
   bool try_near(const std::vector<Real>& all, double number);
   bool try_candidates();
   void enclose();
+  void pin_down();
   bool take_lowest(Extremum& out) const;
   Extremum proven();
-  Extremum enclosed(const Real& level) const;
+  Extremum enclosed() const;
 
   const TDistance& f_;
   const Region& s_;
@@ -76,7 +78,7 @@ class Search {
   CellComplex reached_;                    // of the last level that was reached
   std::vector<Real> refused_;
   std::optional<Bracket> known_;
-  Real level_;
+  Real level_, beyond_;   // the extremum; where it is enclosed: what is reached, and what is not
   CellComplex accepted_;  // probed at it over the closure
   bool value_only_ = false;
 };
@@ -190,16 +192,17 @@ Extremum Search::proven() {
   return e;
 }
 
-Extremum Search::enclosed(const Real& level) const {
+Extremum Search::enclosed() const {
   Extremum e;
-  e.exists = true, e.level = level;
+  e.exists = true, e.level = level_;
   if (value_only_) return e;
-  e.bound = turn_ * bad_;
+  const auto beyond = beyond_.interval();
+  e.bound = turn_ > 0 ? beyond.lo : beyond.hi;
   const ComponentPoints found = one_point_a_component(reached_);
   e.within = found.within;
   e.at = point_set(found.points);
   const std::array<const Region*, 2> beside{&closure_, &s_};
-  const CellComplex lacking = probe(level, plane::subtract(beside));
+  const CellComplex lacking = probe(level_, plane::subtract(beside));
   e.attained = whole_ || !(has_mark(lacking, kOn) || has_mark(lacking, kBeyond));
   return e;
 }
@@ -219,6 +222,26 @@ void Search::enclose() {
   const double width = std::max(good_ - bad_, scale_ * 0x1p-50);
   while (!reaches(Real::from_double(turn_ * good_))) good_ += width;
   for (double low = bad_; reaches(Real::from_double(turn_ * low));) low = good_ - width;
+  level_ = Real::from_double(turn_ * good_), beyond_ = Real::from_double(turn_ * bad_);
+}
+
+/// Where two opposite fronts meet, positions as good as the level lie as far apart as the square root of what it is
+/// off: the bracket is narrowed, past doubles, until they are told, or lie no nearer (curves and faces of best ones).
+void Search::pin_down() {
+  constexpr int kSteps = 12, kMostRounds = 10;
+  double within = one_point_a_component(reached_).within;
+  for (int round = 0; round < kMostRounds && within > scale_ * kPlace; ++round) {
+    for (int k = 0; k < kSteps; ++k) {
+      const Real middle = (level_ + beyond_) / Real(2);
+      CellComplex c = probe(middle, closure_);
+      const bool yes = has_mark(c, kOn) || has_mark(c, kBeyond);
+      (yes ? level_ : beyond_) = middle;
+      if (yes) reached_ = std::move(c);
+    }
+    const double now = one_point_a_component(reached_).within;
+    if (now > within / 2) return;
+    within = now;
+  }
 }
 
 Extremum Search::run(const std::optional<Bracket>& known) {
@@ -247,7 +270,8 @@ Extremum Search::run(const std::optional<Bracket>& known) {
     reaches(Real::from_double(turn_ * simple_between(bad_, good_)));
   }
   enclose();
-  return enclosed(Real::from_double(turn_ * good_));
+  if (!value_only_) pin_down();
+  return enclosed();
 }
 
 }  // namespace

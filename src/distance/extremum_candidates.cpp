@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "distance/bent_front.h"
-#include "distance/site_tree.h"
 #include "plane/union_find.h"
 
 namespace findspace::distance {
@@ -44,15 +43,23 @@ std::vector<Place> places(const CellComplex& reached) {
   return out;
 }
 
+bool close(const Real& p, const Real& q) {
+  const double u = near_value(p), v = near_value(q);
+  return std::abs(u - v) <= 0x1p-44 * (1 + std::abs(u));
+}
+
+template <std::size_t n>
+bool close(const std::array<Real, n>& u, const std::array<Real, n>& v) {
+  return std::equal(u.begin(), u.end(), v.begin(), [](const Real& p, const Real& q) { return close(p, q); });
+}
+
+bool same(const Bend& f, const Bend& g) {
+  return close(f.weight, g.weight) && close(f.t, g.t) && close(f.along, g.along) && close(f.across, g.across);
+}
+
 bool same(const Front& f, const Front& g) {
   if (f.circle != g.circle || !f.bend != !g.bend) return false;
-  auto close = [](const Real& p, const Real& q) {
-    double u = near_value(p), v = near_value(q);
-    return std::abs(u - v) <= 0x1p-44 * (1 + std::abs(u));
-  };
-  if (f.bend && !(close(f.bend->weight, g.bend->weight) && close(f.bend->t[0], g.bend->t[0]) &&
-                  close(f.bend->t[1], g.bend->t[1]) && close(f.bend->t[2], g.bend->t[2])))
-    return false;
+  if (f.bend && !same(*f.bend, *g.bend)) return false;
   return close(f.a, g.a) && close(f.b, g.b) && close(f.c, g.c) && close(f.k, g.k);
 }
 
@@ -73,9 +80,8 @@ class Collector {
     for (const Event& e : all) take(e.level);
   }
   /// Where they meet.
-  void take_meetings(std::vector<const Front*> fronts) {
-    const auto bent = [](const Front* f) { return f->bend != nullptr; };
-    if (std::stable_partition(fronts.begin(), fronts.end(), bent) != fronts.begin())
+  void take_meetings(const std::vector<const Front*>& fronts) {
+    if (std::any_of(fronts.begin(), fronts.end(), [](const Front* f) { return f->bend != nullptr; }))
       for (const Real& level : bent_levels(fronts, low_, high_)) take(level);
     else
       take(fronts.size() == 2 ? events(*fronts[0], *fronts[1]) : events(*fronts[0], *fronts[1], *fronts[2]));
@@ -112,7 +118,8 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
     auto fronts = f.fronts({Real::from_double(p.x), Real::from_double(p.y)}, room);
     std::stable_sort(fronts.begin(), fronts.end(),
                      [](const NearFront& u, const NearFront& v) { return u.gap < v.gap; });
-    for (const NearFront& n : fronts) out.take(events(n.front));
+    for (const NearFront& n : fronts)
+      if (!n.front.bend) out.take(events(n.front));
     for (std::size_t k = 0; k < fronts.size() && k < kMostAtPlace; ++k) add_new(moving, fronts[k].front, kMostFronts);
   }
   if (over) {
@@ -151,14 +158,17 @@ ComponentPoints one_point_a_component(const CellComplex& c) {
     first[groups.find(v)] = v;
     out.points.push_back(c.geometry.exact(c.vertices[v].point));
   }
-  // A face lies no farther than its outer boundary.
-  for (Index e = 0; e < c.edges.size(); ++e) {
-    const Index v = first[groups.find(c.edges[e].v0)];
-    if (c.edges[e].mark <= 0 || v == plane::kNone) continue;
-    const SiteBox box = box_of(edge_site(c, e));
-    const exact::Point& p = c.point(v);
-    const double dx = std::max(box.x1 - p.x, p.x - box.x0), dy = std::max(box.y1 - p.y, p.y - box.y0);
-    out.within = std::max(out.within, plain_length(dx, dy));
+  // A face lies no farther than its outer boundary, an arc of half a circle at most no farther than half its chord from
+  // it. By exact places: where curves all but touch, doubles say little.
+  const auto between = [&](Index v, Index w) {
+    const RealPoint p = c.geometry.exact(c.vertices[v].point), q = c.geometry.exact(c.vertices[w].point);
+    return v == w ? 0.0 : plain_length((p.x - q.x).to_double(), (p.y - q.y).to_double());
+  };
+  for (const auto& e : c.edges) {
+    const Index v = first[groups.find(e.v0)];
+    if (e.mark <= 0 || v == plane::kNone) continue;
+    const double bulge = e.half != 0 ? between(e.v0, e.v1) / 2 : 0;
+    out.within = std::max(out.within, (std::max(between(v, e.v0), between(v, e.v1)) + bulge) * (1 + 0x1p-50));
   }
   return out;
 }

@@ -38,16 +38,6 @@ bool is_value(const Real& level, const Peak& peak, double scale) {
   return peak.cell.dimension == 1 || i.lo <= peak.value + scale * kRounded;
 }
 
-/// In p: where edge e of B + p, a straight one, passes through the place between two lines of A at equal distance
-/// `level`.
-std::optional<Front> corner_front(const Front& edge, const Front& f, const Front& g) {
-  Real d = f.a * g.b - f.b * g.a;
-  if (d.sign() == 0) return std::nullopt;
-  Real x0 = (f.c * g.b - g.c * f.b) / d, y0 = (f.a * g.c - g.a * f.c) / d;
-  Real x1 = (f.k * g.b - g.k * f.b) / d, y1 = (f.a * g.k - g.a * f.k) / d;
-  return Front::line(edge.a, edge.b, edge.a * x0 + edge.b * y0 - edge.c, edge.a * x1 + edge.b * y1);
-}
-
 /// In p: where the edge's greatest distance from the inside of a circle of A is `level`: its least distance to the
 /// centre is r - level.
 std::vector<Front> hollow_fronts(const Front& edge, const Front& circle) {
@@ -158,7 +148,8 @@ FarthestPlace FarthestFromSet::exact_place(const Peak& peak, const RealPoint& p)
 }
 
 void FarthestFromSet::add_fronts(const Peak& peak, const RealPoint& p, double room, std::vector<NearFront>& out) const {
-  auto put = [&](const Front& f) { out.push_back({f, std::abs(peak.value)}); };
+  const double px = near_value(p.x), py = near_value(p.y);
+  auto put = [&](const Front& f) { out.push_back({f, f.gap(px, py, peak.value)}); };
   if (peak.cell.dimension == 2) return put(Front::ring(Real(), Real(), -exact_place(peak, p).value, 1));
   std::vector<Front> fronts;
   for (Index k : near_sites(peak.x, peak.y, room)) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
@@ -177,11 +168,8 @@ void FarthestFromSet::add_fronts(const Peak& peak, const RealPoint& p, double ro
       f.c -= f.k * edge.c;
       put(f.moved({edge.a, edge.b}));
     }
-    for (std::size_t j = 0; j < i && !edge.circle; ++j) {
-      const Front &f = fronts[fronts[i].circle ? i : j], &g = fronts[fronts[i].circle ? j : i];
-      const auto corner = f.circle ? bent_front(edge, f, g, peak.x, peak.y) : corner_front(edge, f, g);
-      if (corner) put(*corner);
-    }
+    for (std::size_t j = 0; j < i; ++j)
+      if (const auto corner = corner_front(edge, fronts[i], fronts[j], peak.x, peak.y)) put(*corner);
   }
 }
 

@@ -3,7 +3,9 @@
 
 #include "distance/front.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "distance/front_planes.h"
 
@@ -129,6 +131,35 @@ Front Front::moved(const RealPoint& by) const {
   else
     out.c -= a * by.x + b * by.y;
   return out;
+}
+
+Front Front::reflected() const {
+  Front out = *this;
+  out.a = -a, out.b = -b;
+  if (!circle || !bend) return out;
+  Bend turned = *bend;
+  for (auto* v : {&turned.along, &turned.across})
+    for (Real& c : *v) c = -c;
+  out.bend = std::make_shared<Bend>(std::move(turned));
+  return out;
+}
+
+double Front::gap(double x, double y, double level) const {
+  const auto number = [](const Real& r) { return r.interval().lo; };
+  double root = 0, px = number(a), py = number(b), offset = number(c) + number(k) * level;
+  if (bend) {
+    const double t = number(bend->t[0]) + level * (number(bend->t[1]) + level * number(bend->t[2]));
+    root = std::sqrt(std::max(0.0, t));
+  }
+  if (!circle) {
+    if (bend) offset += number(bend->weight) * root;
+    return std::abs(px * x + py * y - offset) / std::sqrt(px * px + py * py);
+  }
+  if (bend) {
+    px += level * number(bend->along[0]) + root * number(bend->across[0]);
+    py += level * number(bend->along[1]) + root * number(bend->across[1]);
+  }
+  return std::abs(std::sqrt((x - px) * (x - px) + (y - py) * (y - py)) - std::abs(offset));
 }
 
 std::vector<Event> events(const Front& f) {

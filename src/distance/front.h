@@ -21,13 +21,15 @@
 
 namespace findspace::distance {
 
-/// What bends a line's offset: weight * sqrt(t[0] + t[1]*level + t[2]*level^2).
+/// With T = t[0] + t[1]*level + t[2]*level^2: a line's offset has weight * sqrt(T) more, a circle's centre is moved by
+/// along * level + across * sqrt(T).
 struct Bend {
   exact::Real weight;
   std::array<exact::Real, 3> t;
+  std::array<exact::Real, 2> along, across;
 };
 
-/// Line: a*x + b*y = c + k*level, and a bend perhaps (bent_front.h). Circle: centre (a, b), signed radius c + k*level.
+/// Line: a*x + b*y = c + k*level. Circle: centre (a, b), signed radius c + k*level. A bend perhaps (bent_front.h).
 struct Front {
   bool circle = false;
   exact::Real a, b, c, k;
@@ -41,6 +43,10 @@ struct Front {
   }
   /// The front of the moved elementary distance: f(p + by).
   Front moved(const exact::RealPoint& by) const;
+  /// Of f(-p).
+  Front reflected() const;
+  /// About how far (x, y) is from the front at a level.
+  double gap(double x, double y, double level) const;
 };
 
 /// A front that passes near a position: at the position's own level it is `gap` away from it.

@@ -3,6 +3,7 @@
 
 #include "distance/hausdorff.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;  // of the scale
 constexpr PeakEffort kToFindFronts{0x1p-24, 3000};             // a place near the peak tells them
+constexpr double kPlaceRoom = 0x1p-21;                         // of the scale: what such a place may be off
 
 }  // namespace
 
@@ -63,13 +65,14 @@ RealPoint DirectedHausdorff::seed() const {
 
 std::vector<NearFront> DirectedHausdorff::fronts(const RealPoint& p, double room) const {
   double x = near_value(p.x), y = near_value(p.y);
+  room = std::max(room, search_.scale(x, y) * kPlaceRoom);
   auto peaks = search_.peaks(x, y, room, search_.scale(x, y) * kClearlyOut, kToFindFronts);
   std::vector<NearFront> out;
   if (peaks.empty() || peaks[0].value < room) out = containment().defined() ? containment().fronts(p, room) : out;
   for (const Peak& k : peaks) {
     std::size_t first = out.size();
     search_.add_fronts(k, p, room, out);
-    for (std::size_t i = first; i < out.size(); ++i) out[i].gap = peaks[0].value - k.value;
+    for (std::size_t i = first; i < out.size(); ++i) out[i].gap = std::max(out[i].gap, peaks[0].value - k.value);
   }
   return out;
 }

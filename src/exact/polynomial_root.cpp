@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "exact/real_bound.h"
 #include "exact/real_node.h"
 #include "exact/root_balls.h"
 #include "findspace/error.h"
@@ -106,6 +107,8 @@ Real value_at(std::span<const Real> polynomial, const Real& x) {
   for (std::size_t k = polynomial.size(); k-- > 0;) out = out * x + polynomial[k];
   return out;
 }
+
+double degree_bound(const Real& x) { return detail::degree_bound(detail::Plan(x)); }
 
 std::vector<Real> roots_between(Polynomial polynomial, const Real& lo, const Real& hi) {
   return roots(simplified(std::move(polynomial)), lo, hi);

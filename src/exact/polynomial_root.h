@@ -28,4 +28,8 @@ Real value_at(std::span<const Real> polynomial, const Real& x);
 /// Throws Error(kUnsupported) for two roots within 2^-120 of each other.
 std::vector<Real> roots_between(Polynomial polynomial, const Real& lo, const Real& hi);
 
+/// No less than the number's algebraic degree, from the roots it is made of. What decides a zero made with it costs
+/// grows with it.
+double degree_bound(const Real& x);
+
 }  // namespace findspace::exact

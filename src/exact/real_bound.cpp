@@ -86,6 +86,8 @@ double log2_degree(const Plan& plan) {
   return degree;
 }
 
+double degree_of(const Step& root) { return double(root.polynomial->coefficients.size()) - 1; }
+
 /// Powers of one root of a polynomial each: max(1, |r|)^d.
 using Powers = std::vector<double>;
 
@@ -139,8 +141,6 @@ class RootedBounds {
   }
 
  private:
-  static double degree_of(const Step& s) { return double(s.polynomial->coefficients.size()) - 1; }
-
   Factor factor(const std::map<int, int>& below) const {
     Factor out{0, Powers(roots_.size())};
     for (const auto& [f, power] : below) {
@@ -281,6 +281,13 @@ double plain_bits(const Plan& plan) {
 }
 
 }  // namespace
+
+double degree_bound(const Plan& plan) {
+  double degree = std::exp2(log2_degree(plan));
+  for (const Step& s : plan.steps())
+    if (s.kind == StepKind::kPolynomialRoot) degree *= degree_of(s);
+  return degree;
+}
 
 double separation_bits(const Plan& plan) {
   const bool plain = std::none_of(plan.steps().begin(), plan.steps().end(),

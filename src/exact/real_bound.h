@@ -32,5 +32,6 @@ namespace findspace::exact::detail {
 /// A value below 2^-result in magnitude is 0. Throws Error(kUnsupported) where a polynomial's coefficients are
 /// themselves made of roots of polynomials.
 double separation_bits(const Plan& plan);
+double degree_bound(const Plan& plan);
 
 }  // namespace findspace::exact::detail

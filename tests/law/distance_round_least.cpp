@@ -86,7 +86,7 @@ void expect_right(const TDistance& f, const Extremum& e) {
   if (!e.proven) {
     EXPECT_LE(level - e.bound, 1e-12 * std::abs(level) + 1e-12);
     EXPECT_FALSE(plane::any_mark(f.sign_map(Real::from_double(e.bound)), [](plane::Mark m) { return m <= 0; }));
-    EXPECT_LT(e.within, 1e-2);
+    EXPECT_LT(e.within, 1e-8);
   }
   for (const auto& v : e.at.vertices) {
     if (v.mark <= 0) continue;
@@ -112,7 +112,7 @@ TEST(RoundLeast, GeneralShapes) {
     }
   }
   EXPECT_GT(points, 15);
-  EXPECT_GT(proven, 15);
+  EXPECT_GT(proven, 17);
 }
 
 TEST(RoundLeast, ShapesThatAreTheirMirrorImages) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "distance/bent_front.h"
@@ -15,7 +16,7 @@ using exact::Real;
 /// Between the point (0, 0) and the line y = 2 above it: at a level the place (sqrt(4 level - 4), 2 - level) on the
 /// right. On the line x = 0 moved by p where p.x is the place's x.
 Front parabola(const Real& scale = 1) {
-  const auto f = bent_front(Front::line(scale, 0, 0, 0), Front::ring(0, 0, 0, 1), Front::line(0, 1, 2, -1), 5, 0);
+  const auto f = corner_front(Front::line(scale, 0, 0, 0), Front::ring(0, 0, 0, 1), Front::line(0, 1, 2, -1), 5, 0);
   return *f;
 }
 
@@ -35,7 +36,7 @@ TEST(BentFront, IsALineInItsPlace) {
 TEST(BentFront, IsAnotherBentLine) {
   // sqrt(4 l - 4) = 8 - sqrt(9 l - 9).
   Front g = Front::line(1, 0, 8, 0);
-  g.bend = std::make_shared<Bend>(Bend{-1, {-9, 9, 0}});
+  g.bend = std::make_shared<Bend>(Bend{-1, {-9, 9, 0}, {}, {}});
   const auto all = levels(parabola(), g);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0], Real::ratio(89, 25));
@@ -81,6 +82,53 @@ TEST(BentFront, TwoThatAreBentAlike) {
   const auto all = levels(parabola(), g, Front::ring(0, 0, -2, 1));
   ASSERT_EQ(all.size(), 2u);
   for (const Real& l : all) EXPECT_EQ((Real(8) * l - Real(8) - (l - Real(2)) * (l - Real(2))).sign(), 0);
+}
+
+/// The same place on a circle about (3, 0) of radius 2 moved by p: a circle of radius 2 about the place less (3, 0).
+Front on_an_arc() {
+  return *corner_front(Front::ring(3, 0, 2, 0), Front::ring(0, 0, 0, 1), Front::line(0, 1, 2, -1), 5, 0);
+}
+
+TEST(BentFront, AnArcsIsACircleThatMoves) {
+  // About (sqrt(4 l - 4) - 3, 2 - l), radius 2; at level 5 about (1, -3).
+  EXPECT_NEAR(on_an_arc().gap(3, -3, 5), 0, 1e-12);
+  EXPECT_NEAR(on_an_arc().gap(1, 0, 5), 1, 1e-12);
+  EXPECT_NEAR(on_an_arc().moved({1, 0}).gap(2, -3, 5), 0, 1e-12);
+  EXPECT_NEAR(on_an_arc().reflected().gap(-3, 3, 5), 0, 1e-12);
+  EXPECT_NEAR(parabola().gap(1, 7, 5), 3, 1e-12);
+}
+
+TEST(BentFront, AnArcsTouchesALine) {
+  // y = -1 - level above it and the circle's top 4 - level never meet; y = 4 - 2 level does at 0, x = 3 at level 5.
+  const auto all = levels(on_an_arc(), Front::line(1, 0, 3, 0));
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Real& l) { return l == Real(5); }));
+  EXPECT_TRUE(levels(on_an_arc(), Front::line(0, 1, -1, -1)).empty());
+}
+
+TEST(BentFront, AnArcsTouchesACircle) {
+  // About (-3, 2) of radius level: 4 l - 4 + l^2 = (l + 2)^2 never, = (l - 2)^2 at level 1.
+  const auto all = levels(on_an_arc(), Front::ring(-3, 2, 0, 1));
+  ASSERT_FALSE(all.empty());
+  for (const Real& l : all) EXPECT_EQ(l, Real(1));
+}
+
+TEST(BentFront, AnArcsMeetsTwoLines) {
+  // Through (1, level - 8): (sqrt(4 l - 4) - 4)^2 + (10 - 2 l)^2 = 4.
+  const auto all = levels(on_an_arc(), Front::line(1, 0, 1, 0), Front::line(0, 1, -8, 1));
+  for (const Real& l : all) {
+    const Real x = sqrt(Real(4) * l - Real(4)) - Real(4), y = Real(10) - Real(2) * l;
+    EXPECT_EQ((x * x + y * y - Real(4)).sign(), 0);
+  }
+  EXPECT_EQ(all.size(), 2u);
+}
+
+TEST(BentFront, TwoThatAreBentOtherwise) {
+  // sqrt(4 l - 4) = 8 - sqrt(9 l - 9) again, x + 0 y both, and y = 0: three lines through one point.
+  Front g = Front::line(1, 1, 8, 0);
+  g.bend = std::make_shared<Bend>(Bend{-1, {-9, 9, 0}, {}, {}});
+  const auto all = levels(parabola(), g, Front::line(0, 1, 0, 0));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0], Real::ratio(89, 25));
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include "distance/coordinate.h"
 #include "distance/extremum.h"
 #include "distance/farthest.h"
+#include "distance/level_probe.h"
+#include "distance/point_set.h"
 #include "distance/shape_pair.h"
 #include "distance_shapes.h"
 #include "plane/path_region.h"
@@ -21,6 +23,7 @@ namespace {
 
 using namespace findspace::testing;
 using exact::Real;
+using plane::CellComplex;
 using plane::Region;
 
 Extremum least_of(const ShapePair& pair, Which which) { return least(*pair.distance(which)); }
@@ -46,34 +49,49 @@ TEST(Least, InscribedCircleNextToASlit) {
   EXPECT_EQ(plane::summarize(e.at, 1).isolated.size(), 2u);
 }
 
-TEST(Least, WhatNoSquareRootNamesIsEnclosed) {
+TEST(Least, WhereABisectorCrossesAnArc) {
   // A disc about two chained segments: the farthest points of its circle lie where a parabola crosses it.
   const std::array<exact::RealPoint, 3> chain{at(24, 25), at(30, 15), at(10, 16)};
   const ShapePair pair(plane::region_of_disc(0, 0, 12), plane::region_of_path(chain));
   const TDistancePointer mu = pair.distance(Which::kMu);
   const Extremum e = least(*mu);
+  ASSERT_TRUE(e.exists && e.proven && e.attained);
+  ASSERT_EQ(e.at.vertices.size(), 1u);
+  const auto value = mu->value(e.at.geometry.exact(e.at.vertices[0].point));
+  EXPECT_NEAR(value->value.to_double(), e.level.to_double(), 1e-11);
+}
+
+/// The greater of the distances to two points, without what names its least value.
+class Nameless : public TDistance {
+ public:
+  Nameless() : f_(ShapePair(point_set(std::array{at(0, 0)}), plane::region_of_path(kEnds)).distance(Which::kGamma2)) {}
+
+  bool defined() const override { return true; }
+  plane::SignMap sign_map(const Real& level) const override { return f_->sign_map(level); }
+  std::optional<Value> value(const exact::RealPoint& p) const override { return f_->value(p); }
+  exact::RealPoint seed() const override { return at(5, 5); }
+  std::vector<NearFront> fronts(const exact::RealPoint&, double) const override { return {}; }
+
+ private:
+  inline static const std::array<exact::RealPoint, 2> kEnds{at(0, 0), at(300, 100)};
+  TDistancePointer f_;
+};
+
+TEST(Least, PlacesOfAnEnclosedValueAreToldFinely) {
+  // Between opposite fronts, positions off by d are as good as d^2: a bracket of 2^-44 leaves them 1e-5 of play.
+  const Nameless f;
+  const Extremum e = least(f);
   ASSERT_TRUE(e.exists);
   ASSERT_FALSE(e.proven);
   EXPECT_TRUE(e.attained);
-  const double level = e.level.to_double();
-  EXPECT_LT(e.bound, level);
-  EXPECT_LT(level - e.bound, level * 1e-12);
-  const auto below = mu->sign_map(Real::from_double(e.bound)), reached = mu->sign_map(e.level);
-  const auto some = [](const plane::SignMap& m) {
-    return std::any_of(m.vertices.begin(), m.vertices.end(), [](const auto& v) { return v.mark <= 0; });
-  };
-  EXPECT_FALSE(some(below));
-  EXPECT_TRUE(some(reached));
-  EXPECT_LT(e.within, 1e-4);
-  for (const auto& v : reached.vertices) {
-    const auto& p = reached.geometry.points[v.point];
-    double least = 1e9;
-    for (const auto& w : e.at.vertices) {
-      const auto& q = e.at.geometry.points[w.point];
-      least = std::min(least, std::hypot(p.x - q.x, p.y - q.y));
-    }
-    EXPECT_TRUE(v.mark > 0 || least <= e.within);
-  }
+  EXPECT_LE(e.bound, std::hypot(150, 50) + 1e-13);
+  EXPECT_NEAR(e.bound, e.level.to_double(), 1e-10);
+  EXPECT_LT(e.within, 300 * 1e-11);
+  EXPECT_TRUE(plane::is_empty(distance::probe(f, Real::from_double(e.bound), CellComplex::uniform(1), 1)));
+  EXPECT_FALSE(plane::is_empty(distance::probe(f, e.level, CellComplex::uniform(1), 1)));
+  ASSERT_EQ(e.at.vertices.size(), 1u);
+  const auto& p = e.at.geometry.points[e.at.vertices[0].point];
+  EXPECT_LE(std::hypot(p.x - 150, p.y - 50), e.within + 1e-12);
 }
 
 TEST(Least, RoomBoundedByHollowArcs) {
