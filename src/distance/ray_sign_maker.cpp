@@ -223,8 +223,7 @@ Source RaySignMaker::mu(const Real& level) const {
     for (const BodyPart& part : b_.parts) all.push_back(mu_of_vertices(part, level));
     return space::greatest_rays(std::move(all));
   }
-  if (level.sign() < 0 || (level.sign() == 0 && !a_.round())) return eta1(level);
-  if (a_.outside) fail("how far a shape sticks out of a complement is not computed");
+  if (level.sign() < 0 || (level.sign() == 0 && (a_.outside || !a_.round()))) return eta1(level);
   if (by_values(Which::kMu, level, b_, a_)) return values(Which::kMu, level);
   return std::make_unique<StickOutRays>(
       b_, a_, level, [&](const Real& l) { return vertices_near(l); }, grid_);

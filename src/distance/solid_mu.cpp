@@ -137,51 +137,92 @@ SolidValue stick_out_of_convex(const Body& b, const BodyPart& a, const RealVecto
   return *best;
 }
 
-SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p) {
-  const std::vector<ConvexDistance> parts = distances_to_parts(a);
+namespace {
+
+/// A convex core and a radius, as what is stuck out of.
+struct Target {
+  std::vector<HalfSpace> planes;  // none of a point
+  RealVector center;
+  Real radius;
+};
+
+struct Solids {
   std::vector<Tetrahedron> cells;
-  std::vector<RoundSolid> balls;
+  std::vector<RoundSolid> round;
+};
+
+Solids solids_of(const Body& b, const RealVector& p) {
+  Solids out;
   const Vector by = space::rounded(p);
   for (const BodyPart& part : b.parts) {
     if (part.point()) {
       const Vector center = space::rounded(space::plus(real(part.center), p));
-      balls.push_back({center, center, part.radius.to_double()});
-      continue;
-    }
-    if (part.radius.sign() > 0) {
-      balls.push_back(round_solid(part, by));
-      continue;
-    }
-    for (Tetrahedron& t : tetrahedra(*part.core)) {
-      for (Vector& v : t) v = space::plus(v, by);
-      cells.push_back(t);
+      out.round.push_back({center, center, part.radius.to_double()});
+    } else if (part.radius.sign() > 0) {
+      out.round.push_back(round_solid(part, by));
+    } else {
+      for (Tetrahedron& t : tetrahedra(*part.core)) {
+        for (Vector& v : t) v = space::plus(v, by);
+        out.cells.push_back(t);
+      }
     }
   }
-  const SolidPeak peak = solid_peak(cells, balls, parts, 0);
-  // At a vertex of B the exact distance to the nearest part is known.
+  return out;
+}
+
+/// At a vertex of B the exact distance to the nearest set is known.
+std::optional<SolidValue> at_vertex(const Body& b, std::span<const Target> targets, const RealVector& p,
+                                    const Vector& place) {
   for (const BodyPart& part : b.parts) {
     if (part.radius.sign() > 0) continue;
     for (const space::Point& v : part.vertices()) {
       const RealVector at = space::plus(real(v), p);
-      if (!peak.whole || space::length(space::rounded(at) - peak.place) > 0x1p-44 * space::size_of(peak.place))
-        continue;
+      if (space::length(space::rounded(at) - place) > 0x1p-44 * space::size_of(place)) continue;
       std::optional<SolidValue> best;
-      for (const BodyPart& t : a.parts) {
-        const RealVector foot = t.point() ? real(t.center) : *nearest_in(t.planes(), at);
+      for (const Target& t : targets) {
+        const RealVector foot = t.planes.empty() ? t.center : *nearest_in(t.planes, at);
         const Real core = length(space::minus(at, foot)), d = core - t.radius;
         if (best && !(d < best->value)) continue;
         best = SolidValue{};
         best->value = d;
-        best->points = {at, space::along(foot, t.radius / core, space::minus(at, foot))};
+        if (core.sign() > 0) best->points = {at, space::along(foot, t.radius / core, space::minus(at, foot))};
       }
-      return *best;
+      return best;
     }
+  }
+  return std::nullopt;
+}
+
+SolidValue stick_out(const Body& b, std::span<const ConvexDistance> distances, std::span<const Target> targets,
+                     const RealVector& p) {
+  const Solids solids = solids_of(b, p);
+  const SolidPeak peak = solid_peak(solids.cells, solids.round, distances, 0);
+  if (peak.whole) {
+    if (auto exact = at_vertex(b, targets, p, peak.place)) return *exact;
   }
   SolidValue out;
   out.value = Real::from_double(peak.value);
   out.proven = false;
   out.error = peak.bound - peak.value + 0x1p-40 * space::size_of(peak.place);
   return out;
+}
+
+}  // namespace
+
+SolidValue stick_out_of_union(const Body& b, const Body& a, const RealVector& p) {
+  std::vector<Target> targets;
+  for (const BodyPart& part : a.parts) targets.push_back({part.planes(), real(part.center), part.radius});
+  return stick_out(b, distances_to_parts(a), targets, p);
+}
+
+SolidValue stick_out_of_cells(const Body& b, std::span<const space::OutsideCell> a, const RealVector& p) {
+  std::vector<Target> targets;
+  std::vector<ConvexDistance> distances;
+  for (const space::OutsideCell& cell : a) {
+    targets.push_back({cell.planes, {}, Real()});
+    distances.push_back(distance_to(cell.planes));
+  }
+  return stick_out(b, distances, targets, p);
 }
 
 }  // namespace findspace::distance

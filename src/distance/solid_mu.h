@@ -3,11 +3,13 @@
 //
 // The signed directed Hausdorff distance of bodies: mu(B+p, A) = max over b in B + p of the signed distance of b to A.
 //   A convex: at a vertex of B, exactly.
-//   A a union, B + p not inside A: h = max over B of the distance to the nearest part of A, by solid_peak.h.
+//   A a union, B + p not inside A: h = max over B of the distance to the nearest part of A, by solid_peak.h. The
+//   complement of polyhedra is such a union, of the cells outside them.
 // Guarantee: convex: exact. Else within 2^-40 of the value, or of the size of B where the limit of kMostCells cells is
 // reached (`proven` is false then). Keywords: directed Hausdorff distance, branch and bound.
 #pragma once
 
+#include <span>
 #include <utility>
 
 #include "distance/solid_pair.h"
@@ -23,6 +25,8 @@ bool polyhedra_and_balls(const space::Body& b);
 std::optional<std::pair<space::Body, space::Body>> without_radius(const space::Body& b, const space::Body& a);
 /// A convex, of any radius.
 SolidValue stick_out_of_convex(const space::Body& b, const space::BodyPart& a, const space::RealVector& p);
+/// The closed sets are convex and their union is A; B + p is not inside A.
+SolidValue stick_out_of_cells(const space::Body& b, std::span<const space::OutsideCell> a, const space::RealVector& p);
 /// B + p is not inside A.
 SolidValue stick_out_of_union(const space::Body& b, const space::Body& a, const space::RealVector& p);
 

@@ -170,6 +170,26 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
   return std::nullopt;
 }
 
+/// The depth of the deepest point of B + p, which lies in the interior of A's parts.
+SolidValue SolidPair::reach_into_parts(const RealVector& p) const {
+  if (!a_->round()) return stick_out_of_cells(*b_, fit(forth_).cells, p);
+  if (!a_->convex()) fail("how far a shape sticks out of the complement of a union of round parts is not computed");
+  // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
+  const BodyPart& part = a_->parts[0];
+  SolidValue out;
+  if (!part.core) {
+    out.value = std::min(-gap(p, false).value, part.radius);
+    return out;
+  }
+  Body core = *a_;
+  core.parts[0].radius = Real();
+  core.outside = true;
+  const SolidValue v = *SolidPair(b_, std::make_shared<const Body>(std::move(core))).value(Which::kMu, p);
+  out.value = v.value + part.radius;
+  out.proven = v.proven, out.error = v.error;
+  return out;
+}
+
 /// A is the closure of the complement of its parts: the dual distances of the parts (distances.md 3.1).
 std::optional<SolidValue> SolidPair::unbounded(Which which, const RealVector& p) const {
   const auto gamma1 = [&]() -> std::optional<SolidValue> {
@@ -179,9 +199,9 @@ std::optional<SolidValue> SolidPair::unbounded(Which which, const RealVector& p)
   };
   const auto eta1 = [&] { return turned(gap(p)); };
   const auto mu = [&]() -> SolidValue {
-    const SolidValue v = eta1();
+    const SolidValue v = turned(gap(p, false));
     if (v.value.sign() <= 0) return v;
-    fail("how far a shape sticks out of a complement is not computed");
+    return reach_into_parts(p);
   };
   switch (which) {
     case Which::kGamma1:

@@ -9,7 +9,7 @@
 //            one ball E is an intersection of balls;  delta1: eta1 with the roles exchanged, at -p;
 //   gamma2, eta2, delta2: the farthest vertex of X, E, D, flat and single pieces of E and D included;
 //   mu       the greatest signed distance to A of a point of B: at a vertex where A is convex, else by search
-//   (solid_mu.h).
+//   (solid_mu.h); of a complement the depth of the deepest point of B in what that leaves.
 // Guarantee: signs exact, values right to 2^-40 relative, most of them exact numbers (`proven`). Where a distance is
 // not computed for a kind of body (see fail in the .cpp) Error(kUnsupported) says so. Lengths in the bodies' common
 // steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
@@ -88,6 +88,7 @@ class SolidPair {
   SolidValue round_gap(const space::RealVector& p, bool depth) const;
   SolidValue reach(const space::RealVector& p) const;
   SolidValue sticking_out(const Side& side, const space::RealVector& p, bool depth = true) const;
+  SolidValue reach_into_parts(const space::RealVector& p) const;
   std::optional<SolidValue> bounded(Which which, const space::RealVector& p) const;
   std::optional<SolidValue> unbounded(Which which, const space::RealVector& p) const;
 

@@ -10,6 +10,7 @@
 #include "distance/ray_place.h"
 #include "distance/solid_mu.h"
 #include "space/oblique_line.h"
+#include "space/ray_sources.h"
 
 namespace findspace::distance {
 
@@ -57,8 +58,9 @@ bool by_values(Which which, const Real& level, const Body& b, const Body& a) {
       return !a.outside && eta2_by_values(b, a);
     default:
       if (a.convex()) return false;
-      if (level.sign() < 0 || (level.sign() == 0 && !a.round())) return by_values(Which::kEta1, level, b, a);
-      return !a.outside && !polyhedra_and_balls(b);
+      if (level.sign() < 0 || (level.sign() == 0 && (a.outside || !a.round())))
+        return by_values(Which::kEta1, level, b, a);
+      return a.outside || !polyhedra_and_balls(b);
   }
 }
 
@@ -72,13 +74,15 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
                       high = space::rounded(space::minus(of_a.high, of_b.low));
   // Beyond this the bodies are farther apart than the level, and every distance is more than that.
   const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
-  const RayRule rule = [pair, which, level](const RealVector& p) -> std::optional<Between> {
+  const bool outside = a.outside;  // then they are less than any
+  const RayRule rule = [pair, which, level, outside](const RealVector& p) -> std::optional<Between> {
     const auto v = pair->value(which, p);
     if (!v) return std::nullopt;
-    const double gap = (v->value - level).to_double();
+    const double gap = (outside ? level - v->value : v->value - level).to_double();
     return Between{gap - v->error, gap + v->error};
   };
-  return std::make_unique<ValueRays>(rule, space::scaled(0.5, space::plus(low, high)), size, b.scale, grid);
+  auto rays = std::make_unique<ValueRays>(rule, space::scaled(0.5, space::plus(low, high)), size, b.scale, grid);
+  return outside ? space::negated_rays(std::move(rays)) : std::move(rays);
 }
 
 ValueRays::Walk ValueRays::walk(int i, int j) const {
@@ -100,7 +104,7 @@ ValueRays::Walk ValueRays::walk(int i, int j) const {
 /// The signs between two places; what is known comes by growing place.
 void ValueRays::look(Walk& walk, double from, double to) const {
   const double blur = size_ * (walk.values < kFine ? kCertain : kCoarse), middle = (from + to) / 2;
-  if (to - from < blur || !(from < middle && middle < to)) {
+  if (!(from < middle && middle < to)) {
     walk.known.push_back({from, to, 0});
     return;
   }
@@ -113,7 +117,8 @@ void ValueRays::look(Walk& walk, double from, double to) const {
   }
   // Numbers of the line are as exact as the value: what they lose is less than the blur.
   const double reach = std::max({v->low, -v->high, size_ * 0x1p-44}) - size_ * 0x1p-44;
-  const bool near = reach < blur / 2;
+  // What is left between stretches whose signs are known is often less than the blur, and mostly not near the front.
+  const bool near = reach < std::min(blur, to - from) / 2;
   const double first = middle - (near ? blur / 2 : reach), last = middle + (near ? blur / 2 : reach);
   if (first > from) look(walk, from, first);
   walk.known.push_back({std::max(first, from), std::min(last, to), near ? 0 : v->high < 0 ? -1 : 1});
