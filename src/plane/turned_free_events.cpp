@@ -33,10 +33,11 @@ std::vector<FreeEvent> merged(std::vector<FreeEvent> all) {
 }  // namespace
 
 std::vector<FreeEvent> free_events(const FreeQuestion& question) {
+  const ContactTies ties(question.curves);
   std::vector<std::vector<FreeEvent>> found(kSectors);
   parallel_for(kSectors, [&](std::size_t k) {
     const double half = kPi / kSectors;
-    FreeSector sector(question, double(2 * k + 1) * half, half);
+    FreeSector sector(question, ties, double(2 * k + 1) * half, half);
     sector.run(question.curves.pairs(double(2 * k + 1) * half, half));
     found[k] = std::move(sector.found);
   });

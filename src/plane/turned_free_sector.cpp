@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "plane/curve_meetings.h"
 
@@ -38,8 +39,8 @@ FreeSector::Equation FreeSector::turned_gap(const RealVector& v, const RealVecto
   return turned_dot(Real(2) * v, w, plane::dot(v, v) + plane::dot(w, w) - r * r);
 }
 
-FreeSector::FreeSector(const FreeQuestion& question, double middle, double half)
-    : q_(question), middle_(middle), half_(half), level_(question.level.to_double()) {}
+FreeSector::FreeSector(const FreeQuestion& question, const ContactTies& ties, double middle, double half)
+    : q_(question), ties_(ties), middle_(middle), half_(half), level_(question.level.to_double()) {}
 
 void FreeSector::run(std::vector<ContactPair> pairs) {
   if (!q_.far) {
@@ -49,7 +50,11 @@ void FreeSector::run(std::vector<ContactPair> pairs) {
   }
   if (pairs.size() > kFew && half_ > kNarrow) return halve(pairs);
   pairs_ = std::move(pairs);
-  for (const ContactPair& k : pairs_) forms_.push_back(q_.curves.sector(k, middle_));
+  for (const ContactPair& k : pairs_) {
+    forms_.push_back(q_.curves.sector(k, middle_));
+    const auto same = [&](const ContactPair& m) { return ties_.alike(k, m); };
+    alike_.push_back(std::size_t(std::find_if(pairs_.begin(), pairs_.end(), same) - pairs_.begin()));
+  }
   spots_ = MeetingSpots(q_, pairs_, middle_, half_);
   const std::size_t n = pairs_.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -62,15 +67,18 @@ void FreeSector::run(std::vector<ContactPair> pairs) {
         continue;
       }
       if (spots_.may_meet_at_level(i, k)) corner(i, k);
+      if (ties_.never_cross(pairs_[i], pairs_[k])) continue;
       for (std::size_t m = k + 1; m < n; ++m)
-        if (spots_.may_meet(i, k, m)) meeting(i, k, m);
+        if (spots_.may_meet(i, k, m) && !ties_.never_cross(pairs_[i], pairs_[m]) &&
+            !ties_.never_cross(pairs_[k], pairs_[m]))
+          meeting(i, k, m);
     }
   }
 }
 
 void FreeSector::halve(const std::vector<ContactPair>& pairs) {
   for (double side : {-0.5, 0.5}) {
-    FreeSector half(q_, middle_ + side * half_, half_ / 2);
+    FreeSector half(q_, ties_, middle_ + side * half_, half_ / 2);
     half.run(q_.curves.pairs(pairs, half.middle_, half.half_));
     std::move(half.found.begin(), half.found.end(), std::back_inserter(found));
   }
@@ -210,16 +218,26 @@ const ExactSectorCurve& FreeSector::exact_form(std::size_t i, int quarters) {
   return *form;
 }
 
+template <class Find>
+void FreeSector::Solved::look(Find find) {
+  if (std::exchange(looked, true)) return;
+  for (const RootPlace& place : find()) places.emplace_back(place, false);
+}
+
 /// Two curves that meet exactly the level away.
 void FreeSector::corner(std::size_t i, std::size_t k) {
   const double span = std::tan(half_ / 2) * (1 + kSectorSlack),
                reach = 4 * std::max(spots_.travel(i), spots_.travel(k)) / half_;
   const auto polynomial = [&](int quarters) {
-    const auto [f, g] = corner_lines(exact_form(i, quarters), exact_form(k, quarters), q_.level);
+    const auto [f, g] = corner_lines(exact_form(alike_[i], quarters), exact_form(alike_[k], quarters), q_.level);
     const auto m = plane::meeting(f, g);
     return m.w.is_zero() ? exact::TurnPolynomial() : corner_polynomial(m, q_.level);
   };
-  for (const RootPlace& place : corner_places(forms_[i], forms_[k], level_, span)) {
+  const std::size_t first = alike_[i], second = alike_[k];
+  Solved& solved = solved_[{std::min(first, second), std::max(first, second), pairs_.size()}];
+  solved.look([&] { return corner_places(forms_[first], forms_[second], level_, span); });
+  for (auto& [place, done] : solved.places) {
+    if (done) continue;
     const double angle = middle_ + 2 * std::atan(place.u), room = 10 * q_.room + place.room * reach;
     const RoughCurve c = q_.curves.rough(pairs_[i], angle), d = q_.curves.rough(pairs_[k], angle);
     const std::vector<RoughMeeting> all = rough_meetings(c, d, q_.room);
@@ -228,7 +246,8 @@ void FreeSector::corner(std::size_t i, std::size_t k) {
       return std::abs(std::abs(m.at) - level_) <= near && c.holds(m.at, near) && d.holds(m.at, near) &&
              possible(angle, m.at, near);
     };
-    if (place.room > kWide || std::any_of(all.begin(), all.end(), witness)) add_roots(place, polynomial);
+    done = place.room > kWide || std::any_of(all.begin(), all.end(), witness);
+    if (done) add_roots(place, polynomial);
   }
 }
 
@@ -236,18 +255,24 @@ void FreeSector::corner(std::size_t i, std::size_t k) {
 void FreeSector::meeting(std::size_t i, std::size_t k, std::size_t m) {
   const double span = std::tan(half_ / 2) * (1 + kSectorSlack),
                reach = 4 * std::max({spots_.travel(i), spots_.travel(k), spots_.travel(m)}) / half_;
+  std::array<std::size_t, 3> key{alike_[i], alike_[k], alike_[m]};
+  std::sort(key.begin(), key.end());
   const auto polynomial = [&](int quarters) {
-    const auto all = ordered(exact_form(i, quarters), exact_form(k, quarters), exact_form(m, quarters));
+    const auto all = ordered(exact_form(key[0], quarters), exact_form(key[1], quarters), exact_form(key[2], quarters));
     const auto [f, g] = meeting_lines(all);
     const auto at = plane::meeting(f, g);
     return !all[0]->line && at.w.is_zero() ? exact::TurnPolynomial() : meeting_polynomial(*all[0], at);
   };
-  for (const RootPlace& place : meeting_places(forms_[i], forms_[k], forms_[m], span)) {
+  Solved& solved = solved_[key];
+  solved.look([&] { return meeting_places(forms_[key[0]], forms_[key[1]], forms_[key[2]], span); });
+  for (auto& [place, done] : solved.places) {
+    if (done) continue;
     const double angle = middle_ + 2 * std::atan(place.u), room = 100 * q_.room + place.room * reach;
     const std::array<RoughCurve, 3> c{q_.curves.rough(pairs_[i], angle), q_.curves.rough(pairs_[k], angle),
                                       q_.curves.rough(pairs_[m], angle)};
     const auto s = place.room > kWide ? std::nullopt : rough_meeting(c, room);
-    if (place.room > kWide || (s && possible(angle, *s, room))) add_roots(place, polynomial);
+    done = place.room > kWide || (s && possible(angle, *s, room));
+    if (done) add_roots(place, polynomial);
   }
 }
 

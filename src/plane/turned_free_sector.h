@@ -2,15 +2,20 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The events (turned_free_events.h) in one sector of angles. Guarantee: all of the sector, exact; some twice, some too
-// many.
+// many. Three curves of which two touch at every angle (contact_joints.h) are passed over: where they hold B, the third
+// touches one of the two. Curves on one circle are solved for once.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "plane/contact_joints.h"
 #include "plane/meeting_spots.h"
 #include "plane/turned_free_events.h"
 
@@ -20,7 +25,7 @@ inline constexpr double kSectorSlack = 1e-9;  // no sign: of sectors; angles too
 
 class FreeSector {
  public:
-  FreeSector(const FreeQuestion& question, double middle, double half);
+  FreeSector(const FreeQuestion& question, const ContactTies& ties, double middle, double half);
 
   /// Adds to `found`. `pairs`: those that can touch in the sector.
   void run(std::vector<ContactPair> pairs);
@@ -65,9 +70,19 @@ class FreeSector {
   void add(exact::Turn t);
 
   const FreeQuestion& q_;
+  const ContactTies& ties_;
   double middle_, half_, level_;
   std::vector<ContactPair> pairs_;
   std::vector<SectorCurve> forms_;
+  std::vector<std::size_t> alike_;  // by curve: the first one on the same line or circle
+  /// The angles at which two or three lines and circles meet; `second`: added to `found`.
+  struct Solved {
+    bool looked = false;
+    std::vector<std::pair<RootPlace, bool>> places;
+    template <class Find>
+    void look(Find find);
+  };
+  std::map<std::array<std::size_t, 3>, Solved> solved_;       // by `alike_`, ascending
   std::vector<std::optional<ExactSectorCurve>> exact_forms_;  // by quarters and curve, where they were needed
   MeetingSpots spots_;
 };
