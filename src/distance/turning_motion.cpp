@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "distance/sites.h"
 #include "plane/scaled.h"
@@ -35,10 +36,127 @@ bool has_rate(Which which, double most) {
   return (which != Which::kEta1 && which != Which::kDelta1) || most <= 0;
 }
 
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
 /// An instant that was looked at. f is turned round for suprema, so that the least value is looked for.
 struct Sample {
   std::size_t leg;
   double s, f;
+};
+
+/// Looks for the least f at instants of the motion: first evenly, then where it may be least (Piyavskii 1972), then
+/// beside the best one.
+class LeastSearch {
+ public:
+  LeastSearch(const TurningMotion& motion, const RealPoint& p, Sense sense)
+      : motion_(motion), p_(p), sign_(sense == Sense::kMinimum ? 1 : -1) {}
+
+  void look_evenly(std::size_t legs) {
+    constexpr int kFirst = 8;
+    for (std::size_t leg = 0; leg < legs; ++leg) {
+      Sample before = look(leg, 0);
+      for (int k = 1; k <= kFirst; ++k) {
+        const Sample next = look(leg, double(k) / kFirst);
+        add(before, next);
+        before = next;
+      }
+      scale_ = std::max(scale_, motion_.rate(leg));
+    }
+    std::make_heap(gaps_.begin(), gaps_.end(), by_low);
+  }
+
+  /// Until the best value is as near its bound as `enough`, and roundings allow.
+  void narrow(double enough) {
+    least_gap_ = std::max(enough, scale_ * 0x1p-46);
+    for (int k = 0; k < kMostInstants && best_.f - certain() > least_gap_; ++k) {
+      std::pop_heap(gaps_.begin(), gaps_.end(), by_low);
+      const Gap gap = gaps_.back();
+      gaps_.pop_back();
+      const Sample middle = look(gap.a.leg, (gap.a.s + gap.b.s) / 2);
+      add(gap.a, middle);
+      std::push_heap(gaps_.begin(), gaps_.end(), by_low);
+      add(middle, gap.b);
+      std::push_heap(gaps_.begin(), gaps_.end(), by_low);
+    }
+  }
+
+  /// f is smooth or has one kink near its extremum: golden sections of the gaps beside the best instant.
+  void refine() {
+    constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
+    auto [from, to] = beside_best();
+    const std::size_t leg = best_.leg;
+    const auto inner = [&](bool first) {
+      return look(leg, first ? to - kGolden * (to - from) : from + kGolden * (to - from));
+    };
+    Sample low = inner(true), high = inner(false);
+    for (int k = 0; k < kRefinements && (to - from) * scale_ > least_gap_; ++k) {
+      if (low.f < high.f) {
+        to = high.s, high = low;
+        low = inner(true);
+      } else {
+        from = low.s, low = high;
+        high = inner(false);
+      }
+      keep_better(low);
+      keep_better(high);
+    }
+  }
+
+  bool undefined() const { return undefined_; }  // at an instant that was looked at
+  double best() const { return best_.f; }
+  double certain() const { return gaps_.front().low; }  // f is nowhere less, if it keeps to its rate
+  double rounding() const { return rounding_; }
+  double most() const { return most_; }  // of the plain f
+
+ private:
+  struct Gap {
+    Sample a, b;
+    double low;
+  };
+  static bool by_low(const Gap& g, const Gap& h) { return g.low > h.low; }
+
+  Sample look(std::size_t leg, double s) {
+    const auto v = motion_.instant(p_, leg, Real::from_double(s));
+    undefined_ |= !v;
+    if (!v) return {leg, s, kNone};
+    rounding_ = std::max(rounding_, v->off()), most_ = std::max(most_, v->middle());
+    return {leg, s, sign_ * v->middle()};
+  }
+
+  void keep_better(const Sample& k) {
+    if (k.f < best_.f) best_ = k;
+  }
+
+  void add(const Sample& a, const Sample& b) {
+    const double drop = motion_.rate(a.leg) * (b.s - a.s);
+    // Where f is undefined nothing is known of it beside: the other end bounds it.
+    const double low = std::isinf(a.f) && std::isinf(b.f) ? kNone
+                       : std::isinf(a.f)                  ? b.f - drop
+                       : std::isinf(b.f)                  ? a.f - drop
+                                                          : (a.f + b.f - drop) / 2;
+    gaps_.push_back({a, b, low});
+    keep_better(a);
+    keep_better(b);
+  }
+
+  /// The instants looked at before and after the best one, on its leg.
+  std::pair<double, double> beside_best() const {
+    double from = best_.s, to = best_.s;
+    for (const Gap& g : gaps_) {
+      if (g.a.leg != best_.leg) continue;
+      if (g.b.s == best_.s) from = g.a.s;
+      if (g.a.s == best_.s) to = g.b.s;
+    }
+    return {from, to};
+  }
+
+  const TurningMotion& motion_;
+  const RealPoint& p_;
+  double sign_;
+  std::vector<Gap> gaps_;  // a heap, the lowest first
+  Sample best_{0, 0, kNone};
+  double scale_ = 0, least_gap_ = 0, rounding_ = 0, most_ = -kNone;
+  bool undefined_ = false;
 };
 
 }  // namespace
@@ -84,86 +202,20 @@ std::optional<ValueRange> TurningMotion::instant(const RealPoint& p, std::size_t
 }
 
 std::optional<ValueRange> TurningMotion::extremum(const RealPoint& p, Sense sense, double enough) const {
-  const double sign = sense == Sense::kMinimum ? 1 : -1, none = std::numeric_limits<double>::infinity();
-  double rounding = 0;
-  bool undefined = false;
-  double most = -none;
-  auto look = [&](std::size_t leg, double s) {
-    const auto v = instant(p, leg, Real::from_double(s));
-    undefined |= !v;
-    if (!v) return Sample{leg, s, none};
-    rounding = std::max(rounding, v->off()), most = std::max(most, v->middle());
-    return Sample{leg, s, sign * v->middle()};
-  };
-  struct Gap {
-    Sample a, b;
-    double low;
-  };
-  std::vector<Gap> gaps;
-  Sample best{0, 0, none};
-  auto add = [&](const Sample& a, const Sample& b) {
-    const double drop = rate(a.leg) * (b.s - a.s);
-    // Where f is undefined nothing is known of it beside: the other end bounds it.
-    const double low = std::isinf(a.f) && std::isinf(b.f) ? none
-                       : std::isinf(a.f)                  ? b.f - drop
-                       : std::isinf(b.f)                  ? a.f - drop
-                                                          : (a.f + b.f - drop) / 2;
-    gaps.push_back({a, b, low});
-    for (const Sample* k : {&a, &b})
-      if (k->f < best.f) best = *k;
-  };
-  auto by_low = [](const Gap& g, const Gap& h) { return g.low > h.low; };
   if (poses_.size() == 1) return instant(p, 0, Real(0));
-  double scale = 0;
-  for (std::size_t leg = 0; leg + 1 < poses_.size(); ++leg) {
-    constexpr int kFirst = 8;
-    Sample before = look(leg, 0);
-    for (int k = 1; k <= kFirst; ++k) {
-      const Sample next = look(leg, double(k) / kFirst);
-      add(before, next);
-      before = next;
-    }
-    scale = std::max(scale, rate(leg));
-  }
-  if (undefined && sense == Sense::kMaximum) return std::nullopt;
-  std::make_heap(gaps.begin(), gaps.end(), by_low);
-  const double least_gap = std::max(enough, scale * 0x1p-46);
-  for (int k = 0; k < kMostInstants && best.f - gaps.front().low > least_gap; ++k) {
-    std::pop_heap(gaps.begin(), gaps.end(), by_low);
-    const Gap gap = gaps.back();
-    gaps.pop_back();
-    const Sample middle = look(gap.a.leg, (gap.a.s + gap.b.s) / 2);
-    add(gap.a, middle);
-    std::push_heap(gaps.begin(), gaps.end(), by_low);
-    add(middle, gap.b);
-    std::push_heap(gaps.begin(), gaps.end(), by_low);
-  }
-  if (std::isinf(best.f)) return std::nullopt;
-  const double certain = gaps.front().low;
-  // f is smooth or has one kink near its extremum: golden sections of the gaps beside the best instant.
-  double from = best.s, to = best.s;
-  for (const Gap& g : gaps) {
-    if (g.a.leg != best.leg) continue;
-    if (g.b.s == best.s) from = g.a.s;
-    if (g.a.s == best.s) to = g.b.s;
-  }
-  constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
-  Sample low = look(best.leg, to - kGolden * (to - from)), high = look(best.leg, from + kGolden * (to - from));
-  for (int k = 0; k < kRefinements && (to - from) * scale > least_gap; ++k) {
-    if (low.f < high.f) {
-      to = high.s, high = low;
-      low = look(best.leg, to - kGolden * (to - from));
-    } else {
-      from = low.s, low = high;
-      high = look(best.leg, from + kGolden * (to - from));
-    }
-    for (const Sample* s : {&low, &high})
-      if (s->f < best.f) best = *s;
-  }
-  if (undefined && sense == Sense::kMaximum) return std::nullopt;
-  const bool bounded = !undefined && has_rate(which_, most);
-  const double from_below = bounded ? std::min(best.f, certain) - rounding : -none, found = best.f + rounding;
-  return sign > 0 ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
+  const bool least = sense == Sense::kMinimum;
+  LeastSearch search(*this, p, sense);
+  search.look_evenly(poses_.size() - 1);
+  if (search.undefined() && !least) return std::nullopt;
+  search.narrow(enough);
+  if (std::isinf(search.best())) return std::nullopt;
+  const double certain = search.certain();
+  search.refine();
+  if (search.undefined() && !least) return std::nullopt;
+  const bool bounded = !search.undefined() && has_rate(which_, search.most());
+  const double found = search.best() + search.rounding();
+  const double from_below = bounded ? std::min(search.best(), certain) - search.rounding() : -kNone;
+  return least ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
 }
 
 }  // namespace findspace::distance
