@@ -52,15 +52,34 @@ BoxComplex farther(const BoxComplex& set, const Real& level, int axis, int way) 
   });
 }
 
+bool has_mark(const BoxComplex& map, Mark mark) {
+  return !map.remarked([mark](Mark m) { return Mark(m == mark); }).empty();
+}
+
+/// What two places of a line along the axis at which signs change can be apart, ascending, 0 first.
+std::vector<Real> lengths(const space::Axis& at) {
+  std::vector<Real> out{Real()};
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    for (std::size_t j = i + 1; j < at.size(); ++j) out.push_back(at[j] - at[i]);
+  }
+  space::sort_axis(out);
+  return out;
+}
+
+bool is_farthest(Which which) { return which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2; }
+
+Which nearest_one(Which which) {
+  return which == Which::kGamma2   ? Which::kGamma1
+         : which == Which::kEta2   ? Which::kEta1
+         : which == Which::kDelta2 ? Which::kDelta1
+                                   : which;
+}
+
 }  // namespace
 
 BoxComplex BoxPair::directional_map(Which which, const Real& level, int axis, int way) const {
-  const bool farthest = which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2;
-  const Which base = which == Which::kGamma2   ? Which::kGamma1
-                     : which == Which::kEta2   ? Which::kEta1
-                     : which == Which::kDelta2 ? Which::kDelta1
-                                               : which;
-  const Signs& s = signs(base);
+  const bool farthest = is_farthest(which);
+  const Signs& s = signs(nearest_one(which));
   const int side = level.sign();
   if (!s.defined || (farthest && side < 0)) return BoxComplex({}, 1);
   const auto set = [&](auto in) { return s.map.remarked([in](Mark m) { return Mark(in(m)); }); };
@@ -79,6 +98,27 @@ BoxComplex BoxPair::directional_map(Which which, const Real& level, int axis, in
   std::vector<const BoxComplex*> all;
   for (const BoxComplex& m : maps) all.push_back(&m);
   return overlay(all, [](std::span<const Mark> m) { return *std::max_element(m.begin(), m.end()); });
+}
+
+/// The least value is set by two places of one line: half their distance (both ways) or all of it. Below the greatest
+/// of these levels below which there is nothing there is none.
+std::optional<BoxPair::Least> BoxPair::directional_least(Which which, int axis, int way) const {
+  const Signs& s = signs(nearest_one(which));
+  const bool farthest = is_farthest(which);
+  if (!s.defined || (!farthest && s.map.mark(0, 0, 0) < 0)) return std::nullopt;
+  std::vector<Real> levels = lengths(s.map.at()[static_cast<std::size_t>(axis)]);
+  for (Real& l : levels) l *= Real::ratio(farthest ? 1 : -1, way == 0 ? 2 : 1);
+  if (!farthest) std::reverse(levels.begin(), levels.end());
+  const auto map = [&](const Real& level) { return directional_map(which, level, axis, way); };
+  // Beyond all lengths there are lines without an end, or nothing of finite distance.
+  if (farthest ? !has_mark(map(levels.back() + Real(1)), -1) : has_mark(map(levels[0] - Real(1)), -1))
+    return std::nullopt;
+  std::size_t low = 0, high = levels.size();  // below levels[low] there is nothing, below levels[high] something
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (has_mark(map(levels[middle]), -1) ? high : low) = middle;
+  }
+  return Least{levels[low], map(levels[low]).remarked([](Mark m) { return Mark(m == 0); })};
 }
 
 }  // namespace findspace::distance

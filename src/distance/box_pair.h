@@ -40,6 +40,9 @@ class BoxPair {
     space::BoxComplex at;  // empty if the distance is undefined
   };
   std::optional<Least> least(Which which) const;
+  /// The same of one of the six distances along an axis; an infimum that no position takes has an empty `at`. Nothing
+  /// where the distance is undefined, or -infinity somewhere.
+  std::optional<Least> directional_least(Which which, int axis, int way) const;
 
  private:
   struct Signs {  // of gamma1, eta1 or delta1 at level 0

@@ -136,6 +136,7 @@ int SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v)
 /// Whether p is a minimiser, by the whole set of them where that is known, else by its value.
 SpaceSolver::SignedValue SpaceSolver::minimal(const SignMap& map, const RealVector& p) const {
   const auto v = value(map.distance, p);
+  if (is_directional(map.distance)) return {shown(map.distance, v), least(map.distance).at.mark(p) == 0 ? 1 : 0};
   const Named n = named(map.distance);
   if (const auto whole = n.pair->least(n.which)) return {shown(map.distance, v), whole->at.mark(p) == 0 ? 1 : 0};
   const auto least = n.pair->nearly_least(n.which);
@@ -150,6 +151,7 @@ SpaceSolver::SignedValue SpaceSolver::minimal(const SignMap& map, const RealVect
 }
 
 std::optional<distance::SolidLeast> SpaceSolver::nearly_least(const Distance& wanted) const {
+  if (is_directional(wanted)) return directional_nearly_least(wanted);
   const Named n = named(wanted);
   auto found = n.pair->nearly_least(n.which);
   if (!found) return found;
@@ -236,6 +238,7 @@ std::vector<SpaceDistanceAt> SpaceSolver::measure(const RealVector& position) co
 }
 
 BoxPair::Least SpaceSolver::least(const Distance& wanted) const {
+  if (is_directional(wanted)) return directional_least(wanted).value_or(BoxPair::Least{Real(), BoxComplex()});
   const Named n = named(wanted);
   auto found = n.pair->least(n.which);
   if (!found) {
@@ -279,8 +282,12 @@ std::optional<SpaceSolver::ConvexMap> SpaceSolver::feasible_convex(const Formula
 std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) const {
   for (const SignMap& m : formula.sign_maps()) {
     if (!m.minimum) continue;
-    BoxPair::Least found = least(m.distance);
     SpaceOptimum out;
+    // An infimum that no position takes is told as well.
+    if (is_directional(m.distance)) {
+      if (const auto infimum = directional_least(m.distance)) out.value = infimum->value * world_.step;
+    }
+    BoxPair::Least found = least(m.distance);
     if (!found.at.empty()) out.value = found.value * world_.step, out.attained = true;
     out.at = std::move(found.at);
     return out;

@@ -131,6 +131,12 @@ class SpaceSolver {
   };
 
   Named named(const Distance& distance) const;
+  /// Of a distance along an axis.
+  struct Axial {
+    Named plain;
+    int axis = 0, way = 0;
+  };
+  Axial axial(const Distance& distance) const;
   std::optional<int> sign_on_map(const SignMap& map, const space::RealVector& p) const;
   SignedValue signed_value(const SignMap& map, const space::RealVector& p) const;
   SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
@@ -140,6 +146,9 @@ class SpaceSolver {
   space::BoxComplex sign_map(const SignMap& map) const;
   distance::BoxPair::Least least(const Distance& distance) const;
   space::BoxComplex directional_map(const SignMap& map) const;
+  /// Nothing where it is undefined or -infinity; Error(kUnsupported) but of boxes along an axis.
+  std::optional<distance::BoxPair::Least> directional_least(const Distance& distance) const;
+  std::optional<distance::SolidLeast> directional_nearly_least(const Distance& distance) const;
   /// The signs of one sign map along a line, as feasible_on().
   plane::Section signs_on(const SignMap& map, const SpaceLine& line) const;
   std::optional<distance::SolidValue> directional_value(const Distance& distance, const space::RealVector& p) const;

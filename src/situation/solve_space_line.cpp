@@ -90,16 +90,43 @@ Section SpaceSolver::signs_on(const SignMap& map, const SpaceLine& line) const {
   }
 }
 
-space::BoxComplex SpaceSolver::directional_map(const SignMap& map) const {
-  const Distance d = moving_first(map.distance, world_.moving);
+SpaceSolver::Axial SpaceSolver::axial(const Distance& wanted) const {
+  const Distance d = moving_first(wanted, world_.moving);
   const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
   const int axis = axis_of(direction);
   if (axis < 0) refuse(d, "the exact map needs a direction along an axis");
   Distance plain = level_zero(d).distance;
   plain.kind = d.kind;
-  const Named n = named(plain);
-  const int way = d.mode == Mode::kAlong ? 0 : direction[static_cast<std::size_t>(axis)].sign();
-  return n.pair->boxes().directional_map(n.which, map.level / world_.step, axis, way);
+  return {named(plain), axis, d.mode == Mode::kAlong ? 0 : direction[static_cast<std::size_t>(axis)].sign()};
+}
+
+space::BoxComplex SpaceSolver::directional_map(const SignMap& map) const {
+  const Axial d = axial(map.distance);
+  return d.plain.pair->boxes().directional_map(d.plain.which, map.level / world_.step, d.axis, d.way);
+}
+
+std::optional<distance::BoxPair::Least> SpaceSolver::directional_least(const Distance& wanted) const {
+  const Axial d = axial(wanted);
+  try {
+    return d.plain.pair->boxes().directional_least(d.plain.which, d.axis, d.way);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    refuse(wanted, "least values along a direction are computed in 3D for shapes with axis-parallel faces only");
+  }
+}
+
+/// On lines the least value stands for where it is taken.
+std::optional<distance::SolidLeast> SpaceSolver::directional_nearly_least(const Distance& wanted) const {
+  const auto found = directional_least(wanted);
+  if (!found || found->at.empty()) refuse(wanted, "no position takes a least value, so that lines do not show it");
+  RealVector at;
+  const space::IntervalBox box = found->at.boxes()[0];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &from = box[k].from, &to = box[k].to;
+    at[k] = from && to ? (*from + *to) / Real(2) : from ? *from + Real(1) : to ? *to - Real(1) : Real();
+  }
+  const Real value = found->value * world_.step;
+  return distance::SolidLeast{value, value, true, space::scaled(world_.step, at)};
 }
 
 Section SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {

@@ -208,5 +208,36 @@ TEST(RayDirectional, RoundSolids) {
   EXPECT_GT(counts.zero, 100);
 }
 
+/// No place of a lattice has less than the least value; where it is taken it is the value, and a little above it there
+/// are such places.
+TEST(RayDirectional, LeastOfBoxesAlongAnAxis) {
+  int attained = 0, infima = 0;
+  for (const Boxes& boxes : {kChannel, kRoom}) {
+    const BoxPair pair(complex_of(kCube), complex_of(boxes));
+    const Body a = body_of(boxes), b = body_of(kCube);
+    for (const Which which : kAll) {
+      for (const int axis : {0, 1, 2}) {
+        for (const int way : {0, 1, -1}) {
+          const auto least = pair.directional_least(which, axis, way);
+          if (!least) continue;  // it covers nothing
+          Case c{"least", which, {}, way == 0, least->value};
+          c.direction[static_cast<std::size_t>(axis)] = Real(way < 0 ? -2 : 2);
+          for (int n = 0; n < 40; ++n) {
+            const RealVector p = space::place(n * 7 % 19 - 3, n * 5 % 17 - 3, n * 3 % 13 - 3, 2);
+            const int sign = sign_of_value(c, b, a, p);
+            EXPECT_GE(sign, 0) << static_cast<int>(which) << ' ' << axis << ' ' << way << ' ' << n;
+            EXPECT_EQ(sign == 0, least->at.mark(p) != 0) << static_cast<int>(which) << ' ' << axis << ' ' << way;
+          }
+          ++(least->at.empty() ? infima : attained);
+          const auto near = pair.directional_map(which, least->value + Real::ratio(1, 64), axis, way);
+          EXPECT_FALSE(near.remarked([](space::Mark m) { return space::Mark(m < 0); }).empty());
+        }
+      }
+    }
+  }
+  EXPECT_GT(attained, 20);
+  EXPECT_GT(infima, 5);
+}
+
 }  // namespace
 }  // namespace findspace::distance
