@@ -93,6 +93,14 @@ AtPosition::Standing AtPosition::standing(const RealPoint& p) const {
   return {kind, std::move(pair)};
 }
 
+const FarthestFromSet& AtPosition::farthest_search(bool back) const {
+  std::call_once(searches_made_[back], [&] {
+    const Region &b = searched_->moving(), &a = searched_->fixed();
+    searches_[back] = std::make_unique<const FarthestFromSet>(back ? a : b, back ? b : a);
+  });
+  return *searches_[back];
+}
+
 /// mu(B + p, A), or mu(A, B + p) if `back`.
 std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, double floor) const {
   const SiteTree &from = back ? fixed() : moving(), &to = back ? moving() : fixed();
@@ -102,7 +110,7 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
   auto search = [&](double least) -> std::optional<FarthestPlace> {
     if (!from.has_arcs() && !to.has_arcs())
       return farthest_place(from, to, shapes_[back ? 0 : 1].prepared().boxes, by, least);
-    return FarthestFromSet(from.region(), to.region()).greatest(by, least);
+    return farthest_search(back).greatest(by, least);
   };
   auto place = search(std::max(scale * kClearlyOut, floor));
   if (!place && floor > scale * kClearlyOut) return Measured{};

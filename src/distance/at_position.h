@@ -17,6 +17,7 @@
 #include <mutex>
 
 #include "distance/common_corner.h"
+#include "distance/farthest_from_set.h"
 #include "distance/peak_boxes.h"
 #include "distance/shape_pair.h"
 #include "distance/site_pairs.h"
@@ -93,6 +94,8 @@ class AtPosition {
   std::optional<Measured> by_map(Which which, const exact::RealPoint& p) const;
   std::optional<Measured> signed_value(Which which, const Standing& s, const exact::RealPoint& p) const;
   const WayOut* way_out(Which which) const;
+  /// Of a pair with arcs: the place of B + p farthest from A, or of A from B + p if `back`.
+  const FarthestFromSet& farthest_search(bool back) const;
   std::optional<Measured> farthest(Which which, const exact::RealPoint& p) const;
   /// A value of `floor` or less may come out as 0.
   std::optional<Measured> directed(bool back, const exact::RealPoint& p, double floor = 0) const;
@@ -111,6 +114,8 @@ class AtPosition {
   std::array<Shape, 2> shapes_;                       // B, A
   mutable std::array<std::once_flag, 3> ways_made_;
   mutable std::array<std::unique_ptr<const WayOut>, 3> ways_;  // of gamma1, eta1, delta1; null where there is none
+  mutable std::array<std::once_flag, 2> searches_made_;
+  mutable std::array<std::unique_ptr<const FarthestFromSet>, 2> searches_;
   mutable std::once_flag diameters_made_;
   mutable std::array<std::optional<SitePair>, 2> diameters_;  // of A, of B
 };

@@ -70,12 +70,10 @@ std::vector<Index> FarthestFromSet::near_sites(double x, double y, double room) 
 
 double FarthestFromSet::scale(double px, double py) const { return scale_ + std::abs(px) + std::abs(py); }
 
-std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, double least_value,
-                                         const PeakEffort& effort) const {
-  double scale = this->scale(px, py);
+/// One for each place, the first ones.
+std::vector<Peak> FarthestFromSet::distinct(const std::vector<Peak>& all, double scale) {
   std::vector<Peak> out;
-  const PeakSets sets{a_, b_, a_sites_, b_sites_, a_reach_};
-  for (const Peak& k : PeakSearch(sets, px, py, {scale, room, least_value, effort}).run()) {
+  for (const Peak& k : all) {
     bool known = std::any_of(out.begin(), out.end(), [&](const Peak& u) {
       return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * kSamePlace;
     });
@@ -85,19 +83,28 @@ std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, doub
   return out;
 }
 
+std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, double least_value,
+                                         const PeakEffort& effort) const {
+  double scale = this->scale(px, py);
+  const PeakSets sets{a_, b_, a_sites_, b_sites_, a_reach_};
+  return distinct(PeakSearch(sets, px, py, {scale, room, least_value, effort}).run(), scale);
+}
+
 std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, double least_value) const {
   const double px = near_value(p.x), py = near_value(p.y), scale = this->scale(px, py);
   std::optional<FarthestPlace> best;
-  auto take = [&](double room, double more_than, const PeakEffort& effort) {
-    for (const Peak& k : peaks(px, py, scale * room, more_than, effort)) {
+  auto take = [&](const std::vector<Peak>& all) {
+    for (const Peak& k : distinct(all, scale)) {
       FarthestPlace place = exact_place(k, p);
       if (!best || place.value.to_double() > best->value.to_double()) best = std::move(place);
     }
   };
-  take(kSamePlace, least_value, kCoarse);
+  PeakSearch search({a_, b_, a_sites_, b_sites_, a_reach_}, px, py, {scale, scale * kSamePlace, least_value, kCoarse});
+  take(search.run());
   // Where an arc crosses a parabola no formula gives the place, and what was taken for it is less than the greatest.
   // Only what is more is looked for; all that is about as far would be too much where a ridge touches an edge.
-  take(kRounded, best ? near_value(best->value) + scale * kNothingMore : least_value, kFine);
+  const double more_than = best ? near_value(best->value) + scale * kNothingMore : least_value;
+  take(search.finer({scale, scale * kRounded, more_than, kFine}));
   return best;
 }
 

@@ -53,6 +53,7 @@ class FarthestFromSet {
   double scale(double px, double py) const;
 
  private:
+  static std::vector<Peak> distinct(const std::vector<Peak>& all, double scale);
   bool is_distance(const Event& e) const;
   std::vector<plane::Index> near_sites(double x, double y, double room) const;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace findspace::distance {
 
@@ -39,12 +40,22 @@ double PeakSearch::least(const List& list, Spot at) const {
 }
 
 /// Those that can be the nearest within the radius.
-PeakSearch::List PeakSearch::close_to(const List& list, Spot at, double radius) const {
-  const double most = (least(list, at) + 2 * radius) * (1 + 0x1p-40) + wish_.scale * kRounding;
+PeakSearch::Close PeakSearch::close_to(const List& list, Spot at, double radius) const {
+  std::vector<double> distances;
+  distances.reserve(list.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (Index k : list) {
+    distances.push_back(a_[k].distance(at.x, at.y));
+    least = std::min(least, distances.back());
+  }
+  const double most = (least + 2 * radius) * (1 + 0x1p-40) + wish_.scale * kRounding;
   const double reach = radius + wish_.scale * kRounding;
-  List out;
-  for (Index k : list)
-    if (a_[k].distance(at.x, at.y) <= most && !sets_.a_reach.out_of_reach(k, at.x, at.y, reach)) out.push_back(k);
+  Close out{{}, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (distances[i] > most || sets_.a_reach.out_of_reach(list[i], at.x, at.y, reach)) continue;
+    out.list.push_back(list[i]);
+    out.least = std::min(out.least, distances[i]);
+  }
   return out;
 }
 
@@ -97,8 +108,9 @@ void PeakSearch::split_box(const SearchRange& box) {
     part.y0 = k & 2 ? cy : box.y0, part.y1 = k & 2 ? box.y1 : cy;
     const Spot middle{(part.x0 + part.x1) / 2, (part.y0 + part.y1) / 2};
     const double radius = half_diagonal(part) * (1 + 0x1p-30) + wish_.scale * kRounding;
-    part.a = close_to(box.a, middle, radius);
-    if (least(part.a, middle) > radius && in_a(middle)) continue;
+    Close near = close_to(box.a, middle, radius);
+    if (near.least > radius && in_a(middle)) continue;
+    part.a = std::move(near.list);
     for (Index e : box.b)
       if (b_[e].distance(middle.x - px_, middle.y - py_) <= radius) part.b.push_back(e);
     if (part.b.empty() && !in_b(middle)) continue;
@@ -110,9 +122,12 @@ void PeakSearch::split_edge(SearchRange& part) {
   const double middle = (part.t0 + part.t1) / 2, length = b_.length(part);
   const Spot at = b_.on_edge(part.edge, middle);
   const plane::Cell cell = b_[std::size_t(part.edge)].cell;
-  part.a = close_to(part.a, at, length);
+  part.a = close_to(part.a, at, length).list;
   const double h = height(part.a, at);
-  if (length < wish_.scale * wish_.effort.short_part) return record({h, at.x, at.y, cell});
+  if (length < wish_.scale * wish_.effort.short_part) {
+    places_.push_back(part);
+    return record({h, at.x, at.y, cell});
+  }
   best_ = std::max(best_, h);
   if (agree(part.a, at) && agree(part.a, b_.on_edge(part.edge, part.t0)) &&
       agree(part.a, b_.on_edge(part.edge, part.t1))) {
@@ -125,8 +140,9 @@ void PeakSearch::split_edge(SearchRange& part) {
     half.edge = part.edge;
     half.t0 = k ? middle : part.t0, half.t1 = k ? part.t1 : middle;
     const Spot m = b_.on_edge(part.edge, (half.t0 + half.t1) / 2);
-    half.a = close_to(part.a, m, length / 2);
-    if (least(half.a, m) > length / 2 && in_a(m)) continue;
+    Close near = close_to(part.a, m, length / 2);
+    if (near.least > length / 2 && in_a(m)) continue;
+    half.a = std::move(near.list);
     push(std::move(half));
   }
 }
@@ -178,7 +194,7 @@ void PeakSearch::leaf(const SearchRange& box) {
       arc_done_[e] = 1;  // whole, so once
       part.a.resize(a_.size());
       for (Index k = 0; k < a_.size(); ++k) part.a[k] = k;
-      part.a = close_to(part.a, m, 2 * b_[e].r);
+      part.a = close_to(part.a, m, 2 * b_[e].r).list;
     } else {
       part.a = box.a;
     }
@@ -215,17 +231,27 @@ void PeakSearch::look(SearchRange& r) {
     split_box(r);
 }
 
-std::vector<Peak> PeakSearch::run() {
-  if (b_.size() == 0 || a_.empty()) return {};
-  push(root());
+std::vector<Peak> PeakSearch::found() {
   for (long left = wish_.effort.most_ranges; !todo_.empty() && left > 0; --left) {
     SearchRange r = todo_.top();
     todo_.pop();
     if (matters(r)) look(r);
   }
-  std::erase_if(peaks_, [&](const Peak& p) { return p.value < best_ - wish_.room; });
+  std::erase_if(peaks_, [&](const Peak& p) { return p.value <= wish_.least_value || p.value < best_ - wish_.room; });
   std::sort(peaks_.begin(), peaks_.end(), [](const Peak& p, const Peak& q) { return p.value > q.value; });
-  return std::move(peaks_);
+  return peaks_;
+}
+
+std::vector<Peak> PeakSearch::run() {
+  if (b_.size() == 0 || a_.empty()) return {};
+  push(root());
+  return found();
+}
+
+std::vector<Peak> PeakSearch::finer(const PeakWish& wish) {
+  wish_ = wish;
+  for (SearchRange& part : std::exchange(places_, {})) push(std::move(part));
+  return found();
 }
 
 }  // namespace findspace::distance

@@ -37,12 +37,19 @@ class PeakSearch {
  public:
   PeakSearch(const PeakSets& sets, double px, double py, const PeakWish& wish);
   std::vector<Peak> run();
+  /// After run(), what that took for places looked at with more effort; the peaks that are wished for now.
+  std::vector<Peak> finer(const PeakWish& wish);
 
  private:
   using List = SearchRange::List;
+  /// Parts of A and the distance to them.
+  struct Close {
+    List list;
+    double least;
+  };
 
   double least(const List& list, Spot at) const;
-  List close_to(const List& list, Spot at, double radius) const;
+  Close close_to(const List& list, Spot at, double radius) const;
   bool agree(const List& list, Spot at) const;
   bool in_a(Spot at);
   bool in_b(Spot at);
@@ -57,6 +64,7 @@ class PeakSearch {
   void split_edge(SearchRange& part);
   void leaf(const SearchRange& box);
   void inner_candidates(const SearchRange& box);
+  std::vector<Peak> found();
 
   const PeakSets sets_;
   const std::vector<Site>& a_;
@@ -66,6 +74,7 @@ class PeakSearch {
   plane::Locator locate_a_, locate_b_;
   std::vector<char> arc_done_;
   std::priority_queue<SearchRange> todo_;
+  std::vector<SearchRange> places_;  // parts of edges that were too short for more
   double best_ = 0;
   std::vector<Peak> peaks_;
 };

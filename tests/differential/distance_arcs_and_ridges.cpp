@@ -18,6 +18,7 @@
 #include "distance/at_position.h"
 #include "plane/minkowski.h"
 #include "plane/overlay.h"
+#include "plane/path_region.h"
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {
@@ -114,6 +115,22 @@ TEST(ArcsAndRidges, BesideABend) {
     SCOPED_TRACE(::testing::Message() << "round " << round);
     expect_all_between(pair, random.near_the_bend(x, y, radius));
   }
+}
+
+/// The search goes on from where it was coarse: a search that is fine from the beginning finds no place that is
+/// farther.
+TEST(ArcsAndRidges, NoPlaceIsFartherThanTheFarthest) {
+  const std::array<RealPoint, 3> chain{testing::at(24, 25), testing::at(30, 15), testing::at(10, 16)};
+  const Region disc = plane::region_of_disc(0, 0, 12), path = plane::region_of_path(chain);
+  const FarthestFromSet search(disc, path);
+  const AtPosition pair(std::make_shared<ShapePair>(disc, path));
+  for (int x = -4; x < 40; x += 3)
+    for (int y = 3; y < 40; y += 4) {
+      const auto value = pair.measure(Which::kMu, testing::at(x, y))->value.to_double();
+      const auto peaks = search.peaks(x, y, 1e-9, 0, {0x1p-44});
+      ASSERT_FALSE(peaks.empty());
+      EXPECT_NEAR(value, peaks[0].value, 1e-11) << x << ", " << y;
+    }
 }
 
 }  // namespace
