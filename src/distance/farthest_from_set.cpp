@@ -143,9 +143,11 @@ FarthestPlace FarthestFromSet::exact_place(const Peak& peak, const RealPoint& p)
     }
   };
   for (std::size_t i = 0; i < fronts.size(); ++i) {
+    if (!edge) take(events(fronts[i]));
     if (edge && (edge->circle || fronts[i].circle)) take(events(fronts[i], *edge));
     for (std::size_t j = 0; j < i; ++j) {
       if (edge) take(events(fronts[i], fronts[j], *edge));
+      if (!edge && (fronts[i].circle || fronts[j].circle)) take(events(fronts[i], fronts[j]));
       for (std::size_t k = 0; !edge && k < j; ++k) take(events(fronts[i], fronts[j], fronts[k]));
     }
   }

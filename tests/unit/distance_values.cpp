@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "distance/shape_pair.h"
 #include "distance/site_pairs.h"
 #include "distance_shapes.h"
+#include "plane/topology.h"
 
 // Values and sign maps of every distance against the closed forms of distances.md 3.11.
 namespace findspace::distance {
@@ -98,6 +100,19 @@ TEST(Values, PointsAndChains) {
   EXPECT_DOUBLE_EQ(value(pair, Which::kMuBack, at(3, 4)), std::hypot(7, 4));
   EXPECT_DOUBLE_EQ(value(pair, Which::kEta1, at(10, 1)), 1);
   EXPECT_DOUBLE_EQ(value(pair, Which::kDiameter, at(3, 4)), 10);
+}
+
+TEST(Values, InsideARoomOfTwoParts) {
+  // The room is what x + 2 y = 200 leaves of a disc of radius 1000 on the origin's side: its largest circle is exact.
+  const Region disc = plane::region_of_disc(0, 0, 1000), frame = box(-1500, -1500, 1500, 1500);
+  const Region wall = polygon({{-1800, 1000}, {1400, -600}, {2000, 2000}, {-1800, 2000}});
+  const std::array<const Region*, 2> hollow{&frame, &disc};
+  const Region ring = plane::closure(plane::subtract(hollow));
+  const std::array<const Region*, 2> both{&ring, &wall};
+  const ShapePair pair(frame, plane::unite(both));
+  const auto v = pair.distance(Which::kMu)->value(at(0, 0));
+  ASSERT_TRUE(v);
+  EXPECT_EQ(v->value, (Real(1000) + Real(200) / sqrt(Real(5))) / Real(2));
 }
 
 TEST(FarthestPair, DiameterIsNotTwiceTheRadius) {
