@@ -46,11 +46,12 @@ class World {
   /// kGeometry, kBadValue, kOutOfRange, kUnknownName, kSyntax, kFile; kUnsupported for shapes of space.
   World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options = {});
 
-  /// A distance in its formula text, e.g. "gamma1(B, A)" or "margin(B, A)" (docs/formula.md), at p.
+  /// A distance in its formula text, e.g. "gamma1(B, A)" or "margin(B, A)" (docs/formula.md), at p; in degrees where it
+  /// is one in rotation ("gamma1(B, A, turning=(0, 0))").
   DistanceValue distance(std::string_view distance, const Point& p) const;
-  /// The sign of the distance minus the level, in the unit, at every position.
+  /// The sign of the distance minus the level, in the unit, at every position. kUnsupported for those in rotation.
   SignMap sign_map(std::string_view distance, const Number& level) const;
-  /// {p : the formula holds at p} (docs/formula.md).
+  /// {p : the formula holds at p} (docs/formula.md). kUnsupported for formulas with distances in rotation.
   Region solve(std::string_view formula) const;
   /// Whether p is in that set, without making it.
   bool holds(std::string_view formula, const Point& p) const;

@@ -20,7 +20,13 @@ using exact::RealPoint;
 
 namespace {
 
-constexpr int kMostInstants = 400, kRefinements = 60;
+constexpr int kRefinements = 60;
+
+/// How many instants are looked at between the first ones: more of small shapes, whose distances take less time.
+int most_instants(std::size_t edges) {
+  constexpr std::size_t kLeast = 400, kMost = 4000, kEdges = 200'000;
+  return static_cast<int>(std::clamp(kEdges / std::max<std::size_t>(edges, 1), kLeast, kMost));
+}
 
 /// As fine as the reach allows within the grid's 2^40 steps.
 std::int64_t refinement(double reach) {
@@ -65,10 +71,10 @@ class LeastSearch {
     std::make_heap(gaps_.begin(), gaps_.end(), by_low);
   }
 
-  /// Until the best value is as near its bound as `enough`, and roundings allow.
-  void narrow(double enough) {
+  /// Until the best value is as near its bound as `enough`, and roundings allow, or `most` more instants are known.
+  void narrow(double enough, int most) {
     least_gap_ = std::max(enough, scale_ * 0x1p-46);
-    for (int k = 0; k < kMostInstants && best_.f - certain() > least_gap_; ++k) {
+    for (int k = 0; k < most && best_.f - certain() > least_gap_; ++k) {
       std::pop_heap(gaps_.begin(), gaps_.end(), by_low);
       const Gap gap = gaps_.back();
       gaps_.pop_back();
@@ -207,7 +213,7 @@ std::optional<ValueRange> TurningMotion::extremum(const RealPoint& p, Sense sens
   LeastSearch search(*this, p, sense);
   search.look_evenly(poses_.size() - 1);
   if (search.undefined() && !least) return std::nullopt;
-  search.narrow(enough);
+  search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size()));
   if (std::isinf(search.best())) return std::nullopt;
   const double certain = search.certain();
   search.refine();

@@ -7,9 +7,9 @@
 //     |speed of b - a| + (turning rate of B, A in radians) * (greatest distance of B, A from its origin),
 // which bounds it between instants (Piyavskii): the least or greatest value is bracketed and then refined where it was
 // found. Guarantee: bounds, one of them (to the rounding) a value that f takes, the other infinite for eta2, delta2,
-// and eta1, delta1 where they are positive: those have no such rate. Not exact. Cost: up to 400 pairs of turned shapes,
-// and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972. Keywords: rotating obstacle,
-// Lipschitz optimisation, continuous collision detection.
+// and eta1, delta1 where they are positive: those have no such rate. Not exact. Cost: up to 400 pairs of turned shapes
+// (4000 of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972. Keywords:
+// rotating obstacle, Lipschitz optimisation, continuous collision detection.
 #pragma once
 
 #include <optional>

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "findspace/world.h"
@@ -17,6 +18,7 @@
 #include "situation/feasible_near.h"
 #include "situation/optimize.h"
 #include "situation/parse.h"
+#include "situation/solve_turning.h"
 
 namespace findspace {
 
@@ -45,6 +47,13 @@ struct World::Data {
     if (wanted.kind != situation::Objective::Kind::kDistance)
       throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", text));
     return wanted;
+  }
+  /// At p, in the scene's unit, the shapes turned as they are given.
+  situation::Solver::Check check(const situation::Formula& f, const exact::RealPoint& p) const {
+    const bool turning = std::any_of(f.atoms().begin(), f.atoms().end(), [](const situation::Atom& a) {
+      return a.distance.mode == situation::Mode::kTurning;
+    });
+    return turning ? situation::TurnSolver(solver, {p, {}, {}}).check(f) : solver.check(f, p);
   }
   std::string unit() const { return scene.unit ? std::string(situation::name(*scene.unit)) : ""; }
   Region region(plane::Region r) const;
@@ -133,9 +142,13 @@ World::World(const std::map<std::string, Shape>& shapes, const std::string& movi
 
 DistanceValue World::distance(std::string_view distance, const Point& p) const {
   const situation::Objective wanted = data_->distance(distance);
-  const situation::DistanceAt d = data_->solver.distance_at(wanted.distance, real(p));
+  const situation::DistanceAt d =
+      wanted.distance.mode == situation::Mode::kTurning
+          ? data_->check(data_->formula(fmt::format("{} >= 0", distance)), real(p)).atoms.front().distance
+          : data_->solver.distance_at(wanted.distance, real(p));
   std::optional<double> value = d.value;
   if (value && wanted.negated) value = -*value;
+  if (value && *value == exact::kInfinity) value.reset();
   return {value, io::witness_words(d, plane::Twofold(data_->scene.grid.step()))};
 }
 
@@ -153,7 +166,7 @@ Region World::solve(std::string_view formula) const {
 }
 
 bool World::holds(std::string_view formula, const Point& p) const {
-  return data_->solver.check(data_->formula(formula), real(p)).holds;
+  return data_->check(data_->formula(formula), real(p)).holds;
 }
 
 Optimum World::minimize(std::string_view objective, std::string_view formula) const {

@@ -55,6 +55,17 @@ TEST(Public, SignMapOfAMargin) {
   EXPECT_THROW(world.sign_map("gamma1(B, A)", "2 mm"), Error);
 }
 
+TEST(Public, DistancesInRotationAreDegrees) {
+  // A bar on the x axis above which a point of A stands: it meets it after a quarter turn.
+  const World world(
+      {{"A", Shape::json("{\"points\": [[0, 4]]}")}, {"B", Shape::json("{\"polyline\": [[0, 0], [5, 0]]}")}}, "B");
+  EXPECT_DOUBLE_EQ(*world.distance("gamma1(B, A, turning=(0, 0))", {0, 0}).value, 90);
+  EXPECT_FALSE(world.distance("gamma1(B, A, turning=(0, 0))", {0, 10}).value);  // never
+  EXPECT_TRUE(world.holds("gamma1(B, A, turning=(0, 0)) >= 90", {0, 0}));
+  EXPECT_FALSE(world.holds("gamma1(B, A, turning=(0, 0)) > 90", {0, 0}));
+  EXPECT_THROW(world.sign_map("gamma1(B, A, turning=(0, 0))", 5), Error);
+}
+
 TEST(Public, Minimum) {
   const Optimum best = boxes().minimize("distance to [20, 0]", "gamma1(B, A) < 1");
   EXPECT_DOUBLE_EQ(*best.value, 14);
