@@ -22,9 +22,11 @@ namespace {
 
 constexpr int kRefinements = 60;
 
-/// How many instants are looked at between the first ones: more of small shapes, whose distances take less time.
-int most_instants(std::size_t edges) {
+/// How many instants are looked at between the first ones; a fine search looks at more of small shapes, whose distances
+/// take less time.
+int most_instants(std::size_t edges, TurningMotion::Effort effort) {
   constexpr std::size_t kLeast = 400, kMost = 4000, kEdges = 200'000;
+  if (effort == TurningMotion::Effort::kCoarse) return kLeast;
   return static_cast<int>(std::clamp(kEdges / std::max<std::size_t>(edges, 1), kLeast, kMost));
 }
 
@@ -207,13 +209,13 @@ std::optional<ValueRange> TurningMotion::instant(const RealPoint& p, std::size_t
   return ValueRange{value - off, value + off};
 }
 
-std::optional<ValueRange> TurningMotion::extremum(const RealPoint& p, Sense sense, double enough) const {
+std::optional<ValueRange> TurningMotion::extremum(const RealPoint& p, Sense sense, double enough, Effort effort) const {
   if (poses_.size() == 1) return instant(p, 0, Real(0));
   const bool least = sense == Sense::kMinimum;
   LeastSearch search(*this, p, sense);
   search.look_evenly(poses_.size() - 1);
   if (search.undefined() && !least) return std::nullopt;
-  search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size()));
+  search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size(), effort));
   if (std::isinf(search.best())) return std::nullopt;
   const double certain = search.certain();
   search.refine();

@@ -8,8 +8,8 @@
 // which bounds it between instants (Piyavskii): the least or greatest value is bracketed and then refined where it was
 // found. Guarantee: bounds, one of them (to the rounding) a value that f takes, the other infinite for eta2, delta2,
 // and eta1, delta1 where they are positive: those have no such rate. Not exact. Cost: up to 400 pairs of turned shapes
-// (4000 of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972. Keywords:
-// rotating obstacle, Lipschitz optimisation, continuous collision detection.
+// (a fine search: 4000 of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert
+// 1972. Keywords: rotating obstacle, Lipschitz optimisation, continuous collision detection.
 #pragma once
 
 #include <optional>
@@ -52,7 +52,9 @@ class TurningMotion {
   std::optional<ValueRange> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// Over the whole time, until its bounds are as near as `enough`: of one end a value that f takes is known. A
   /// supremum is undefined where f is at some instant that was looked at.
-  std::optional<ValueRange> extremum(const exact::RealPoint& p, Sense sense, double enough = 0) const;
+  enum class Effort { kCoarse, kFine };
+  std::optional<ValueRange> extremum(const exact::RealPoint& p, Sense sense, double enough = 0,
+                                     Effort effort = Effort::kCoarse) const;
 
   /// By how much f may change over the whole of a leg, in proportion to its part.
   double rate(std::size_t leg) const;

@@ -121,7 +121,7 @@ std::optional<distance::ValueRange> Solver::turning_value(const Roles& r, const 
     return undefined ? std::nullopt : std::optional(v);
   }
   const distance::TurningMotion f = turning_motion(r, one);
-  return one ? f.instant(p, 0, Real()) : f.extremum(p, sense);
+  return one ? f.instant(p, 0, Real()) : f.extremum(p, sense, 0, distance::TurningMotion::Effort::kFine);
 }
 
 }  // namespace findspace::situation
