@@ -55,9 +55,7 @@ Source RaySignMaker::cover(const RayCover& cover, const Real& level) const {
   return space::combined_rays(std::move(both), [](Signs s) { return std::int8_t(s[0] < 0 ? -s[1] : 1); });
 }
 
-Source RaySignMaker::values(Which which, const Real& level) const {
-  return by_values_map(which, level, b_, a_, grid_);
-}
+Source RaySignMaker::values(Which which, const Real& level) const { return by_values_map(which, level, b_, a_, grid_); }
 
 Source RaySignMaker::balls(const std::vector<std::pair<RealVector, Real>>& all) const {
   std::vector<LinePiece> pieces;

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Coordinates, lengths and areas of the cells of a complex as numbers, in grid steps. Guarantee: computed from the
-// coordinates with 94 bits or more (measure_cells_places.h), arcs by their angles, so that a double made from a result is
-// right to the last place or two even for slivers and thin rings. Cost: about a microsecond a vertex and an arc.
+// coordinates with 94 bits or more (measure_cells_places.h), arcs by their angles, so that a double made from a result
+// is right to the last place or two even for slivers and thin rings. Cost: about a microsecond a vertex and an arc.
 // Source: Green's formula, area = 1/2 of the integral of x dy - y dx around the boundary.
 // Keywords: polygon area, arc length, circular segment, shoelace formula.
 #pragma once
