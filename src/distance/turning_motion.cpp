@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "distance/sites.h"
@@ -91,7 +92,8 @@ class LeastSearch {
   /// f is smooth or has one kink near its extremum: golden sections of the gaps beside the best instant.
   void refine() {
     constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
-    auto [from, to] = beside_best();
+    double from = 0, to = 0;
+    std::tie(from, to) = beside_best();
     const std::size_t leg = best_.leg;
     const auto inner = [&](bool first) {
       return look(leg, first ? to - kGolden * (to - from) : from + kGolden * (to - from));
