@@ -21,6 +21,7 @@ Body of_parts(ConvexParts parts) {
   body.scale = parts.scale;
   body.rounded = parts.rounded;
   body.moved = parts.moved;
+  body.around = std::move(parts.around);
   for (Polytope& p : parts.parts) body.parts.push_back({std::move(p), {}, Real()});
   return body;
 }
@@ -30,6 +31,7 @@ Body of_parts(ConvexParts parts) {
 void append(Body& sum, const Body& more) {
   const std::int64_t scale = std::lcm(sum.scale, more.scale);
   Body a = at_scale(sum, scale), b = at_scale(more, scale);
+  append(a.around, std::move(b.around), a.parts.size());
   a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
   a.rounded += b.rounded;
   a.moved = std::max(a.moved, b.moved);
@@ -50,6 +52,7 @@ Body hull_of(Body body) {
     points.insert(points.end(), part.vertices().begin(), part.vertices().end());
   }
   body.parts = {part_of(points, body.parts[0].radius)};
+  body.around.clear();
   return body;
 }
 
@@ -75,6 +78,7 @@ Body grown(Body body, const Real& by) {
   if (by.sign() < 0) refuse("an offset by a negative amount is computed for shapes with axis-parallel faces only");
   if (body.outside) refuse("an offset of a complement is not computed in 3D");
   for (BodyPart& part : body.parts) part.radius += by * Real(body.scale);
+  if (by.sign() > 0) body.around.clear();
   return body;
 }
 
@@ -167,6 +171,7 @@ Body body(const plane::Shape& shape) {
 
 Body translated(Body body, const Point& t) {
   const auto by = [&](std::int64_t c, std::int64_t d) { return in_range(c + int128(d) * body.scale); };
+  displace(body.around, {t.x * body.scale, t.y * body.scale, t.z * body.scale});
   for (BodyPart& part : body.parts) {
     const auto moved = [&](const Point& p) { return Point{by(p.x, t.x), by(p.y, t.y), by(p.z, t.z)}; };
     part.center = moved(part.center);
@@ -183,6 +188,7 @@ Body at_scale(const Body& body, std::int64_t scale) {
   if (factor == 1) return body;
   Body out = body;
   out.scale = scale;
+  enlarge(out.around, factor);
   const auto times = [&](const Point& p) {
     return Point{in_range(int128(p.x) * factor), in_range(int128(p.y) * factor), in_range(int128(p.z) * factor)};
   };
@@ -214,6 +220,7 @@ Body mirrored(Body body) {
     for (Point& v : part.flat) v = -v;
     if (part.core) part.core = part.core->mirrored();
   }
+  enlarge(body.around, -1);
   return body;
 }
 

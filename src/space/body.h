@@ -44,6 +44,7 @@ struct Body {
   std::int64_t scale = 1;  // coordinates and radii are in steps / scale
   int rounded = 0;         // vertices that had to be rounded, and the farthest move in grid steps
   double moved = 0;
+  std::vector<PlacedSurroundings> around{};  // of those of its parts that make up a mesh
 
   bool round() const;  // whether a part has a radius
   /// A single part: convex.

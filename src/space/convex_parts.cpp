@@ -106,6 +106,9 @@ ConvexParts solid_parts(const Solid& solid) {
 void add(ConvexParts& sum, ConvexParts more) {
   const std::int64_t scale = std::lcm(sum.scale, more.scale);
   std::vector<Polytope> parts = at_scale(sum, scale), others = at_scale(more, scale);
+  enlarge(sum.around, scale / sum.scale);
+  enlarge(more.around, scale / more.scale);
+  append(sum.around, std::move(more.around), parts.size());
   parts.insert(parts.end(), others.begin(), others.end());
   sum.parts = std::move(parts);
   sum.scale = scale;
@@ -123,6 +126,7 @@ ConvexParts hull_of(ConvexParts parts) {
   std::vector<Point> points;
   for (const Polytope& p : parts.parts) points.insert(points.end(), p.vertices().begin(), p.vertices().end());
   parts.parts = {Polytope::hull(points)};
+  parts.around.clear();
   return parts;
 }
 
@@ -153,6 +157,7 @@ ConvexParts moved_by(ConvexParts parts, const Point& t) {
     }
     return static_cast<std::int64_t>(sum);
   };
+  displace(parts.around, {t.x * parts.scale, t.y * parts.scale, t.z * parts.scale});
   for (Polytope& p : parts.parts) {
     std::vector<Point> points;
     for (const Point& v : p.vertices()) points.push_back({shifted(v.x, t.x), shifted(v.y, t.y), shifted(v.z, t.z)});
@@ -198,6 +203,7 @@ ConvexParts node_parts(const plane::Shape& shape) {
     case Kind::kMirror: {
       ConvexParts parts = convex_parts(*shape.children[0]);
       for (Polytope& p : parts.parts) p = p.mirrored();
+      enlarge(parts.around, -1);
       return parts;
     }
     case Kind::kTranslate:
@@ -224,8 +230,11 @@ ConvexParts convex_parts(const Mesh& mesh) {
     for (const int v : face) piece.corners.emplace_back(real(mesh.vertices[v]));
     facets.push_back(std::move(piece));
   }
-  ConvexParts parts = parts_of_cells(partition(std::move(facets), bounding_box(mesh)));
+  Cells cells = partition(std::move(facets), bounding_box(mesh));
+  ConvexParts parts = parts_of_cells(cells.inside);
   check_volume(parts, six_volumes(mesh));
+  auto around = std::make_shared<const Surroundings>(Surroundings{mesh, std::move(cells.outside)});
+  parts.around.push_back({std::move(around), 0, parts.parts.size(), parts.scale, {}});
   return parts;
 }
 

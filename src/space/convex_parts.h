@@ -17,14 +17,16 @@
 #include <vector>
 
 #include "space/solid.h"
+#include "space/surroundings.h"
 
 namespace findspace::space {
 
 struct ConvexParts {
   std::vector<Polytope> parts;
-  std::int64_t scale = 1;  // coordinates are in steps / scale
-  int rounded = 0;         // vertices that had to be rounded
-  double moved = 0;        // the farthest, in grid steps
+  std::int64_t scale = 1;                    // coordinates are in steps / scale
+  int rounded = 0;                           // vertices that had to be rounded
+  double moved = 0;                          // the farthest, in grid steps
+  std::vector<PlacedSurroundings> around{};  // of the parts of each mesh that is one of a union
 };
 
 /// Of a clean mesh. Throws Error(kUnsupported) for non-convex meshes of more than 100,000 faces.

@@ -179,8 +179,7 @@ int FootSearch::covering_part(const Foot& foot, std::optional<RealVector>& exact
   std::vector<std::size_t> open;
   const Vector at = plus(near_, foot.at);
   const double room = 8 * foot.error + 0x1p-40 * size_of(at);
-  for (std::size_t k = 0; k < cover_.size(); ++k) {
-    if (!cover_.extent(k).holds(at, room)) continue;
+  const auto consider = [&](std::size_t k) {
     double highest = -exact::kInfinity;
     for (const int id : seen_planes(k)) {
       const Seen& s = planes_[id];
@@ -192,7 +191,8 @@ int FootSearch::covering_part(const Foot& foot, std::optional<RealVector>& exact
     } else if (highest <= 8 * foot.error) {
       open.push_back(k);
     }
-  }
+  };
+  cover_.tree().each([&](const Extent& e) { return e.holds(at, room); }, consider);
   if (deepest >= 0) return deepest;
   for (const std::size_t k : open) {
     if (covers_exactly(k, foot, exact)) return static_cast<int>(k);

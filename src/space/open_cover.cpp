@@ -11,17 +11,8 @@ namespace findspace::space {
 
 using exact::Real;
 
-Extent everywhere() {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  return {{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}};
-}
-
-double Extent::distance(const Vector& p) const {
-  const auto gap = [](double c, double lo, double hi) { return std::max({lo - c, c - hi, 0.0}); };
-  return length({gap(p.x, low.x, high.x), gap(p.y, low.y, high.y), gap(p.z, low.z, high.z)});
-}
-
 void OpenCover::add(const Extent& extent, std::function<Planes()> make) {
+  index_ = std::make_unique<Index>();  // of all sets
   parts_.push_back(std::make_unique<Part>());
   parts_.back()->extent = extent;
   parts_.back()->make = std::move(make);
@@ -37,44 +28,51 @@ const OpenCover::Planes& OpenCover::planes(std::size_t k) const {
   return part.planes;
 }
 
+const ExtentTree& OpenCover::tree() const {
+  std::call_once(index_->made, [&] {
+    std::vector<Extent> extents;
+    for (const auto& part : parts_) extents.push_back(part->extent);
+    index_->tree = ExtentTree(std::move(extents));
+  });
+  return index_->tree;
+}
+
 int OpenCover::covering(const RealVector& p) const {
   const Vector near = space::rounded(p);
-  for (std::size_t k = 0; k < size(); ++k) {
-    if (!extent(k).holds(near, 0x1p-40 * size_of(near))) continue;
-    const Planes& all = planes(k);
-    if (std::all_of(all.begin(), all.end(), [&](const HalfSpace& h) { return h.sign(p, near) < 0; }))
-      return static_cast<int>(k);
-  }
-  return -1;
+  const double room = 0x1p-40 * size_of(near);
+  int found = -1;
+  tree().each([&](const Extent& e) { return found < 0 && e.holds(near, room); },
+              [&](std::size_t k) {
+                const Planes& all = planes(k);
+                if (std::all_of(all.begin(), all.end(), [&](const HalfSpace& h) { return h.sign(p, near) < 0; }))
+                  found = static_cast<int>(k);
+              });
+  return found;
 }
 
 std::optional<RealVector> OpenCover::nearest_uncovered(const RealVector& p) const { return FootSearch(*this, p).run(); }
 
 std::optional<RealVector> OpenCover::nearest_touching(const RealVector& p) const {
   const Vector near = space::rounded(p);
-  // By a lower bound of the distance, so that most sets are never looked at closely.
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t k = 0; k < size(); ++k) order.emplace_back(extent(k).distance(near), k);
-  std::sort(order.begin(), order.end());
   const double slack = 0x1p-40 * size_of(near);
   std::optional<RealVector> best;
   std::optional<Real> least;
   double bound = std::numeric_limits<double>::infinity();
-  for (const auto& [floor, k] : order) {
-    if (floor > bound + slack) break;
+  tree().nearest_first(near, [&](std::size_t k, double floor) {
+    if (floor > bound + slack) return false;
     double highest = 0;
     for (const HalfSpace& h : planes(k)) highest = std::max(highest, h.shadow_value(near) - h.error(near));
-    if (highest > bound + slack) continue;
+    if (highest > bound + slack) return true;
     std::optional<RealVector> q = nearest_in(planes(k), p);
-    if (!q) continue;
+    if (!q) return true;
     const RealVector off = minus(*q, p);
     const Real square = dot(off, off);
-    if (least && !(square < *least)) continue;
+    if (least && !(square < *least)) return true;
     least = square;
     best = std::move(q);
     bound = std::sqrt(least->to_double());
-    if (least->sign() == 0) break;
-  }
+    return least->sign() != 0;
+  });
   return best;
 }
 

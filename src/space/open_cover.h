@@ -21,22 +21,9 @@
 #include <optional>
 #include <vector>
 
-#include "space/real_vector.h"
+#include "space/extent_tree.h"
 
 namespace findspace::space {
-
-/// A box in doubles that holds a set; sides may be infinite.
-struct Extent {
-  Vector low, high;
-  bool holds(const Vector& p, double room) const {
-    return p.x >= low.x - room && p.y >= low.y - room && p.z >= low.z - room && p.x <= high.x + room &&
-           p.y <= high.y + room && p.z <= high.z + room;
-  }
-  /// At least this far from p.
-  double distance(const Vector& p) const;
-};
-
-Extent everywhere();
 
 class OpenCover {
  public:
@@ -55,6 +42,8 @@ class OpenCover {
   std::optional<RealVector> nearest_touching(const RealVector& p) const;
   const Planes& planes(std::size_t k) const;
   const Extent& extent(std::size_t k) const { return parts_[k]->extent; }
+  /// Of the extents; made when first needed.
+  const ExtentTree& tree() const;
 
  private:
   struct Part {
@@ -63,7 +52,12 @@ class OpenCover {
     mutable std::once_flag made;
     mutable Planes planes;
   };
+  struct Index {
+    std::once_flag made;
+    ExtentTree tree;
+  };
   std::vector<std::unique_ptr<Part>> parts_;
+  std::unique_ptr<Index> index_ = std::make_unique<Index>();
 };
 
 /// The uncovered point of the box that is farthest from p; nothing if the box is covered. Cost: the convex pieces

@@ -65,18 +65,18 @@ class Partition {
     bounds.cut(plane);
     // A half without facets is all solid or all empty; the facets in the cut say which.
     if (below.empty()) {
-      cells.push_back(std::move(bounds));
+      cells.inside.push_back(std::move(bounds));
     } else {
       run(std::move(below), std::move(bounds));
     }
     if (!above.empty()) {
       run(std::move(above), std::move(over));
-    } else if (solid_above) {
-      cells.push_back(std::move(over));
+    } else if (!over.empty()) {
+      (solid_above ? cells.inside : cells.outside).push_back(std::move(over));
     }
   }
 
-  std::vector<ConvexRegion> cells;
+  Cells cells;
 
  private:
   static bool nothing_above(const HalfSpace& plane, const std::vector<FacetPiece>& facets) {
@@ -111,7 +111,7 @@ class Partition {
 
 }  // namespace
 
-std::vector<ConvexRegion> partition(std::vector<FacetPiece> facets, ConvexRegion bounds) {
+Cells partition(std::vector<FacetPiece> facets, ConvexRegion bounds) {
   Partition p;
   p.run(std::move(facets), std::move(bounds));
   return std::move(p.cells);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The binary space partition behind convex_parts.h: cells as convex regions. Guarantee: exact. Cost: a cut looks at all
-// pieces once, and at a sample of them for each of the planes it chooses from.
+// The binary space partition behind convex_parts.h: the cells inside and outside a surface as convex regions.
+// Guarantee: exact; the interiors of the cells do not meet and their union is `bounds`. Cost: a cut looks at all pieces
+// once, and at a sample of them for each of the planes it chooses from.
 #pragma once
 
 #include <vector>
@@ -22,8 +23,12 @@ struct FacetPiece {
   std::vector<Corner> corners;
 };
 
-/// The cells inside the surface `facets`, which is closed within `bounds`. Cells without interior may be among them
-/// where the surface crosses itself.
-std::vector<ConvexRegion> partition(std::vector<FacetPiece> facets, ConvexRegion bounds);
+struct Cells {
+  std::vector<ConvexRegion> inside, outside;
+};
+
+/// The cells of the surface `facets`, which is closed within `bounds`. Cells without interior may be among them where
+/// the surface crosses itself.
+Cells partition(std::vector<FacetPiece> facets, ConvexRegion bounds);
 
 }  // namespace findspace::space

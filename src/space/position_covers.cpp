@@ -12,33 +12,10 @@ using exact::Real;
 
 namespace {
 
-/// A box around vertices, a hair larger than their doubles say.
-Extent extent_of(std::span<const Vector> points) {
-  Extent e{points[0], points[0]};
-  double size = 1;
-  for (const Vector& p : points) {
-    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y), std::min(e.low.z, p.z)};
-    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y), std::max(e.high.z, p.z)};
-    size = std::max(size, size_of(p));
-  }
-  const Vector room{0x1p-48 * size, 0x1p-48 * size, 0x1p-48 * size};
-  e.low = e.low - room;
-  e.high = plus(e.high, room);
-  return e;
-}
-
-Extent difference(const Extent& a, const Extent& b) { return {a.low - b.high, a.high - b.low}; }
-
 Extent extent_of(const BodyPart& part) {
   std::vector<Vector> points;
   for (const Point& v : part.vertices()) points.push_back(exact::shadow(v));
-  return extent_of(points);
-}
-
-Extent extent_of(const OutsideCell& cell) {
-  std::vector<Vector> points;
-  for (const RealVector& v : cell.vertices) points.push_back(space::rounded(v));
-  return extent_of(points);
+  return space::extent_of(points);
 }
 
 Real highest(std::span<const RealVector> points, const RealVector& n) {
@@ -118,7 +95,7 @@ std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b
   for (const RealVector& v : a.vertices) points_a.push_back(space::rounded(v));
   for (const RealVector& v : reflected) points_b.push_back(space::rounded(v));
   const std::vector<RealVector> edges = edge_directions(b);
-  for (const RealVector& d : a.directions) {
+  for (const RealVector& d : edge_directions(a)) {
     for (const RealVector& e : edges) {
       const RealVector n = cross(d, e);
       if (is_zero(n)) continue;
@@ -147,7 +124,7 @@ OpenCover overlap_cover(const Body& b, const Body& a) {
 OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
   OpenCover cover;
   for (const OutsideCell& cell : outside_a) {
-    if (cell.vertices.empty()) {
+    if (!cell.bounded()) {
       const HalfSpace& h = cell.planes[0];
       cover.add(everywhere(), OpenCover::Planes{HalfSpace(h.normal, h.offset - support(b, negated(h.normal)))});
       continue;

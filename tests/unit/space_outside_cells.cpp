@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What is outside a mesh: cells that fill its box with it, exactly, also where its convex parts are rounded; of moved,
+// enlarged, reflected and united meshes as well.
+#include <gtest/gtest.h>
+
+#include "space/outside_cells.h"
+#include "space/partition.h"
+#include "unit/space_bumps.h"
+
+namespace findspace::space {
+namespace {
+
+using exact::Real;
+
+/// How many of the closed cells hold the place, and how many with their interiors.
+std::array<int, 2> holding(const std::vector<OutsideCell>& cells, const RealVector& p) {
+  std::array<int, 2> count{};
+  for (const OutsideCell& cell : cells) {
+    int highest = -1;
+    for (const HalfSpace& h : cell.planes) highest = std::max(highest, h.value(p).sign());
+    count[0] += highest <= 0, count[1] += highest < 0;
+  }
+  return count;
+}
+
+RealVector draw(std::mt19937& engine, std::int64_t reach) {
+  RealVector p;
+  for (Real& c : p) c = Real(static_cast<std::int64_t>(engine() % static_cast<unsigned>(2 * reach + 1)) - reach);
+  return p;
+}
+
+TEST(OutsideCells, FillTheBoxWithTheMesh) {
+  for (const int n : {2, 3, 4}) {
+    const Mesh mesh = knobbly_ball(n, 1000, static_cast<unsigned>(n));
+    const Body b = body_of(mesh);
+    ASSERT_EQ(b.around.size(), 1u);
+    Real sum = six_volumes(mesh);
+    for (const ConvexRegion& cell : b.around[0].of->cells) sum += cell.six_volumes();
+    const Bounds3 box = bounds(b);
+    const RealVector size = minus(box.high, box.low);
+    const Real scale(b.scale);
+    EXPECT_TRUE(sum * scale * scale * scale == Real(6) * size[0] * size[1] * size[2]) << n;
+  }
+}
+
+TEST(OutsideCells, HoldWhatTheMeshDoesNot) {
+  const Mesh mesh = knobbly_ball(5, 1000, 7);
+  const Body b = body_of(mesh);
+  ASSERT_GT(b.rounded, 0);  // the parts are not the mesh
+  const std::vector<OutsideCell> cells = outside_cells(b);
+  std::mt19937 engine(3);
+  for (int i = 0; i < 300; ++i) {
+    const RealVector p = draw(engine, 1600);
+    const auto [closed, open] = holding(cells, p);
+    const int side = side_of_star(mesh, p);
+    if (side > 0) {
+      EXPECT_EQ(closed, 0);
+    }
+    if (side == 0) {
+      EXPECT_EQ(open, 0);
+    }
+    if (side >= 0) continue;
+    EXPECT_GE(closed, 1);
+  }
+  for (const Point& v : mesh.vertices) {
+    EXPECT_GE(holding(cells, real(v))[0], 1);
+    EXPECT_EQ(holding(cells, real(v))[1], 0);
+  }
+}
+
+TEST(OutsideCells, MoveWithTheBody) {
+  const Mesh mesh = knobbly_ball(3, 100, 5);
+  const Body b = body_of(mesh), moved = translated(mirrored(at_scale(b, 3 * b.scale)), {40, -7, 9});
+  const std::vector<OutsideCell> before = outside_cells(b), after = outside_cells(moved);
+  ASSERT_EQ(before.size(), after.size());
+  std::mt19937 engine(4);
+  for (int i = 0; i < 100; ++i) {
+    const RealVector p = draw(engine, 160), s = scaled(Real(b.scale), p);
+    const RealVector q = plus(scaled(Real(-3), s), scaled(Real(moved.scale), real(Point{40, -7, 9})));
+    EXPECT_EQ(holding(before, s), holding(after, q));
+  }
+}
+
+TEST(OutsideCells, OfMeshesThatOverlap) {
+  const Mesh one = knobbly_ball(2, 100, 5);
+  const Body a = body_of(one), c = translated(a, {120, 30, -10});
+  Body both = united({&a, &c});
+  both.parts.push_back(
+      {Polytope::hull(std::vector<Point>{{0, 0, 0}, {0, 300, 0}, {40, 300, 0}, {0, 300, 50}}), {}, {}});
+  const std::vector<OutsideCell> cells = outside_cells(both);
+  std::mt19937 engine(6);
+  for (int i = 0; i < 200; ++i) {
+    const RealVector p = draw(engine, 320), s = scaled(Real(both.scale), p);
+    const int side = std::max(side_of_star(one, p), side_of_star(one, minus(p, real(Point{120, 30, -10}))));
+    int highest = -1;
+    for (const HalfSpace& h : both.parts.back().planes()) highest = std::max(highest, h.value(s).sign());
+    const auto [closed, open] = holding(cells, s);
+    if (side > 0 || highest < 0) {
+      EXPECT_EQ(closed, 0);
+    }
+    if (side >= 0 || highest <= 0) {
+      EXPECT_EQ(open, 0);
+    }
+    if (side < 0 && highest > 0) {
+      EXPECT_GE(closed, 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace findspace::space
