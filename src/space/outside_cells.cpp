@@ -31,6 +31,9 @@ OutsideCell cell_of(const ConvexRegion& region, const PlacedSurroundings& place)
   return cell;
 }
 
+/// At most two planes, the opposite sides of one, hold three corners of a set without interior.
+bool has_interior(const OutsideCell& cell) { return cell.planes.size() > 3; }
+
 Extent extent_of(const ConvexRegion& region) {
   std::vector<Vector> points;
   for (const ConvexRegion::Vertex& v : region.vertices()) points.push_back(v.near);
@@ -85,7 +88,7 @@ Carved carved(const PlacedSurroundings& place) {
   Carved out{{extent_of(box), {box.planes().begin(), box.planes().end()}}, {}};
   for (const ConvexRegion& region : place.of->cells) {
     const OutsideCell cell = cell_of(region, place);
-    if (region.dimension() == 3) out.cells.push_back({space::extent_of(cell), cell.planes});
+    if (has_interior(cell)) out.cells.push_back({space::extent_of(cell), cell.planes});
   }
   return out;
 }
@@ -156,7 +159,8 @@ std::vector<OutsideCell> outside_cells(const Body& body) {
   }
   if (one_mesh) {
     for (const ConvexRegion& r : body.around[0].of->cells) {
-      if (r.dimension() == 3) cells.push_back(cell_of(r, body.around[0]));
+      OutsideCell cell = cell_of(r, body.around[0]);
+      if (has_interior(cell)) cells.push_back(std::move(cell));
     }
     return cells;
   }

@@ -35,6 +35,16 @@ bool selects_edge(const Vector& n, std::span<const Vector> points) {
                        [&](const Vector& v) { return dot(n, v) >= top - 0x1p-36 * size; }) > 1;
 }
 
+/// Whether, by doubles, neither normal to the two edges selects an edge of both: so of most pairs.
+bool selects_no_edges(const Vector& d, const Vector& e, std::span<const Vector> a, std::span<const Vector> b) {
+  const Vector n{d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x};
+  const double size = length(n);
+  // Else the direction of n is not known well enough for the room that selects_edge() leaves.
+  if (!(size > 0x1p-10 * length(d) * length(e))) return false;
+  const Vector unit = scaled(1 / size, n), back = scaled(-1 / size, n);
+  return !(selects_edge(unit, a) && selects_edge(unit, b)) && !(selects_edge(back, a) && selects_edge(back, b));
+}
+
 /// {p : p + c in the cell}.
 std::vector<HalfSpace> moved_planes(const OutsideCell& cell, const Point& c) {
   std::vector<HalfSpace> planes;
@@ -95,8 +105,13 @@ std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b
   for (const RealVector& v : a.vertices) points_a.push_back(space::rounded(v));
   for (const RealVector& v : reflected) points_b.push_back(space::rounded(v));
   const std::vector<RealVector> edges = edge_directions(b);
+  std::vector<Vector> near_edges;
+  for (const RealVector& e : edges) near_edges.push_back(space::rounded(e));
   for (const RealVector& d : edge_directions(a)) {
-    for (const RealVector& e : edges) {
+    const Vector near_d = space::rounded(d);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      if (selects_no_edges(near_d, near_edges[k], points_a, points_b)) continue;
+      const RealVector& e = edges[k];
       const RealVector n = cross(d, e);
       if (is_zero(n)) continue;
       for (const RealVector& m : {n, negated(n)}) {

@@ -29,9 +29,14 @@ struct PlacedSurroundings {
   Point shift;
 
   Point at(const Point& x) const { return {factor * x.x + shift.x, factor * x.y + shift.y, factor * x.z + shift.z}; }
-  RealVector at(const RealVector& x) const { return plus(scaled(exact::Real(factor), x), real(shift)); }
+  bool in_place() const { return factor == 1 && shift == Point{}; }
+  RealVector at(const RealVector& x) const {
+    if (in_place()) return x;
+    return plus(scaled(exact::Real(factor), x), real(shift));
+  }
   /// {at(x) : x in h}.
   HalfSpace at(const HalfSpace& h) const {
+    if (in_place()) return h;
     const RealVector n = factor < 0 ? negated(h.normal) : h.normal;
     return {n, h.offset * exact::Real(factor < 0 ? -factor : factor) - dot(n, real(shift))};
   }
