@@ -69,7 +69,8 @@ std::optional<io::Surface> simple_surface(const Session& session, const plane::S
   try {
     const situation::SpaceShape made = situation::space_shape(shape);
     if (made.boxes) return box_surface(session, shape, *made.boxes);
-    if (made.body && made.body->convex() && !made.body->round())
+    const bool waits = made.surfaces && !made.convex;  // not convex, then
+    if (made.body && !waits && made.body->convex() && !made.body->round())
       return surface(*made.body->parts[0].core, step / Real(made.body->scale));
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;

@@ -58,7 +58,9 @@ std::optional<situation::SpaceShape> exact_shape(const Session& session, const s
     }
     situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
     note_rounding(session, name, shape);
-    if (shape.boxes || (shape.body->convex() && (!shape.body->round() || !wants_surface(session)))) return shape;
+    const bool waits = shape.surfaces && !shape.convex;  // not convex, then
+    if (shape.boxes || (!waits && shape.body->convex() && (!shape.body->round() || !wants_surface(session))))
+      return shape;
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
   }

@@ -31,7 +31,7 @@ Writers space_writers(std::function<std::string()> json, std::function<io::Surfa
 }
 
 void note_rounding(const Session& session, const std::string& name, const situation::SpaceShape& shape) {
-  if (!shape.body || shape.body->rounded == 0) return;
+  if (!shape.body.made() || shape.body->rounded == 0) return;
   session.talk().note(
       fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}", name,
                   shape.body->rounded, shape.body->moved * session.scene().grid.step_size(), session.unit()));

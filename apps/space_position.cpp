@@ -10,11 +10,19 @@
 #include "io/write_json_space.h"
 #include "situation/text.h"
 #include "space_commands.h"
+#include "space_outcome.h"
 #include "space_report.h"
 
 namespace findspace::app {
 
 namespace {
+
+/// Of bodies that were made only when a distance asked for them.
+void note_late_rounding(const Session& session, const situation::SpaceSolver& solver) {
+  for (const auto& [name, shape] : solver.world().shapes) {
+    if (shape.surfaces && !shape.convex) note_rounding(session, name, shape);
+  }
+}
 
 std::string where_text(const space::RealVector& at) {
   return fmt::format("({}, {}, {})", at[0].to_double(), at[1].to_double(), at[2].to_double());
@@ -52,6 +60,7 @@ Outcome check_space(const Session& session) {
   session.talk().stage("checking");
   const situation::SpaceSolver::Check check = solver.check(formula, at);
   const auto nearest = check.holds ? std::nullopt : solver.nearest_feasible(formula, at);
+  note_late_rounding(session, solver);
   const situation::SpaceNearest* near = nearest ? &*nearest : nullptr;
   const auto json = [&] { return io::space_check_json(check, at, session.unit(), near); };
   const auto svg = [&] {
@@ -78,6 +87,7 @@ Outcome measure_space(const Session& session) {
   const situation::SpaceSolver solver(space_world(session));
   session.talk().stage("measuring");
   const std::vector<situation::SpaceDistanceAt> distances = solver.measure(at);
+  note_late_rounding(session, solver);
   for (const auto& d : distances) {
     if (!d.refused.empty()) session.talk().note(d.text + ": " + d.refused);
   }

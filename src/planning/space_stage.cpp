@@ -30,12 +30,24 @@ std::optional<space::Point> on_grid(const RealVector& p) {
   return space::Point{c[0], c[1], c[2]};
 }
 
+std::shared_ptr<const std::vector<space::RaySolid>> moved(std::vector<space::RaySolid> solids, const space::Point& by) {
+  for (space::RaySolid& s : solids) s.surface = space::moved(std::move(s.surface), by), s.center = s.center + by;
+  return std::make_shared<const std::vector<space::RaySolid>>(std::move(solids));
+}
+
 SpaceShape moved(const SpaceShape& shape, const RealVector& by) {
   if (space::is_zero(by)) return shape;
-  SpaceShape out{{}, nullptr, shape.refused};
+  SpaceShape out;
+  out.refused = shape.refused, out.convex = shape.convex;
   if (shape.boxes) out.boxes = shape.boxes->translated(by);
   const auto whole = on_grid(by);
-  if (shape.body && whole) out.body = std::make_shared<const space::Body>(translated(*shape.body, *whole));
+  if (shape.body && whole) {
+    const auto make = [body = shape.body, whole] {
+      return std::make_shared<const space::Body>(translated(*body, *whole));
+    };
+    out.body = shape.body.made() ? situation::LazyBody(make()) : situation::LazyBody::later(make);
+  }
+  if (shape.surfaces && whole) out.surfaces = moved(*shape.surfaces, *whole);
   if (shape.body && !whole) out.refused = "the shape stands off the grid";
   return out;
 }

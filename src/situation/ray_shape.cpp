@@ -44,7 +44,7 @@ const space::Body& RayShape::body() const {
   std::call_once(made_->body_once, [&] {
     const SpaceShape made = space_shape(*shape_);
     if (!made.body) throw Error(ErrorCode::kUnsupported, made.refused, shape_->place);
-    made_->body = made.body;
+    made_->body = made.body.pointer();
   });
   return *made_->body;
 }

@@ -21,7 +21,9 @@
 #include "distance/solid_least.h"
 #include "plane/section.h"
 #include "situation/formula.h"
+#include "situation/lazy_body.h"
 #include "space/convex_set.h"
+#include "space/ray_solids.h"
 
 namespace findspace::situation {
 
@@ -30,9 +32,12 @@ class SpacePair;
 
 /// A shape of the scene in grid steps, in the forms that it has.
 struct SpaceShape {
-  std::optional<space::BoxComplex> boxes;   // all faces axis-parallel: the exact set
-  std::shared_ptr<const space::Body> body;  // a closed body; null: `refused` says why
+  std::optional<space::BoxComplex> boxes;  // all faces axis-parallel: the exact set
+  LazyBody body;                           // a closed body; none: `refused` says why
   std::string refused;
+  /// Of a large mesh, or a union with one: its surfaces, for what they tell. A body that is not convex waits then.
+  std::shared_ptr<const std::vector<space::RaySolid>> surfaces{};
+  bool convex = false;  // of a shape with surfaces
 };
 
 SpaceShape space_shape(const plane::Shape& shape);

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // One moving and one fixed shape of space (each perhaps several names) in the forms they have: as boxes, as bodies, or
-// both. Lengths in grid steps. Distances that boxes answer exactly are asked of them, the others of the bodies.
-// Guarantee: as box_pair.h and solid_pair.h.
+// both, large meshes as surfaces too. Lengths in grid steps. Distances that boxes answer exactly are asked of them,
+// then surfaces what they tell, the others the bodies, which are made for it where there are surfaces. Guarantee: as
+// box_pair.h, surface_pair.h and solid_pair.h.
 #pragma once
 
 #include <map>
@@ -15,11 +16,11 @@
 
 #include "distance/box_pair.h"
 #include "distance/solid_least.h"
+#include "distance/surface_pair.h"
+#include "situation/solve_space.h"
 #include "space/convex_region.h"
 
 namespace findspace::situation {
-
-struct SpaceShape;
 
 class SpacePair {
  public:
@@ -43,17 +44,38 @@ class SpacePair {
   const distance::BoxPair& boxes() const;
 
  private:
+  using BodyPointer = std::shared_ptr<const space::Body>;
+  using Shapes = std::vector<SpaceShape>;
+  /// Of one scale; without a pair `refused` says why.
+  struct Bodies {
+    BodyPointer b, a;
+    std::unique_ptr<distance::SolidPair> pair;
+    std::int64_t scale = 1;
+    std::string refused;
+  };
+  /// Two bodies of convex outlines, as far as sublevel sets go.
+  struct Outlines {
+    const space::Body *b, *a;
+    std::int64_t scale;
+  };
+
+  const Bodies& all() const;  // made when first asked for
   const distance::SolidPair& bodies() const;
-  Sublevel none() const;
+  std::unique_ptr<const Bodies> made_bodies() const;
+  void make_surfaces();
+  std::optional<Outlines> outlines(bool eta, bool delta) const;
+  static Sublevel none(std::int64_t scale);
   std::optional<distance::BoxPair::Least> deepest_fit(distance::Which which) const;
 
+  Shapes moving_, fixed_;
+  std::optional<space::BoxComplex> moving_boxes_, fixed_boxes_;
   std::unique_ptr<distance::BoxPair> boxes_;
-  std::unique_ptr<distance::SolidPair> bodies_;
-  std::shared_ptr<const space::Body> b_, a_;
-  mutable std::mutex least_guard_;
-  mutable std::map<distance::Which, std::unique_ptr<std::optional<distance::SolidLeast>>> least_;  // in steps / scale_
-  std::int64_t scale_ = 1;  // of the bodies' coordinates
-  std::string refused_;
+  std::unique_ptr<distance::SurfacePair> surfaces_;
+  distance::Surfaced surfaced_b_, surfaced_a_;
+  std::int64_t surface_scale_ = 1;
+  mutable std::mutex bodies_guard_, least_guard_;
+  mutable std::unique_ptr<const Bodies> bodies_;
+  mutable std::map<distance::Which, std::unique_ptr<std::optional<distance::SolidLeast>>> least_;  // in steps / scale
 };
 
 }  // namespace findspace::situation

@@ -81,6 +81,11 @@ RayPlace ray_place(std::int64_t x, std::int64_t y, const Fraction& z) {
   return {{x, y, static_cast<std::int64_t>(whole)}, {z.numerator - whole * z.denominator, z.denominator}};
 }
 
+bool holds(const RayBody& body, const BoxTree& tree, const Point& q) {
+  const Probe probe{body, tree, {}, false, {0, 1}};
+  return probe.inside({{3 * q.x, 3 * q.y, 3 * q.z}, false}, false);
+}
+
 bool RayOverlap::interiors_meet(const RayPlace& p, Recent& recent) const {
   constexpr std::size_t kRemembered = 8;
   auto& pairs = recent.pairs;

@@ -56,6 +56,9 @@ class RayOverlap {
   bool a_inside_out_;
 };
 
+/// Whether the grid point lies in the interior of the solid behind the surface; the tree is the body's.
+bool holds(const RayBody& body, const BoxTree& tree, const Point& q);
+
 /// Whether the triangles f of A and g of B + p show an overlap (1 to 4 above).
 bool faces_overlap(const RayBody& a, int f, const RayBody& b, int g, const RayPlace& p);
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Those T-distances of a moving body B and a fixed body A of space at a position that their surfaces tell, without
+// convex parts (solid_pair.h defines them all and needs parts):
+//   gamma1, d1, penetration        apart: the least distance of the surfaces; d1 is 0 where the interiors meet;
+//   eta1, mu, h, hausdorff         B + p in A, of one surface: minus the least distance of the surfaces;
+//   gamma2, diameter               of the convex hulls;
+//   eta1, eta2, mu in a convex A   of the convex hull of B;
+//   eta1, eta2                     undefined where B's box is larger than A's;
+//   dstar                          0 where the one does not lie in the other;
+//   delta1, delta2, mu, h back     as these with the roles exchanged.
+// Guarantee: exact. Nothing is said of other values, and of positions off the grid within some steps of a contact.
+// Cost: surface_gap.h. Source: decision 11 (why facets suffice). Keywords: clearance, mesh distance.
+#pragma once
+
+#include "distance/solid_pair.h"
+#include "space/surface_gap.h"
+
+namespace findspace::distance {
+
+/// A body as its surface knows it, at a scale that it shares with another.
+struct Surfaced {
+  std::shared_ptr<const space::SurfaceSet> surface;  // may be null
+  /// A body of the same convex hull; null where there is none. `convex`: it is the body.
+  std::shared_ptr<const space::Body> outline;
+  bool convex = false;
+};
+
+class SurfacePair {
+ public:
+  SurfacePair(Surfaced b, Surfaced a);
+
+  struct Answer {
+    std::optional<SolidValue> value;  // nothing: undefined
+  };
+  /// Nothing where the surfaces do not tell.
+  std::optional<Answer> value(Which which, const space::RealVector& p) const;
+
+ private:
+  struct Side {
+    const Surfaced *moving = nullptr, *fixed = nullptr;
+    std::unique_ptr<const space::SurfaceGaps> gaps;
+  };
+  static Side side(const Surfaced& moving, const Surfaced& fixed);
+  static std::optional<space::SurfaceGaps::Relation> relation(const Side& side, const space::RealVector& p,
+                                                              std::optional<SolidValue>& gap);
+  static std::optional<Answer> contained(const Side& side, Which which, const space::RealVector& p);
+  static std::optional<Answer> inside(const Side& side, const space::RealVector& p);
+  std::optional<Answer> apart(Which which, const space::RealVector& p) const;
+  std::optional<Answer> back(Which which, const space::RealVector& p) const;
+  std::optional<Answer> larger(const space::RealVector& p) const;
+
+  Surfaced b_, a_;
+  Side forth_, back_;
+};
+
+}  // namespace findspace::distance

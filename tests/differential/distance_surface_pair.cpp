@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What surfaces tell of distances against the same from convex parts: star-shaped meshes with dents, polytopes and
+// balls, at positions apart, in contact, across each other and inside.
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+#include "distance/surface_pair.h"
+#include "space/mesh.h"
+#include "unit/space_bodies.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+using space::RealVector;
+
+const std::vector<Which> kOutside{Which::kGamma1, Which::kD1, Which::kPenetration, Which::kGamma2, Which::kDiameter};
+const std::vector<Which> kInside{Which::kEta1, Which::kMu, Which::kDstarBack, Which::kH, Which::kDelta1, Which::kDstar};
+
+/// An octahedron's faces cut in four, the corners at random distances from the middle.
+space::Mesh star(std::mt19937& random, int low, int high) {
+  const auto pick = [&] { return std::uniform_int_distribution<int>(low, high)(random); };
+  space::Mesh mesh;
+  std::map<std::array<int, 3>, int> numbers;
+  const auto vertex = [&](std::array<int, 3> at) {
+    const auto [slot, fresh] = numbers.emplace(at, static_cast<int>(mesh.vertices.size()));
+    const int far = fresh ? pick() : 0;
+    if (fresh) mesh.vertices.push_back({at[0] * far, at[1] * far, at[2] * far});
+    return slot->second;
+  };
+  for (int k = 0; k < 8; ++k) {
+    const std::array<int, 3> x{k & 1 ? 2 : -2, 0, 0}, y{0, k & 2 ? 2 : -2, 0}, z{0, 0, k & 4 ? 2 : -2};
+    const auto middle = [](const auto& p, const auto& q) {
+      return std::array<int, 3>{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+    };
+    const int a = vertex(x), b = vertex(y), c = vertex(z), ab = vertex(middle(x, y)), bc = vertex(middle(y, z)),
+              ca = vertex(middle(z, x));
+    for (std::vector<int> face : {std::vector{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}})
+      mesh.faces.push_back(face);
+  }
+  clean(mesh, 1);
+  return mesh;
+}
+
+struct Given {
+  Surfaced surfaced;
+  std::shared_ptr<const space::Body> body;
+};
+
+Given of_mesh(const space::Mesh& mesh) {
+  space::ConvexParts parts = space::convex_parts(mesh);
+  space::Body body;
+  body.scale = parts.scale, body.moved = parts.moved;
+  for (space::Polytope& p : parts.parts) body.parts.push_back({std::move(p), {}, Real()});
+  auto set = std::make_shared<space::SurfaceSet>();
+  set->add({space::RaySolid{triangles(mesh), {}, {}}}, 1);
+  const bool convex = body.convex();
+  const auto outline = set->hull(1);
+  return {{set, outline, convex}, shared(std::move(body))};
+}
+
+/// Over an L.
+space::Mesh corner_room(int size) {
+  const std::vector<std::array<int, 2>> ring{{0, 0}, {size, 0}, {size, 8}, {9, 8}, {9, size}, {0, size}};
+  space::Mesh mesh;
+  std::vector<int> floor, lid;
+  for (int k = 0; k < 6; ++k) {
+    for (const int z : {-8, 8}) mesh.vertices.push_back({ring[k][0] - 4, ring[k][1] - 4, z});
+    const int next = (k + 1) % 6;
+    mesh.faces.push_back({2 * k, 2 * next, 2 * next + 1, 2 * k + 1});
+    lid.push_back(2 * k + 1), floor.insert(floor.begin(), 2 * k);
+  }
+  mesh.faces.push_back(lid), mesh.faces.push_back(floor);
+  clean(mesh, 1);
+  return mesh;
+}
+
+Given of_body(space::Body body) {
+  auto set = std::make_shared<space::SurfaceSet>();
+  EXPECT_TRUE(set->add(body));
+  auto made = shared(std::move(body));
+  return {{set, made, made->convex()}, made};
+}
+
+Given drawn(std::mt19937& random, int kind) {
+  space::Body body;
+  if (kind == 0) return of_mesh(star(random, 5, 9));
+  if (kind == 1) return of_mesh(star(random, 1, 3));
+  if (kind == 2) body.parts.push_back({std::nullopt, {1, 0, -1}, Real(2)});
+  if (kind == 3) body = space::box_body({{{{-1, -2, -1}, {1, 1, 2}}}, {{{1, -2, -1}, {3, 0, 0}}}});
+  return of_body(std::move(body));
+}
+
+void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& surfaces, const RealVector& p,
+                 const std::vector<Which>& all, double moved, int& told) {
+  for (const Which which : all) {
+    const auto found = surfaces.value(which, p);
+    if (!found) continue;
+    ++told;
+    const auto wanted = parts.value(which, space::scaled(Real(scale), p));
+    ASSERT_EQ(found->value.has_value(), wanted.has_value()) << int(which);
+    if (!wanted) continue;
+    const Real value = wanted->value / Real(scale);
+    if (wanted->proven && moved == 0)
+      ASSERT_EQ((found->value->value - value).sign(), 0)
+          << int(which) << " " << found->value->value.to_double() << " " << value.to_double();
+    else
+      ASSERT_NEAR(found->value->value.to_double(), value.to_double(), 4 * moved + 0x1p-30 * (1 + value.to_double()));
+    if (!found->value->nearest || (which != Which::kGamma1 && which != Which::kEta1)) continue;
+    // At the nearest such position the distance is 0.
+    const auto there = surfaces.value(which, *found->value->nearest);
+    if (there && there->value) ASSERT_EQ(there->value->value.sign(), 0) << int(which);
+  }
+}
+
+/// At `count` positions each of `rounds` pairs; how many values the surfaces told.
+int compare_all(std::mt19937& random, const Given& a, const Given& b, const std::vector<Which>& all, int reach) {
+  int told = 0;
+  const double moved = a.body->moved + b.body->moved;  // by which the parts are not the mesh
+  const std::int64_t scale = std::lcm(a.body->scale, b.body->scale);
+  const SolidPair parts(shared(at_scale(*b.body, scale)), shared(at_scale(*a.body, scale)));
+  const SurfacePair surfaces(b.surfaced, a.surfaced);
+  for (int i = 0; i < 8; ++i) {
+    const int far = i % 2 == 0 ? 4 : reach;
+    const auto pick = [&] { return std::uniform_int_distribution<int>(-far, far)(random); };
+    expect_same(parts, scale, surfaces, space::place(pick(), pick(), pick(), 1 + i % 2), all, moved, told);
+  }
+  return told;
+}
+
+TEST(SurfacePair, Outside) {
+  std::mt19937 random(77);
+  int told = 0;
+  for (int round = 0; round < 12; ++round) {
+    const Given a = of_mesh(star(random, 5, 9)), b = drawn(random, round % 4);
+    told += compare_all(random, a, b, kOutside, 30);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(told, 300);
+}
+
+TEST(SurfacePair, Inside) {
+  std::mt19937 random(78);
+  int told = 0;
+  for (int round = 0; round < 12; ++round) {
+    const Given a = of_mesh(corner_room(12 + round)), b = drawn(random, 2 + round % 2);
+    told += compare_all(random, a, b, kInside, 8);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(told, 150);
+}
+
+/// A dent that a corner fills exactly: they touch, and do not overlap.
+TEST(SurfacePair, Contact) {
+  space::Body room = space::box_body({{{{-9, -9, -9}, {9, 9, 0}}}});
+  const Given a = of_body(room), b = of_body(space::box_body({{{{-1, -1, 0}, {1, 1, 2}}}}));
+  const SurfacePair pair(b.surfaced, a.surfaced);
+  const auto value = [&](Which which, const RealVector& p) { return pair.value(which, p)->value->value; };
+  EXPECT_EQ(value(Which::kGamma1, {}).sign(), 0);
+  EXPECT_EQ(value(Which::kD1, space::place(0, 0, -1, 1 << 20)).sign(), 0);
+  EXPECT_FALSE(pair.value(Which::kGamma1, space::place(0, 0, -1, 1 << 20)));
+  EXPECT_EQ(value(Which::kGamma1, space::place(0, 0, 1, 3)), Real(1) / Real(3));
+  EXPECT_EQ(value(Which::kEta1, space::place(0, 0, -2)).sign(), 0);
+}
+
+}  // namespace
+}  // namespace findspace::distance
