@@ -49,4 +49,26 @@ GameValue matrix_game(const std::vector<std::array<double, 4>>& columns) {
   return game;
 }
 
+GameValue bounding_game(std::vector<std::array<double, 4>> columns,
+                        const std::optional<std::array<double, 4>>& beyond) {
+  if (beyond) {
+    const std::size_t count = columns.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      std::array<double, 4> less = columns[k];
+      for (std::size_t v = 0; v < 4; ++v) less[v] -= (*beyond)[v];
+      columns.push_back(less);
+    }
+  }
+  double least = 0;
+  for (const auto& c : columns) least = std::min(least, *std::min_element(c.begin(), c.end()));
+  if (least < 0) {
+    for (auto& c : columns) {
+      for (double& entry : c) entry -= least;
+    }
+  }
+  GameValue game = matrix_game(columns);
+  game.value += least;
+  return game;
+}
+
 }  // namespace findspace::distance

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace findspace::distance {
@@ -18,5 +19,8 @@ struct GameValue {
 
 /// Columns of entries >= 0; at least one.
 GameValue matrix_game(const std::vector<std::array<double, 4>>& columns);
+
+/// Of the distances at four corners, and of these less what the corners are beyond a plane; entries of any sign.
+GameValue bounding_game(std::vector<std::array<double, 4>> columns, const std::optional<std::array<double, 4>>& beyond);
 
 }  // namespace findspace::distance

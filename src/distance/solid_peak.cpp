@@ -27,29 +27,6 @@ struct Cell {
   bool operator<(const Cell& other) const { return bound < other.bound; }
 };
 
-/// The value of the game of the distances, and of these less what the corners are beyond a plane.
-GameValue bounding_game(std::vector<std::array<double, 4>> columns,
-                        const std::optional<std::array<double, 4>>& beyond) {
-  if (beyond) {
-    const std::size_t count = columns.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      std::array<double, 4> less = columns[k];
-      for (std::size_t v = 0; v < 4; ++v) less[v] -= (*beyond)[v];
-      columns.push_back(less);
-    }
-  }
-  double least = 0;
-  for (const auto& c : columns) least = std::min(least, *std::min_element(c.begin(), c.end()));
-  if (least < 0) {
-    for (auto& c : columns) {
-      for (double& entry : c) entry -= least;
-    }
-  }
-  GameValue game = matrix_game(columns);
-  game.value += least;
-  return game;
-}
-
 class Search {
  public:
   Search(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round, std::span<const ConvexDistance> sets,

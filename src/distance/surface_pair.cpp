@@ -78,13 +78,19 @@ std::optional<Answer> SurfacePair::apart(Which which, const RealVector& p) const
   return cut(Answer{gap}, which == Which::kPenetration);
 }
 
-/// eta1 and what is the same where the one lies in the other; else nothing.
-std::optional<Answer> SurfacePair::inside(const Side& side, const RealVector& p) {
+/// Where the one lies in the other eta1, which mu is too; else mu, and of eta1 nothing.
+std::optional<Answer> SurfacePair::inside(const Side& side, Which which, const RealVector& p) {
   std::optional<SolidValue> gap;
-  if (!side.fixed->surface || !side.fixed->surface->one_sheet()) return std::nullopt;
+  const bool one = side.fixed->surface && side.fixed->surface->one_sheet();
+  if (!side.gaps || (!one && which != Which::kMu)) return std::nullopt;
   const auto found = relation(side, p, gap);
-  if (!found || *found != Relation::kInside) return std::nullopt;
-  return Answer{gap};
+  if (!found) return std::nullopt;
+  if (*found == Relation::kInside) return Answer{gap};
+  if (which != Which::kMu) return std::nullopt;
+  SolidValue out = sticking_out(side, p);
+  // Whether it lies inside a union of several, and how deep, is not known.
+  const bool told = one || *found == Relation::kApart || out.value > Real::from_double(out.error);
+  return told ? std::optional(Answer{std::move(out)}) : std::nullopt;
 }
 
 std::optional<Answer> SurfacePair::contained(const Side& side, Which which, const RealVector& p) {
@@ -93,7 +99,7 @@ std::optional<Answer> SurfacePair::contained(const Side& side, Which which, cons
   if (fit && b && a && !box_fits(*b, *a)) return Answer{};
   if (side.fixed->convex && b) return Answer{SolidPair(b, a).value(which, p)};
   if (which == Which::kEta2) return std::nullopt;
-  return inside(side, p);
+  return inside(side, which, p);
 }
 
 /// The Hausdorff distance.

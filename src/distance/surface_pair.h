@@ -9,9 +9,11 @@
 //   eta1, eta2, mu in a convex A   of the convex hull of B;
 //   eta1, eta2                     undefined where B's box is larger than A's;
 //   dstar                          0 where the one does not lie in the other;
+//   mu, h, hausdorff outside       at a corner of B, or by search (surface_peak.h);
 //   delta1, delta2, mu, h back     as these with the roles exchanged.
-// Guarantee: exact. Nothing is said of other values, and of positions off the grid within some steps of a contact.
-// Cost: surface_gap.h. Source: decision 11 (why facets suffice). Keywords: clearance, mesh distance.
+// Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Nothing is said of other values, and
+// of positions off the grid within some steps of a contact. Cost: surface_gap.h. Source: decision 11 (why facets
+// suffice). Keywords: clearance, mesh distance.
 #pragma once
 
 #include "distance/solid_pair.h"
@@ -25,6 +27,7 @@ struct Surfaced {
   /// A body of the same convex hull; null where there is none. `convex`: it is the body.
   std::shared_ptr<const space::Body> outline;
   bool convex = false;
+  std::shared_ptr<const space::Body> parts{};  // the body, where it is known
 };
 
 class SurfacePair {
@@ -45,8 +48,9 @@ class SurfacePair {
   static Side side(const Surfaced& moving, const Surfaced& fixed);
   static std::optional<space::SurfaceGaps::Relation> relation(const Side& side, const space::RealVector& p,
                                                               std::optional<SolidValue>& gap);
+  static SolidValue sticking_out(const Side& side, const space::RealVector& p);
   static std::optional<Answer> contained(const Side& side, Which which, const space::RealVector& p);
-  static std::optional<Answer> inside(const Side& side, const space::RealVector& p);
+  static std::optional<Answer> inside(const Side& side, Which which, const space::RealVector& p);
   std::optional<Answer> apart(Which which, const space::RealVector& p) const;
   std::optional<Answer> back(Which which, const space::RealVector& p) const;
   std::optional<Answer> larger(const space::RealVector& p) const;

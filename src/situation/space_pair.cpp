@@ -116,6 +116,7 @@ distance::Surfaced surfaced(const std::vector<SpaceShape>& shapes, std::int64_t 
   out.convex = shapes.size() == 1 && (only.surfaces ? only.convex : only.body->convex());
   const bool as_it_is = shapes.size() == 1 && (out.convex || !only.surfaces);
   out.outline = as_it_is ? std::make_shared<const Body>(space::at_scale(*only.body, scale)) : set->hull(scale);
+  if (as_it_is) out.parts = out.outline;
   return out;
 }
 

@@ -194,6 +194,12 @@ RealVector way_to(const Sheet& sheet, const RealVector& x) {
   return *best;
 }
 
+Vector nearest_place(const Sheet& sheet, int face, const Vector& x) {
+  const auto corner = [&](int k) { return triple(exact::shadow(sheet.body.corner(face, k)) - x); };
+  const DoubleTriple way = near::nearest_of_triangle(corner(0), corner(1), corner(2));
+  return plus(x, Vector{way[0], way[1], way[2]});
+}
+
 SurfaceGaps::SurfaceGaps(std::shared_ptr<const SurfaceSet> a, std::shared_ptr<const SurfaceSet> b)
     : a_(std::move(a)), b_(std::move(b)), overlaps_(a_->sheets().size() * b_->sheets().size()) {
   for (const SurfaceSet* set : {a_.get(), b_.get()}) {

@@ -82,5 +82,7 @@ class SurfaceGaps {
 RealVector way_to(const SurfaceSet::Sheet& sheet, const RealVector& x);
 /// The squared distance of x from the face, in doubles.
 double squared_distance(const SurfaceSet::Sheet& sheet, int face, const Vector& x);
+/// Its place nearest to x, in doubles.
+Vector nearest_place(const SurfaceSet::Sheet& sheet, int face, const Vector& x);
 
 }  // namespace findspace::space

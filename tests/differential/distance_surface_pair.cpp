@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "distance/solid_mu.h"
 #include "distance/surface_pair.h"
 #include "space/mesh.h"
 #include "unit/space_bodies.h"
@@ -83,7 +84,7 @@ Given of_body(space::Body body) {
   auto set = std::make_shared<space::SurfaceSet>();
   EXPECT_TRUE(set->add(body));
   auto made = shared(std::move(body));
-  return {{set, made, made->convex()}, made};
+  return {{set, made, made->convex(), made}, made};
 }
 
 Given drawn(std::mt19937& random, int kind) {
@@ -152,6 +153,46 @@ TEST(SurfacePair, Inside) {
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(told, 150);
+}
+
+/// Out of a mesh with dents, in which the farthest place may be.
+TEST(SurfacePair, SticksOut) {
+  std::mt19937 random(79);
+  const auto pick = [&] { return std::uniform_int_distribution<int>(-20, 20)(random); };
+  int corners = 0, told = 0;
+  for (int round = 0; round < 24; ++round) {
+    const bool of_stars = round % 3 > 0;
+    const Given a = of_mesh(of_stars ? star(random, 3, 9) : corner_room(14)),
+                b = drawn(random, of_stars ? 1 + round % 3 : 1);
+    const std::int64_t scale = std::lcm(a.body->scale, b.body->scale);
+    const SurfacePair surfaces(b.surfaced, a.surfaced);
+    const RealVector p = space::place(pick(), pick(), pick());
+    const auto found = surfaces.value(Which::kMu, p);
+    if (!found || found->value->value.sign() <= 0) continue;
+    const SolidValue wanted =
+        stick_out_of_union(at_scale(*b.body, scale), at_scale(*a.body, scale), space::scaled(Real(scale), p));
+    const double value = found->value->value.to_double(), one = 1 / double(scale);
+    ASSERT_NEAR(value, wanted.value.to_double() * one,
+                4 * (a.body->moved + b.body->moved) + found->value->error + wanted.error * one + 0x1p-30 * value)
+        << round;
+    ASSERT_LT(found->value->error, of_stars ? 0x1p-20 : 0x1p-6) << round;
+    ++told, corners += found->value->proven;
+  }
+  EXPECT_GT(told, 18);
+  EXPECT_GT(corners, 5);
+}
+
+/// The room in a cup is deepest in the middle of it, on no face of what fills the cup.
+TEST(SurfacePair, DeepestInside) {
+  const Given a = of_mesh(corner_room(20)), b = of_body(space::box_body({{{{5, 5, -7}, {16, 16, 7}}}}));
+  const SurfacePair pair(b.surfaced, a.surfaced);
+  const auto found = pair.value(Which::kMu, {});
+  ASSERT_TRUE(found && found->value);
+  EXPECT_EQ(found->value->value, Real(11));  // above both walls of the L, at a corner
+  space::Body ball;
+  ball.parts.push_back({std::nullopt, {8, 8, 0}, Real(2)});
+  const auto of_ball = SurfacePair(of_body(std::move(ball)).surfaced, a.surfaced).value(Which::kMu, {});
+  EXPECT_NEAR(of_ball->value->value.to_double(), 3.5 + std::sqrt(7) / 2, 0x1p-30);  // on the way between the walls
 }
 
 /// A dent that a corner fills exactly: they touch, and do not overlap.

@@ -68,6 +68,10 @@ TEST(LargeMesh, NeedsNoParts) {
   EXPECT_EQ(value(Kind::kEta1, within).sign(), -1);
   EXPECT_EQ(value(Kind::kEta1, within), value(Kind::kMu, within));
   EXPECT_EQ(value(Kind::kDstar, within, true), -value(Kind::kEta1, within));
+  EXPECT_GT(value(Kind::kMu, far), Real(600));  // a corner's
+  EXPECT_LT(value(Kind::kMu, far), Real(620));
+  EXPECT_EQ(value(Kind::kMu, across).sign(), 1);
+  EXPECT_EQ(value(Kind::kHausdorff, far), Real(3200));
   EXPECT_FALSE(solver.value(named(Kind::kDelta1), far));
   EXPECT_FALSE(solver.value(named(Kind::kDelta2), far));
   EXPECT_EQ(value(Kind::kMu, far, true), sqrt(Real(3200) * Real(3200)));
