@@ -128,7 +128,8 @@ SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid
   Distance d = moving_first(map.distance, world.moving);
   if (d.mode == Mode::kTurning || d.prefix != Extremum::kNone) refuse(map, "only translations are");
   const bool second = second_is_moving(d, world.moving);
-  const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 || d.kind == Kind::kMu;
+  const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 ||
+                     d.kind == Kind::kMu || (d.kind == Kind::kGamma2 && !is_directional(d));
   SurfaceRays result;
   if (known && !second && !grid.oblique && (!is_directional(d) || map.level.sign() == 0)) {
     const auto b = solids(world, d.first), a = solids(world, d.second);
@@ -263,12 +264,16 @@ bool found_by_search(const RayWorld& world, const SignMap& map, const RayGrid* g
   const bool second = second_is_moving(d, world.moving);
   const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
   if (d.kind == Kind::kGamma2) return false;
-  // Up to level 0 only round parts need a search, and surfaces may have no convex parts in reasonable time.
+  // Of polyhedra only how far one sticks out needs a search, and surfaces may have no convex parts in reasonable time.
+  const bool sticks_out = d.kind == Kind::kMu || d.kind == Kind::kH || d.kind == Kind::kHausdorff;
   const auto all_flat = [&](const std::vector<std::string>& names) {
     const auto all = solids(world, names);
     return all && std::none_of(all->begin(), all->end(), [](const RaySolid& s) { return s.ball(); });
   };
-  if (map.level.sign() <= 0 && all_flat(b) && all_flat(a)) return false;
+  const bool gap = map.level.sign() >= 0 && !is_directional(d) && (d.kind == Kind::kGamma1 || d.kind == Kind::kD1);
+  if (gap && solids(world, b) && solids(world, a)) return false;
+  const bool exact = map.level.sign() <= 0 || !(sticks_out || is_directional(d));
+  if (exact && all_flat(b) && all_flat(a)) return false;
   try {
     return searched(d, second, map.level, body(world, b), body(world, a),
                     grid != nullptr && is_directional(d) && runs_along(d, *grid));

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "space/contact_surface.h"
 #include "space/facet_rays.h"
+#include "space/piece_rays.h"
 #include "space/ray_ball.h"
 #include "space/ray_pair.h"
 
@@ -13,6 +15,7 @@ namespace findspace::situation {
 using exact::Real;
 using space::BallRays;
 using space::PairRays;
+using space::Point;
 using space::RayGrid;
 using space::RayRow;
 using space::RaySolid;
@@ -63,6 +66,40 @@ std::unique_ptr<RaySource> containment(const RaySolid& b, const RaySolid& a, con
                                     BallRays::Side::kComplement);
 }
 
+/// The corners of the surfaces, or the centre of a single ball; nothing of other balls.
+std::vector<Point> corners(const std::vector<RaySolid>& solids) {
+  if (solids.size() == 1 && solids[0].ball()) return {solids[0].center};
+  std::vector<Point> all;
+  for (const RaySolid& s : solids) {
+    if (s.ball()) return {};
+    for (const auto& face : s.surface.faces) {
+      for (const int v : face) all.push_back(s.surface.points[static_cast<std::size_t>(v)]);
+    }
+  }
+  return all;
+}
+
+/// The vertices of the hull of the differences.
+std::vector<Point> difference_corners(const std::vector<Point>& a, const std::vector<Point>& b) {
+  if (a.size() == 1 && b.size() == 1) return {a[0] - b[0]};
+  const auto surface = a.size() == 1   ? space::ContactSurface(a[0], space::Polytope::hull(b))
+                       : b.size() == 1 ? space::ContactSurface(space::Polytope::hull(a), b[0])
+                                       : space::ContactSurface(space::Polytope::hull(a), space::Polytope::hull(b));
+  return {surface.vertices().begin(), surface.vertices().end()};
+}
+
+/// The sign of gamma2 - level.
+std::unique_ptr<RaySource> farthest(const std::vector<RaySolid>& b, const std::vector<RaySolid>& a, const Real& level,
+                                    const RayGrid& grid) {
+  const std::vector<Point> of_a = corners(a), of_b = corners(b);
+  if (of_a.empty() || of_b.empty()) return nullptr;
+  const Real reach = level - a[0].radius - b[0].radius;
+  if (reach.sign() < 0) return space::constant_rays(grid, 1);
+  std::vector<space::LinePiece> balls;
+  for (const Point& v : difference_corners(of_a, of_b)) balls.push_back(space::ball_piece(space::real(v), reach));
+  return std::make_unique<space::PieceRays>(balls, 1, grid, space::PieceRays::Of::kIntersection);
+}
+
 RaySolid mirrored(RaySolid s) {
   s.surface = space::scaled(std::move(s.surface), -1);
   s.center = -s.center;
@@ -86,6 +123,10 @@ SurfaceRays surface_rays(distance::Which which, const std::vector<RaySolid>& b, 
   const auto add = [&](std::unique_ptr<RaySource> source) {
     if (source) result.sources.push_back(std::move(source));
   };
+  if (which == distance::Which::kGamma2) {
+    add(farthest(b, a, level, grid));
+    return result;
+  }
   const bool many = large(a, b);
   std::size_t wanted = 0;
   if (which == distance::Which::kGamma1) {

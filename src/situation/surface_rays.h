@@ -3,7 +3,8 @@
 //
 // Sign maps on rays of solids taken by their surfaces, without convex parts: gamma1 at level 0, above 0 of large ones
 // (space/facet_rays.h), and from 0 of a ball; eta1, mu and delta1 in a single solid at level 0, below 0 of large ones,
-// and up to 0 of a ball. Guarantee: exact on every line. Cost: one convolution a pair of solids.
+// and up to 0 of a ball; gamma2 of polyhedra, and of a single ball. Guarantee: exact on every line. Cost: one
+// convolution a pair of solids.
 #pragma once
 
 #include <vector>
@@ -22,7 +23,7 @@ struct SurfaceRays {
   space::RayRow row(int j) const;
 };
 
-/// `which` is kGamma1, kEta1, kMu or kDelta1; the level in grid steps.
+/// `which` is kGamma1, kGamma2, kEta1, kMu or kDelta1; the level in grid steps.
 SurfaceRays surface_rays(distance::Which which, const std::vector<space::RaySolid>& b,
                          const std::vector<space::RaySolid>& a, const exact::Real& level, const space::RayGrid& grid);
 
