@@ -15,6 +15,7 @@
 #include "situation/solve_space.h"
 #include "situation/surface_rays.h"
 #include "situation/text.h"
+#include "situation/touching_rays.h"
 #include "situation/which.h"
 #include "space/oblique_line.h"
 #include "space/shape_rays.h"
@@ -78,6 +79,13 @@ space::RaySourcePointer as_source(SurfaceRays rays) {
   });
 }
 
+space::RaySourcePointer by_touching(const RayWorld& world, const Distance& d, const std::vector<RaySolid>& b,
+                                    const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
+  const distance::Which base = which(d.kind, false);
+  return touching_rays(base, {b, [&] { return body(world, d.first); }}, {a, [&] { return body(world, d.second); }},
+                       level, grid, [&] { return as_source(surface_rays(base, b, a, Real(), grid)); });
+}
+
 /// Containment up to level 0 in a shape that has no convex parts, by those it is made of (room_parts.h); nothing where
 /// it is made of one.
 SurfaceRays in_room(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
@@ -131,9 +139,13 @@ SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid
   const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 ||
                      d.kind == Kind::kMu || (d.kind == Kind::kGamma2 && !is_directional(d));
   SurfaceRays result;
-  if (known && !second && !grid.oblique && (!is_directional(d) || map.level.sign() == 0)) {
+  if (!second && !grid.oblique && (!is_directional(d) || map.level.sign() == 0)) {
     const auto b = solids(world, d.first), a = solids(world, d.second);
-    if (b && a) result = surface_rays(which(d.kind, false), *b, *a, map.level / world.step, grid);
+    if (b && a && known) result = surface_rays(which(d.kind, false), *b, *a, map.level / world.step, grid);
+    if (b && a && result.sources.empty() && !is_directional(d)) {
+      if (auto source = by_touching(world, d, *b, *a, map.level / world.step, grid))
+        result.sources.push_back(std::move(source));
+    }
   }
   if (!result.sources.empty()) return result;
   if (is_directional(d) && runs_along(d, grid)) {

@@ -19,13 +19,13 @@ PieceRays::PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, c
   for (const LinePiece& p : pieces) pieces_.push_back(turned(p, scale));
   first_.assign(static_cast<std::size_t>(grid.nv) + 1, 0);
   for (const Piece& p : pieces_) {
-    for (int j = p.first_row; j <= p.last_row; ++j) ++first_[static_cast<std::size_t>(j) + 1];
+    for (int j = p.lines.first_row; j <= p.lines.last_row; ++j) ++first_[static_cast<std::size_t>(j) + 1];
   }
   for (int j = 0; j < grid.nv; ++j) first_[static_cast<std::size_t>(j) + 1] += first_[static_cast<std::size_t>(j)];
   of_row_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
-    for (int j = pieces_[k].first_row; j <= pieces_[k].last_row; ++j)
+    for (int j = pieces_[k].lines.first_row; j <= pieces_[k].lines.last_row; ++j)
       of_row_[next[static_cast<std::size_t>(j)]++] = static_cast<int>(k);
   }
 }
@@ -48,8 +48,34 @@ RayPosition PieceRays::position(const End& e, int i, int j) const {
   return at;
 }
 
+/// Whether a comes before b, by doubles alone.
+bool PieceRays::surely_before(const End& a, const End& b) { return b.value - a.value > (a.error + b.error) * 2; }
+
+/// Puts chains of stretches that surely overlap in their insides in the place of what lies surely inside them: then
+/// most ends that are the same place need not be compared, as where the slabs of two polygons meet within the cylinder
+/// about their common edge.
+void PieceRays::join_sure(std::vector<Stretch>& all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Stretch& a, const Stretch& b) { return a.low.value < b.low.value; });
+  std::vector<Stretch> chains;
+  for (const Stretch& s : all) {
+    if (!s.inside) continue;
+    if (chains.empty() || !surely_before(s.low, chains.back().high) || !surely_before(chains.back().low, s.high))
+      chains.push_back(s);
+    else if (s.high.value > chains.back().high.value)
+      chains.back().high = s.high;
+  }
+  std::size_t k = 0;
+  std::erase_if(all, [&](const Stretch& s) {
+    while (k + 1 < chains.size() && chains[k + 1].low.value <= s.low.value) ++k;
+    return !chains.empty() && surely_before(chains[k].low, s.low) && surely_before(s.high, chains[k].high);
+  });
+  all.insert(all.end(), chains.begin(), chains.end());
+}
+
 /// Disjoint, in order: of the closed stretches, or of the inner ones of those with an inside.
 std::vector<PieceRays::Stretch> PieceRays::united(std::vector<Stretch> all, bool open, int i, int j) const {
+  if (all.size() > 2) join_sure(all);
   if (open) std::erase_if(all, [](const Stretch& s) { return !s.inside; });
   if (!open) {
     for (Stretch& s : all) s.low.held = s.high.held = true;

@@ -27,7 +27,15 @@ class PieceRays : public RaySource, private RayRoots {
   const RayGrid& grid() const override { return grid_; }
   RayRow row(int j) const override;
 
+  /// Whether a line of the grid may meet the box, given in 1/scale grid steps.
+  static bool any_line(const RayGrid& grid, const Vector& low, const Vector& high, std::int64_t scale);
+
  private:
+  /// Columns and rows of lines.
+  struct Lines {
+    int first_column = 0, last_column = -1, first_row = 0, last_row = -1;
+    bool none() const { return last_column < first_column || last_row < first_row; }
+  };
   /// A piece for numbers of type T, turned so that the lines run along z, in parts of a grid step.
   template <class T>
   struct Turned {
@@ -41,7 +49,7 @@ class PieceRays : public RaySource, private RayRoots {
     std::vector<std::int8_t> rise;  // the sign of each plane's z
     std::vector<char> held;         // as of the LinePiece
     bool round = false, held_round = false, cylinder = false, upright = false;
-    int first_column = 0, last_column = -1, first_row = 0, last_row = -1;
+    Lines lines;
   };
   /// What a line meets of a piece. kTouch: no inner point.
   enum class Meets : std::int8_t { kNothing, kTouch, kInside, kUnsure };
@@ -76,6 +84,8 @@ class PieceRays : public RaySource, private RayRoots {
   static void meet_round(const Piece& piece, const Turned<T>& data, const T& x, const T& y, Span<T>& span);
   Span<exact::Real> meet_exactly(int piece, int i, int j) const;
   bool stretch(int piece, int i, int j, Stretch& out) const;
+  static bool surely_before(const End& a, const End& b);
+  static void join_sure(std::vector<Stretch>& all);
   int compare_ends(const End& a, const End& b, int i, int j) const;
   exact::Real root(int patch, int which, int i, int j) const override;
   RayPosition position(const End& e, int i, int j) const;
@@ -84,7 +94,7 @@ class PieceRays : public RaySource, private RayRoots {
   void put(const std::vector<Stretch>& stretches, int i, int j, RayRow& row) const;
 
   std::array<exact::Real, 3> components(const RealVector& v) const;
-  bool find_lines(const LinePiece& from, std::int64_t scale, Piece& piece) const;
+  static Lines find_lines(const RayGrid& grid, const Vector& low, const Vector& high, std::int64_t scale);
   Piece turned(const LinePiece& from, std::int64_t scale) const;
 
   RayGrid grid_;

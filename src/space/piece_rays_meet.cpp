@@ -48,30 +48,34 @@ std::array<Real, 3> PieceRays::components(const RealVector& v) const {
   return {v[(axis + 1) % 3], v[(axis + 2) % 3], v[axis]};
 }
 
-/// False if no line meets it.
-bool PieceRays::find_lines(const LinePiece& from, std::int64_t scale, Piece& piece) const {
-  if (grid_.oblique) {
-    if (!grid_.oblique->may_meet(from.low, from.high, static_cast<double>(scale))) return false;
-    piece.last_column = piece.last_row = 0;
-    return true;
-  }
-  const double parts = static_cast<double>(grid_.parts) / static_cast<double>(scale);
+PieceRays::Lines PieceRays::find_lines(const RayGrid& grid, const Vector& low, const Vector& high, std::int64_t scale) {
+  if (grid.oblique) return grid.oblique->may_meet(low, high, static_cast<double>(scale)) ? Lines{0, 0, 0, 0} : Lines{};
+  const double parts = static_cast<double>(grid.parts) / static_cast<double>(scale);
   const auto lines = [&](int axis, std::int64_t start, std::int64_t step, int count, int& first, int& last) {
     const auto at = [&](double c) {
       return std::clamp((c * parts - static_cast<double>(start)) / static_cast<double>(step), -1.0,
                         static_cast<double>(count));
     };
-    first = std::max(0, static_cast<int>(std::floor(at(component(from.low, axis)))));
-    last = std::min(count - 1, static_cast<int>(std::ceil(at(component(from.high, axis)))));
+    first = std::max(0, static_cast<int>(std::floor(at(component(low, axis)))));
+    last = std::min(count - 1, static_cast<int>(std::ceil(at(component(high, axis)))));
   };
-  lines((grid_.axis + 1) % 3, grid_.u, grid_.du, grid_.nu, piece.first_column, piece.last_column);
-  lines((grid_.axis + 2) % 3, grid_.v, grid_.dv, grid_.nv, piece.first_row, piece.last_row);
-  return piece.first_column <= piece.last_column && piece.first_row <= piece.last_row;
+  Lines out;
+  lines((grid.axis + 1) % 3, grid.u, grid.du, grid.nu, out.first_column, out.last_column);
+  lines((grid.axis + 2) % 3, grid.v, grid.dv, grid.nv, out.first_row, out.last_row);
+  return out;
+}
+
+bool PieceRays::any_line(const RayGrid& grid, const Vector& low, const Vector& high, std::int64_t scale) {
+  return !find_lines(grid, low, high, scale).none();
 }
 
 PieceRays::Piece PieceRays::turned(const LinePiece& from, std::int64_t scale) const {
   Piece piece;
-  if (!find_lines(from, scale, piece)) return piece;
+  piece.lines = find_lines(grid_, from.low, from.high, scale);
+  if (piece.lines.none()) {
+    piece.lines = {};
+    return piece;
+  }
   const RealVector origin = grid_.oblique ? scaled(Real(scale), grid_.oblique->origin) : RealVector{};
   const Real unit = Real::ratio(grid_.parts, scale);
   for (const HalfSpace& h : from.planes) {
@@ -193,7 +197,8 @@ PieceRays::Span<Real> PieceRays::meet_exactly(int piece, int i, int j) const {
 /// False if the line misses the piece.
 bool PieceRays::stretch(int piece, int i, int j, Stretch& out) const {
   const Piece& p = pieces_[static_cast<std::size_t>(piece)];
-  if (i < p.first_column || i > p.last_column || j < p.first_row || j > p.last_row) return false;
+  const Lines& lines = p.lines;
+  if (i < lines.first_column || i > lines.last_column || j < lines.first_row || j > lines.last_row) return false;
   const Approx x{static_cast<double>(grid_.u_at(i)), 0}, y{static_cast<double>(grid_.v_at(j)), 0};
   Span<Approx> span = meet<Approx>(p, p.near, x, y);
   if (span.meets == Meets::kUnsure) {

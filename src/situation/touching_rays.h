@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sign maps on rays of two polyhedra of many faces from the positions at which they touch (space/touch_rays.h): gamma1
+// below 0, eta1 and delta1 above 0, eta2 and delta2. Only the solid of fewer faces, of delta and eta the one inside, is
+// cut into convex parts. Guarantee: exact on every line. Cost: as there.
+#pragma once
+
+#include <functional>
+
+#include "distance/shape_pair.h"
+#include "space/body.h"
+#include "space/ray_solids.h"
+#include "space/ray_sources.h"
+
+namespace findspace::situation {
+
+struct TouchingSolid {
+  const std::vector<space::RaySolid>& solids;
+  std::function<space::Body()> body;
+};
+
+/// `zero`: makes the sign map of gamma1, eta1 or delta1 at level 0. The level in grid steps. Null where this does not
+/// answer or is not the quick way.
+space::RaySourcePointer touching_rays(distance::Which which, const TouchingSolid& b, const TouchingSolid& a,
+                                      const exact::Real& level, const space::RayGrid& grid,
+                                      const std::function<space::RaySourcePointer()>& zero);
+
+}  // namespace findspace::situation

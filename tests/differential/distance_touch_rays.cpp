@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Depths, how far a shape is from fitting and the farthest fit from the positions at which solids touch
+// (space/touch_rays.h) against those from the convex parts of both (ray_signs.h): the same sign everywhere on every
+// line, in general position and along walls and edges, in slits and exact fits.
+#include <gtest/gtest.h>
+
+#include "differential/space_voxels.h"
+#include "distance/ray_signs.h"
+#include "space/ray_pair.h"
+#include "space/touch_rays.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+using space::Cells;
+using space::LinearMap;
+using space::PairRays;
+using space::RayGrid;
+using space::RayRow;
+using space::RaySourcePointer;
+using space::TouchPair;
+using space::TouchSide;
+
+space::Body body_of(const Cells& cells, const LinearMap& map) {
+  space::Body b;
+  for (const space::Polytope& p : space::parts_of(cells, map)) b.parts.push_back({p, {}, Real()});
+  return b;
+}
+
+/// A solid by its surface and by its parts.
+struct Both {
+  Both(const Cells& cells, const LinearMap& map)
+      : surface(space::surface(cells, map)), parts(space::parts_of(cells, map)), body(body_of(cells, map)) {}
+  space::Triangles surface;
+  std::vector<space::Polytope> parts;
+  space::Body body;
+};
+
+struct Counts {
+  int events = 0, differences = 0, inside = 0;
+};
+
+void compare(const space::RaySource& p, const space::RaySource& q, Counts& counts) {
+  for (int j = 0; j < p.grid().nv; ++j) {
+    const RayRow rows[2] = {p.row(j), q.row(j)};
+    counts.events += static_cast<int>(rows[0].events.size());
+    for (const space::RayEvent& e : rows[0].events) counts.inside += e.here < 0 || e.after < 0;
+    const RayRow same = space::combined(rows, [](std::span<const std::int8_t> s) { return std::int8_t(s[0] != s[1]); });
+    for (const std::int8_t before : same.before) counts.differences += before;
+    counts.differences += static_cast<int>(same.events.size());
+  }
+}
+
+/// gamma1 at -level, eta1 at the level, eta2 at ten times the level.
+void compare(const Both& a, const Both& b, const Real& level, const RayGrid& grid, Counts& depths, Counts& fits,
+             Counts& farthest) {
+  std::vector<RaySourcePointer> both;
+  both.push_back(std::make_unique<PairRays>(a.surface, b.surface, grid));
+  both.push_back(near_touching({a.surface, b.parts, TouchSide::kOutside, 1}, level, grid));
+  const RaySourcePointer depth = space::combined_rays(
+      std::move(both), [](std::span<const std::int8_t> s) { return std::int8_t(s[0] < 0 ? -s[1] : 1); });
+  compare(*ray_sign_map(Which::kGamma1, -level, b.body, a.body, grid), *depth, depths);
+  both.clear();
+  const TouchPair inside{a.surface, b.parts, TouchSide::kInside, 1};
+  both.push_back(std::make_unique<PairRays>(a.surface, b.surface, grid, PairRays::Side::kComplement));
+  both.push_back(near_touching(inside, level, grid));
+  const RaySourcePointer fit = space::combined_rays(
+      std::move(both), [](std::span<const std::int8_t> s) { return s[0] <= 0 ? std::int8_t{-1} : s[1]; });
+  compare(*ray_sign_map(Which::kEta1, level, b.body, a.body, grid), *fit, fits);
+  compare(*ray_sign_map(Which::kEta2, level * Real(10), b.body, a.body, grid),
+          *all_touching_near(inside, level * Real(10), grid), farthest);
+}
+
+const LinearMap kSkew{{{100, 17, 3}, {-9, 90, 11}, {5, -13, 120}}}, kTilt{{{50, 3, -8}, {7, 40, 9}, {-5, 2, 60}}};
+
+TEST(TouchRays, BracketsOnALattice) {
+  Counts depths, fits, farthest;
+  const Both u(space::extruded({"#.#", "###"}, 2), space::stretch(10)),
+      cube(space::extruded({"#"}, 1), space::stretch(10)), bracket(space::extruded({"##", "#."}, 1), space::stretch(5)),
+      room(space::around(space::extruded({"##", "#."}, 2), 1), space::stretch(10));
+  for (const Real& level : {Real(5), Real::ratio(7, 2)}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const RayGrid walls{axis, 1, -20, -20, 5, 5, 10, 10}, between{axis, 3, -61, -59, 23, 17, 9, 12};
+      for (const RayGrid& grid : {walls, between}) {
+        compare(u, cube, level, grid, depths, fits, farthest);  // the cube just fits into the slot
+        compare(u, bracket, level, grid, depths, fits, farthest);
+        compare(room, cube, level, grid, depths, fits, farthest);  // and just into the room
+        compare(room, bracket, level, grid, depths, fits, farthest);
+      }
+    }
+  }
+  for (const Counts& counts : {depths, fits, farthest}) {
+    EXPECT_EQ(counts.differences, 0);
+    EXPECT_GT(counts.events, 500);
+    EXPECT_GT(counts.inside, 200);
+  }
+}
+
+TEST(TouchRays, RandomSolidsInGeneralPosition) {
+  std::mt19937 random(8);
+  Counts depths, fits, farthest;
+  for (int k = 0; k < 3; ++k) {
+    const Both a(space::random_cells(random, 5, 3), kSkew), b(space::random_cells(random, 3, 2), kTilt),
+        room(space::around(space::random_cells(random, 5, 3), 1), kSkew);
+    const RayGrid grid{k % 3, 1, -100, -120, 67, 53, 6, 7};
+    compare(a, b, Real(9 + 7 * k), grid, depths, fits, farthest);
+    compare(room, b, Real(5 + 6 * k), grid, depths, fits, farthest);
+  }
+  EXPECT_EQ(depths.differences + fits.differences + farthest.differences, 0);
+  EXPECT_GT(depths.events, 300);
+  EXPECT_GT(fits.events, 20);
+}
+
+}  // namespace
+}  // namespace findspace::distance
