@@ -5,18 +5,26 @@
 #include <algorithm>
 #include <limits>
 
+#include "plane/parallel.h"
+
 namespace findspace::space {
 namespace {
 
 using exact::Real;
 
+/// The units of parallel work.
+constexpr std::size_t kBlock = 64;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 PieceRays::PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, const RayGrid& grid, Of of)
     : grid_(grid), of_(of) {
-  for (const LinePiece& p : pieces) pieces_.push_back(turned(p, scale));
+  pieces_.resize(pieces.size());
+  plane::parallel_for((pieces.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+    for (std::size_t k = block * kBlock; k < std::min(pieces.size(), (block + 1) * kBlock); ++k)
+      pieces_[k] = turned(pieces[k], scale);
+  });
   first_.assign(static_cast<std::size_t>(grid.nv) + 1, 0);
   for (const Piece& p : pieces_) {
     for (int j = p.lines.first_row; j <= p.lines.last_row; ++j) ++first_[static_cast<std::size_t>(j) + 1];

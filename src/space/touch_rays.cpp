@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "plane/parallel.h"
 #include "space/piece_rays.h"
 
 namespace findspace::space {
@@ -15,6 +16,9 @@ namespace {
 
 using exact::Real;
 using Key = std::array<double, 3>;
+
+/// The units of parallel work.
+constexpr std::size_t kBlock = 64;
 
 Key key(const Vector& v) { return {v.x, v.y, v.z}; }
 
@@ -38,16 +42,37 @@ class Seen {
   std::map<std::pair<Key, Key>, std::vector<std::pair<RealVector, RealVector>>> known_;
 };
 
-void add_pieces(const FlatPiece& piece, const Real& radius, Seen& seen, std::vector<LinePiece>& out) {
-  const std::size_t n = piece.corners.size();
-  std::vector<RealVector> ring;
-  for (std::size_t k = 0; k < n; ++k) {
-    const FlatPiece::Corner &a = piece.corners[k], &b = piece.corners[(k + 1) % n];
-    ring.push_back(a.at);
-    if (seen.add(a)) out.push_back(ball_piece(a.at, radius));
-    if (n > 1 && seen.add(a, b)) out.push_back(cylinder_piece(a.at, b.at, radius));
+/// The ball about a corner, the cylinder about the edge that follows, or the slab about all.
+struct About {
+  enum class Form { kBall, kCylinder, kSlab } form;
+  const FlatPiece* piece;
+  std::size_t corner = 0;
+
+  LinePiece made(const Real& radius) const {
+    const auto& corners = piece->corners;
+    const RealVector &at = corners[corner].at, &next = corners[(corner + 1) % corners.size()].at;
+    if (form == Form::kBall) return ball_piece(at, radius);
+    if (form == Form::kCylinder) return cylinder_piece(at, next, radius);
+    std::vector<RealVector> ring;
+    for (const FlatPiece::Corner& c : corners) ring.push_back(c.at);
+    return slab_piece(ring, piece->plane->normal, radius);
   }
-  if (n > 2) out.push_back(slab_piece(ring, piece.plane->normal, radius));
+};
+
+/// Each once.
+std::vector<About> about(const std::vector<FlatPiece>& pieces) {
+  Seen seen;
+  std::vector<About> out;
+  for (const FlatPiece& piece : pieces) {
+    const std::size_t n = piece.corners.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const FlatPiece::Corner &a = piece.corners[k], &b = piece.corners[(k + 1) % n];
+      if (seen.add(a)) out.push_back({About::Form::kBall, &piece, k});
+      if (n > 1 && seen.add(a, b)) out.push_back({About::Form::kCylinder, &piece, k});
+    }
+    if (n > 2) out.push_back({About::Form::kSlab, &piece});
+  }
+  return out;
 }
 
 /// Without the corners that are clearly no vertices of the hull.
@@ -91,9 +116,12 @@ RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const R
     return PieceRays::any_line(grid, low - by, plus(high, by), pair.scale);
   };
   const TouchFrontier frontier = touch_frontier(pair.fixed, pair.moving, pair.side, wanted);
-  Seen seen;
-  std::vector<LinePiece> pieces;
-  for (const FlatPiece& piece : frontier.pieces) add_pieces(piece, radius, seen, pieces);
+  const std::vector<About> all = about(frontier.pieces);
+  std::vector<LinePiece> pieces(all.size());
+  plane::parallel_for((all.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+    for (std::size_t k = block * kBlock; k < std::min(all.size(), (block + 1) * kBlock); ++k)
+      pieces[k] = all[k].made(radius);
+  });
   return std::make_unique<PieceRays>(pieces, pair.scale, grid);
 }
 
