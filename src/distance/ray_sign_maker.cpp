@@ -37,6 +37,13 @@ std::vector<HalfSpace> shifted(std::vector<HalfSpace> planes, const Real& inward
   return planes;
 }
 
+/// To a convex set a body has the distance of its hull. Without radii.
+BodyPart hull_of(const Body& body) {
+  std::vector<space::Point> points;
+  for (const BodyPart& part : body.parts) points.insert(points.end(), part.vertices().begin(), part.vertices().end());
+  return space::part_of(points, Real());
+}
+
 }  // namespace
 
 Source RaySignMaker::cover(const RayCover& cover, const Real& level) const {
@@ -217,6 +224,7 @@ Source RaySignMaker::vertices_near(const Real& level) const {
 
 Source RaySignMaker::mu(const Real& level) const {
   if (a_.convex()) {
+    if (b_.parts.size() > 1 && !b_.round()) return mu_of_vertices(hull_of(b_), level);
     std::vector<Source> all;
     for (const BodyPart& part : b_.parts) all.push_back(mu_of_vertices(part, level));
     return space::greatest_rays(std::move(all));

@@ -16,15 +16,6 @@ using space::Body;
 using space::RayGrid;
 using Source = space::RaySourcePointer;
 
-/// max(0, f) or max(0, -f) at a level that is not negative, from the map of f at that level (or its negative).
-Source cut_off(Source source, bool negated, const Real& level) {
-  const bool above = level.sign() > 0;
-  return space::mapped_rays(std::move(source), [=](int s) {
-    const int side = negated ? -s : s;
-    return above ? side : side > 0 ? 1 : 0;
-  });
-}
-
 /// Of mu(B, A), or of eta1 where nothing has room.
 bool searched(const Real& level, const Body& a, bool mu) {
   return !a.convex() && !a.outside && (level.sign() == 0 ? a.round() : mu && level.sign() > 0);
@@ -102,17 +93,18 @@ Source ray_sign_map(Which which, const Real& level, const Body& b, const Body& a
       return space::greatest_rays(std::move(both));
     }
     case Which::kD1:
-      return cut_off(forth.gamma1(level), false, level);
+      return space::cut_off_rays(forth.gamma1(level), false, level);
     case Which::kH:
-      return cut_off(forth.mu(level), false, level);
+      return space::cut_off_rays(forth.mu(level), false, level);
     case Which::kHBack:
-      return a.outside ? plus() : cut_off(back.mu(level), false, level);
+      return a.outside ? plus() : space::cut_off_rays(back.mu(level), false, level);
     case Which::kDstar:
-      return a.outside ? space::constant_rays(grid, -level.sign()) : cut_off(back.eta1(-level), true, level);
+      return a.outside ? space::constant_rays(grid, -level.sign())
+                       : space::cut_off_rays(back.eta1(-level), true, level);
     case Which::kDstarBack:
-      return cut_off(forth.eta1(-level), true, level);
+      return space::cut_off_rays(forth.eta1(-level), true, level);
     case Which::kPenetration:
-      return cut_off(forth.gamma1(-level), true, level);
+      return space::cut_off_rays(forth.gamma1(-level), true, level);
     case Which::kDiameter: {
       if (a.outside) return plus();
       const Real own = std::max(diameter(a), diameter(b));

@@ -12,10 +12,9 @@
 #include "distance/ray_signs.h"
 #include "situation/evaluate.h"
 #include "situation/room_parts.h"
+#include "situation/solid_rays.h"
 #include "situation/solve_space.h"
-#include "situation/surface_rays.h"
 #include "situation/text.h"
-#include "situation/touching_rays.h"
 #include "situation/which.h"
 #include "space/oblique_line.h"
 #include "space/shape_rays.h"
@@ -72,20 +71,6 @@ space::RaySourcePointer by_parts(const RayWorld& world, const SignMap& map, cons
 
 SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid);
 
-space::RaySourcePointer as_source(SurfaceRays rays) {
-  if (rays.sources.size() == 1) return std::move(rays.sources[0]);
-  return space::combined_rays(std::move(rays.sources), [least = rays.least](std::span<const std::int8_t> s) {
-    return least ? *std::min_element(s.begin(), s.end()) : *std::max_element(s.begin(), s.end());
-  });
-}
-
-space::RaySourcePointer by_touching(const RayWorld& world, const Distance& d, const std::vector<RaySolid>& b,
-                                    const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
-  const distance::Which base = which(d.kind, false);
-  return touching_rays(base, {b, [&] { return body(world, d.first); }}, {a, [&] { return body(world, d.second); }},
-                       level, grid, [&] { return as_source(surface_rays(base, b, a, Real(), grid)); });
-}
-
 /// Containment up to level 0 in a shape that has no convex parts, by those it is made of (room_parts.h); nothing where
 /// it is made of one.
 SurfaceRays in_room(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
@@ -136,16 +121,13 @@ SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid
   Distance d = moving_first(map.distance, world.moving);
   if (d.mode == Mode::kTurning || d.prefix != Extremum::kNone) refuse(map, "only translations are");
   const bool second = second_is_moving(d, world.moving);
-  const bool known = d.kind == Kind::kGamma1 || d.kind == Kind::kEta1 || d.kind == Kind::kDelta1 ||
-                     d.kind == Kind::kMu || (d.kind == Kind::kGamma2 && !is_directional(d));
   SurfaceRays result;
-  if (!second && !grid.oblique && (!is_directional(d) || map.level.sign() == 0)) {
-    const auto b = solids(world, d.first), a = solids(world, d.second);
-    if (b && a && known) result = surface_rays(which(d.kind, false), *b, *a, map.level / world.step, grid);
-    if (b && a && result.sources.empty() && !is_directional(d)) {
-      if (auto source = by_touching(world, d, *b, *a, map.level / world.step, grid))
-        result.sources.push_back(std::move(source));
-    }
+  if (!grid.oblique && (!is_directional(d) || (map.level.sign() == 0 && nearest_kind(d.kind) == d.kind))) {
+    const std::vector<std::string>&moving = second ? d.second : d.first, &fixed = second ? d.first : d.second;
+    const auto b = solids(world, moving), a = solids(world, fixed);
+    if (b && a)
+      result = solid_rays(which(d.kind, second), {*b, [&] { return body(world, moving); }},
+                          {*a, [&] { return body(world, fixed); }}, map.level / world.step, grid);
   }
   if (!result.sources.empty()) return result;
   if (is_directional(d) && runs_along(d, grid)) {
@@ -276,16 +258,10 @@ bool found_by_search(const RayWorld& world, const SignMap& map, const RayGrid* g
   const bool second = second_is_moving(d, world.moving);
   const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
   if (d.kind == Kind::kGamma2) return false;
-  // Of polyhedra only how far one sticks out needs a search, and surfaces may have no convex parts in reasonable time.
-  const bool sticks_out = d.kind == Kind::kMu || d.kind == Kind::kH || d.kind == Kind::kHausdorff;
-  const auto all_flat = [&](const std::vector<std::string>& names) {
-    const auto all = solids(world, names);
-    return all && std::none_of(all->begin(), all->end(), [](const RaySolid& s) { return s.ball(); });
-  };
-  const bool gap = map.level.sign() >= 0 && !is_directional(d) && (d.kind == Kind::kGamma1 || d.kind == Kind::kD1);
-  if (gap && solids(world, b) && solids(world, a)) return false;
-  const bool exact = map.level.sign() <= 0 || !(sticks_out || is_directional(d));
-  if (exact && all_flat(b) && all_flat(a)) return false;
+  const auto of_b = solids(world, b), of_a = solids(world, a);
+  if (of_b && of_a && (!is_directional(d) || map.level.sign() <= 0)) {
+    if (const auto known = found_by_search(which(d.kind, second), *of_b, *of_a, map.level)) return *known;
+  }
   try {
     return searched(d, second, map.level, body(world, b), body(world, a),
                     grid != nullptr && is_directional(d) && runs_along(d, *grid));

@@ -15,9 +15,10 @@
 
 namespace findspace::situation {
 
+/// The union of solids.
 struct TouchingSolid {
   const std::vector<space::RaySolid>& solids;
-  std::function<space::Body()> body;
+  std::function<space::Body()> body;  // makes its convex parts
 };
 
 /// `zero`: makes the sign map of gamma1, eta1 or delta1 at level 0. The level in grid steps. Null where this does not

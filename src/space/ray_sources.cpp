@@ -62,4 +62,12 @@ RaySourcePointer greatest_rays(std::vector<RaySourcePointer> sources) {
   return combined_rays(std::move(sources), [](Signs s) { return *std::max_element(s.begin(), s.end()); });
 }
 
+RaySourcePointer cut_off_rays(RaySourcePointer source, bool negated, const exact::Real& level) {
+  const bool above = level.sign() > 0;
+  return mapped_rays(std::move(source), [=](int s) {
+    const int side = negated ? -s : s;
+    return above ? side : side > 0 ? 1 : 0;
+  });
+}
+
 }  // namespace findspace::space

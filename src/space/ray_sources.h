@@ -23,5 +23,7 @@ RaySourcePointer combined_rays(std::vector<RaySourcePointer> sources,
 RaySourcePointer mapped_rays(RaySourcePointer source, std::function<int(int)> to);
 RaySourcePointer negated_rays(RaySourcePointer source);
 RaySourcePointer greatest_rays(std::vector<RaySourcePointer> sources);
+/// max(0, f) or max(0, -f) less a level that is not negative, from f less the level (or less its negative).
+RaySourcePointer cut_off_rays(RaySourcePointer source, bool negated, const exact::Real& level);
 
 }  // namespace findspace::space

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "situation/solid_rays.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "distance/ray_signs.h"
+
+namespace findspace::situation {
+
+using distance::Which;
+using exact::Real;
+using space::RayGrid;
+using space::RaySolid;
+using Source = space::RaySourcePointer;
+
+namespace {
+
+/// max(0, f), or max(0, -f) if negated.
+struct CutOff {
+  Which which;
+  bool negated;
+};
+
+std::optional<CutOff> cut_off(Which which) {
+  switch (which) {
+    case Which::kD1:
+      return CutOff{Which::kGamma1, false};
+    case Which::kPenetration:
+      return CutOff{Which::kGamma1, true};
+    case Which::kH:
+      return CutOff{Which::kMu, false};
+    case Which::kHBack:
+      return CutOff{Which::kMuBack, false};
+    case Which::kDstarBack:
+      return CutOff{Which::kEta1, true};
+    case Which::kDstar:
+      return CutOff{Which::kDelta1, true};
+    default:
+      return std::nullopt;
+  }
+}
+
+SurfaceRays one(Source source) {
+  SurfaceRays rays;
+  if (source) rays.sources.push_back(std::move(source));
+  return rays;
+}
+
+bool is_convex(const std::vector<RaySolid>& solids) {
+  if (solids.size() != 1 || solids[0].ball()) return false;
+  const space::RayBody body(solids[0].surface);
+  return body.pieces == 1 && body.euler() == 1 &&
+         std::all_of(body.edges.begin(), body.edges.end(), [](const space::RayEdge& e) { return e.bend >= 0; });
+}
+
+/// The hull; nothing where there are balls.
+std::optional<space::Body> hull(const std::vector<RaySolid>& solids) {
+  std::vector<space::Point> points;
+  for (const RaySolid& s : solids) {
+    if (s.ball()) return std::nullopt;
+    for (const auto& face : s.surface.faces) {
+      for (const int v : face) points.push_back(s.surface.points[static_cast<std::size_t>(v)]);
+    }
+  }
+  space::Body body;
+  body.parts.push_back(space::part_of(points, Real()));
+  return body;
+}
+
+/// How far one sticks out of a convex one by more than 0: as far as its hull does.
+Source stick_out_of_convex(Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
+                           const Real& level, const RayGrid& grid) {
+  if (!is_convex(which == Which::kMu ? a : b)) return nullptr;
+  const auto of_b = hull(b), of_a = hull(a);
+  return of_a && of_b ? distance::ray_sign_map(which, level, *of_b, *of_a, grid) : nullptr;
+}
+
+SurfaceRays hausdorff(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
+  SurfaceRays rays;
+  rays.least = false;
+  for (const Which way : {Which::kMu, Which::kMuBack}) {
+    SurfaceRays some = solid_rays(way, b, a, level, grid);
+    if (some.sources.empty()) return {};
+    rays.sources.push_back(as_source(std::move(some)));
+  }
+  return rays;
+}
+
+}  // namespace
+
+SurfaceRays solid_rays(Which which, const TouchingSolid& b, const TouchingSolid& a, const Real& level,
+                       const RayGrid& grid) {
+  if (const auto base = cut_off(which)) {
+    if (level.sign() < 0) return one(space::constant_rays(grid, 1));
+    SurfaceRays rays = solid_rays(base->which, b, a, base->negated ? -level : level, grid);
+    if (rays.sources.empty()) return rays;
+    return one(space::cut_off_rays(as_source(std::move(rays)), base->negated, level));
+  }
+  if (which == Which::kHausdorff) return hausdorff(b, a, level, grid);
+  if (which == Which::kDiameter) return {};
+  const bool sticks_out = which == Which::kMu || which == Which::kMuBack;
+  if (sticks_out && level.sign() > 0) return one(stick_out_of_convex(which, b.solids, a.solids, level, grid));
+  if (which == Which::kMuBack) which = Which::kDelta1;
+  SurfaceRays rays;
+  if (which != Which::kEta2 && which != Which::kDelta2) rays = surface_rays(which, b.solids, a.solids, level, grid);
+  if (!rays.sources.empty()) return rays;
+  return one(touching_rays(which, b, a, level, grid,
+                           [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
+}
+
+std::optional<bool> found_by_search(Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
+                                    const Real& level) {
+  const auto flat = [](const std::vector<RaySolid>& all) {
+    return std::none_of(all.begin(), all.end(), [](const RaySolid& s) { return s.ball(); });
+  };
+  if (level.sign() >= 0 && (which == Which::kGamma1 || which == Which::kD1)) return false;
+  if (!flat(b) || !flat(a)) return std::nullopt;
+  if (level.sign() <= 0) return false;
+  const bool forth = which == Which::kMu || which == Which::kH || which == Which::kHausdorff,
+             back = which == Which::kMuBack || which == Which::kHBack || which == Which::kHausdorff;
+  return (forth && !is_convex(a)) || (back && !is_convex(b));
+}
+
+Source as_source(SurfaceRays rays) {
+  if (rays.sources.size() == 1) return std::move(rays.sources[0]);
+  return space::combined_rays(std::move(rays.sources), [least = rays.least](std::span<const std::int8_t> s) {
+    return least ? *std::min_element(s.begin(), s.end()) : *std::max_element(s.begin(), s.end());
+  });
+}
+
+}  // namespace findspace::situation
