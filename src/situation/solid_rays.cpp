@@ -48,12 +48,7 @@ SurfaceRays one(Source source) {
   return rays;
 }
 
-bool is_convex(const std::vector<RaySolid>& solids) {
-  if (solids.size() != 1 || solids[0].ball()) return false;
-  const space::RayBody body(solids[0].surface);
-  return body.pieces == 1 && body.euler() == 1 &&
-         std::all_of(body.edges.begin(), body.edges.end(), [](const space::RayEdge& e) { return e.bend >= 0; });
-}
+bool convex(const std::vector<RaySolid>& solids) { return solids.size() == 1 && space::is_convex(solids[0]); }
 
 /// The hull; nothing where there are balls.
 std::optional<space::Body> hull(const std::vector<RaySolid>& solids) {
@@ -72,7 +67,7 @@ std::optional<space::Body> hull(const std::vector<RaySolid>& solids) {
 /// How far one sticks out of a convex one by more than 0: as far as its hull does.
 Source stick_out_of_convex(Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
                            const Real& level, const RayGrid& grid) {
-  if (!is_convex(which == Which::kMu ? a : b)) return nullptr;
+  if (!convex(which == Which::kMu ? a : b)) return nullptr;
   const auto of_b = hull(b), of_a = hull(a);
   return of_a && of_b ? distance::ray_sign_map(which, level, *of_b, *of_a, grid) : nullptr;
 }
@@ -120,7 +115,7 @@ std::optional<bool> found_by_search(Which which, const std::vector<RaySolid>& b,
   if (level.sign() <= 0) return false;
   const bool forth = which == Which::kMu || which == Which::kH || which == Which::kHausdorff,
              back = which == Which::kMuBack || which == Which::kHBack || which == Which::kHausdorff;
-  return (forth && !is_convex(a)) || (back && !is_convex(b));
+  return (forth && !convex(a)) || (back && !convex(b));
 }
 
 Source as_source(SurfaceRays rays) {

@@ -21,7 +21,7 @@ using Signs = std::span<const std::int8_t>;
 
 namespace {
 
-/// Pairs of triangles up to which the convex parts of both are quicker.
+/// Pairs of triangles up to which the convex parts of both are quicker; so is a convex one.
 constexpr std::size_t kFewPairs = 1500;
 /// Sets of a triangle and a convex part, at most.
 constexpr std::size_t kMostSets = 100000;
@@ -66,6 +66,7 @@ Source touching_rays(Which which, const TouchingSolid& b, const TouchingSolid& a
   // A meets B + p where -B meets -A + p; A lies in B + p where -A + p lies in -B.
   const bool back = depth ? of_a < of_b : cover;
   const TouchingSolid &fixed = back ? b : a, &moving = back ? a : b;
+  if (space::is_convex(fixed.solids[0])) return nullptr;
   const TouchSide side = depth ? TouchSide::kOutside : TouchSide::kInside;
   const auto pair = pair_of(fixed.solids[0].surface, moving, side, back);
   if (!pair) return nullptr;

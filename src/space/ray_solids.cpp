@@ -137,4 +137,11 @@ void extend_box(const std::vector<RaySolid>& solids, Point& low, Point& high, bo
   }
 }
 
+bool is_convex(const RaySolid& solid) {
+  if (solid.ball()) return false;
+  const RayBody body(solid.surface);
+  return body.pieces == 1 && body.euler() == 1 &&
+         std::all_of(body.edges.begin(), body.edges.end(), [](const RayEdge& e) { return e.bend >= 0; });
+}
+
 }  // namespace findspace::space

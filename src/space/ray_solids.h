@@ -20,6 +20,9 @@ struct RaySolid {
   bool ball() const { return surface.faces.empty(); }
 };
 
+/// A surface, of one piece without holes, with no edge bent inward.
+bool is_convex(const RaySolid& solid);
+
 /// Throws Error(kUnsupported) for other nodes.
 std::vector<RaySolid> ray_solids(const plane::Shape& shape);
 
