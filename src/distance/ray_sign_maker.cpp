@@ -232,7 +232,7 @@ Source RaySignMaker::mu(const Real& level) const {
   if (level.sign() < 0 || (level.sign() == 0 && (a_.outside || !a_.round()))) return eta1(level);
   if (by_values(Which::kMu, level, b_, a_)) return values(Which::kMu, level);
   return std::make_unique<StickOutRays>(
-      b_, a_, level, [&](const Real& l) { return vertices_near(l); }, grid_);
+      b_, field_of_parts(a_), level, [&](const Real& l) { return vertices_near(l); }, grid_);
 }
 
 Source RaySignMaker::gamma2(const Real& level) const {

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/convex_distance.h"
 #include "distance/ray_place.h"
-#include "distance/solid_mu.h"
 #include "space/oblique_line.h"
 
 namespace findspace::distance {
@@ -26,14 +24,10 @@ using space::Vector;
 
 /// Of the bodies' size: points of B are found to this, and distances.
 constexpr double kBlur = 0x1p-44;
-/// Of the bodies' size: what rounding may do to a distance.
-constexpr double kNoise = 0x1p-46;
 /// What the point found may lack of how far B sticks out. The nearer it is, the fewer cuts until an end.
 constexpr double kShare = 0x1p-10;
 /// Stretches that a line is cut into, at most; kCertain is reached long before.
 constexpr int kMostCuts = 4000;
-/// To the end of a cut; a shorter cut is as good.
-constexpr int kMostSteps = 60;
 
 double size_of(const Body& body) {
   const space::Bounds3 box = bounds(body);
@@ -56,9 +50,9 @@ bool clip(const Planes& planes, const Vector& x, const Vector& unit, double& fro
 
 }  // namespace
 
-StickOutRays::StickOutRays(const Body& b, const Body& a, const Real& level, const Vertices& vertices,
+StickOutRays::StickOutRays(const Body& b, std::unique_ptr<StickOutField> a, const Real& level, const Vertices& vertices,
                            const RayGrid& grid)
-    : grid_(grid), unit_(static_cast<double>(b.scale) / static_cast<double>(grid.parts)) {
+    : grid_(grid), field_(std::move(a)), unit_(static_cast<double>(b.scale) / static_cast<double>(grid.parts)) {
   for (const BodyPart& part : b.parts) {
     if (part.point() && part.radius.sign() == 0) continue;  // a point is its vertex
     Part& made = parts_.emplace_back();
@@ -77,9 +71,8 @@ StickOutRays::StickOutRays(const Body& b, const Body& a, const Real& level, cons
       }
     }
   }
-  nearest_ = distances_to_parts(a);
   const double reach = level.to_double();
-  size_ = size_of(a) + size_of(b) + std::fabs(reach);
+  size_ = field_->size() + size_of(b) + std::fabs(reach);
   const Real shift = Real::from_double(size_ * kCertain);
   sides_[0] = {vertices(level), reach + size_ * kBlur, reach + size_ * kCertain};
   sides_[1] = {vertices(level - shift), reach - size_ * kCertain, reach - size_ * kCertain / 2};
@@ -160,34 +153,11 @@ StickOutRays::Stretch StickOutRays::chord(const Line& line, const Vector& x, con
   return best;
 }
 
-/// How far a line runs until a convex function, positive at 0, is no longer so: a secant through places before lies
-/// below it beyond, so its zero comes no later.
-double StickOutRays::run(const std::function<double(double)>& f) const {
-  const double farthest = 4 * size_;
-  double before = -size_ * 0x1p-10, at = 0;
-  double value_before = f(before), value = f(at);
-  for (int count = 0; count < kMostSteps && value > size_ * kNoise; ++count) {
-    // With room for rounding, so that steps are rather too short.
-    const double slope = (value - value_before - size_ * kNoise) / (at - before);
-    if (slope >= 0 || value > -slope * (farthest - at)) return farthest;
-    const double next = at - value / slope;
-    if (!(next > at)) break;
-    before = at, value_before = value;
-    at = next, value = f(at);
-  }
-  return at;
-}
-
 /// The places at which x, or what lies before or behind it on its line, is outside V while B holds it.
 StickOutRays::Stretch StickOutRays::outside(const Side& side, const Line& line, const Vector& x,
                                             const Stretch& within) const {
   const auto far = [&](double way) {
-    double least = exact::kInfinity;
-    for (const ConvexDistance& d : nearest_) {
-      least = std::min(least,
-                       run([&](double s) { return d(space::plus(x, space::scaled(way * s, line.unit))) - side.cut; }));
-    }
-    return std::max(0.0, least - size_ * kBlur);
+    return std::max(0.0, field_->run(x, space::scaled(way, line.unit), side.cut, size_) - size_ * kBlur);
   };
   const Stretch held = chord(line, x, within);
   return {held.from - far(-1), held.to + far(1)};
@@ -200,7 +170,7 @@ std::vector<StickOutRays::Stretch> StickOutRays::cuts(const Side& side, const Li
   while (!left.empty()) {
     const Stretch s = left.back();
     left.pop_back();
-    const SolidPeak peak = solid_peak(swept(line, s), swept_balls(line, s), nearest_, side.enough, kShare);
+    const SolidPeak peak = field_->peak(swept(line, s), swept_balls(line, s), side.enough, kShare);
     if (!peak.whole || ++count > kMostCuts)
       throw Error(ErrorCode::kUnsupported, "how far the shape sticks out was not found within the limit of the search");
     if (peak.value <= side.enough) continue;

@@ -14,7 +14,7 @@
 
 #include <array>
 
-#include "distance/round_solid.h"
+#include "distance/stick_out_field.h"
 #include "space/body.h"
 #include "space/ray_sources.h"
 
@@ -29,8 +29,8 @@ class StickOutRays : public space::RaySource {
   using Vertices = std::function<space::RaySourcePointer(const exact::Real& level)>;
 
   /// B of polyhedra and balls, of the same scale as A; the level and the radii of A are not both 0.
-  StickOutRays(const space::Body& b, const space::Body& a, const exact::Real& level, const Vertices& vertices,
-               const space::RayGrid& grid);
+  StickOutRays(const space::Body& b, std::unique_ptr<StickOutField> a, const exact::Real& level,
+               const Vertices& vertices, const space::RayGrid& grid);
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
@@ -72,13 +72,12 @@ class StickOutRays : public space::RaySource {
   Stretch chord(const Line& line, const space::Vector& x, const Stretch& within) const;
   /// The places at which the part of B, drawn at 0, holds `off`.
   static Stretch held(const Part& part, const Line& line, const space::Vector& off);
-  double run(const std::function<double(double)>& f) const;
 
   space::RayGrid grid_;
-  double unit_, size_;                   // grid parts to the bodies' steps
-  std::vector<Part> parts_;              // of B
-  std::vector<ConvexDistance> nearest_;  // to the parts of A, negative within their radii
-  std::array<Side, 2> sides_;            // outer, inner
+  std::unique_ptr<StickOutField> field_;  // of A
+  double unit_, size_;                    // grid parts to the bodies' steps
+  std::vector<Part> parts_;               // of B
+  std::array<Side, 2> sides_;             // outer, inner
 };
 
 }  // namespace findspace::distance

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "distance/ray_signs.h"
+#include "distance/stick_out_rays.h"
+#include "space/ray_ball.h"
 
 namespace findspace::situation {
 
@@ -16,6 +18,9 @@ using space::RaySolid;
 using Source = space::RaySourcePointer;
 
 namespace {
+
+/// Pairs of triangles up to which convex parts are quicker; faces of one that sticks out, at most.
+constexpr std::size_t kFewPairs = 1500, kMostFaces = 400;
 
 /// max(0, f), or max(0, -f) if negated.
 struct CutOff {
@@ -72,6 +77,44 @@ Source stick_out_of_convex(Which which, const std::vector<RaySolid>& b, const st
   return of_a && of_b ? distance::ray_sign_map(which, level, *of_b, *of_a, grid) : nullptr;
 }
 
+/// The sign of the greatest distance of a corner to the surface, less a level above 0.
+Source corners_near(const space::Body& b, const space::Triangles& a, const Real& level, const RayGrid& grid) {
+  std::vector<space::Point> corners;
+  for (const space::BodyPart& part : b.parts)
+    corners.insert(corners.end(), part.vertices().begin(), part.vertices().end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<Source> all;
+  for (const space::Point& v : corners)
+    all.push_back(std::make_unique<space::BallRays>(space::moved(a, -v), level, grid));
+  return space::greatest_rays(std::move(all));
+}
+
+/// How far a polyhedron of few corners sticks out of one that is not convex.
+Source stick_out(const TouchingSolid& b, const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
+  if (a.size() != 1 || a[0].ball()) return nullptr;
+  for (const RaySolid& s : b.solids) {
+    if (s.ball() || s.surface.faces.size() > kMostFaces) return nullptr;
+    if (s.surface.faces.size() * a[0].surface.faces.size() <= kFewPairs) return nullptr;
+  }
+  const space::Body body = b.body();
+  if (body.scale != 1 || body.round() || body.outside) return nullptr;
+  const Real shift = Real::from_double(distance::StickOutRays::kCertain) * Real(exact::kRayLimit);
+  if (level < shift) return nullptr;
+  return std::make_unique<distance::StickOutRays>(
+      body, distance::field_of_surface(a[0].surface), level,
+      [&](const Real& l) { return corners_near(body, a[0].surface, l, grid); }, grid);
+}
+
+/// A in B + p is -A + p in -B.
+Source stick_out_back(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
+  std::vector<RaySolid> moving = a.solids, fixed = b.solids;
+  for (std::vector<RaySolid>* all : {&moving, &fixed}) {
+    for (RaySolid& s : *all) s.surface = space::scaled(std::move(s.surface), -1), s.center = -s.center;
+  }
+  return stick_out({moving, [&] { return space::mirrored(a.body()); }}, fixed, level, grid);
+}
+
 SurfaceRays hausdorff(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
   SurfaceRays rays;
   rays.least = false;
@@ -96,7 +139,10 @@ SurfaceRays solid_rays(Which which, const TouchingSolid& b, const TouchingSolid&
   if (which == Which::kHausdorff) return hausdorff(b, a, level, grid);
   if (which == Which::kDiameter) return {};
   const bool sticks_out = which == Which::kMu || which == Which::kMuBack;
-  if (sticks_out && level.sign() > 0) return one(stick_out_of_convex(which, b.solids, a.solids, level, grid));
+  if (sticks_out && level.sign() > 0) {
+    if (auto rays = stick_out_of_convex(which, b.solids, a.solids, level, grid)) return one(std::move(rays));
+    return one(which == Which::kMu ? stick_out(b, a.solids, level, grid) : stick_out_back(b, a, level, grid));
+  }
   if (which == Which::kMuBack) which = Which::kDelta1;
   SurfaceRays rays;
   if (which != Which::kEta2 && which != Which::kDelta2) rays = surface_rays(which, b.solids, a.solids, level, grid);

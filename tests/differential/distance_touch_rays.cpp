@@ -3,11 +3,14 @@
 //
 // Depths, how far a shape is from fitting and the farthest fit from the positions at which solids touch
 // (space/touch_rays.h) against those from the convex parts of both (ray_signs.h): the same sign everywhere on every
-// line, in general position and along walls and edges, in slits and exact fits.
+// line, in general position and along walls and edges, in slits and exact fits. And how far one sticks out of the other
+// by the triangles of its surface.
 #include <gtest/gtest.h>
 
 #include "differential/space_voxels.h"
 #include "distance/ray_signs.h"
+#include "distance/stick_out_rays.h"
+#include "space/ray_ball.h"
 #include "space/ray_pair.h"
 #include "space/touch_rays.h"
 
@@ -112,6 +115,43 @@ TEST(TouchRays, RandomSolidsInGeneralPosition) {
   EXPECT_EQ(depths.differences + fits.differences + farthest.differences, 0);
   EXPECT_GT(depths.events, 300);
   EXPECT_GT(fits.events, 20);
+}
+
+/// mu by the triangles of A against mu by its parts: no place on a line is certainly on different sides.
+TEST(TouchRays, SticksOutOfTheSurface) {
+  std::mt19937 random(5);
+  int known = 0, unknown = 0, inside = 0, different = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Both a(k == 0 ? space::extruded({"#.#", "###"}, 2) : space::random_cells(random, 5, 3),
+                 k == 0 ? space::stretch(100) : kSkew),
+        b(space::random_cells(random, 3, 2), kTilt);
+    const RayGrid grid{k % 3, 1, -90, -110, 71, 57, 4, 5};
+    const Real level(30 + 25 * k);
+    const auto parts = ray_sign_map(Which::kMu, level, b.body, a.body, grid);
+    const auto corners = [&](const Real& l) {
+      std::vector<RaySourcePointer> all;
+      for (const space::BodyPart& part : b.body.parts) {
+        for (const space::Point& v : part.vertices())
+          all.push_back(std::make_unique<space::BallRays>(space::moved(a.surface, -v), l, grid));
+      }
+      return space::greatest_rays(std::move(all));
+    };
+    const StickOutRays surface(b.body, field_of_surface(a.surface), level, corners, grid);
+    for (int j = 0; j < grid.nv; ++j) {
+      const RayRow rows[2] = {parts->row(j), surface.row(j)};
+      for (int i = 0; i < grid.nu; ++i) {
+        for (int z = -700; z < 900; z += 9) {
+          const int s = space::sign_at(rows[0], i, Real(z)), t = space::sign_at(rows[1], i, Real(z));
+          (s != 0 && t != 0 ? known : unknown) += 1;
+          different += s * t < 0;
+          inside += t < 0;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(different, 0);
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(known, 100 * unknown);
 }
 
 }  // namespace

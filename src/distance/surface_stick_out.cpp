@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// How far solids stick out of a closed surface: stick_out_field.h.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <queue>
+
+#include "distance/matrix_game.h"
+#include "distance/stick_out_field.h"
+#include "space/surface_side.h"
+
+namespace findspace::distance {
+namespace {
+
+using space::BoxTree;
+using space::Vector;
+
+/// Triangles whose distances bound a cell, at most.
+constexpr std::size_t kFew = 8;
+/// Steps of a run, each as long as the point is clear.
+constexpr int kMostSteps = 60;
+/// Places about a point that may tell its side.
+constexpr int kMostTried = 6;
+
+struct Corners {
+  Vector a, b, c;
+};
+
+/// The place of a triangle that is nearest to x (Ericson, Real-Time Collision Detection, 5.1.5).
+Vector nearest_place(const Corners& t, const Vector& x) {
+  const Vector ab = t.b - t.a, ac = t.c - t.a, ax = x - t.a, bx = x - t.b, cx = x - t.c;
+  const double d1 = space::dot(ab, ax), d2 = space::dot(ac, ax), d3 = space::dot(ab, bx), d4 = space::dot(ac, bx),
+               d5 = space::dot(ab, cx), d6 = space::dot(ac, cx);
+  if (d1 <= 0 && d2 <= 0) return t.a;
+  if (d3 >= 0 && d4 <= d3) return t.b;
+  if (d6 >= 0 && d5 <= d6) return t.c;
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return space::plus(t.a, space::scaled(d1 / (d1 - d3), ab));
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return space::plus(t.a, space::scaled(d2 / (d2 - d6), ac));
+  if (va <= 0 && d4 >= d3 && d5 >= d6)
+    return space::plus(t.b, space::scaled((d4 - d3) / ((d4 - d3) + (d5 - d6)), t.c - t.b));
+  const double whole = va + vb + vc;
+  return space::plus(t.a, space::plus(space::scaled(vb / whole, ab), space::scaled(vc / whole, ac)));
+}
+
+struct Box {
+  Vector low, high;
+};
+
+Box box_of(const space::GridBox& box) { return {exact::shadow(box.low), exact::shadow(box.high)}; }
+
+/// The square of the distance.
+double gap(const Box& box, const Vector& x) {
+  const double u = std::max({box.low.x - x.x, x.x - box.high.x, 0.0}),
+               v = std::max({box.low.y - x.y, x.y - box.high.y, 0.0}),
+               w = std::max({box.low.z - x.z, x.z - box.high.z, 0.0});
+  return u * u + v * v + w * w;
+}
+
+class SurfaceField : public StickOutField {
+ public:
+  explicit SurfaceField(const space::Triangles& surface) : body_(surface), tree_(body_) {
+    for (int f = 0; f < static_cast<int>(body_.faces.size()); ++f)
+      triangles_.push_back(
+          {exact::shadow(body_.corner(f, 0)), exact::shadow(body_.corner(f, 1)), exact::shadow(body_.corner(f, 2))});
+    for (const BoxTree::Node& node : tree_.nodes()) boxes_.push_back(box_of(node.box));
+    size_ = space::length(exact::shadow(body_.high) - exact::shadow(body_.low));
+  }
+  double size() const override { return size_; }
+  SolidPeak peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round, double slack,
+                 double share) const override;
+  double run(const Vector& x, const Vector& way, double cut, double size) const override {
+    double at = 0;
+    for (int count = 0; count < kMostSteps && at < 4 * size; ++count) {
+      const double clear = nearest(space::plus(x, space::scaled(at, way))).distance - cut;
+      if (!(clear > size * 0x1p-44)) break;
+      at += clear;
+    }
+    return at;
+  }
+
+  double distance(int triangle, const Vector& x) const {
+    return space::length(x - nearest_place(triangles_[static_cast<std::size_t>(triangle)], x));
+  }
+  struct Nearest {
+    double distance = exact::kInfinity;
+    int triangle = -1;
+  };
+  /// On the surface; where the distance is not more than `enough` any triangle that is so near.
+  Nearest nearest(const Vector& x, double enough = 0) const {
+    Nearest best;
+    visit(x, best.distance, [&](int f) {
+      const double d = distance(f, x);
+      if (d < best.distance) best = {d, f};
+      return best.distance > enough;
+    });
+    return best;
+  }
+  /// Of a point at the distance from the surface; nothing where it is not told.
+  std::optional<bool> inside(const Vector& x, double distance) const {
+    for (int k = 0; k < kMostTried; ++k) {
+      // Places as far from x as these are on its side, and the line up from one meets no edge.
+      const double by = distance * 0x1p-6 * k;
+      const Vector y = space::plus(x, {by * (1 + k % 3), by * (2 - k % 5), by});
+      const space::RealVector at{exact::Real::from_double(y.x), exact::Real::from_double(y.y),
+                                 exact::Real::from_double(y.z)};
+      if (const auto in = space::encloses(body_, tree_, at, y)) return in;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Calls take(face) for the faces of leaves whose boxes are not farther than `most`, which it may lower, near ones
+  /// first; stops where it returns false.
+  template <class Take>
+  void visit(const Vector& x, double& most, Take take) const {
+    struct Task {
+      int node;
+      double gap;
+    };
+    Task stack[128];
+    int depth = 0;
+    stack[depth++] = {0, 0};
+    while (depth > 0) {
+      const Task top = stack[--depth];
+      if (top.gap > most * most) continue;
+      const BoxTree::Node& node = tree_.nodes()[static_cast<std::size_t>(top.node)];
+      for (int k = node.first; k < node.first + node.count; ++k) {
+        if (!take(tree_.face(k))) return;
+      }
+      if (node.count > 0) continue;
+      Task one{node.first, gap(boxes_[static_cast<std::size_t>(node.first)], x)},
+          two{node.first + 1, gap(boxes_[static_cast<std::size_t>(node.first) + 1], x)};
+      if (one.gap < two.gap) std::swap(one, two);
+      stack[depth++] = one, stack[depth++] = two;
+    }
+  }
+
+  space::RayBody body_;
+  BoxTree tree_;
+  std::vector<Corners> triangles_;
+  std::vector<Box> boxes_;  // of the nodes
+  double size_;
+};
+
+struct Cell {
+  Tetrahedron corner;
+  double bound = 0;
+  std::vector<int> triangles;  // that bound it: any do
+  bool operator<(const Cell& other) const { return bound < other.bound; }
+};
+
+class Search {
+ public:
+  Search(const SurfaceField& field, double slack, double share) : field_(field), slack_(slack), share_(share) {
+    best_.value = std::min(0.0, slack);
+  }
+
+  SolidPeak run(std::span<const Tetrahedron> solid) {
+    for (const Tetrahedron& t : solid) {
+      std::vector<int> triangles;
+      for (const Vector& v : t) triangles.push_back(field_.nearest(v).triangle);
+      add(t, exact::kInfinity, std::move(triangles));
+    }
+    for (int count = 0; !queue_.empty(); ++count) {
+      const Cell top = queue_.top();
+      if (!worth(top.bound)) break;
+      if (count == kMostCells) {
+        best_.whole = false;
+        best_.bound = top.bound;
+        return best_;
+      }
+      queue_.pop();
+      split(top);
+    }
+    best_.bound = std::max(best_.value * (1 + 0x1p-41), slack_);
+    return best_;
+  }
+
+ private:
+  bool worth(double bound) const {
+    const double surplus = best_.value - slack_;
+    return bound > best_.value * (1 + 0x1p-41) && bound > slack_ && !(surplus > (bound - slack_) * (1 - share_));
+  }
+
+  void add(const Tetrahedron& corner, double ceiling, std::vector<int> triangles) {
+    Cell cell{corner, ceiling, std::move(triangles)};
+    const Vector middle =
+        space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
+    double radius = 0;
+    for (const Vector& v : corner) radius = std::max(radius, space::length(v - middle));
+    const SurfaceField::Nearest near = field_.nearest(middle, slack_ - radius);
+    if (!worth(near.distance + radius)) return;
+    cell.triangles.push_back(near.triangle);
+    find_columns(cell);
+    if (!worth(cell.bound)) return;
+    const auto inside = field_.inside(middle, near.distance);
+    const double value = inside.value_or(false) ? -near.distance : near.distance;
+    cell.bound = std::min(cell.bound, value + radius);
+    if (!worth(cell.bound)) return;
+    if (inside == false) offer(middle, value);
+    play(cell);
+    if (worth(cell.bound)) queue_.push(std::move(cell));
+  }
+
+  /// The distances of the cell's triangles from its corners; keeps those that bound it best.
+  void find_columns(Cell& cell) {
+    std::sort(cell.triangles.begin(), cell.triangles.end());
+    cell.triangles.erase(std::unique(cell.triangles.begin(), cell.triangles.end()), cell.triangles.end());
+    std::vector<std::pair<double, int>> order;
+    for (const int f : cell.triangles) {
+      double most = 0;
+      for (const Vector& v : cell.corner) most = std::max(most, field_.distance(f, v));
+      order.emplace_back(most, f);
+    }
+    std::sort(order.begin(), order.end());
+    cell.bound = std::min(cell.bound, order[0].first);
+    order.resize(std::min(order.size(), kFew));
+    cell.triangles.clear();
+    for (const auto& [most, f] : order) cell.triangles.push_back(f);
+  }
+
+  /// Lowers the bound by the game, and tries its place.
+  void play(Cell& cell) {
+    std::vector<std::array<double, 4>> columns;
+    for (const int f : cell.triangles) {
+      columns.emplace_back();
+      for (std::size_t v = 0; v < 4; ++v) columns.back()[v] = field_.distance(f, cell.corner[v]);
+    }
+    const GameValue game = matrix_game(columns);
+    cell.bound = std::min(cell.bound, game.value);
+    if (!worth(cell.bound)) return;
+    Vector x;
+    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], cell.corner[v]));
+    const SurfaceField::Nearest near = field_.nearest(x);
+    cell.triangles.push_back(near.triangle);
+    if (near.distance > best_.value && field_.inside(x, near.distance) == false) offer(x, near.distance);
+  }
+
+  void offer(const Vector& x, double value) {
+    if (value > best_.value) best_.value = value, best_.place = x;
+  }
+
+  void split(const Cell& cell) {
+    std::size_t a = 0, b = 1;
+    double longest = 0;
+    for (std::size_t v = 0; v < 4; ++v) {
+      for (std::size_t w = v + 1; w < 4; ++w) {
+        const double d = space::length(cell.corner[v] - cell.corner[w]);
+        if (d > longest) longest = d, a = v, b = w;
+      }
+    }
+    const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
+    for (const std::size_t moved : {a, b}) {
+      Tetrahedron corner = cell.corner;
+      corner[moved] = middle;
+      add(corner, cell.bound, cell.triangles);
+    }
+  }
+
+  const SurfaceField& field_;
+  double slack_, share_;
+  std::priority_queue<Cell> queue_;
+  SolidPeak best_;
+};
+
+SolidPeak SurfaceField::peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> /*round*/, double slack,
+                             double share) const {
+  return Search(*this, slack, share).run(solid);
+}
+
+}  // namespace
+
+std::unique_ptr<StickOutField> field_of_surface(const space::Triangles& surface) {
+  return std::make_unique<SurfaceField>(surface);
+}
+
+}  // namespace findspace::distance
