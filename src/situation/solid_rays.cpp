@@ -115,15 +115,16 @@ Source stick_out_back(const TouchingSolid& b, const TouchingSolid& a, const Real
   return stick_out({moving, [&] { return space::mirrored(a.body()); }}, fixed, level, grid);
 }
 
+/// The greatest of both; what needs no search is asked first, and rows without a place that it allows no more.
 SurfaceRays hausdorff(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
-  SurfaceRays rays;
-  rays.least = false;
-  for (const Which way : {Which::kMu, Which::kMuBack}) {
+  std::vector<Source> both;
+  const bool back_first = convex(b.solids);
+  for (const Which way : {back_first ? Which::kMuBack : Which::kMu, back_first ? Which::kMu : Which::kMuBack}) {
     SurfaceRays some = solid_rays(way, b, a, level, grid);
     if (some.sources.empty()) return {};
-    rays.sources.push_back(as_source(std::move(some)));
+    both.push_back(as_source(std::move(some)));
   }
-  return rays;
+  return one(space::greatest_rays(std::move(both)));
 }
 
 }  // namespace

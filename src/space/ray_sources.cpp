@@ -39,6 +39,26 @@ class Combined : public RaySource {
   std::function<std::int8_t(Signs)> combine_;
 };
 
+class Greatest : public RaySource {
+ public:
+  explicit Greatest(std::vector<RaySourcePointer> sources) : sources_(std::move(sources)) {}
+  const RayGrid& grid() const override { return sources_[0]->grid(); }
+  RayRow row(int j) const override {
+    std::vector<RayRow> rows;
+    for (const RaySourcePointer& s : sources_) {
+      rows.push_back(s->row(j));
+      // Where one is + everywhere the others need not be asked.
+      const RayRow& last = rows.back();
+      const auto plus = [](std::int8_t sign) { return sign > 0; };
+      if (last.events.empty() && std::all_of(last.before.begin(), last.before.end(), plus)) return last;
+    }
+    return combined(rows, [](Signs s) { return *std::max_element(s.begin(), s.end()); });
+  }
+
+ private:
+  std::vector<RaySourcePointer> sources_;
+};
+
 }  // namespace
 
 RaySourcePointer constant_rays(const RayGrid& grid, int sign) { return std::make_unique<Constant>(grid, sign); }
@@ -59,7 +79,7 @@ RaySourcePointer negated_rays(RaySourcePointer source) {
 
 RaySourcePointer greatest_rays(std::vector<RaySourcePointer> sources) {
   if (sources.size() == 1) return std::move(sources[0]);
-  return combined_rays(std::move(sources), [](Signs s) { return *std::max_element(s.begin(), s.end()); });
+  return std::make_unique<Greatest>(std::move(sources));
 }
 
 RaySourcePointer cut_off_rays(RaySourcePointer source, bool negated, const exact::Real& level) {
