@@ -163,9 +163,17 @@ StickOutRays::Stretch StickOutRays::outside(const Side& side, const Line& line, 
   return {held.from - far(-1), held.to + far(1)};
 }
 
-/// Disjoint open stretches of `whole`, ascending; or all of it, where it is a single place.
-std::vector<StickOutRays::Stretch> StickOutRays::cuts(const Side& side, const Line& line, const Stretch& whole) const {
-  std::vector<Stretch> left{whole}, out;
+/// Disjoint open stretches of `whole`, ascending; or all of it, where it is a single place. None in `known`.
+std::vector<StickOutRays::Stretch> StickOutRays::cuts(const Side& side, const Line& line, const Stretch& whole,
+                                                      std::span<const Stretch> known) const {
+  std::vector<Stretch> left, out;
+  double from = whole.from;
+  for (const Stretch& k : known) {
+    if (k.to < whole.from || k.from > whole.to) continue;
+    if (from < k.from) left.push_back({from, k.from});
+    from = std::max(from, k.to);
+  }
+  if (from < whole.to || (from == whole.from && left.empty())) left.push_back({from, whole.to});
   int count = 0;
   while (!left.empty()) {
     const Stretch s = left.back();
@@ -196,9 +204,9 @@ std::vector<StickOutRays::Stretch> StickOutRays::cuts(const Side& side, const Li
 
 /// The closed stretch from event `first` to event `last` of a line, less the cuts.
 void StickOutRays::keep(const Side& side, const Line& line, const RayEvent& first, const RayEvent& last,
-                        std::vector<RayEvent>& out) const {
+                        std::span<const Stretch> known, std::vector<RayEvent>& out) const {
   const Stretch whole{first.at.value * unit_, last.at.value * unit_};
-  const std::vector<Stretch> gone = cuts(side, line, whole);
+  const std::vector<Stretch> gone = cuts(side, line, whole, known);
   RayPosition from = first.at;
   bool open = false;  // `from` itself is cut away
   const auto put = [&](const RayPosition& to) {
@@ -214,18 +222,34 @@ void StickOutRays::keep(const Side& side, const Line& line, const RayEvent& firs
   if (!open) put(last.at);
 }
 
-RayRow StickOutRays::kept(const Side& side, int j) const {
+/// The stretches of line i, which are all that there are.
+std::vector<StickOutRays::Stretch> StickOutRays::stretches(const RayRow& row, int i) const {
+  std::vector<Stretch> out;
+  bool open = false;
+  for (int e = row.first[static_cast<std::size_t>(i)]; e < row.first[static_cast<std::size_t>(i) + 1]; ++e) {
+    const RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    const double at = event.at.value * unit_;
+    if (!open) out.push_back({at, at});
+    open = event.after < 0;
+    out.back().to = at;
+  }
+  return out;
+}
+
+/// `inner`: what is certainly kept.
+RayRow StickOutRays::kept(const Side& side, int j, const RayRow* inner) const {
   const RayRow all = side.vertices->row(j);
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
     const auto column = static_cast<std::size_t>(i);
+    const std::vector<Stretch> known = inner ? stretches(*inner, i) : std::vector<Stretch>{};
     out.before.push_back(1);
     for (int e = all.first[column]; e < all.first[column + 1]; ++e) {
       const RayEvent& first = all.events[static_cast<std::size_t>(e)];
       if (first.here > 0) continue;
       // Places where a vertex touches from inside are no ends.
       while (all.events[static_cast<std::size_t>(e)].after <= 0) ++e;
-      keep(side, line(i, j), first, all.events[static_cast<std::size_t>(e)], out.events);
+      keep(side, line(i, j), first, all.events[static_cast<std::size_t>(e)], known, out.events);
     }
     out.first.push_back(static_cast<int>(out.events.size()));
   }
@@ -233,7 +257,8 @@ RayRow StickOutRays::kept(const Side& side, int j) const {
 }
 
 RayRow StickOutRays::row(int j) const {
-  const std::array<RayRow, 2> rows{kept(sides_[0], j), kept(sides_[1], j)};
+  const RayRow inner = kept(sides_[1], j, nullptr);
+  const std::array<RayRow, 2> rows{kept(sides_[0], j, &inner), inner};
   return space::combined(rows, [](std::span<const std::int8_t> s) {
     return static_cast<std::int8_t>(s[1] < 0 ? -1 : s[0] < 0 ? 0 : 1);
   });

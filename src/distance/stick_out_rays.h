@@ -62,10 +62,12 @@ class StickOutRays : public space::RaySource {
   };
 
   Line line(int i, int j) const;
-  space::RayRow kept(const Side& side, int j) const;
+  std::vector<Stretch> stretches(const space::RayRow& row, int i) const;
+  space::RayRow kept(const Side& side, int j, const space::RayRow* inner) const;
   void keep(const Side& side, const Line& line, const space::RayEvent& first, const space::RayEvent& last,
-            std::vector<space::RayEvent>& out) const;
-  std::vector<Stretch> cuts(const Side& side, const Line& line, const Stretch& whole) const;
+            std::span<const Stretch> known, std::vector<space::RayEvent>& out) const;
+  std::vector<Stretch> cuts(const Side& side, const Line& line, const Stretch& whole,
+                            std::span<const Stretch> known) const;
   std::vector<Tetrahedron> swept(const Line& line, const Stretch& stretch) const;
   std::vector<RoundSolid> swept_balls(const Line& line, const Stretch& stretch) const;
   Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;

@@ -88,9 +88,14 @@ class SurfaceField : public StickOutField {
     double distance = exact::kInfinity;
     int triangle = -1;
   };
-  /// On the surface; where the distance is not more than `enough` any triangle that is so near.
-  Nearest nearest(const Vector& x, double enough = 0) const {
+  /// On the surface; where the distance is not more than `enough` any triangle that is so near. `likely`: tried first.
+  Nearest nearest(const Vector& x, double enough = 0, std::span<const int> likely = {}) const {
     Nearest best;
+    for (const int f : likely) {
+      const double d = distance(f, x);
+      if (d < best.distance) best = {d, f};
+    }
+    if (best.distance <= enough) return best;
     visit(x, best.distance, [&](int f) {
       const double d = distance(f, x);
       if (d < best.distance) best = {d, f};
@@ -191,7 +196,7 @@ class Search {
         space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
     double radius = 0;
     for (const Vector& v : corner) radius = std::max(radius, space::length(v - middle));
-    const SurfaceField::Nearest near = field_.nearest(middle, slack_ - radius);
+    const SurfaceField::Nearest near = field_.nearest(middle, slack_ - radius, cell.triangles);
     if (!worth(near.distance + radius)) return;
     cell.triangles.push_back(near.triangle);
     find_columns(cell);
@@ -234,7 +239,7 @@ class Search {
     if (!worth(cell.bound)) return;
     Vector x;
     for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], cell.corner[v]));
-    const SurfaceField::Nearest near = field_.nearest(x);
+    const SurfaceField::Nearest near = field_.nearest(x, 0, cell.triangles);
     cell.triangles.push_back(near.triangle);
     if (near.distance > best_.value && field_.inside(x, near.distance) == false) offer(x, near.distance);
   }

@@ -19,8 +19,9 @@ using Source = space::RaySourcePointer;
 
 namespace {
 
-/// Pairs of triangles up to which convex parts are quicker; faces of one that sticks out, at most.
-constexpr std::size_t kFewPairs = 1500, kMostFaces = 400;
+/// Pairs of triangles up to which convex parts are quicker, and up to which there is memory for the surface about every
+/// corner.
+constexpr std::size_t kFewPairs = 1500, kMostPairs = 200000;
 
 /// max(0, f), or max(0, -f) if negated.
 struct CutOff {
@@ -94,8 +95,9 @@ Source corners_near(const space::Body& b, const space::Triangles& a, const Real&
 Source stick_out(const TouchingSolid& b, const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
   if (a.size() != 1 || a[0].ball()) return nullptr;
   for (const RaySolid& s : b.solids) {
-    if (s.ball() || s.surface.faces.size() > kMostFaces) return nullptr;
-    if (s.surface.faces.size() * a[0].surface.faces.size() <= kFewPairs) return nullptr;
+    if (s.ball()) return nullptr;
+    const std::size_t pairs = s.surface.faces.size() * a[0].surface.faces.size();
+    if (pairs <= kFewPairs || pairs > kMostPairs) return nullptr;
   }
   const space::Body body = b.body();
   if (body.scale != 1 || body.round() || body.outside) return nullptr;
