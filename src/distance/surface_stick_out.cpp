@@ -59,9 +59,9 @@ double gap(const Box& box, const Vector& x) {
   return u * u + v * v + w * w;
 }
 
-class SurfaceField : public StickOutField {
+class TriangleField : public StickOutField {
  public:
-  explicit SurfaceField(const space::Triangles& surface) : body_(surface), tree_(body_) {
+  explicit TriangleField(const space::Triangles& surface) : body_(surface), tree_(body_) {
     for (int f = 0; f < static_cast<int>(body_.faces.size()); ++f)
       triangles_.push_back(
           {exact::shadow(body_.corner(f, 0)), exact::shadow(body_.corner(f, 1)), exact::shadow(body_.corner(f, 2))});
@@ -159,7 +159,7 @@ struct Cell {
 
 class Search {
  public:
-  Search(const SurfaceField& field, double slack, double share) : field_(field), slack_(slack), share_(share) {
+  Search(const TriangleField& field, double slack, double share) : field_(field), slack_(slack), share_(share) {
     best_.value = std::min(0.0, slack);
   }
 
@@ -196,7 +196,7 @@ class Search {
         space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
     double radius = 0;
     for (const Vector& v : corner) radius = std::max(radius, space::length(v - middle));
-    const SurfaceField::Nearest near = field_.nearest(middle, slack_ - radius, cell.triangles);
+    const TriangleField::Nearest near = field_.nearest(middle, slack_ - radius, cell.triangles);
     if (!worth(near.distance + radius)) return;
     cell.triangles.push_back(near.triangle);
     find_columns(cell);
@@ -239,7 +239,7 @@ class Search {
     if (!worth(cell.bound)) return;
     Vector x;
     for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], cell.corner[v]));
-    const SurfaceField::Nearest near = field_.nearest(x, 0, cell.triangles);
+    const TriangleField::Nearest near = field_.nearest(x, 0, cell.triangles);
     cell.triangles.push_back(near.triangle);
     if (near.distance > best_.value && field_.inside(x, near.distance) == false) offer(x, near.distance);
   }
@@ -265,21 +265,21 @@ class Search {
     }
   }
 
-  const SurfaceField& field_;
+  const TriangleField& field_;
   double slack_, share_;
   std::priority_queue<Cell> queue_;
   SolidPeak best_;
 };
 
-SolidPeak SurfaceField::peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> /*round*/, double slack,
-                             double share) const {
+SolidPeak TriangleField::peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> /*round*/, double slack,
+                              double share) const {
   return Search(*this, slack, share).run(solid);
 }
 
 }  // namespace
 
 std::unique_ptr<StickOutField> field_of_surface(const space::Triangles& surface) {
-  return std::make_unique<SurfaceField>(surface);
+  return std::make_unique<TriangleField>(surface);
 }
 
 }  // namespace findspace::distance

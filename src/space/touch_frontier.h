@@ -9,7 +9,7 @@
 // to their own covers are left out: where S is convex every touching position lies on another one, too. Guarantee:
 // exact, slits and single positions included; the same for any number of threads; pieces may overlap. Cost: the sets,
 // and for every facet those whose boxes meet its own: some hundred nanoseconds each, some microseconds for each corner
-// of a piece that is made. Source: docs/decisions/0015. Keywords: boundary of a Minkowski sum, contact surface,
+// of a piece that is made. Source: docs/decisions/0016. Keywords: boundary of a Minkowski sum, contact surface,
 // configuration space obstacle.
 #pragma once
 
