@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "distance/convex_distance.h"
 #include "distance/solid_mu.h"
@@ -157,11 +158,30 @@ FrontRoom FrontRoom::inside(const space::Body& b, const space::BodyPart& a, cons
     const double room = (a.radius - part.radius).to_double();
     for (const space::Point& v : part.vertices()) {
       out.size_ = std::max(out.size_, space::length(exact::shadow(v)));
-      out.rules_.keep_in.push_back(room >= 0 ? touching_distance(a, exact::shadow(-v), room)
-                                             : eroded_rule(a.planes(), exact::shadow(v), -room));
+      const bool round = a.point() || room > 0;  // else planes say how deep a place is, distances do not
+      out.rules_.keep_in.push_back(round ? touching_distance(a, exact::shadow(-v), room)
+                                         : eroded_rule(a.planes(), exact::shadow(v), -room));
     }
   }
   out.allows_ = [b, a](const RealVector& p) { return stick_out_of_convex(b, a, p).value.sign() <= 0; };
+  return out;
+}
+
+FrontRoom FrontRoom::common(std::span<const FrontRoom> rooms, const RealVector& low, const RealVector& high) {
+  FrontRoom out;
+  out.low_ = low, out.high_ = high;
+  std::tie(out.box_low_, out.box_high_) = askew(space::rounded(low), space::rounded(high));
+  std::vector<std::function<bool(const RealVector&)>> all;
+  for (const FrontRoom& room : rooms) {
+    out.size_ = std::max(out.size_, room.size_);
+    out.rules_.keep_out.insert(out.rules_.keep_out.end(), room.rules_.keep_out.begin(), room.rules_.keep_out.end());
+    out.rules_.keep_in.insert(out.rules_.keep_in.end(), room.rules_.keep_in.begin(), room.rules_.keep_in.end());
+    out.sets_.insert(out.sets_.end(), room.sets_.begin(), room.sets_.end());
+    all.push_back(room.allows_);
+  }
+  out.allows_ = [all](const RealVector& p) {
+    return std::all_of(all.begin(), all.end(), [&](const auto& allows) { return allows(p); });
+  };
   return out;
 }
 
@@ -210,18 +230,14 @@ std::optional<SolidValue> FrontRoom::settled(const FrontPlace& found, const Real
   throw Error(ErrorCode::kUnsupported, "whether a round shape fits where it has no room to spare is not decided");
 }
 
-std::optional<SolidValue> FrontRoom::nearest(const RealVector& p, bool open) const {
-  // The front of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the place.
-  const Vector near = space::rounded(p);
+double FrontRoom::deepest_at(const Vector& near) const {
   double deepest = 0;
   for (std::size_t k = 0; k < sets_.size(); ++k) deepest = std::min(deepest, rules_.keep_out[k](near));
-  for (std::size_t k = 0; k < sets_.size(); ++k) {
-    if (rules_.keep_out[k](near) > deepest + 0x1p-40 * size_) continue;
-    SolidValue v = sets_[k].front(p);
-    if (!v.nearest || !allows_(*v.nearest)) continue;
-    v.value = -v.value;
-    return v;
-  }
+  return deepest;
+}
+
+/// The search for the nearest place.
+FrontPlace FrontRoom::searched(const Vector& near, bool open, const KnownPlace& ask, const Until* until) const {
   const double room = 0x1p-30 * size_;
   Vector low = box_low_ - Vector{room, room, room}, high = space::plus(box_high_, {room, room, room});
   if (open) {
@@ -232,13 +248,38 @@ std::optional<SolidValue> FrontRoom::nearest(const RealVector& p, bool open) con
     const Vector by{known, known, known};
     low = near - by, high = space::plus(near, by);
   }
-  TouchingRule away = [near](const Vector& x) {
+  const TouchingRule away = [near](const Vector& x) {
     const double d = space::length(x - near);
     return Touching{d, d > 0 ? space::scaled(1 / d, x - near) : Vector{}};
   };
+  return nearest_allowed(tetrahedra_of_box(low, high), rules_, away, size_, -deepest_at(near), ask, until);
+}
+
+double FrontRoom::beyond(const Vector& p) const {
+  double most = -exact::kInfinity;
+  for (const ConvexDistance& f : rules_.keep_out) most = std::max(most, -f(p));
+  for (const TouchingRule& f : rules_.keep_in) most = std::max(most, f(p).value);
+  return most;
+}
+
+FrontPlace FrontRoom::nearly(const RealVector& p, const Until& until) const {
+  return searched(space::rounded(p), false, {}, &until);
+}
+
+std::optional<SolidValue> FrontRoom::nearest(const RealVector& p, bool open) const {
+  // The front of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the place.
+  const Vector near = space::rounded(p);
+  const double deepest = deepest_at(near);
+  for (std::size_t k = 0; k < sets_.size(); ++k) {
+    if (rules_.keep_out[k](near) > deepest + 0x1p-40 * size_) continue;
+    SolidValue v = sets_[k].front(p);
+    if (!v.nearest || !allows_(*v.nearest)) continue;
+    v.value = -v.value;
+    return v;
+  }
   std::optional<RealVector> known;
   const KnownPlace ask = known_at([&] { return sharp_ ? sharp_->nearest_uncovered(p) : std::nullopt; }, p, 1, known);
-  return settled(nearest_allowed(tetrahedra_of_box(low, high), rules_, away, size_, -deepest, ask), p, known);
+  return settled(searched(near, open, ask, nullptr), p, known);
 }
 
 SolidValue FrontRoom::nearest_to(const TouchingRule& to) const {
@@ -260,10 +301,11 @@ std::optional<SolidValue> FrontRoom::farthest(const RealVector& p) const {
   std::optional<RealVector> known;
   const KnownPlace ask = known_at(
       [&] { return sharp_ ? space::farthest_uncovered(*sharp_, low_, high_, p) : std::nullopt; }, p, -1, known);
-  return settled(farthest_allowed(
-                     tetrahedra_of_box(box_low_ - Vector{room, room, room}, space::plus(box_high_, {room, room, room})),
-                     rules_, space::rounded(p), size_, ask),
-                 p, known);
+  return settled(
+      farthest_allowed(
+          tetrahedra_of_box(box_low_ - Vector{room, room, room}, space::plus(box_high_, {room, room, room})), rules_,
+          [from = space::rounded(p)](const Vector& x) { return space::length(x - from); }, size_, ask),
+      p, known);
 }
 
 }  // namespace findspace::distance

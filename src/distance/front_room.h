@@ -5,7 +5,8 @@
 // farthest from a position:
 //   outside   what a union of open convex sets, each grown by a ball, leaves: of parts with radii the complement of U,
 //             and E where A is not convex;
-//   inside    the positions at which a body lies in one convex round part, vertex by vertex.
+//   inside    the positions at which a body lies in one convex round part, vertex by vertex;
+//   common    what such sets have in common.
 // Guarantee: places are found by search (front_search.h), mostly to 2^-40 of the sizes; `proven` is false and `error`
 // says how far values may be off; whether a place belongs is decided exactly. A passage or fit of no room, which
 // numbers cannot tell from none, is found among the planes along the faces of the sets, exactly; one between other
@@ -16,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "distance/front_search.h"
@@ -40,15 +42,25 @@ class FrontRoom {
   static FrontRoom inside(const space::Body& b, const space::BodyPart& a, const space::RealVector& low,
                           const space::RealVector& high);
 
+  /// The box holds the set.
+  static FrontRoom common(std::span<const FrontRoom> rooms, const space::RealVector& low,
+                          const space::RealVector& high);
+
   bool holds(const space::RealVector& p) const { return allows_(p); }
   /// How far the nearest place is from p, which does not belong; nothing where there is none. Beyond the box all
   /// belongs if `open`.
   std::optional<SolidValue> nearest(const space::RealVector& p, bool open) const;
+  /// At least how far p is from the set, if more than 0; else so far, negated, p may go without leaving it. Numbers.
+  double beyond(const space::Vector& p) const;
+  /// The search for the nearest place, as far as `until` wants it; nothing is beyond the box.
+  FrontPlace nearly(const space::RealVector& p, const Until& until) const;
   /// The least distance of a place that belongs to a set; the value is that of `to` there.
   SolidValue nearest_to(const TouchingRule& to) const;
   std::optional<SolidValue> farthest(const space::RealVector& p) const;
 
  private:
+  double deepest_at(const space::Vector& near) const;
+  FrontPlace searched(const space::Vector& near, bool open, const KnownPlace& ask, const Until* until) const;
   std::optional<SolidValue> settled(const FrontPlace& found, const space::RealVector& p,
                                     const std::optional<space::RealVector>& known) const;
   KnownPlace known_at(std::function<std::optional<space::RealVector>()> find, const space::RealVector& p, int sense,

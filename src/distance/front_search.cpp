@@ -14,6 +14,23 @@ namespace findspace::distance {
 
 using space::Vector;
 
+std::pair<Vector, Vector> askew(const Vector& low, const Vector& high) {
+  const Vector wide = high - low;
+  return {low - Vector{0.0371 * wide.x, 0.0493 * wide.y, 0.0287 * wide.z},
+          space::plus(high, {0.0231 * wide.x, 0.0419 * wide.y, 0.0527 * wide.z})};
+}
+
+double longest_edge(const Tetrahedron& t, std::size_t& a, std::size_t& b) {
+  double most = -1;
+  for (std::size_t v = 0; v < 4; ++v) {
+    for (std::size_t w = v + 1; w < 4; ++w) {
+      const double d = space::length(t[v] - t[w]);
+      if (d > most) most = d, a = v, b = w;
+    }
+  }
+  return most;
+}
+
 namespace {
 
 using Column = std::array<double, 4>;
@@ -42,17 +59,6 @@ Vector centre(const Tetrahedron& t) {
   return space::scaled(0.25, space::plus(space::plus(t[0], t[1]), space::plus(t[2], t[3])));
 }
 
-double longest(const Tetrahedron& t, std::size_t& a, std::size_t& b) {
-  double most = -1;
-  for (std::size_t v = 0; v < 4; ++v) {
-    for (std::size_t w = v + 1; w < 4; ++w) {
-      const double d = space::length(t[v] - t[w]);
-      if (d > most) most = d, a = v, b = w;
-    }
-  }
-  return most;
-}
-
 /// At most what a convex function is, at the corners, by its tangent at x.
 Column tangent(const Touching& at, const Vector& x, const Tetrahedron& corner) {
   Column out;
@@ -60,26 +66,42 @@ Column tangent(const Touching& at, const Vector& x, const Tetrahedron& corner) {
   return out;
 }
 
+/// Whether x is on the same side of each face as the corner that is not on it; numbers.
+bool holds(const Tetrahedron& t, const Vector& x) {
+  for (std::size_t v = 0; v < 4; ++v) {
+    const Vector &a = t[(v + 1) % 4], &b = t[(v + 2) % 4], &c = t[(v + 3) % 4];
+    const Vector e = b - a, g = c - a, normal{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
+    if (space::dot(normal, x - a) * space::dot(normal, t[v] - a) < 0) return false;
+  }
+  return true;
+}
+
 double most(const Column& c) { return *std::max_element(c.begin(), c.end()); }
 double least(const Column& c) { return *std::min_element(c.begin(), c.end()); }
 
-/// The objective is minimised: the distance, or minus that from a point.
+/// The objective is minimised: the distance, or minus the one that is to be great.
 class Search {
  public:
-  Search(const Rules& rules, const TouchingRule* distance, const Vector& from, double size, const KnownPlace& known)
-      : rules_(rules), distance_(distance), from_(from), size_(size), known_(known) {
+  Search(const Rules& rules, const TouchingRule* distance, const ConvexDistance* far, double size,
+         const KnownPlace& known)
+      : rules_(rules), distance_(distance), far_(far), size_(size), known_(known) {
     best_.value = exact::kInfinity;
   }
 
-  FrontPlace run(std::span<const Tetrahedron> room, double floor) {
+  FrontPlace run(std::span<const Tetrahedron> room, double floor, const Until* until = nullptr) {
     std::vector<int> out(rules_.keep_out.size()), in(rules_.keep_in.size());
     std::iota(out.begin(), out.end(), 0);
     std::iota(in.begin(), in.end(), 0);
+    room_ = room;
     for (const Tetrahedron& t : room) add(t, out, in, floor, 0);
     double left = exact::kInfinity;
     for (int count = 0; !queue_.empty(); ++count) {
       const Cell top = queue_.top();
       if (!(top.key < wanted())) break;
+      if (until && told(*until, top.key)) {
+        left = std::min(left, top.key);
+        break;
+      }
       if (count == kAskAt) ask();
       if (count == kMostFrontCells) {
         best_.whole = false, left = std::min(left, top.key);
@@ -87,7 +109,7 @@ class Search {
       }
       queue_.pop();
       std::size_t a = 0, b = 1;
-      if (longest(top.corner, a, b) < kLeast * size_) {
+      if (longest_edge(top.corner, a, b) < kLeast * size_) {
         if (top.key < left) left = top.key, best_.unsure = centre(top.corner);
         ask();
         continue;
@@ -99,21 +121,62 @@ class Search {
   }
 
  private:
+  /// Whether all between `lowest` and the best value known is on one side of the level, and nearly as far from it.
+  bool told(const Until& until, double lowest) const {
+    const double low = lowest - until.level, high = best_.value - until.level;
+    const double near = low > 0 ? low : -high, far = low > 0 ? high : -low;
+    return near > 0 && near >= until.share * far;
+  }
+
   double wanted() const { return std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value; }
 
-  double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -space::length(x - from_); }
+  double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -(*far_)(x); }
+
+  /// By more than rounding, by the functions that are not satisfied in all of the cell, or by all.
+  bool allowed(const Vector& x, const Cell* cell) const {
+    const double room = kRoom * size_;
+    const auto out = [&](const ConvexDistance& f) { return f(x) >= room; };
+    const auto in = [&](const TouchingRule& f) { return f(x).value <= -room; };
+    if (!cell)
+      return std::all_of(rules_.keep_out.begin(), rules_.keep_out.end(), out) &&
+             std::all_of(rules_.keep_in.begin(), rules_.keep_in.end(), in);
+    return std::all_of(cell->out.begin(), cell->out.end(),
+                       [&](int i) { return out(rules_.keep_out[static_cast<std::size_t>(i)]); }) &&
+           std::all_of(cell->in.begin(), cell->in.end(),
+                       [&](int i) { return in(rules_.keep_in[static_cast<std::size_t>(i)]); });
+  }
 
   void offer(const Vector& x, const Cell& cell) {
     const double value = objective(x);
-    if (!(value < best_.value)) return;
-    const double room = kRoom * size_;
-    for (const int i : cell.out) {
-      if (rules_.keep_out[static_cast<std::size_t>(i)](x) < room) return;
-    }
-    for (const int i : cell.in) {
-      if (rules_.keep_in[static_cast<std::size_t>(i)](x).value > -room) return;
-    }
+    if (!(value < best_.value) || !allowed(x, &cell)) return;
+    take(x, value);
+    if (distance_) go_nearer(x);
+  }
+
+  bool inside_room(const Vector& x) const {
+    return std::any_of(room_.begin(), room_.end(), [&](const Tetrahedron& t) { return holds(t, x); });
+  }
+
+  void take(const Vector& x, double value) {
     best_.value = value, best_.place = x, best_.found = true, best_.known = false;
+  }
+
+  /// On the straight way from x to where the distance is from: as far as that is allowed. So whole faces of the front
+  /// that are as near as each other are settled at once.
+  void go_nearer(const Vector& x) {
+    const Touching at = (*distance_)(x);
+    double allowed_by = 0, by = at.value;
+    for (int k = 0; k < 50 && by - allowed_by > kBetter * size_; ++k) {
+      const double middle = k == 0 ? by : (allowed_by + by) / 2;
+      const Vector y = x - space::scaled(middle, at.slope);
+      if (inside_room(y) && allowed(y, nullptr)) {
+        allowed_by = middle;
+        const double value = objective(y);
+        if (value < best_.value) take(y, value);
+      } else {
+        by = middle;
+      }
+    }
   }
 
   void ask() {
@@ -153,7 +216,7 @@ class Search {
       return tangent((*distance_)(middle), middle, corner);
     }
     Column out;
-    for (std::size_t v = 0; v < 4; ++v) out[v] = -space::length(corner[v] - from_);
+    for (std::size_t v = 0; v < 4; ++v) out[v] = -(*far_)(corner[v]);
     return out;
   }
 
@@ -166,7 +229,7 @@ class Search {
     if (!(cell.key < wanted())) return;
     std::size_t a = 0, b = 1;
     std::vector<Column> columns;
-    if (!keep_near(corner, out, in, longest(corner, a, b), cell, columns)) return;
+    if (!keep_near(corner, out, in, longest_edge(corner, a, b), cell, columns)) return;
     offer(centre(corner), cell);
     // First what is a little better than the best, so that this comes as near to the least as rounding lets it; the
     // cell is kept only where something clearly better may be.
@@ -207,8 +270,9 @@ class Search {
   }
 
   const Rules& rules_;
+  std::span<const Tetrahedron> room_;
   const TouchingRule* distance_;
-  Vector from_;
+  const ConvexDistance* far_;
   double size_;
   const KnownPlace& known_;
   FrontPlace best_;
@@ -219,13 +283,13 @@ class Search {
 }  // namespace
 
 FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
-                           double size, double floor, const KnownPlace& known) {
-  return Search(rules, &distance, {}, size, known).run(room, floor);
+                           double size, double floor, const KnownPlace& known, const Until* until) {
+  return Search(rules, &distance, nullptr, size, known).run(room, floor, until);
 }
 
-FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const Vector& from, double size,
-                            const KnownPlace& known) {
-  FrontPlace out = Search(rules, nullptr, from, size, known).run(room, -exact::kInfinity);
+FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const ConvexDistance& distance,
+                            double size, const KnownPlace& known) {
+  FrontPlace out = Search(rules, nullptr, &distance, size, known).run(room, -exact::kInfinity);
   out.value = -out.value, out.bound = -out.bound;
   return out;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The place of a room nearest to a convex set, or farthest from a point, among those that convex functions allow: each
+// The place of a room nearest to a convex set, or farthest from one, among those that convex functions allow: each
 // of `keep_out` is to be at least 0 there (the place is outside a grown set), each of `keep_in` at most 0 (inside one).
 // So distances to and from round fronts are found, of which planes alone are not enough. Branch and bound over
 // tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what its
@@ -17,6 +17,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "distance/solid_peak.h"
@@ -39,6 +40,13 @@ struct Rules {
 /// long.
 using KnownPlace = std::function<std::optional<double>()>;
 
+/// A box about the box. Cells whose faces lie in those of the sets would touch what is allowed and never be settled;
+/// cells of this one stand askew.
+std::pair<space::Vector, space::Vector> askew(const space::Vector& low, const space::Vector& high);
+
+/// Its length, and its ends.
+double longest_edge(const Tetrahedron& t, std::size_t& a, std::size_t& b);
+
 inline constexpr int kMostFrontCells = 60000;
 
 struct FrontPlace {
@@ -50,10 +58,17 @@ struct FrontPlace {
   bool whole = true;   // false: ended at kMostFrontCells
 };
 
+/// A search that need not end: it may where how far the value is from the level, and on which side, is known but for
+/// that share.
+struct Until {
+  double level = 0, share = 0;
+};
+
 /// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.
 FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
-                           double size, double floor, const KnownPlace& known = {});
-FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const space::Vector& from,
+                           double size, double floor, const KnownPlace& known = {}, const Until* until = nullptr);
+/// At which the distance is greatest.
+FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const ConvexDistance& distance,
                             double size, const KnownPlace& known = {});
 
 }  // namespace findspace::distance

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "distance/cut_rays.h"
 #include "distance/ray_directional.h"
 #include "distance/ray_runs.h"
 #include "distance/ray_signs.h"
+#include "situation/cut_shapes.h"
 #include "situation/evaluate.h"
 #include "situation/room_parts.h"
 #include "situation/solid_rays.h"
@@ -90,6 +92,20 @@ SurfaceRays in_room(const RayWorld& world, const SignMap& map, const Distance& d
   return out;
 }
 
+/// To or from a shape that balls are cut out of, by values; null where neither is one.
+space::RaySourcePointer by_cut(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                               const RayGrid& grid) {
+  const auto forms = [&](const std::vector<std::string>& names) {
+    std::vector<SpaceShape> out;
+    if (names.size() == 1) out.push_back(space_shape(*world.shapes.at(names[0]).stated()));
+    return out;
+  };
+  CutShapes cut = cut_shapes(forms(second ? d.second : d.first), forms(second ? d.first : d.second));
+  if (!cut.pair) return nullptr;
+  const Real level = map.level / world.step * Real(cut.scale);
+  return distance::cut_map(which(d.kind, second), level, std::move(cut.pair), cut.scale, grid);
+}
+
 /// Whether the direction is that of the lines, or the opposite one.
 bool runs_along(const Distance& d, const RayGrid& grid) {
   const RealVector direction = direction_of(d);
@@ -139,7 +155,10 @@ SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
     if (!second && !is_directional(d)) result = in_room(world, map, d, grid);
-    if (result.sources.empty()) throw e.within(text(map.distance));
+    if (!result.sources.empty()) return result;
+    auto cut = is_directional(d) ? nullptr : by_cut(world, map, d, second, grid);
+    if (!cut) throw e.within(text(map.distance));
+    result.sources.push_back(std::move(cut));
   }
   return result;
 }
@@ -267,7 +286,8 @@ bool found_by_search(const RayWorld& world, const SignMap& map, const RayGrid* g
                     grid != nullptr && is_directional(d) && runs_along(d, *grid));
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
-    return false;  // by surfaces
+    const bool fit = d.kind == Kind::kEta1 || d.kind == Kind::kMu;
+    return !(fit && map.level.sign() <= 0);  // by surfaces, or by rooms and pillars
   }
 }
 

@@ -23,6 +23,7 @@
 #include "situation/formula.h"
 #include "situation/lazy_body.h"
 #include "space/convex_set.h"
+#include "space/cut_body.h"
 #include "space/ray_solids.h"
 
 namespace findspace::situation {
@@ -35,6 +36,7 @@ struct SpaceShape {
   std::optional<space::BoxComplex> boxes;  // all faces axis-parallel: the exact set
   LazyBody body;                           // a closed body; none: `refused` says why
   std::string refused;
+  std::shared_ptr<const space::CutBody> cut{};  // that balls are cut out of; only where there is no body
   /// Of a large mesh, or a union with one: its surfaces, for what they tell. A body that is not convex waits then.
   std::shared_ptr<const std::vector<space::RaySolid>> surfaces{};
   bool convex = false;  // of a shape with surfaces

@@ -76,6 +76,7 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
   for (const SpaceShape* s : fixed) fixed_.push_back(*s);
   moving_boxes_ = united_boxes(moving_), fixed_boxes_ = united_boxes(fixed_);
   if (moving_boxes_ && fixed_boxes_) boxes_ = std::make_unique<BoxPair>(*moving_boxes_, *fixed_boxes_);
+  cut_ = cut_shapes(moving_, fixed_);
   const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
   if (std::any_of(moving_.begin(), moving_.end(), large) || std::any_of(fixed_.begin(), fixed_.end(), large))
     make_surfaces();
@@ -170,6 +171,7 @@ std::optional<SolidValue> SpacePair::value(Which which, const RealVector& p) con
     if (v && scale != 1) scale_down(*v, Real(scale));
     return v;
   };
+  if (cut_.pair) return asked(cut_.scale, [&](const RealVector& at) { return cut_.pair->value(which, at); });
   if (surfaces_) {
     bool told = false;
     auto v = asked(surface_scale_, [&](const RealVector& at) {

@@ -17,7 +17,7 @@
 #include "distance/box_pair.h"
 #include "distance/solid_least.h"
 #include "distance/surface_pair.h"
-#include "situation/solve_space.h"
+#include "situation/cut_shapes.h"
 #include "space/convex_region.h"
 
 namespace findspace::situation {
@@ -70,6 +70,7 @@ class SpacePair {
   Shapes moving_, fixed_;
   std::optional<space::BoxComplex> moving_boxes_, fixed_boxes_;
   std::unique_ptr<distance::BoxPair> boxes_;
+  CutShapes cut_;
   std::unique_ptr<distance::SurfacePair> surfaces_;
   distance::Surfaced surfaced_b_, surfaced_a_;
   std::int64_t surface_scale_ = 1;

@@ -33,6 +33,15 @@ std::shared_ptr<const std::vector<space::RaySolid>> large_surfaces(const plane::
   }
 }
 
+std::shared_ptr<const space::CutBody> cut_of(const plane::Shape& shape) {
+  try {
+    return std::make_shared<const space::CutBody>(space::cut_body(shape));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 SpaceShape space_shape(const plane::Shape& shape) {
@@ -61,8 +70,10 @@ SpaceShape space_shape(const plane::Shape& shape) {
   try {
     out.body = LazyBody(make());
   } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported || !out.boxes) throw;
+    if (e.code() != ErrorCode::kUnsupported) throw;
     out.refused = e.what();
+    out.cut = cut_of(shape);
+    if (!out.boxes && !out.cut) throw;
   }
   return out;
 }

@@ -11,6 +11,7 @@
 #include "space/ray_body.h"
 #include "space/shape_rays.h"
 #include "space/solid.h"
+#include "unit/solid_shapes.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::space {
@@ -21,26 +22,6 @@ using plane::Shape;
 using plane::ShapePtr;
 using Kind = Shape::Kind;
 
-ShapePtr primitive(Solid solid) {
-  Shape shape;
-  shape.solid = std::make_shared<const Solid>(std::move(solid));
-  return std::make_shared<const Shape>(std::move(shape));
-}
-
-ShapePtr ball(const Point& center, std::int64_t radius) {
-  Solid solid;
-  solid.form = Solid::Form::kBall;
-  solid.mesh.vertices = {center};
-  solid.radius = Real(radius);
-  return primitive(std::move(solid));
-}
-
-ShapePtr hull(std::vector<Point> points) {
-  Solid solid;
-  solid.mesh.vertices = std::move(points);
-  return primitive(std::move(solid));
-}
-
 /// The same as a surface of triangles.
 ShapePtr mesh(std::vector<Point> points) {
   const Triangles surface = triangles(Polytope::hull(points));
@@ -49,15 +30,6 @@ ShapePtr mesh(std::vector<Point> points) {
   solid.mesh.vertices = surface.points;
   for (const auto& f : surface.faces) solid.mesh.faces.emplace_back(f.begin(), f.end());
   return primitive(std::move(solid));
-}
-
-ShapePtr node(Kind kind, std::vector<ShapePtr> children, const Point& by = {}) {
-  Shape shape;
-  shape.kind = kind;
-  shape.children = std::move(children);
-  shape.points = {{by.x, by.y}};
-  shape.lift = by.z;
-  return std::make_shared<const Shape>(std::move(shape));
 }
 
 /// The definition.

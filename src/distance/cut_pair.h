@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// T-distances of a body B and a solid A that round ones are cut out of (cut_body.h), at a position of B:
+//   gamma1 and d1   where B + p does not meet the interior of A; where it does, only that they are below 0, and 0;
+//   gamma2, diameter
+//   eta1, dstar     of B in A by its rooms and pillars: E is what fits into every room and meets no pillar; mu and h
+//                   where they are at most 0;
+//   eta2            where all rooms are convex;
+//   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0.
+// Guarantee: distances from and to places on one sphere or on the polyhedra are exact, others found by search
+// (front_search.h; `proven` false, `error`). Whether B + p lies in A is decided exactly. What is not computed is
+// refused with Error(kUnsupported). Threads: safe. Keywords: bowl, spherical cavity, dome, lens, containment.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "distance/cut_part.h"
+#include "distance/front_room.h"
+#include "distance/solid_pair.h"
+#include "distance/value_rays.h"
+#include "space/cut_body.h"
+
+namespace findspace::distance {
+
+class CutPair {
+ public:
+  /// Both of one scale, B bounded. With `cut_moves` it is A that is moved, by -p in its own words: then the distances
+  /// are those of A + p to B.
+  CutPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::CutBody> a, bool cut_moves);
+
+  /// Nothing where the distance is undefined: +infinity.
+  std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
+  /// What the distance less the level is between, or another function of the same sign that no step changes by more
+  /// than its length; nothing where it is undefined.
+  const space::Body& whole() const { return *b_; }
+  const space::CutBody& cut() const { return *a_; }
+  bool cut_moves() const { return cut_moves_; }
+  std::optional<Between> between(Which which, const exact::Real& level, const space::RealVector& p) const;
+
+ private:
+  /// B + p and A are apart by `value`, or, if `depth` is more than 0, their interiors meet.
+  struct Gap {
+    SolidValue value;
+    double depth = 0;
+  };
+
+  std::optional<SolidValue> value_at(Which which, const space::RealVector& p) const;
+  Gap gap(const space::RealVector& p) const;
+  double common_depth(const space::RealVector& p) const;
+  SolidValue apart(const space::RealVector& p) const;
+  Between nearly_apart(const space::RealVector& p, double level) const;
+  SolidValue apart_or_refused(const space::RealVector& p) const;
+  SolidValue reach(const space::RealVector& p) const;
+  SolidValue named_reach(const space::CutPart& part, const space::RealVector& from, const FrontPlace& found) const;
+  std::optional<SolidValue> worst_fit(const space::RealVector& p) const;
+  bool is_whole(const SolidValue& worst) const;
+  std::optional<SolidValue> contained(const space::RealVector& p) const;
+  std::optional<SolidValue> farthest_fit(const space::RealVector& p) const;
+  std::optional<Between> nearly_fits(const space::RealVector& p, double level) const;
+  const FrontRoom* fits() const;
+  SolidValue sticking_out(const space::RealVector& p) const;
+  SolidValue clearance(const space::RealVector& p) const;
+  /// Of A out of B + p.
+  SolidValue sticking_out_back(const space::RealVector& p) const;
+  SolidValue covered(const space::RealVector& p) const;
+
+  std::shared_ptr<const space::Body> b_;
+  std::shared_ptr<const space::CutBody> a_;
+  bool cut_moves_ = false;
+  std::vector<CutSearch> parts_;
+  std::vector<std::unique_ptr<const SolidPair>> rooms_, pillars_;
+  double size_ = 1;
+  mutable std::once_flag fits_made_;
+  mutable std::optional<FrontRoom> fits_;
+};
+
+}  // namespace findspace::distance

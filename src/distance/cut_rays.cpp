@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/cut_rays.h"
+
+#include <findspace/error.h>
+
+#include <cmath>
+
+#include "space/ray_sources.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+
+namespace {
+
+/// The box about all positions at which the two can meet.
+space::Bounds3 positions(const CutPair& pair) {
+  const space::Bounds3 cut = bounds(pair.cut()), whole = bounds(pair.whole());
+  const space::Bounds3 &fixed = pair.cut_moves() ? whole : cut, &moving = pair.cut_moves() ? cut : whole;
+  return {space::minus(fixed.low, moving.high), space::minus(fixed.high, moving.low)};
+}
+
+}  // namespace
+
+std::unique_ptr<space::RaySource> cut_map(Which which, const Real& level, std::shared_ptr<const CutPair> pair,
+                                          std::int64_t scale, const space::RayGrid& grid) {
+  const bool cut_off = which == Which::kD1;
+  if (cut_off && level.sign() < 0) return space::constant_rays(grid, 1);
+  const Which base = cut_off ? Which::kGamma1 : which;
+  if (base == Which::kGamma1 && level.sign() < 0)
+    throw Error(ErrorCode::kUnsupported, "how deep a shape is in one that round ones are cut out of is not computed");
+  const space::Bounds3 box = positions(*pair);
+  const space::Vector low = space::rounded(box.low), high = space::rounded(box.high);
+  const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
+  const RayRule rule = [pair, base, level](const space::RealVector& p) { return pair->between(base, level, p); };
+  auto rays = std::make_unique<ValueRays>(rule, space::scaled(0.5, space::plus(low, high)), size, scale, grid);
+  if (!cut_off || level.sign() > 0) return rays;
+  return space::mapped_rays(std::move(rays), [](int s) { return s > 0 ? 1 : 0; });
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sign maps on rays of the distances between a body and a solid that round ones are cut out of (cut_pair.h), by values
+// (value_rays.h): gamma1 and d1 at levels from 0 on, gamma2, eta1, eta2, the distance by which a cut solid sticks out
+// of a convex body. Inside gamma1 the slack of what the two have in common takes the place of the depth: it has the
+// same sign and changes no faster. Guarantee: as value_rays.h. Cost: some hundred values a line. Keywords: ray map.
+#pragma once
+
+#include <memory>
+
+#include "distance/cut_pair.h"
+
+namespace findspace::distance {
+
+/// The level in steps of the scale of the pair. Throws Error(kUnsupported) for what values do not say.
+std::unique_ptr<space::RaySource> cut_map(Which which, const exact::Real& level, std::shared_ptr<const CutPair> pair,
+                                          std::int64_t scale, const space::RayGrid& grid);
+
+}  // namespace findspace::distance

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/cut_body.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace findspace::space {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+namespace {
+
+constexpr std::size_t kMostParts = 10000;
+
+Body one(const BodyPart& part, std::int64_t scale = 1) {
+  Body out;
+  out.scale = scale;
+  out.parts.push_back(part);
+  return out;
+}
+
+/// `change` takes a body and returns it in other coordinates.
+template <class Change>
+CutBody changed(const CutBody& body, std::int64_t scale, Change&& change) {
+  CutBody out;
+  out.scale = scale;
+  const auto set = [&](const BodyPart& part) { return change(one(part, body.scale)).parts[0]; };
+  for (const CutPart& part : body.parts) {
+    CutPart& made = out.parts.emplace_back();
+    for (const BodyPart& p : part.within) made.within.push_back(set(p));
+    for (const BodyPart& p : part.without) made.without.push_back(set(p));
+  }
+  for (const Body& room : body.rooms) out.rooms.push_back(change(room));
+  for (const Body& pillar : body.pillars) out.pillars.push_back(change(pillar));
+  return out;
+}
+
+bool meet(const Bounds3& a, const Bounds3& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.high[k] <= b.low[k] || b.high[k] <= a.low[k]) return false;
+  }
+  return true;
+}
+
+/// Whether a set whose boxes are these may have interior.
+bool bulky(const CutPart& part) {
+  const Bounds3 box = bounds(part);
+  return box.low[0] < box.high[0] && box.low[1] < box.high[1] && box.low[2] < box.high[2];
+}
+
+void keep(CutPart part, std::vector<CutPart>& out) {
+  if (!bulky(part)) return;
+  const Bounds3 box = bounds(part);
+  std::erase_if(part.without, [&](const BodyPart& o) { return !meet(bounds(one(o)), box); });
+  if (out.size() == kMostParts)
+    throw Error(ErrorCode::kUnsupported, "shapes cut by round ones into more than 10,000 parts are not computed");
+  out.push_back(std::move(part));
+}
+
+CutBody of_body(Body body) {
+  CutBody out;
+  out.scale = body.scale;
+  for (const BodyPart& part : body.parts) out.parts.push_back({{part}, {}});
+  out.rooms.push_back(std::move(body));
+  return out;
+}
+
+std::pair<CutBody, CutBody> together(const CutBody& a, const CutBody& b) {
+  const std::int64_t scale = std::lcm(a.scale, b.scale);
+  return {at_scale(a, scale), at_scale(b, scale)};
+}
+
+/// The second form is kept where both have it.
+CutBody common(const CutBody& first, const CutBody& second) {
+  const auto [a, b] = together(first, second);
+  CutBody out;
+  out.scale = a.scale;
+  for (const CutPart& x : a.parts) {
+    for (const CutPart& y : b.parts) {
+      CutPart part = x;
+      part.within.insert(part.within.end(), y.within.begin(), y.within.end());
+      part.without.insert(part.without.end(), y.without.begin(), y.without.end());
+      keep(std::move(part), out.parts);
+    }
+  }
+  if (a.rooms.empty() || b.rooms.empty()) return out;
+  for (const CutBody* from : {&a, &b}) {
+    out.rooms.insert(out.rooms.end(), from->rooms.begin(), from->rooms.end());
+    out.pillars.insert(out.pillars.end(), from->pillars.begin(), from->pillars.end());
+  }
+  return out;
+}
+
+/// x less y: where x leaves one of the sets that y lies within, or is in one that y lies without.
+std::vector<CutPart> less(const std::vector<CutPart>& all, const CutPart& y) {
+  std::vector<CutPart> out;
+  for (const CutPart& x : all) {
+    for (const BodyPart& p : y.within) {
+      CutPart part = x;
+      part.without.push_back(p);
+      keep(std::move(part), out);
+    }
+    for (const BodyPart& p : y.without) {
+      CutPart part = x;
+      part.within.push_back(p);
+      keep(std::move(part), out);
+    }
+  }
+  return out;
+}
+
+CutBody less(const CutBody& first, const CutBody& second) {
+  auto [a, b] = together(first, second);
+  for (const CutPart& part : b.parts) a.parts = less(a.parts, part);
+  const bool whole = b.rooms.size() == 1 && b.pillars.empty();
+  if (whole && !a.rooms.empty())
+    a.pillars.push_back(std::move(b.rooms[0]));
+  else
+    a.rooms.clear(), a.pillars.clear();
+  return std::move(a);
+}
+
+CutBody united(const CutBody& first, const CutBody& second) {
+  auto [a, b] = together(first, second);
+  a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
+  a.rooms.clear(), a.pillars.clear();
+  return std::move(a);
+}
+
+CutBody intersection(const plane::Shape& shape) {
+  std::optional<CutBody> out;
+  for (const plane::ShapePtr& c : shape.children) {
+    if (c->kind == Kind::kComplement) continue;
+    CutBody next = cut_body(*c);
+    out = out ? common(*out, next) : std::move(next);
+  }
+  if (!out) throw Error(ErrorCode::kUnsupported, "an intersection of complements is not computed in 3D", shape.place);
+  for (const plane::ShapePtr& c : shape.children) {
+    if (c->kind == Kind::kComplement) out = less(*out, cut_body(*c->children[0]));
+  }
+  return *std::move(out);
+}
+
+CutBody node(const plane::Shape& shape) {
+  const auto& children = shape.children;
+  const auto each = [&](auto&& join) {
+    CutBody out = cut_body(*children[0]);
+    for (std::size_t k = 1; k < children.size(); ++k) out = join(out, cut_body(*children[k]));
+    return out;
+  };
+  switch (shape.kind) {
+    case Kind::kUnion:
+      return each([](const CutBody& a, const CutBody& b) { return united(a, b); });
+    case Kind::kDifference:
+      return each([](const CutBody& a, const CutBody& b) { return less(a, b); });
+    case Kind::kIntersection:
+      return intersection(shape);
+    case Kind::kInterior:
+    case Kind::kClosure:
+    case Kind::kRegularize:
+      return cut_body(*children[0]);
+    case Kind::kTranslate: {
+      const CutBody child = cut_body(*children[0]);
+      const Point by{shape.points[0].x, shape.points[0].y, shape.lift};
+      return changed(child, child.scale, [&](Body b) { return translated(std::move(b), by); });
+    }
+    case Kind::kMirror: {
+      const CutBody child = cut_body(*children[0]);
+      return changed(child, child.scale, [](Body b) { return mirrored(std::move(b)); });
+    }
+    default:
+      return of_body(body(shape));  // which says why not
+  }
+}
+
+bool is_cut(const plane::Shape& shape) {
+  if (shape.kind == Kind::kIntersection || shape.kind == Kind::kDifference) return true;
+  const bool passes = shape.kind == Kind::kUnion || shape.kind == Kind::kTranslate || shape.kind == Kind::kMirror ||
+                      shape.kind == Kind::kInterior || shape.kind == Kind::kClosure || shape.kind == Kind::kRegularize;
+  return passes && std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return is_cut(*c); });
+}
+
+}  // namespace
+
+CutBody cut_body(const plane::Shape& shape) {
+  try {
+    Body made = body(shape);
+    if (made.outside)
+      throw Error(ErrorCode::kUnsupported, "a complement of this kind is not computed in 3D", shape.place);
+    return of_body(std::move(made));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported || !is_cut(shape)) throw;
+  }
+  return node(shape);
+}
+
+CutBody at_scale(const CutBody& body, std::int64_t scale) {
+  if (scale == body.scale) return body;
+  return changed(body, scale, [&](const Body& b) { return at_scale(b, scale); });
+}
+
+Bounds3 bounds(const CutPart& part) {
+  Bounds3 box = bounds(one(part.within[0]));
+  for (const BodyPart& p : part.within) {
+    const Bounds3 next = bounds(one(p));
+    for (std::size_t k = 0; k < 3; ++k)
+      box.low[k] = std::max(box.low[k], next.low[k]), box.high[k] = std::min(box.high[k], next.high[k]);
+  }
+  return box;
+}
+
+Bounds3 bounds(const CutBody& body) {
+  Bounds3 box = bounds(body.parts.at(0));
+  for (const CutPart& part : body.parts) {
+    const Bounds3 next = bounds(part);
+    for (std::size_t k = 0; k < 3; ++k)
+      box.low[k] = std::min(box.low[k], next.low[k]), box.high[k] = std::max(box.high[k], next.high[k]);
+  }
+  return box;
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Distances to solids that balls are cut out of or that are cut off by them, against their formulas: the witnesses
+// belong to the shapes and are as far from each other as the value says, and no sampled place is nearer (farther).
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "distance/cut_pair.h"
+#include "distance/cut_rays.h"
+#include "unit/solid_shapes.h"
+#include "unit/space_bodies.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+using plane::Shape;
+using plane::ShapePtr;
+using space::ball;
+using space::Body;
+using space::CutBody;
+using space::node;
+using space::Point;
+using space::RealVector;
+using space::Vector;
+using Kind = Shape::Kind;
+
+ShapePtr box(const Point& low, const Point& high) {
+  std::vector<Point> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  return space::hull(std::move(corners));
+}
+
+double to_box(const Vector& x, const Vector& low, const Vector& high) {
+  const double q[3] = {std::max(low.x - x.x, x.x - high.x), std::max(low.y - x.y, x.y - high.y),
+                       std::max(low.z - x.z, x.z - high.z)};
+  double square = 0;
+  for (const double d : q) square += d > 0 ? d * d : 0;
+  return std::sqrt(square) + std::min(0.0, std::max({q[0], q[1], q[2]}));
+}
+
+/// A solid with the function that is less than 0 in its interior and more than 0 outside.
+struct Case {
+  const char* name;
+  ShapePtr shape;
+  std::function<double(const Vector&)> level;
+};
+
+double to_ball(const Vector& x, const Vector& center, double radius) { return space::length(x - center) - radius; }
+
+std::vector<Case> cases() {
+  const ShapePtr block = box({-20, -20, -20}, {20, 20, 20});
+  const auto in_block = [](const Vector& x) { return to_box(x, {-20, -20, -20}, {20, 20, 20}); };
+  return {
+      {"bowl", node(Kind::kDifference, {block, ball({0, 0, 20}, 15)}),
+       [=](const Vector& x) {
+         return std::max(in_block(x), -to_ball(x, {0, 0, 20}, 15));
+       }},
+      {"dome", node(Kind::kIntersection, {ball({1, 0, -20}, 25), block}),
+       [=](const Vector& x) {
+         return std::max(in_block(x), to_ball(x, {1, 0, -20}, 25));
+       }},
+      {"lens", node(Kind::kIntersection, {ball({0, 0, -10}, 20), ball({3, 0, 10}, 19)}),
+       [](const Vector& x) {
+         return std::max(to_ball(x, {0, 0, -10}, 20), to_ball(x, {3, 0, 10}, 19));
+       }},
+      {"shell", node(Kind::kDifference, {ball({0, 0, 0}, 24), ball({2, 1, 0}, 18)}),
+       [](const Vector& x) {
+         return std::max(to_ball(x, {0, 0, 0}, 24), -to_ball(x, {2, 1, 0}, 18));
+       }},
+      {"half shell",
+       node(Kind::kDifference,
+            {node(Kind::kDifference, {ball({0, 0, 0}, 20), box({-30, -30, 0}, {30, 30, 30})}), ball({0, 0, 0}, 14)}),
+       [](const Vector& x) {
+         return std::max({to_ball(x, {}, 20), -to_ball(x, {}, 14), x.z});
+       }},
+      {"block with two pockets", node(Kind::kDifference, {block, ball({-20, -20, 0}, 17), ball({20, 20, 0}, 17)}),
+       [=](const Vector& x) {
+         return std::max({in_block(x), -to_ball(x, {-20, -20, 0}, 17), -to_ball(x, {20, 20, 0}, 17)});
+       }},
+  };
+}
+
+Vector any(std::mt19937& random, double size) {
+  std::uniform_real_distribution<double> pick(-size, size);
+  return {pick(random), pick(random), pick(random)};
+}
+
+RealVector on_grid(const Vector& v) {
+  const auto c = [](double x) { return Real::ratio(static_cast<std::int64_t>(std::floor(x * 8)), 8); };
+  return {c(v.x), c(v.y), c(v.z)};
+}
+
+constexpr double kHalf = 3;  // of the cube that moves
+
+std::shared_ptr<const CutPair> shared_pair(const Case& c) {
+  return std::make_shared<const CutPair>(space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
+                                         std::make_shared<const CutBody>(space::cut_body(*c.shape)), false);
+}
+
+CutPair pair_of(const Case& c, bool cut_moves = false) {
+  return {space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
+          std::make_shared<const CutBody>(space::cut_body(*c.shape)), cut_moves};
+}
+
+double to_cube(const Vector& x, const Vector& p) {
+  return to_box(x, p - Vector{kHalf, kHalf, kHalf}, space::plus(p, {kHalf, kHalf, kHalf}));
+}
+
+/// No sampled place of the solid is nearer to the cube, or farther from its corners, and samples meet the interiors of
+/// both only where the value says so.
+TEST(CutValues, AreThoseOfSamples) {
+  std::mt19937 random(7);
+  int apart = 0, meeting = 0;
+  for (const Case& c : cases()) {
+    const CutPair pair = pair_of(c);
+    std::vector<Vector> solid;
+    while (solid.size() < 60000) {
+      const Vector x = any(random, 30);
+      if (c.level(x) < 0) solid.push_back(x);
+    }
+    for (int k = 0; k < 25; ++k) {
+      const RealVector p = on_grid(any(random, 28));
+      const Vector near = space::rounded(p);
+      double least = exact::kInfinity, most = 0;
+      for (const Vector& x : solid) {
+        least = std::min(least, to_cube(x, near));
+        const Vector off{std::fabs(x.x - near.x) + kHalf, std::fabs(x.y - near.y) + kHalf,
+                         std::fabs(x.z - near.z) + kHalf};
+        most = std::max(most, space::length(off));
+      }
+      const double far = pair.value(Which::kGamma2, p)->value.to_double();
+      EXPECT_GE(far, most) << c.name;
+      EXPECT_LE(far, most + 2) << c.name;
+      const SolidValue d1 = *pair.value(Which::kD1, p);
+      EXPECT_LE(d1.value.to_double(), std::max(0.0, least) + 1e-9) << c.name;
+      EXPECT_GE(d1.value.to_double(), least - 2) << c.name;
+      if (least < 0) {
+        ++meeting;
+        EXPECT_THROW(pair.value(Which::kGamma1, p), Error) << c.name;
+        EXPECT_LT(pair.between(Which::kGamma1, Real(), p)->high, 0) << c.name;
+        continue;
+      }
+      if (!d1.points || d1.value.sign() == 0) continue;
+      ++apart;
+      const Vector b = space::rounded((*d1.points)[0]), a = space::rounded((*d1.points)[1]);
+      EXPECT_NEAR(space::length(a - b), d1.value.to_double(), 1e-9) << c.name;
+      EXPECT_LT(c.level(a), 1e-9) << c.name;
+      EXPECT_LT(to_cube(b, near), 1e-9) << c.name;
+    }
+  }
+  EXPECT_GT(apart, 40);
+  EXPECT_GT(meeting, 20);
+}
+
+/// The cube is in the solid where its corners and no place of what is cut out are: E is known by formula.
+TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
+  std::mt19937 random(8);
+  const auto fits = [](const Case& c, const Vector& p) {
+    // Convex solids hold it by its corners; what is cut out is told by the place of the cube nearest to its centre.
+    for (int i = 0; i < 8; ++i) {
+      const Vector corner{p.x + (i & 1 ? kHalf : -kHalf), p.y + (i & 2 ? kHalf : -kHalf),
+                          p.z + (i & 4 ? kHalf : -kHalf)};
+      if (c.level(corner) > 0) return false;
+    }
+    const auto out = [&](const Vector& center, double r) { return to_cube(center, p) >= r; };
+    const std::string name = c.name;
+    if (name == "bowl") return out({0, 0, 20}, 15);
+    if (name == "block with two pockets") return out({-20, -20, 0}, 17) && out({20, 20, 0}, 17);
+    return true;
+  };
+  for (const Case& c : cases()) {
+    if (std::string(c.name).find("shell") != std::string::npos) continue;
+    const CutPair pair = pair_of(c);
+    std::vector<Vector> all;
+    for (int k = 0; k < 400000; ++k) {
+      const Vector q = any(random, 20);
+      if (fits(c, q)) all.push_back(q);
+    }
+    ASSERT_GT(all.size(), 100u) << c.name;
+    for (int k = 0; k < 12; ++k) {
+      const RealVector p = on_grid(any(random, 30));
+      const Vector near = space::rounded(p);
+      double least = exact::kInfinity, most = 0;
+      for (const Vector& q : all) {
+        const double d = space::length(q - near);
+        least = std::min(least, d), most = std::max(most, d);
+      }
+      const SolidValue v = *pair.value(Which::kEta1, p);
+      EXPECT_EQ(v.value.sign() <= 0, fits(c, near)) << c.name;
+      if (v.value.sign() > 0) {
+        EXPECT_LE(v.value.to_double(), least + 1e-9) << c.name;
+        EXPECT_GE(v.value.to_double(), least - 2.5) << c.name;
+        ASSERT_TRUE(v.nearest);
+        const Vector q = space::rounded(*v.nearest);
+        EXPECT_NEAR(space::length(q - near), v.value.to_double(), 1e-9) << c.name;
+      }
+      const SolidValue far = *pair.value(Which::kEta2, p);
+      EXPECT_GE(far.value.to_double(), most - 1e-9) << c.name;
+      EXPECT_LE(far.value.to_double(), most + 3.5) << c.name;
+    }
+  }
+}
+
+/// A cut solid that moves is seen from the other side.
+TEST(CutValues, AreTheSameWhicheverShapeMoves) {
+  std::mt19937 random(9);
+  for (const Case& c : cases()) {
+    const CutPair forth = pair_of(c), back = pair_of(c, true);
+    for (int k = 0; k < 4; ++k) {
+      const RealVector p = on_grid(any(random, 30));
+      for (const auto& [one, other] :
+           {std::pair{Which::kD1, Which::kD1}, {Which::kGamma2, Which::kGamma2}, {Which::kMuBack, Which::kMu}}) {
+        EXPECT_EQ(forth.value(one, p)->value, back.value(other, space::negated(p))->value) << c.name;
+      }
+    }
+  }
+}
+
+/// Lines say the signs that values have.
+TEST(CutValues, AreThoseOfLines) {
+  std::mt19937 random(10);
+  const space::RayGrid grid{2, 1, -17, -13, 11, 9, 4, 4};
+  int certain = 0;
+  for (const Case& c : cases()) {
+    const auto pair = shared_pair(c);
+    for (const std::int64_t level : {0, 4}) {
+      const auto map = cut_map(Which::kGamma1, Real(level), pair, 1, grid);
+      for (const int j : {1, 2}) {
+        const space::RayRow row = map->row(j);
+        for (int k = 0; k < 30; ++k) {
+          const int i = static_cast<int>(random() % 4);
+          const RealVector p{Real(grid.u_at(i)), Real(grid.v_at(j)), on_grid(any(random, 30))[2]};
+          const int sign = space::sign_at(row, i, p[2]);
+          const Between value = *pair->between(Which::kGamma1, Real(level), p);
+          if (sign != 0) ++certain;
+          if (value.low > 0.01) {
+            EXPECT_EQ(sign, 1) << c.name;
+          }
+          if (value.high < -0.01) {
+            EXPECT_EQ(sign, -1) << c.name;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(certain, 300);
+}
+
+/// The exact values of places that square roots name.
+TEST(CutValues, AreNamed) {
+  const std::vector<Case> all = cases();
+  // In the bowl, below its centre: 15 less the way to the lower corners.
+  const SolidValue in_bowl = *pair_of(all[0]).value(Which::kGamma1, space::place(0, 0, 17));
+  EXPECT_TRUE(in_bowl.proven);
+  EXPECT_EQ(in_bowl.value, Real(15) - sqrt(Real(54)));
+  // It touches the bowl with four corners at once: 9 + 9 + 207 = 225.
+  const CutPair touching = {space::shared(space::box_body({{{{-3, -3, 0}, {3, 3, 3}}}})),
+                            std::make_shared<const CutBody>(space::cut_body(*all[0].shape)), false};
+  const SolidValue zero = *touching.value(Which::kGamma1, {Real(), Real(), Real(20) - sqrt(Real(207))});
+  EXPECT_TRUE(zero.proven);
+  EXPECT_EQ(zero.value.sign(), 0);
+  // Outside the block: as the block's own.
+  const SolidValue beside = *pair_of(all[0]).value(Which::kGamma1, space::place(30, 0, 0));
+  EXPECT_TRUE(beside.proven);
+  EXPECT_EQ(beside.value, Real(7));
+  // Above the pocket the rim is nearest: the circle of radius 15 at height 20.
+  const SolidValue above = *pair_of(all[0]).value(Which::kGamma1, space::place(0, 0, 33));
+  EXPECT_TRUE(above.proven);
+  EXPECT_EQ(above.value, sqrt(Real(100) + (Real(15) - sqrt(Real(18))) * (Real(15) - sqrt(Real(18)))));
+  // What is left of a block in which a ball fills all but corners is nothing if it fills these, too.
+  const Case none{"none", node(Kind::kIntersection, {ball({0, 0, -10}, 10), ball({0, 0, 10}, 10)}), {}};
+  EXPECT_THROW(pair_of(none).value(Which::kGamma1, space::place(0, 0, 33)), Error);
+}
+
+}  // namespace
+}  // namespace findspace::distance
