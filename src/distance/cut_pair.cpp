@@ -21,6 +21,7 @@ using space::RealVector;
 namespace {
 
 constexpr double kError = 0x1p-40;  // of the size
+constexpr double kSeen = 0x1p-32;   // of the size: depths that lines do not tell from none
 constexpr double kShare = 0x1p-1;   // of a value that is only used to go on from
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
@@ -235,7 +236,7 @@ std::optional<Between> CutPair::between(Which which, const Real& level, const Re
   if (which == Which::kGamma1) {
     if (at < 0) fail("how deep a shape is in one that round ones are cut out of is not computed");
     const RealVector q = cut_moves_ ? space::negated(p) : p;
-    const double depth = common_depth(q);
+    const double depth = common_depth(q, kSeen);
     return depth > 0 ? Between{-exact::kInfinity, -depth - at} : nearly_apart(q, at);
   }
   const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);

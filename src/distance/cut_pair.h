@@ -49,7 +49,8 @@ class CutPair {
 
   std::optional<SolidValue> value_at(Which which, const space::RealVector& p) const;
   Gap gap(const space::RealVector& p) const;
-  double common_depth(const space::RealVector& p) const;
+  /// The slack of what the two have in common; 0 where it is at most `enough` of the sizes.
+  double common_depth(const space::RealVector& p, double enough) const;
   SolidValue apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
   SolidValue apart_or_refused(const space::RealVector& p) const;

@@ -118,7 +118,7 @@ Between CutPair::nearly_apart(const RealVector& p, double level) const {
   return {out.low - error - level, out.high + error - level};
 }
 
-double CutPair::common_depth(const RealVector& p) const {
+double CutPair::common_depth(const RealVector& p, double enough) const {
   const Vector by = space::rounded(p);
   double most = 0;
   for (const BodyPart& s : b_->parts) {
@@ -127,10 +127,10 @@ double CutPair::common_depth(const RealVector& p) const {
       if (distance(box, {part.low, part.high}) > 0) continue;
       Rules rules = part.rules;
       rules.keep_in.push_back(keep_in(s, by));
-      most = std::max(most, most_slack(part.cells, rules, kThin * size_).value);
+      most = std::max(most, most_slack(part.cells, rules, enough * size_).value);
     }
   }
-  return most > kThin * size_ ? most : 0;
+  return most > enough * size_ ? most : 0;
 }
 
 CutPair::Gap CutPair::gap(const RealVector& p) const {
@@ -138,7 +138,7 @@ CutPair::Gap CutPair::gap(const RealVector& p) const {
   out.value = apart(p);
   const double v = out.value.value.to_double();
   if (v > out.value.error + kError * size_) return out;
-  out.depth = common_depth(p);
+  out.depth = common_depth(p, kThin);
   if (out.depth > 0) out.value = SolidValue{};
   return out;
 }
