@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <queue>
 
 #include "distance/matrix_game.h"
+#include "distance/peak_queue.h"
 #include "distance/round_solid.h"
 #include "space/convex_region.h"
 #include "space/polytope.h"
@@ -31,8 +31,7 @@ class Search {
  public:
   Search(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round, std::span<const ConvexDistance> sets,
          double slack, double share)
-      : sets_(sets), slack_(slack), share_(share) {
-    best_.value = std::min(0.0, slack);
+      : sets_(sets), queue_(slack, share) {
     all_.resize(sets.size());
     std::iota(all_.begin(), all_.end(), 0);
     for (const Tetrahedron& t : solid) add(t, all_, exact::kInfinity, nullptr);
@@ -42,35 +41,14 @@ class Search {
   }
 
   SolidPeak run() {
-    for (int count = 0; !queue_.empty(); ++count) {
-      const Cell top = queue_.top();
-      if (!worth(top.bound)) break;
-      if (count == kMostCells) {
-        best_.whole = false;
-        best_.bound = top.bound;
-        return best_;
-      }
-      queue_.pop();
-      split(top);
-    }
-    best_.bound = std::max(best_.value * (1 + 0x1p-41), slack_);
-    return best_;
+    return queue_.run([this](const Cell& top) { split(top); });
   }
 
  private:
-  bool worth(double bound) const {
-    const double surplus = best_.value - slack_;
-    return bound > best_.value * (1 + 0x1p-41) && bound > slack_ && !(surplus > (bound - slack_) * (1 - share_));
-  }
-
   double nearest(const Vector& x, const std::vector<int>& sets) const {
     double least = exact::kInfinity;
     for (const int i : sets) least = std::min(least, sets_[std::size_t(i)](x));
     return least;
-  }
-
-  void offer(const Vector& x, double value) {
-    if (value > best_.value) best_.value = value, best_.place = x;
   }
 
   void add(const Tetrahedron& corner, const std::vector<int>& sets, double ceiling, const RoundSolid* round) {
@@ -103,18 +81,18 @@ class Search {
     if (round) {
       offer_in(*round, middle, cell.sets);
     } else {
-      for (std::size_t v = 0; v < 4; ++v) offer(corner[v], least[v]);
+      for (std::size_t v = 0; v < 4; ++v) queue_.offer(corner[v], least[v]);
     }
-    if (!worth(bound)) return;
+    if (!queue_.worth(bound)) return;
     const GameValue game = bounding_game(cell.distances, beyond);
     cell.bound = std::min(ceiling, game.value);
-    if (!worth(cell.bound)) return;
+    if (!queue_.worth(cell.bound)) return;
     Vector x;
     for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
     if (round)
       offer_in(*round, x, cell.sets);
     else
-      offer(x, nearest(x, cell.sets));
+      queue_.offer(x, nearest(x, cell.sets));
     queue_.push(std::move(cell));
   }
 
@@ -122,7 +100,7 @@ class Search {
   void offer_in(const RoundSolid& round, const Vector& x, const std::vector<int>& sets) {
     const bool out = round.beyond(x) > 0;
     const Vector in = out ? round.pulled_in(x) : x;
-    offer(in, nearest(in, out ? all_ : sets));
+    queue_.offer(in, nearest(in, out ? all_ : sets));
   }
 
   /// By how much the distances exceed, half-way between two corners, what their values there make one expect: none
@@ -142,7 +120,7 @@ class Search {
   /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
   void split(const Cell& cell) {
     std::size_t a = 0, b = 1;
-    double longest = 0, greatest = 0x1p-46 * best_.value;
+    double longest = 0, greatest = 0x1p-46 * queue_.best().value;
     for (std::size_t v = 0; v < 4; ++v) {
       for (std::size_t w = v + 1; w < 4; ++w) {
         const double d = space::length(cell.corner[v] - cell.corner[w]), bent = bend(cell, v, w);
@@ -162,10 +140,8 @@ class Search {
   }
 
   std::span<const ConvexDistance> sets_;
-  double slack_, share_;
   std::vector<int> all_;
-  std::priority_queue<Cell> queue_;
-  SolidPeak best_;
+  PeakQueue<Cell> queue_;
 };
 
 /// A fan over the facet's circuit from corner `apex`.

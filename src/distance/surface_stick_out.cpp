@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <queue>
 
 #include "distance/matrix_game.h"
+#include "distance/peak_queue.h"
 #include "distance/stick_out_field.h"
 #include "space/surface_side.h"
 
@@ -159,9 +159,7 @@ struct Cell {
 
 class Search {
  public:
-  Search(const TriangleField& field, double slack, double share) : field_(field), slack_(slack), share_(share) {
-    best_.value = std::min(0.0, slack);
-  }
+  Search(const TriangleField& field, double slack, double share) : field_(field), queue_(slack, share) {}
 
   SolidPeak run(std::span<const Tetrahedron> solid) {
     for (const Tetrahedron& t : solid) {
@@ -169,45 +167,28 @@ class Search {
       for (const Vector& v : t) triangles.push_back(field_.nearest(v).triangle);
       add(t, exact::kInfinity, std::move(triangles));
     }
-    for (int count = 0; !queue_.empty(); ++count) {
-      const Cell top = queue_.top();
-      if (!worth(top.bound)) break;
-      if (count == kMostCells) {
-        best_.whole = false;
-        best_.bound = top.bound;
-        return best_;
-      }
-      queue_.pop();
-      split(top);
-    }
-    best_.bound = std::max(best_.value * (1 + 0x1p-41), slack_);
-    return best_;
+    return queue_.run([this](const Cell& top) { split(top); });
   }
 
  private:
-  bool worth(double bound) const {
-    const double surplus = best_.value - slack_;
-    return bound > best_.value * (1 + 0x1p-41) && bound > slack_ && !(surplus > (bound - slack_) * (1 - share_));
-  }
-
   void add(const Tetrahedron& corner, double ceiling, std::vector<int> triangles) {
     Cell cell{corner, ceiling, std::move(triangles)};
     const Vector middle =
         space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
     double radius = 0;
     for (const Vector& v : corner) radius = std::max(radius, space::length(v - middle));
-    const TriangleField::Nearest near = field_.nearest(middle, slack_ - radius, cell.triangles);
-    if (!worth(near.distance + radius)) return;
+    const TriangleField::Nearest near = field_.nearest(middle, queue_.slack() - radius, cell.triangles);
+    if (!queue_.worth(near.distance + radius)) return;
     cell.triangles.push_back(near.triangle);
     find_columns(cell);
-    if (!worth(cell.bound)) return;
+    if (!queue_.worth(cell.bound)) return;
     const auto inside = field_.inside(middle, near.distance);
     const double value = inside.value_or(false) ? -near.distance : near.distance;
     cell.bound = std::min(cell.bound, value + radius);
-    if (!worth(cell.bound)) return;
-    if (inside == false) offer(middle, value);
+    if (!queue_.worth(cell.bound)) return;
+    if (inside == false) queue_.offer(middle, value);
     play(cell);
-    if (worth(cell.bound)) queue_.push(std::move(cell));
+    if (queue_.worth(cell.bound)) queue_.push(std::move(cell));
   }
 
   /// The distances of the cell's triangles from its corners; keeps those that bound it best.
@@ -236,16 +217,12 @@ class Search {
     }
     const GameValue game = matrix_game(columns);
     cell.bound = std::min(cell.bound, game.value);
-    if (!worth(cell.bound)) return;
+    if (!queue_.worth(cell.bound)) return;
     Vector x;
     for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], cell.corner[v]));
     const TriangleField::Nearest near = field_.nearest(x, 0, cell.triangles);
     cell.triangles.push_back(near.triangle);
-    if (near.distance > best_.value && field_.inside(x, near.distance) == false) offer(x, near.distance);
-  }
-
-  void offer(const Vector& x, double value) {
-    if (value > best_.value) best_.value = value, best_.place = x;
+    if (near.distance > queue_.best().value && field_.inside(x, near.distance) == false) queue_.offer(x, near.distance);
   }
 
   void split(const Cell& cell) {
@@ -266,9 +243,7 @@ class Search {
   }
 
   const TriangleField& field_;
-  double slack_, share_;
-  std::priority_queue<Cell> queue_;
-  SolidPeak best_;
+  PeakQueue<Cell> queue_;
 };
 
 SolidPeak TriangleField::peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> /*round*/, double slack,

@@ -5,22 +5,17 @@
 #include <array>
 #include <cmath>
 
+#include "space/near_features.h"
+
 namespace findspace::space {
 namespace {
 
 using exact::Real;
 
-template <class T>
-using Triple = std::array<T, 3>;
+using near::dot;
+using near::minus;
+using near::Triple;
 
-template <class T>
-T dot(const Triple<T>& a, const Triple<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class T>
-Triple<T> minus(const Triple<T>& a, const Triple<T>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
 template <class T>
 Triple<T> cross(const Triple<T>& a, const Triple<T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

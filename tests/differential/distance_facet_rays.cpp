@@ -19,12 +19,6 @@ using space::PairRays;
 using space::RayGrid;
 using space::RayRow;
 
-space::Body body_of(const Cells& cells, const LinearMap& map) {
-  space::Body b;
-  for (const space::Polytope& p : space::parts_of(cells, map)) b.parts.push_back({p, {}, Real()});
-  return b;
-}
-
 struct Counts {
   int events = 0, differences = 0;
 };
@@ -33,7 +27,7 @@ struct Counts {
 void compare(const Cells& a, const LinearMap& a_map, const Cells& b, const LinearMap& b_map, const Real& level,
              const RayGrid& grid, Counts& counts) {
   const space::Triangles a_surface = surface(a, a_map), b_surface = surface(b, b_map);
-  const space::Body a_body = body_of(a, a_map), b_body = body_of(b, b_map);
+  const space::Body a_body = space::body_of(a, a_map), b_body = space::body_of(b, b_map);
   for (const bool inside : {false, true}) {
     const auto by_parts =
         ray_sign_map(inside ? Which::kEta1 : Which::kGamma1, inside ? -level : level, b_body, a_body, grid);

@@ -27,16 +27,10 @@ using space::RaySourcePointer;
 using space::TouchPair;
 using space::TouchSide;
 
-space::Body body_of(const Cells& cells, const LinearMap& map) {
-  space::Body b;
-  for (const space::Polytope& p : space::parts_of(cells, map)) b.parts.push_back({p, {}, Real()});
-  return b;
-}
-
 /// A solid by its surface and by its parts.
 struct Both {
   Both(const Cells& cells, const LinearMap& map)
-      : surface(space::surface(cells, map)), parts(space::parts_of(cells, map)), body(body_of(cells, map)) {}
+      : surface(space::surface(cells, map)), parts(space::parts_of(cells, map)), body(space::body_of(cells, map)) {}
   space::Triangles surface;
   std::vector<space::Polytope> parts;
   space::Body body;

@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+#include "space/body.h"
 #include "space/phi_union.h"
 #include "space/ray_body.h"
 
@@ -86,6 +87,12 @@ inline std::vector<Polytope> parts_of(const Cells& cells, const LinearMap& map) 
     result.push_back(Polytope::hull(corners));
   }
   return result;
+}
+
+inline Body body_of(const Cells& cells, const LinearMap& map) {
+  Body body;
+  for (Polytope& p : parts_of(cells, map)) body.parts.push_back({std::move(p), {}, exact::Real()});
+  return body;
 }
 
 /// Cells grown at random; connected over faces.
