@@ -155,13 +155,44 @@ SolidValue CutPair::sticking_out(const RealVector& p) const {
   return *std::move(worst);
 }
 
+SolidValue CutPair::hausdorff(const RealVector& p) const {
+  SolidValue back = sticking_out_back(p);
+  // No point of B is farther from A than the gap and B's own width.
+  const double most = apart(p).value.to_double() + diameter(*b_).to_double();
+  if (most < back.value.to_double() - back.error) return back;
+  SolidValue forth = sticking_out(p);
+  return forth.value < back.value ? back : forth;
+}
+
+/// Whether A is wider than B along an axis, and so never in it.
+bool CutPair::too_large() const {
+  std::call_once(extents_made_, [&] {
+    const space::Bounds3 box = bounds(*b_);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double wide = 0;
+      for (const double sense : {1.0, -1.0}) {
+        const ConvexDistance ahead = [k, sense](const space::Vector& x) {
+          return sense * (k == 0 ? x.x : k == 1 ? x.y : x.z);
+        };
+        double most = -exact::kInfinity;
+        for (const CutSearch& part : parts_)
+          most = std::max(most, farthest_allowed(part.cells, part.rules, ahead, size_).value);
+        wide += most;
+      }
+      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * kError * size_) too_large_ = true;
+    }
+  });
+  return too_large_;
+}
+
 /// max(0, -eta1), and max(0, mu) where it is 0.
 SolidValue CutPair::clearance(const RealVector& p) const {
   const auto worst = worst_fit(p);
   return worst ? *cut_off(worst, true) : SolidValue{};
 }
 
-SolidValue CutPair::covered(const RealVector& p) const {
+std::optional<SolidValue> CutPair::covered(const RealVector& p) const {
+  if (too_large()) return std::nullopt;
   SolidValue v = sticking_out_back(p);
   if (v.value.to_double() > v.error)
     fail("how far a shape that round ones are cut out of is from fitting into another is not computed");
@@ -200,6 +231,11 @@ std::optional<SolidValue> CutPair::value_at(Which which, const RealVector& p) co
       return cut_off(sticking_out_back(p), false);
     case Which::kDelta1:
       return covered(p);
+    case Which::kDelta2:
+      if (too_large()) return std::nullopt;
+      fail("the farthest fit of a shape that round ones are cut out of is not computed");
+    case Which::kHausdorff:
+      return hausdorff(p);
     case Which::kDstar:
       return cut_off(sticking_out_back(p), true);
     default:

@@ -4,10 +4,10 @@
 // T-distances of a body B and a solid A that round ones are cut out of (cut_body.h), at a position of B:
 //   gamma1 and d1   where B + p does not meet the interior of A; where it does, only that they are below 0, and 0;
 //   gamma2, diameter
-//   eta1, dstar     of B in A by its rooms and pillars: E is what fits into every room and meets no pillar; mu and h
-//                   where they are at most 0;
+//   eta1, dstar     of B in A by its rooms and pillars: E is what fits into every room and meets no pillar;
+//   mu, h           of B to A where B + p lies in A; hausdorff where A sticks out of B by more than B could of A;
 //   eta2            where all rooms are convex;
-//   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0.
+//   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A.
 // Guarantee: distances from and to places on one sphere or on the polyhedra are exact, others found by search
 // (front_search.h; `proven` false, `error`). Whether B + p lies in A is decided exactly. What is not computed is
 // refused with Error(kUnsupported). Threads: safe. Keywords: bowl, spherical cavity, dome, lens, containment.
@@ -63,10 +63,12 @@ class CutPair {
   std::optional<Between> nearly_fits(const space::RealVector& p, double level) const;
   const FrontRoom* fits() const;
   SolidValue sticking_out(const space::RealVector& p) const;
+  SolidValue hausdorff(const space::RealVector& p) const;
+  bool too_large() const;
   SolidValue clearance(const space::RealVector& p) const;
   /// Of A out of B + p.
   SolidValue sticking_out_back(const space::RealVector& p) const;
-  SolidValue covered(const space::RealVector& p) const;
+  std::optional<SolidValue> covered(const space::RealVector& p) const;
 
   std::shared_ptr<const space::Body> b_;
   std::shared_ptr<const space::CutBody> a_;
@@ -76,6 +78,8 @@ class CutPair {
   double size_ = 1;
   mutable std::once_flag fits_made_;
   mutable std::optional<FrontRoom> fits_;
+  mutable std::once_flag extents_made_;
+  mutable bool too_large_ = false;
 };
 
 }  // namespace findspace::distance

@@ -275,6 +275,10 @@ TEST(CutValues, AreNamed) {
   const SolidValue above = *pair_of(all[0]).value(Which::kGamma1, space::place(0, 0, 33));
   EXPECT_TRUE(above.proven);
   EXPECT_EQ(above.value, sqrt(Real(100) + (Real(15) - sqrt(Real(18))) * (Real(15) - sqrt(Real(18)))));
+  // It is too large for the cube, and sticks out of it by its lower corners.
+  EXPECT_FALSE(pair_of(all[0]).value(Which::kDelta1, space::place(0, 0, 17)));
+  EXPECT_FALSE(pair_of(all[0]).value(Which::kDelta2, space::place(0, 0, 17)));
+  EXPECT_EQ(pair_of(all[0]).value(Which::kHausdorff, space::place(0, 0, 17))->value, sqrt(Real(17 * 17 * 2 + 34 * 34)));
   // What is left of a block in which a ball fills all but corners is nothing if it fills these, too.
   const Case none{"none", node(Kind::kIntersection, {ball({0, 0, -10}, 10), ball({0, 0, 10}, 10)}), {}};
   EXPECT_THROW(pair_of(none).value(Which::kGamma1, space::place(0, 0, 33)), Error);
