@@ -28,17 +28,31 @@ std::string where_text(const space::RealVector& at) {
   return fmt::format("({}, {}, {})", at[0].to_double(), at[1].to_double(), at[2].to_double());
 }
 
+/// What is drawn of a shape: its body, or all sets that a cut solid is made of and that are cut out of it.
+std::shared_ptr<const space::Body> drawn_body(const situation::SpaceShape& shape) {
+  if (!shape.cut) return shape.body.pointer();
+  space::Body all;
+  all.scale = shape.cut->scale;
+  for (const space::CutPart& part : shape.cut->parts) {
+    all.parts.insert(all.parts.end(), part.within.begin(), part.within.end());
+    all.parts.insert(all.parts.end(), part.without.begin(), part.without.end());
+  }
+  return std::make_shared<const space::Body>(std::move(all));
+}
+
 /// The bodies with the moving ones at `at`, and pairs of points that take a distance.
 std::string picture_at(const Session& session, const situation::SpaceSolver& solver, const space::RealVector& at,
                        std::string title, std::vector<std::string> lines,
                        const std::vector<situation::SpaceDistanceAt>& distances) {
   const situation::SpaceWorld& world = solver.world();
   io::BodiesPicture picture{std::move(title), session.unit(), std::move(lines), {}, {}, world.step.to_double()};
+  std::vector<std::shared_ptr<const space::Body>> drawn;
   for (const bool moving : {false, true}) {
     for (const auto& [name, shape] : world.shapes) {
       const bool moves = std::find(world.moving.begin(), world.moving.end(), name) != world.moving.end();
-      if (moves != moving || !shape.body) continue;
-      picture.bodies.push_back({shape.body.get(), {}, moving});
+      if (moves != moving || (!shape.body && !shape.cut)) continue;
+      drawn.push_back(drawn_body(shape));
+      picture.bodies.push_back({drawn.back().get(), {}, moving});
       if (moving) picture.bodies.back().by = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
     }
   }

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A bowl, which has no convex parts: what a world says of it, at positions and on lines.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include "situation/solve_rays.h"
+#include "situation/solve_space.h"
+#include "unit/solid_shapes.h"
+#include "unit/space_bodies.h"
+
+namespace findspace::situation {
+namespace {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+plane::ShapePtr cube(std::int64_t half) {
+  std::vector<space::Point> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
+  return space::hull(std::move(corners));
+}
+
+plane::ShapePtr bowl() { return space::node(Kind::kDifference, {cube(20), space::ball({0, 0, 20}, 15)}); }
+
+Distance named(findspace::situation::Kind kind, bool turned = false) {
+  Distance d;
+  d.kind = kind, d.first = {turned ? "A" : "B"}, d.second = {turned ? "B" : "A"};
+  return d;
+}
+
+SpaceWorld world(const char* moving) {
+  SpaceWorld out;
+  out.shapes["A"] = space_shape(*bowl());
+  out.shapes["B"] = space_shape(*cube(3));
+  out.moving = {moving}, out.step = Real(1);
+  return out;
+}
+
+TEST(CutSolid, HasValuesWhicheverShapeMoves) {
+  using K = findspace::situation::Kind;
+  const SpaceSolver solver(world("B")), back(world("A"));
+  const auto p = space::place(0, 0, 17), q = space::place(0, 0, -17);
+  EXPECT_EQ(solver.value(named(K::kGamma1), p)->value, Real(15) - sqrt(Real(54)));
+  EXPECT_EQ(back.value(named(K::kGamma1, true), q)->value, Real(15) - sqrt(Real(54)));
+  EXPECT_EQ(back.value(named(K::kEta1), q)->value, solver.value(named(K::kEta1), p)->value);
+  EXPECT_EQ(solver.value(named(K::kEta1), space::place(0, 0, -10))->value, Real(-7));
+  EXPECT_FALSE(solver.value(named(K::kDelta1), p));
+  EXPECT_THROW(solver.value(named(K::kGamma1), space::place(0, 0, 3)), Error);  // how deep is not computed
+  EXPECT_EQ(solver.value(named(K::kD1), space::place(0, 0, 3))->value, Real());
+}
+
+TEST(CutSolid, HasSignsWhereItHasNoValue) {
+  RayWorld rays;
+  rays.shapes.emplace("A", RayShape(bowl()));
+  rays.shapes.emplace("B", RayShape(cube(3)));
+  rays.moving = {"B"}, rays.step = Real(1);
+  const SignMap touching{named(findspace::situation::Kind::kGamma1), Real(), false};
+  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 3)), -1);
+  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
+  EXPECT_TRUE(found_by_search(rays, touching));
+}
+
+}  // namespace
+}  // namespace findspace::situation
