@@ -59,7 +59,8 @@ std::optional<situation::SpaceShape> exact_shape(const Session& session, const s
     situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
     note_rounding(session, name, shape);
     const bool waits = shape.surfaces && !shape.convex;  // not convex, then
-    if (shape.boxes || (!waits && shape.body && shape.body->convex() && (!shape.body->round() || !wants_surface(session))))
+    if (shape.boxes ||
+        (!waits && shape.body && shape.body->convex() && (!shape.body->round() || !wants_surface(session))))
       return shape;
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
