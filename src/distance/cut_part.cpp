@@ -25,6 +25,7 @@ namespace {
 constexpr double kThin = 0x1p-44;  // of the size: interior that doubles cannot see
 
 double size_of(const Body& body) {
+  if (body.parts.empty()) return 0;
   const space::Bounds3 box = bounds(body);
   return std::max(space::length(space::rounded(box.low)), space::length(space::rounded(box.high)));
 }
@@ -81,6 +82,12 @@ CutSearch cut_search(const CutPart& part, double size) {
   for (const BodyPart& set : part.without) out.rules.keep_out.push_back(keep_out(set, {}));
   out.empty = most_slack(out.cells, out.rules, kThin * size).value <= kThin * size;
   return out;
+}
+
+bool is_empty(const space::CutBody& body) {
+  const double size = cut_size({}, body);
+  return std::all_of(body.parts.begin(), body.parts.end(),
+                     [&](const CutPart& part) { return cut_search(part, size).empty; });
 }
 
 namespace {

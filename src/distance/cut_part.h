@@ -25,6 +25,8 @@ struct CutSearch {
 
 /// Of all coordinates and radii.
 double cut_size(const space::Body& b, const space::CutBody& a);
+/// Whether no part of it has interior that doubles can see.
+bool is_empty(const space::CutBody& body);
 /// The part has to outlive it.
 CutSearch cut_search(const space::CutPart& part, double size);
 /// As rules of a place: in the convex set moved by p, with how deep; outside it.

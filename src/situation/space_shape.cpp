@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A shape in the forms that it has: as boxes, as a body, large meshes as surfaces.
+#include "distance/cut_part.h"
 #include "findspace/error.h"
 #include "situation/solve_space.h"
 #include "space/box_shape.h"
@@ -33,9 +34,13 @@ std::shared_ptr<const std::vector<space::RaySolid>> large_surfaces(const plane::
   }
 }
 
+/// What balls are cut out of; null for other shapes.
 std::shared_ptr<const space::CutBody> cut_of(const plane::Shape& shape) {
   try {
-    return std::make_shared<const space::CutBody>(space::cut_body(shape));
+    auto cut = std::make_shared<const space::CutBody>(space::cut_body(shape));
+    if (distance::is_empty(*cut))
+      throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape", shape.place);
+    return cut;
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
     return nullptr;
@@ -72,7 +77,7 @@ SpaceShape space_shape(const plane::Shape& shape) {
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
     out.refused = e.what();
-    out.cut = cut_of(shape);
+    if (!out.boxes) out.cut = cut_of(shape);
     if (!out.boxes && !out.cut) throw;
   }
   return out;

@@ -177,6 +177,12 @@ CutBody node(const plane::Shape& shape) {
   }
 }
 
+bool is_round(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) return solid->form == Solid::Form::kBall;
+  return shape.kind == Kind::kOffset ||
+         std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return is_round(*c); });
+}
+
 bool is_cut(const plane::Shape& shape) {
   if (shape.kind == Kind::kIntersection || shape.kind == Kind::kDifference) return true;
   const bool passes = shape.kind == Kind::kUnion || shape.kind == Kind::kTranslate || shape.kind == Kind::kMirror ||
@@ -193,7 +199,7 @@ CutBody cut_body(const plane::Shape& shape) {
       throw Error(ErrorCode::kUnsupported, "a complement of this kind is not computed in 3D", shape.place);
     return of_body(std::move(made));
   } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported || !is_cut(shape)) throw;
+    if (e.code() != ErrorCode::kUnsupported || !is_cut(shape) || !is_round(shape)) throw;
   }
   return node(shape);
 }

@@ -29,7 +29,8 @@ struct CutBody {
   std::int64_t scale = 1;  // coordinates and radii are in steps / scale
 };
 
-/// Throws Error(kUnsupported) as body() for nodes that have neither form, and beyond 10,000 parts.
+/// Throws Error(kUnsupported) as body() for nodes that have neither form or hold nothing round, and beyond 10,000
+/// parts.
 CutBody cut_body(const plane::Shape& shape);
 /// The same set in finer steps; `scale` is a multiple of its own.
 CutBody at_scale(const CutBody& body, std::int64_t scale);
