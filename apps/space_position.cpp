@@ -94,6 +94,24 @@ Outcome check_space(const Session& session) {
           check.holds ? kDone : kEmpty};
 }
 
+namespace {
+
+/// A line for each reason, with the distances that it is the reason for.
+void note_refused(const Session& session, const std::vector<situation::SpaceDistanceAt>& distances) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  for (const auto& d : distances) {
+    if (d.refused.empty()) continue;
+    const auto known =
+        std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == d.refused; });
+    auto& reason = known == reasons.end() ? reasons.emplace_back(d.refused, std::vector<std::string>{}) : *known;
+    reason.second.push_back(d.text);
+  }
+  for (const auto& [reason, texts] : reasons)
+    session.talk().note(fmt::format("{}: {}", fmt::join(texts, ", "), reason));
+}
+
+}  // namespace
+
 Outcome measure_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, {".json", ".svg"});
@@ -102,9 +120,7 @@ Outcome measure_space(const Session& session) {
   session.talk().stage("measuring");
   const std::vector<situation::SpaceDistanceAt> distances = solver.measure(at);
   note_late_rounding(session, solver);
-  for (const auto& d : distances) {
-    if (!d.refused.empty()) session.talk().note(d.text + ": " + d.refused);
-  }
+  note_refused(session, distances);
   const auto json = [&] { return io::space_measure_json(distances, at, session.unit()); };
   const auto svg = [&] {
     return picture_at(session, solver, at,

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
+#include "space/erosion.h"
 #include "space/flat_core.h"
 
 namespace findspace::space {
@@ -15,16 +17,6 @@ using exact::Real;
 using Kind = plane::Shape::Kind;
 
 namespace {
-
-Body of_parts(ConvexParts parts) {
-  Body body;
-  body.scale = parts.scale;
-  body.rounded = parts.rounded;
-  body.moved = parts.moved;
-  body.around = std::move(parts.around);
-  for (Polytope& p : parts.parts) body.parts.push_back({std::move(p), {}, Real()});
-  return body;
-}
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::kUnsupported, what); }
 
@@ -56,29 +48,17 @@ Body hull_of(Body body) {
   return body;
 }
 
-/// Part by part: cores add up, and so do radii.
-Body sum_of(const Body& a, const Body& b) {
-  Body sum;
-  sum.scale = std::lcm(a.scale, b.scale);
-  sum.rounded = a.rounded + b.rounded;
-  sum.moved = std::max(a.moved, b.moved);
-  const Body p = at_scale(a, sum.scale), q = at_scale(b, sum.scale);
-  for (const BodyPart& x : p.parts) {
-    for (const BodyPart& y : q.parts) {
-      std::vector<Point> points;
-      for (const Point& v : x.vertices())
-        for (const Point& w : y.vertices()) points.push_back(v + w);
-      sum.parts.push_back(part_of(points, x.radius + y.radius));
-    }
+/// Of a complement what is outside moves the other way.
+Body offset(Body body, const Real& by) {
+  const int sign = body.outside ? -by.sign() : by.sign();
+  if (sign < 0) {
+    const bool outside = std::exchange(body.outside, false);
+    body = eroded(body, ball(abs(by)));
+    body.outside = outside;
+  } else if (sign > 0) {
+    for (BodyPart& part : body.parts) part.radius += abs(by) * Real(body.scale);
+    body.around.clear();
   }
-  return sum;
-}
-
-Body grown(Body body, const Real& by) {
-  if (by.sign() < 0) refuse("an offset by a negative amount is computed for shapes with axis-parallel faces only");
-  if (body.outside) refuse("an offset of a complement is not computed in 3D");
-  for (BodyPart& part : body.parts) part.radius += by * Real(body.scale);
-  if (by.sign() > 0) body.around.clear();
   return body;
 }
 
@@ -114,8 +94,10 @@ Body mixed(const plane::Shape& shape) {
     case Kind::kMinkowskiSum: {
       const Body a = child(), b = body(*shape.children[1]);
       if (a.outside || b.outside) refuse("a Minkowski sum with a complement is not computed in 3D");
-      return sum_of(a, b);
+      return minkowski_sum(a, b);
     }
+    case Kind::kMinkowskiDifference:
+      return eroded(child(), body(*shape.children[1]));
     case Kind::kComplement: {
       Body b = child();
       b.outside = !b.outside;
@@ -130,7 +112,7 @@ Body mixed(const plane::Shape& shape) {
     case Kind::kMirror:
       return mirrored(child());
     case Kind::kOffset:
-      return grown(child(), shape.amount);
+      return offset(child(), shape.amount);
     default:
       break;
   }
@@ -160,9 +142,19 @@ bool Body::round() const {
   return std::any_of(parts.begin(), parts.end(), [](const BodyPart& p) { return p.radius.sign() > 0; });
 }
 
+Body body_of(ConvexParts parts) {
+  Body body;
+  body.scale = parts.scale;
+  body.rounded = parts.rounded;
+  body.moved = parts.moved;
+  body.around = std::move(parts.around);
+  for (Polytope& p : parts.parts) body.parts.push_back({std::move(p), {}, Real()});
+  return body;
+}
+
 Body body(const plane::Shape& shape) {
   try {
-    return holds_ball(shape) ? mixed(shape) : of_parts(convex_parts(shape));
+    return holds_ball(shape) ? mixed(shape) : body_of(convex_parts(shape));
   } catch (const Error& e) {
     if (shape.place.empty() || !e.place().empty()) throw;
     throw e.within(shape.place);
@@ -210,6 +202,23 @@ Body united(const std::vector<const Body*>& bodies) {
     if (sum.outside || bodies[i]->outside)
       refuse("a list with a complement is not computed in 3D for slanted or round shapes");
     append(sum, *bodies[i]);
+  }
+  return sum;
+}
+
+Body minkowski_sum(const Body& a, const Body& b) {
+  Body sum;
+  sum.scale = std::lcm(a.scale, b.scale);
+  sum.rounded = a.rounded + b.rounded;
+  sum.moved = std::max(a.moved, b.moved);
+  const Body p = at_scale(a, sum.scale), q = at_scale(b, sum.scale);
+  for (const BodyPart& x : p.parts) {
+    for (const BodyPart& y : q.parts) {
+      std::vector<Point> points;
+      for (const Point& v : x.vertices())
+        for (const Point& w : y.vertices()) points.push_back(v + w);
+      sum.parts.push_back(part_of(points, x.radius + y.radius));
+    }
   }
   return sum;
 }

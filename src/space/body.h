@@ -6,10 +6,10 @@
 // radius, a capsule a segment with one, an offset polytope keeps its true round edges, and a mesh is its exact convex
 // parts (convex_parts.h). Or, if `outside`, the closure of the complement of that union. Nodes: polytope, box, ball,
 // prism, mesh; union, intersection, difference, complement, interior, closure, regularize (the distances take closures,
-// so the last three change nothing here), translate, mirror, offset by a positive amount, hull of parts of one radius,
-// minkowski_sum; intersection and difference of polytopes and meshes only. Guarantee: exact, but for vertices rounded
-// and counted by convex_parts.h. Cost: as there. Source: phi.md 7, 10. Keywords: solid model, constructive solid
-// geometry, sphere-swept volume, rounded box.
+// so the last three change nothing here), translate, mirror, offset, hull of parts of one radius, minkowski_sum;
+// minkowski_difference where erosion.h has a body; intersection and difference of polytopes and meshes only. Guarantee:
+// exact, but for vertices rounded and counted by convex_parts.h. Cost: as there. Source: phi.md 7, 10. Keywords: solid
+// model, constructive solid geometry, sphere-swept volume, rounded box.
 #pragma once
 
 #include <optional>
@@ -54,6 +54,7 @@ struct Body {
 /// Throws Error(kUnsupported) for a node that such parts cannot represent, Error(kGeometry) for one without interior,
 /// Error(kOutOfRange) beyond 2^40 steps.
 Body body(const plane::Shape& shape);
+Body body_of(ConvexParts parts);
 /// The same set in finer steps; `scale` is a multiple of its own.
 Body at_scale(const Body& body, std::int64_t scale);
 /// Moved by whole grid steps.
@@ -63,6 +64,8 @@ Body united(const std::vector<const Body*>& bodies);
 
 /// The reflection through the origin.
 Body mirrored(Body body);
+/// Part by part: cores add up, and so do radii. Neither `outside`.
+Body minkowski_sum(const Body& a, const Body& b);
 
 /// The smallest box with the parts.
 struct Bounds3 {

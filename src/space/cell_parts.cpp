@@ -23,11 +23,11 @@ Real six_volumes(const Polytope& p) {
 namespace {
 
 /// The least number by which all coordinates become whole, or 0 if that exceeds `limit`.
-std::int64_t common_scale(const std::vector<ConvexRegion>& cells, std::int64_t limit) {
+std::int64_t common_scale(const std::vector<std::vector<RealVector>>& cells, std::int64_t limit) {
   int128 scale = 1;
-  for (const ConvexRegion& cell : cells) {
-    for (const ConvexRegion::Vertex& v : cell.vertices()) {
-      for (const Real& c : v.at) {
+  for (const std::vector<RealVector>& cell : cells) {
+    for (const RealVector& v : cell) {
+      for (const Real& c : v) {
         const auto fraction = c.fraction();
         if (!fraction || (*fraction)[1] > limit) return 0;
         scale = scale / exact::gcd(scale, (*fraction)[1]) * (*fraction)[1];
@@ -38,15 +38,15 @@ std::int64_t common_scale(const std::vector<ConvexRegion>& cells, std::int64_t l
   return static_cast<std::int64_t>(scale);
 }
 
-std::int64_t largest_coordinate(const std::vector<ConvexRegion>& cells) {
-  std::int64_t largest = 1;
-  for (const ConvexRegion& cell : cells) {
-    for (const ConvexRegion::Vertex& v : cell.vertices()) {
-      for (const double c : {v.near.x, v.near.y, v.near.z})
-        largest = std::max(largest, static_cast<std::int64_t>(std::ceil(std::fabs(c))));
+std::int64_t largest_coordinate(const std::vector<std::vector<RealVector>>& cells) {
+  double largest = 1;
+  for (const std::vector<RealVector>& cell : cells) {
+    for (const RealVector& v : cell) {
+      const Vector near = rounded(v);
+      for (const double c : {near.x, near.y, near.z}) largest = std::max(largest, std::ceil(std::fabs(c)));
     }
   }
-  return largest;
+  return static_cast<std::int64_t>(largest);
 }
 
 /// The union of two parts without common interior if it is convex: then they share a plane, and the hull adds nothing.
@@ -81,17 +81,26 @@ void join_neighbours(std::vector<Polytope>& parts) {
 }  // namespace
 
 ConvexParts parts_of_cells(const std::vector<ConvexRegion>& cells) {
+  std::vector<std::vector<RealVector>> corners;
+  for (const ConvexRegion& cell : cells) {
+    std::vector<RealVector>& of = corners.emplace_back();
+    for (const ConvexRegion::Vertex& v : cell.vertices()) of.push_back(v.at);
+  }
+  return parts_of_corners(corners);
+}
+
+ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells) {
   ConvexParts result;
   result.scale = common_scale(cells, kCoordinateLimit / largest_coordinate(cells));
   const bool exact = result.scale > 0;
   if (!exact) result.scale = 1;
-  for (const ConvexRegion& cell : cells) {
+  for (const std::vector<RealVector>& cell : cells) {
     std::vector<Point> points;
-    for (const ConvexRegion::Vertex& v : cell.vertices()) {
+    for (const RealVector& v : cell) {
       std::array<std::int64_t, 3> c{};
       double square = 0;
-      for (int k = 0; k < 3; ++k) {
-        const Real at = v.at[k] * Real(result.scale);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Real at = v[k] * Real(result.scale);
         c[k] = static_cast<std::int64_t>(round(at));
         const double rest = (at - Real(c[k])).to_double();
         square += rest * rest;

@@ -12,6 +12,8 @@
 namespace findspace::space {
 
 ConvexParts parts_of_cells(const std::vector<ConvexRegion>& cells);
+/// The same of cells that are given by their vertices.
+ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells);
 
 exact::Real six_volumes(const Polytope& p);
 

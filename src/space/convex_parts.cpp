@@ -11,6 +11,7 @@
 #include <string>
 
 #include "space/cell_parts.h"
+#include "space/erosion.h"
 #include "space/mesh.h"
 #include "space/partition.h"
 #include "space/polytope_sets.h"
@@ -166,6 +167,14 @@ ConvexParts moved_by(ConvexParts parts, const Point& t) {
   return parts;
 }
 
+ConvexParts difference_of(const plane::Shape& a, const plane::Shape& b) {
+  Body made = eroded(body_of(convex_parts(a)), body_of(convex_parts(b)));
+  ConvexParts result;
+  for (BodyPart& part : made.parts) result.parts.push_back(*std::move(part.core));
+  result.scale = made.scale, result.rounded = made.rounded, result.moved = made.moved;
+  return result;
+}
+
 /// a n b n .., or the closure of a without the others.
 ConvexParts clipped(const plane::Shape& shape) {
   ConvexParts result = convex_parts(*shape.children[0]);
@@ -200,6 +209,8 @@ ConvexParts node_parts(const plane::Shape& shape) {
       return hull_of(all_children(shape));
     case Kind::kMinkowskiSum:
       return sum_of(*shape.children[0], *shape.children[1]);
+    case Kind::kMinkowskiDifference:
+      return difference_of(*shape.children[0], *shape.children[1]);
     case Kind::kMirror: {
       ConvexParts parts = convex_parts(*shape.children[0]);
       for (Polytope& p : parts.parts) p = p.mirrored();

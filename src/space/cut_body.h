@@ -6,10 +6,11 @@
 //     the union of `parts`, each the closed convex sets `within` less the open convex sets `without`;
 //     also what all of `rooms` have in common, less the interior of all of `pillars`.
 // The first form serves distances to the solid, the second containment in it. Nodes: those of body.h, and
-// intersection, difference and complements in an intersection of any of them; translate, mirror, union (then there are
-// no rooms). Guarantee: exact, but for vertices rounded and counted as in body.h. Cost: an intersection has a part for
-// each pair of parts whose boxes meet, a difference one for each part of the first shape and each way out of the
-// second. Keywords: constructive solid geometry, disjunctive normal form.
+// intersection, difference and complements in an intersection of any of them, minkowski_difference and offset by a
+// negative amount of these and of bodies (erosion.h); translate, mirror, union (then there are no rooms). Guarantee:
+// exact, but for vertices rounded and counted as in body.h. Cost: an intersection has a part for each pair of parts
+// whose boxes meet, a difference one for each part of the first shape and each way out of the second. Keywords:
+// constructive solid geometry, disjunctive normal form.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +33,9 @@ struct CutBody {
 /// Throws Error(kUnsupported) as body() for nodes that have neither form or hold nothing round, and beyond 10,000
 /// parts.
 CutBody cut_body(const plane::Shape& shape);
+/// Of a minkowski_difference or an offset by a negative amount, also where it is a body: of a shape with flat faces the
+/// plain set, sheets and single points included.
+CutBody cut_erosion(const plane::Shape& shape);
 /// The same set in finer steps; `scale` is a multiple of its own.
 CutBody at_scale(const CutBody& body, std::int64_t scale);
 

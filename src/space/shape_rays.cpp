@@ -6,11 +6,13 @@
 
 #include <algorithm>
 
-#include "space/body.h"
+#include "space/cut_body.h"
 #include "space/piece_rays.h"
+#include "space/placing.h"
 #include "space/ray_ball.h"
 #include "space/ray_pair.h"
 #include "space/ray_solids.h"
+#include "space/shape_topology.h"
 #include "space/solid.h"
 
 namespace findspace::space {
@@ -20,35 +22,30 @@ using exact::Real;
 using Kind = plane::Shape::Kind;
 using Signs = std::span<const std::int8_t>;
 
-/// Where a node stands: at factor * x + by, in grid steps.
-struct Placing {
-  std::int64_t factor = 1;
-  Point by;
-
-  Placing moved(const Point& t) const { return {factor, by + Point{factor * t.x, factor * t.y, factor * t.z}}; }
-  Placing mirrored() const { return {-factor, by}; }
-};
-
-/// Whether the set is closed and without sheets, lines and seams of its own.
-bool is_solid(const plane::Shape& shape) {
-  if (solid_of(shape)) return true;
-  const bool keeps = shape.kind == Kind::kUnion || shape.kind == Kind::kTranslate || shape.kind == Kind::kMirror ||
-                     shape.kind == Kind::kHull || shape.kind == Kind::kMinkowskiSum || shape.kind == Kind::kOffset ||
-                     shape.kind == Kind::kClosure || shape.kind == Kind::kRegularize;
-  return keeps && std::all_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return is_solid(*c); });
-}
-
-[[noreturn]] void refuse(const plane::Shape& shape, const char* what) {
-  throw Error(ErrorCode::kUnsupported, what, shape.place);
-}
+/// Which of its points count.
+enum class Topology { kPlain, kInterior, kClosure };
 
 /// Sets are wanted grown by `by`, or shrunk by -`by` where that is less than 0.
 struct Wanted {
   const RayGrid& grid;
   Real by;
+  Topology topology = Topology::kPlain;
 
-  Wanted turned() const { return {grid, -by}; }
+  bool interior() const { return topology == Topology::kInterior; }
+  Wanted with(Topology t) const { return {grid, by, t}; }
+  Wanted grown(const Real& more) const { return {grid, by + more, topology}; }
+  /// Of the complement.
+  Wanted turned() const {
+    return {grid, -by,
+            interior()                       ? Topology::kClosure
+            : topology == Topology::kClosure ? Topology::kInterior
+                                             : Topology::kPlain};
+  }
 };
+
+[[noreturn]] void refuse(const plane::Shape& shape, const char* what) {
+  throw Error(ErrorCode::kUnsupported, what, shape.place);
+}
 
 /// A part of a body grown or shrunk; false where nothing is left.
 bool change_part(BodyPart& part, const Real& by, std::vector<HalfSpace>& planes) {
@@ -59,7 +56,8 @@ bool change_part(BodyPart& part, const Real& by, std::vector<HalfSpace>& planes)
   return part.core.has_value();
 }
 
-/// The closed parts of a body; each is shrunk by itself, so of a shrunk union less is left than could be.
+/// The parts of a body, closed or (of a single one) open; each is shrunk by itself, so of a shrunk union less is left
+/// than could be.
 RaySourcePointer body_rays(const Body& body, const Placing& placing, const Wanted& wanted) {
   const Real scale(body.scale), change = (body.outside ? -wanted.by : wanted.by) * scale;
   const RealVector by = scaled(scale, real(placing.by));
@@ -87,10 +85,9 @@ RaySourcePointer body_rays(const Body& body, const Placing& placing, const Wante
     pieces.push_back(polytope_piece(std::move(planes), rounded(low), rounded(high)));
     if (part.radius.sign() > 0) add_round_pieces(region, part.radius, pieces);
   }
-  const int inside = body.outside ? 1 : -1;
+  const int inside = body.outside ? 1 : -1, frontier = wanted.interior() ? 1 : -1;
   auto rays = std::make_unique<PieceRays>(pieces, body.scale, wanted.grid);
-  // The closure of a complement keeps the frontier, too.
-  return mapped_rays(std::move(rays), [=](int s) { return s == 0 ? -1 : s < 0 ? inside : -inside; });
+  return mapped_rays(std::move(rays), [=](int s) { return s == 0 ? frontier : s < 0 ? inside : -inside; });
 }
 
 /// Solids by their surfaces, without convex parts; null where they have none.
@@ -106,144 +103,153 @@ RaySourcePointer surface_rays(const plane::Shape& shape, const Placing& placing,
     return nullptr;
   }
   const Triangles surface = moved(scaled(std::move(solids[0].surface), placing.factor), placing.by);
-  const int sign = wanted.by.sign();
-  if (sign == 0) {
-    auto rays = std::make_unique<PairRays>(surface, wanted.grid);
-    return mapped_rays(std::move(rays), [](int s) { return s <= 0 ? -1 : 1; });
-  }
+  const int sign = wanted.by.sign(), frontier = wanted.interior() ? 1 : -1;
+  const auto with_frontier = [=](int s) { return s == 0 ? frontier : s; };
+  if (sign == 0) return mapped_rays(std::make_unique<PairRays>(surface, wanted.grid), with_frontier);
   auto rays = std::make_unique<BallRays>(surface, abs(wanted.by), wanted.grid,
                                          sign > 0 ? BallRays::Side::kSolid : BallRays::Side::kComplement);
-  return mapped_rays(std::move(rays), [](int s) { return s <= 0 ? -1 : 1; });
+  return mapped_rays(std::move(rays), with_frontier);
+}
+
+RaySourcePointer union_rays(std::vector<RaySourcePointer> sources) {
+  return combined_rays(std::move(sources), [](Signs s) { return *std::min_element(s.begin(), s.end()); });
+}
+
+/// What all convex sets of a part have in common outside the open ones, and so for all parts.
+RaySourcePointer cut_rays(const CutBody& cut, const Placing& placing, const Wanted& wanted) {
+  std::vector<RaySourcePointer> parts;
+  for (const CutPart& part : cut.parts) {
+    std::vector<RaySourcePointer> sets;
+    const auto add = [&](const BodyPart& set, bool outside) {
+      Body one;
+      one.parts.push_back(set);
+      one.outside = outside;
+      one.scale = cut.scale;
+      sets.push_back(body_rays(one, placing, wanted));
+    };
+    for (const BodyPart& set : part.within) add(set, false);
+    for (const BodyPart& set : part.without) add(set, true);
+    parts.push_back(greatest_rays(std::move(sets)));
+  }
+  return parts.empty() ? constant_rays(wanted.grid, 1) : union_rays(std::move(parts));
+}
+
+/// Whether growing (or shrinking) the parts of the tree one by one gives the grown (shrunk) set.
+bool part_by_part(const plane::Shape& shape, bool grows) {
+  const auto& c = shape.children;
+  const auto each = [&](const auto& child) { return part_by_part(*child, grows); };
+  switch (shape.kind) {
+    case Kind::kUnion:
+      return grows && std::all_of(c.begin(), c.end(), each);
+    case Kind::kIntersection:
+      return !grows && std::all_of(c.begin(), c.end(), each);
+    case Kind::kDifference:
+      return !grows && each(c[0]) &&
+             std::all_of(c.begin() + 1, c.end(), [](const auto& o) { return part_by_part(*o, true); });
+    case Kind::kComplement:
+      return part_by_part(*c[0], !grows);
+    case Kind::kTranslate:
+    case Kind::kMirror:
+      return each(c[0]);
+    case Kind::kHull:
+      return true;
+    default:
+      return solid_of(shape) != nullptr;
+  }
+}
+
+RaySourcePointer rays_of(const plane::Shape& shape, const Placing& placing, const Wanted& wanted);
+
+RaySourcePointer difference_rays(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
+  if (wanted.interior() && !is_open(shape)) refuse(shape, "the interior of this kind is not computed on lines");
+  const plane::Shape& child = *shape.children[0];
+  if (shape.kind == Kind::kOffset && part_by_part(child, false))
+    return rays_of(child, placing, wanted.with(Topology::kPlain).grown(shape.amount));
+  if (!is_closed(child)) refuse(shape, "what is left of a set that is not closed is not computed on lines");
+  return cut_rays(cut_erosion(shape), placing, wanted);
+}
+
+/// The interior or the closure of the child, and of that what is wanted.
+RaySourcePointer part_of_rays(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
+  const plane::Shape& child = *shape.children[0];
+  const bool open = shape.kind == Kind::kInterior;
+  const bool same = open ? wanted.topology != Topology::kClosure : !wanted.interior();
+  if (shape.kind != Kind::kRegularize && same)
+    return rays_of(child, placing, wanted.with(open ? Topology::kInterior : Topology::kClosure));
+  if (!is_solid(child)) refuse(shape, "this is computed on lines for the interior and the closure of solids only");
+  return rays_of(child, placing, wanted);
+}
+
+/// The closure without the interior.
+RaySourcePointer boundary_rays(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
+  if (wanted.interior()) refuse(shape, "the interior of a boundary is not computed on lines");
+  const Wanted closed = wanted.with(Topology::kClosure);
+  std::vector<RaySourcePointer> sources;
+  sources.push_back(rays_of(*shape.children[0], placing, closed));
+  sources.push_back(negated_rays(rays_of(*shape.children[0], placing, closed.turned())));
+  return greatest_rays(std::move(sources));
+}
+
+/// Whether the wanted points of the node are made of the wanted points of its children.
+void check_topology(const plane::Shape& shape, const Wanted& wanted) {
+  const bool joins = shape.kind == Kind::kUnion;
+  if (wanted.interior() && joins && !is_open(shape))
+    refuse(shape, "the interior of a union is computed on lines for open sets only");
+  if (wanted.topology == Topology::kClosure && !joins && !is_closed(shape))
+    refuse(shape, "the closure of this kind is computed on lines for closed sets only");
+}
+
+RaySourcePointer joined_rays(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
+  check_topology(shape, wanted);
+  std::vector<RaySourcePointer> sources;
+  for (std::size_t k = 0; k < shape.children.size(); ++k) {
+    const bool without = shape.kind == Kind::kDifference && k > 0;
+    auto rays = rays_of(*shape.children[k], placing, without ? wanted.turned() : wanted);
+    sources.push_back(without ? negated_rays(std::move(rays)) : std::move(rays));
+  }
+  return shape.kind == Kind::kUnion ? union_rays(std::move(sources)) : greatest_rays(std::move(sources));
 }
 
 RaySourcePointer rays_of(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
   if (solid_of(shape)) {
     if (auto rays = surface_rays(shape, placing, wanted)) return rays;
-    return body_rays(body(shape), placing, wanted);
   }
   const auto child = [&](const Placing& at) { return rays_of(*shape.children[0], at, wanted); };
-  const auto all = [&] {
-    std::vector<RaySourcePointer> sources;
-    for (std::size_t k = 0; k < shape.children.size(); ++k) {
-      const bool without = shape.kind == Kind::kDifference && k > 0;
-      sources.push_back(rays_of(*shape.children[k], placing, without ? wanted.turned() : wanted));
-    }
-    return sources;
-  };
   switch (shape.kind) {
     case Kind::kUnion:
-      return combined_rays(all(), [](Signs s) { return *std::min_element(s.begin(), s.end()); });
     case Kind::kIntersection:
-      return greatest_rays(all());
     case Kind::kDifference:
-      return combined_rays(all(), [](Signs s) {
-        return std::int8_t(s[0] < 0 && *std::min_element(s.begin() + 1, s.end()) > 0 ? -1 : 1);
-      });
+      return joined_rays(shape, placing, wanted);
     case Kind::kComplement:
       return negated_rays(rays_of(*shape.children[0], placing, wanted.turned()));
     case Kind::kTranslate:
       return child(placing.moved({shape.points[0].x, shape.points[0].y, shape.lift}));
     case Kind::kMirror:
       return child(placing.mirrored());
+    case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
-      if (!is_solid(*shape.children[0])) refuse(shape, "closure and regularize are computed on lines for solids only");
-      return child(placing);
-    case Kind::kHull:
-    case Kind::kMinkowskiSum:
+      return part_of_rays(shape, placing, wanted);
+    case Kind::kBoundary:
+      return boundary_rays(shape, placing, wanted);
+    case Kind::kMinkowskiDifference:
+      return difference_rays(shape, placing, wanted);
     case Kind::kOffset:
-      return body_rays(body(shape), placing, wanted);
+      if (shape.amount.sign() < 0) return difference_rays(shape, placing, wanted);
+      break;
     default:
-      refuse(shape, "this kind of shape is not computed on lines");
+      break;
   }
-}
-
-struct Bounds {
-  Point low, high;
-  bool any = false;
-};
-
-/// Of all forms but balls.
-std::vector<Point> corners(const Solid& solid) {
-  std::vector<Point> out = solid.mesh.vertices;
-  for (const plane::Contour& ring : solid.contours) {
-    for (const plane::ContourEdge& edge : ring) {
-      for (const std::int64_t z : {solid.low, solid.high}) out.push_back({edge.start.x, edge.start.y, z});
-    }
-  }
-  return out;
-}
-
-bool goes_on(const plane::Shape& shape) {
-  const auto child = [](const auto& c) { return goes_on(*c); };
-  const auto& c = shape.children;
-  if (shape.kind == Kind::kComplement) return !goes_on(*c[0]);
-  if (shape.kind == Kind::kIntersection) return std::all_of(c.begin(), c.end(), child);
-  if (shape.kind == Kind::kDifference) return goes_on(*c[0]) && std::none_of(c.begin() + 1, c.end(), child);
-  return std::any_of(c.begin(), c.end(), child);
-}
-
-void extend(const plane::Shape& shape, const Placing& placing, Bounds& box);
-
-/// What all bounded sets of an intersection have in common; of a difference the first set.
-void extend_by_common(const plane::Shape& shape, const Placing& placing, Bounds& box) {
-  const std::size_t count = shape.kind == Kind::kDifference ? 1 : shape.children.size();
-  Bounds common;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (goes_on(*shape.children[k])) continue;
-    Bounds one;
-    extend(*shape.children[k], placing, one);
-    if (!common.any) common = one;
-    const auto larger = [](const Point& p, const Point& q) {
-      return Point{std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)};
-    };
-    const Point low = larger(common.low, one.low), high = -larger(-common.high, -one.high);
-    if (low.x <= high.x && low.y <= high.y && low.z <= high.z) common.low = low, common.high = high;
-  }
-  extend_box(common.low, box.low, box.high, box.any);
-  extend_box(common.high, box.low, box.high, box.any);
-}
-
-void extend(const plane::Shape& shape, const Placing& placing, Bounds& box) {
-  const bool inner = shape.kind == Kind::kHull || shape.kind == Kind::kMinkowskiSum || shape.kind == Kind::kOffset;
-  if (const Solid* solid = solid_of(shape); solid && solid->form != Solid::Form::kBall) {
-    for (const Point& p : corners(*solid))
-      extend_box(placing.by + Point{placing.factor * p.x, placing.factor * p.y, placing.factor * p.z}, box.low,
-                 box.high, box.any);
-    return;
-  }
-  if (solid_of(shape) || inner) {
-    const Body made = body(shape);
-    const Bounds3 bounds = space::bounds(made);
-    const auto corner = [&](const RealVector& p, int up) {
-      const auto c = [&](int k) { return static_cast<std::int64_t>(exact::floor(p[k] / Real(made.scale))) + up; };
-      const Point at{c(0), c(1), c(2)};
-      return placing.by + Point{placing.factor * at.x, placing.factor * at.y, placing.factor * at.z};
-    };
-    extend_box(corner(bounds.low, 0), box.low, box.high, box.any);
-    extend_box(corner(bounds.high, 1), box.low, box.high, box.any);
-    return;
-  }
-  const bool narrows =
-      shape.kind == Kind::kIntersection || (shape.kind == Kind::kDifference && !goes_on(*shape.children[0]));
-  if (narrows && !goes_on(shape)) return extend_by_common(shape, placing, box);
-  const Placing at = shape.kind == Kind::kMirror ? placing.mirrored()
-                     : shape.kind == Kind::kTranslate
-                         ? placing.moved({shape.points[0].x, shape.points[0].y, shape.lift})
-                         : placing;
-  for (const plane::ShapePtr& c : shape.children) extend(*c, at, box);
+  const Body whole = body(shape);
+  if (wanted.interior() && whole.parts.size() > 1)
+    refuse(shape, "the interior of a union is computed on lines for open sets only");
+  return body_rays(whole, placing, wanted);
 }
 
 }  // namespace
 
 RaySourcePointer shape_rays(const plane::Shape& shape, const RayGrid& grid, const Real& by) {
   return rays_of(shape, {}, {grid, by});
-}
-
-ShapeBox shape_box(const plane::Shape& shape) {
-  Bounds box;
-  extend(shape, {}, box);
-  return {box.low, box.high, goes_on(shape)};
 }
 
 }  // namespace findspace::space

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "space/cell_parts.h"
+#include "space/cut_body.h"
+#include "space/erosion.h"
+#include "unit/solid_shapes.h"
+
+namespace findspace::space {
+namespace {
+
+using exact::Real;
+using plane::Shape;
+using plane::ShapePtr;
+using Kind = Shape::Kind;
+
+ShapePtr offset(ShapePtr of, const Real& by) {
+  Shape shape;
+  shape.kind = Kind::kOffset;
+  shape.children = {std::move(of)};
+  shape.amount = by;
+  return std::make_shared<const Shape>(std::move(shape));
+}
+
+ShapePtr block(const Point& low, const Point& high) {
+  std::vector<Point> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  return hull(std::move(corners));
+}
+
+Real six_volumes(const Body& body) {
+  Real sum;
+  for (const BodyPart& part : body.parts) sum = sum + space::six_volumes(*part.core);
+  const Real s(body.scale);
+  return sum / (s * s * s);
+}
+
+const ShapePtr kTetrahedron = hull({{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}});
+
+TEST(Erosion, TakesTheRadiusFirstAndThenMovesTheFaces) {
+  const ShapePtr rounded = offset(block({-5, -5, -5}, {5, 5, 5}), Real(3));
+  for (const int by : {1, 3, 5}) {
+    const Body body = space::body(*offset(rounded, Real(-by)));
+    ASSERT_EQ(body.parts.size(), 1u);
+    EXPECT_EQ(body.parts[0].radius, Real(std::max(3 - by, 0)));
+    EXPECT_EQ(bounds(body).high[0], Real(8 - by));
+    EXPECT_EQ(body.rounded, 0);
+  }
+  EXPECT_THROW(body(*offset(rounded, Real(-8))), Error);
+}
+
+TEST(Erosion, LeavesTheCentreOfABallAndNothingOfACapsule) {
+  const Body point = body(*offset(ball({1, 2, 3}, 4), Real(-4)));
+  EXPECT_TRUE(point.parts[0].point());
+  EXPECT_EQ(point.parts[0].radius, Real());
+  EXPECT_EQ(bounds(point).low[1], Real(2));
+  EXPECT_THROW(body(*offset(ball({1, 2, 3}, 4), Real(-5))), Error);
+  const ShapePtr capsule = node(Kind::kHull, {ball({0, 0, 0}, 4), ball({9, 0, 0}, 4)});
+  EXPECT_EQ(body(*offset(capsule, Real(-3))).parts[0].radius, Real(1));
+  try {
+    body(*offset(capsule, Real(-4)));
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kGeometry);
+  }
+}
+
+TEST(Erosion, PutsCornersOnTheGridOnceAndCountsThem) {
+  const Body shrunk = body(*offset(kTetrahedron, Real(-1)));
+  EXPECT_EQ(shrunk.parts[0].vertices().size(), 4u);
+  EXPECT_EQ(shrunk.rounded, 3);  // (1, 1, 1) is on the grid
+  EXPECT_GT(shrunk.moved, 0);
+  EXPECT_LT(shrunk.moved, 1);
+  const Body exactly = body(*node(Kind::kMinkowskiDifference, {kTetrahedron, block({0, 0, 0}, {1, 1, 1})}));
+  EXPECT_EQ(exactly.rounded, 0);
+  EXPECT_EQ(six_volumes(exactly), Real(9 * 9 * 9));  // its corner at (1, 1, 1), as large as x + y + z <= 12 allows
+}
+
+TEST(Erosion, OfAComplementIsTheComplementOfTheSum) {
+  const Body larger = body(*offset(node(Kind::kComplement, {ball({0, 0, 0}, 2)}), Real(-1)));
+  EXPECT_TRUE(larger.outside);
+  EXPECT_EQ(larger.parts[0].radius, Real(3));
+  const Body smaller = body(*offset(node(Kind::kComplement, {block({0, 0, 0}, {9, 9, 9})}), Real(2)));
+  EXPECT_TRUE(smaller.outside);
+  EXPECT_EQ(bounds(smaller).high[2], Real(7));
+}
+
+TEST(Erosion, OfAnLByABoxIsALAgain) {
+  const ShapePtr both = node(Kind::kUnion, {block({0, 0, 0}, {12, 4, 5}), block({0, 0, 0}, {4, 12, 5})});
+  const Body left = body(*node(Kind::kMinkowskiDifference, {both, block({0, 0, 0}, {2, 2, 2})}));
+  EXPECT_EQ(six_volumes(left), Real(6 * 3 * (10 * 2 + 2 * 8)));
+  EXPECT_THROW(body(*offset(both, Real(-1))), Error);  // round at the inner edge
+  const CutBody round = cut_body(*offset(both, Real(-1)));
+  EXPECT_EQ(round.rooms.size(), 1u);
+  ASSERT_EQ(round.pillars.size(), 1u);
+  EXPECT_EQ(round.pillars[0].parts[0].radius, Real(round.pillars[0].scale));
+}
+
+TEST(Erosion, OfABowlMovesItsWallsAndItsHollow) {
+  const ShapePtr bowl = node(Kind::kDifference, {block({-20, -20, -20}, {20, 20, 20}), ball({0, 0, 20}, 15)});
+  const CutBody shrunk = cut_body(*offset(bowl, Real(-1)));
+  ASSERT_EQ(shrunk.parts.size(), 1u);
+  EXPECT_EQ(bounds(shrunk).high[0], Real(19));
+  ASSERT_EQ(shrunk.parts[0].without.size(), 1u);
+  EXPECT_EQ(shrunk.parts[0].without[0].radius, Real(16));
+}
+
+TEST(Erosion, OfRoundShapesByPolytopesIsWhatTheirCopiesHaveInCommon) {
+  const CutBody lens = cut_body(*node(Kind::kMinkowskiDifference, {ball({0, 0, 0}, 10), block({0, 0, 0}, {2, 2, 2})}));
+  ASSERT_EQ(lens.parts.size(), 1u);
+  EXPECT_EQ(lens.parts[0].within.size(), 8u);
+  EXPECT_EQ(bounds(lens).low[0], Real(-8));
+  EXPECT_EQ(bounds(lens).high[0], Real(10));
+}
+
+}  // namespace
+}  // namespace findspace::space
