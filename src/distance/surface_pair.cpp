@@ -53,7 +53,8 @@ SurfacePair::SurfacePair(Surfaced b, Surfaced a) : b_(std::move(b)), a_(std::mov
 }
 
 SurfacePair::Side SurfacePair::side(const Surfaced& moving, const Surfaced& fixed) {
-  Side out{&moving, &fixed, nullptr};
+  Side out;
+  out.moving = &moving, out.fixed = &fixed;
   if (moving.surface && fixed.surface)
     out.gaps = std::make_unique<const space::SurfaceGaps>(fixed.surface, moving.surface);
   return out;
@@ -63,7 +64,8 @@ SurfacePair::Side SurfacePair::side(const Surfaced& moving, const Surfaced& fixe
 std::optional<Relation> SurfacePair::relation(const Side& side, const RealVector& p, std::optional<SolidValue>& gap) {
   if (!side.gaps) return std::nullopt;
   const auto near = side.gaps->near(p);
-  const auto found = side.gaps->relation(p, near);
+  auto found = side.gaps->relation(p, near);
+  if (!found) found = touching_relation(side, p);
   if (found && *found != Relation::kOther)
     gap = of_gap(side.gaps->gap(p, near), p, *found == Relation::kInside ? -1 : 1);
   return found;
@@ -74,7 +76,10 @@ std::optional<Answer> SurfacePair::apart(Which which, const RealVector& p) const
   std::optional<SolidValue> gap;
   const auto found = relation(forth_, p, gap);
   if (!found) return std::nullopt;
-  if (*found != Relation::kApart) return which == Which::kD1 ? std::optional(Answer{SolidValue{}}) : std::nullopt;
+  if (*found != Relation::kApart) {
+    if (which == Which::kD1) return Answer{SolidValue{}};
+    return which == Which::kGamma1 ? depth(p) : cut(depth(p), true);
+  }
   return cut(Answer{gap}, which == Which::kPenetration);
 }
 
@@ -86,7 +91,7 @@ std::optional<Answer> SurfacePair::inside(const Side& side, Which which, const R
   const auto found = relation(side, p, gap);
   if (!found) return std::nullopt;
   if (*found == Relation::kInside) return Answer{gap};
-  if (which != Which::kMu) return std::nullopt;
+  if (which != Which::kMu) return to_fit(side, which, p);
   SolidValue out = sticking_out(side, p);
   // Whether it lies inside a union of several, and how deep, is not known.
   const bool told = one || *found == Relation::kApart || out.value > Real::from_double(out.error);
@@ -98,7 +103,7 @@ std::optional<Answer> SurfacePair::contained(const Side& side, Which which, cons
   const bool fit = which == Which::kEta1 || which == Which::kEta2;
   if (fit && b && a && !box_fits(*b, *a)) return Answer{};
   if (side.fixed->convex && b) return Answer{SolidPair(b, a).value(which, p)};
-  if (which == Which::kEta2) return std::nullopt;
+  if (which == Which::kEta2) return to_fit(side, which, p);
   return inside(side, which, p);
 }
 

@@ -9,15 +9,23 @@
 //   eta1, eta2, mu in a convex A   of the convex hull of B;
 //   eta1, eta2                     undefined where B's box is larger than A's;
 //   dstar                          0 where the one does not lie in the other;
+//   gamma1, penetration            where the interiors meet: the nearest position at which they touch from outside;
+//   eta1, eta2                     in an A of one surface, outside it: the nearest, and the farthest, at which B
+//   touches
+//                                  it from inside;
 //   mu, h, hausdorff outside       at a corner of B, or by search (surface_peak.h);
 //   delta1, delta2, mu, h back     as these with the roles exchanged.
-// Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Nothing is said of other values, and
-// of positions off the grid within some steps of a contact. Cost: surface_gap.h. Source: decision 11 (why facets
-// suffice). Keywords: clearance, mesh distance.
+// Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Nothing is said of other values, nor
+// near a contact off the grid where B has no convex parts that tell. Cost: surface_gap.h; touch_search.h where
+// positions are looked for at which they touch, for which B (of gamma1 the solid of fewer triangles) is taken as its
+// convex parts. Source: decisions 11 (why facets suffice), 16. Keywords: clearance, mesh distance, penetration depth.
 #pragma once
+
+#include <functional>
 
 #include "distance/solid_pair.h"
 #include "space/surface_gap.h"
+#include "space/touch_sets.h"
 
 namespace findspace::distance {
 
@@ -27,7 +35,8 @@ struct Surfaced {
   /// A body of the same convex hull; null where there is none. `convex`: it is the body.
   std::shared_ptr<const space::Body> outline;
   bool convex = false;
-  std::shared_ptr<const space::Body> parts{};  // the body, where it is known
+  std::shared_ptr<const space::Body> parts{};                  // the body, where it is known
+  std::function<std::shared_ptr<const space::Body>()> make{};  // makes it else
 };
 
 class SurfacePair {
@@ -41,13 +50,26 @@ class SurfacePair {
   std::optional<Answer> value(Which which, const space::RealVector& p) const;
 
  private:
+  /// Where the moving one touches the fixed one from one side, made when first needed; null where nothing is told.
+  struct Touching {
+    std::once_flag made;
+    std::unique_ptr<const space::TouchSets> sets;
+  };
   struct Side {
     const Surfaced *moving = nullptr, *fixed = nullptr;
     std::unique_ptr<const space::SurfaceGaps> gaps;
+    std::unique_ptr<Touching> outside = std::make_unique<Touching>(), inside = std::make_unique<Touching>();
   };
   static Side side(const Surfaced& moving, const Surfaced& fixed);
   static std::optional<space::SurfaceGaps::Relation> relation(const Side& side, const space::RealVector& p,
                                                               std::optional<SolidValue>& gap);
+  static const space::TouchSets* touching(const Side& side, space::TouchSide from);
+  /// How they lie, by that; nothing where nothing is told.
+  static std::optional<space::SurfaceGaps::Relation> touching_relation(const Side& side, const space::RealVector& p);
+  /// How deep they overlap; how far the moving one, which does not lie in the fixed one, is from it, and the farthest
+  /// position at which it does.
+  std::optional<Answer> depth(const space::RealVector& p) const;
+  static std::optional<Answer> to_fit(const Side& side, Which which, const space::RealVector& p);
   static SolidValue sticking_out(const Side& side, const space::RealVector& p);
   static std::optional<Answer> contained(const Side& side, Which which, const space::RealVector& p);
   static std::optional<Answer> inside(const Side& side, Which which, const space::RealVector& p);

@@ -106,6 +106,11 @@ std::vector<RealVector> outer_corners(const std::vector<FlatPiece>& pieces) {
   return out;
 }
 
+std::shared_ptr<const TouchSets> sets_of(const TouchPair& pair) {
+  return std::make_shared<const TouchSets>(std::make_shared<const TouchSets::Sheet>(pair.fixed), pair.moving,
+                                           pair.side);
+}
+
 }  // namespace
 
 RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const RayGrid& grid) {
@@ -115,7 +120,7 @@ RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const R
     const Vector by{room, room, room};
     return PieceRays::any_line(grid, low - by, plus(high, by), pair.scale);
   };
-  const TouchFrontier frontier = touch_frontier(pair.fixed, pair.moving, pair.side, wanted);
+  const TouchFrontier frontier = touch_frontier(sets_of(pair), wanted);
   const std::vector<About> all = about(frontier.pieces);
   std::vector<LinePiece> pieces(all.size());
   plane::parallel_for((all.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
@@ -127,7 +132,7 @@ RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const R
 
 RaySourcePointer all_touching_near(const TouchPair& pair, const Real& level, const RayGrid& grid) {
   const auto all = [](const Vector&, const Vector&) { return true; };
-  const TouchFrontier frontier = touch_frontier(pair.fixed, pair.moving, pair.side, all);
+  const TouchFrontier frontier = touch_frontier(sets_of(pair), all);
   if (frontier.pieces.empty() || level.sign() < 0) return constant_rays(grid, 1);
   std::vector<LinePiece> balls;
   for (const RealVector& v : outer_corners(frontier.pieces)) balls.push_back(ball_piece(v, level * Real(pair.scale)));

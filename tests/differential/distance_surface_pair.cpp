@@ -20,7 +20,8 @@ using exact::Real;
 using space::RealVector;
 
 const std::vector<Which> kOutside{Which::kGamma1, Which::kD1, Which::kPenetration, Which::kGamma2, Which::kDiameter};
-const std::vector<Which> kInside{Which::kEta1, Which::kMu, Which::kDstarBack, Which::kH, Which::kDelta1, Which::kDstar};
+const std::vector<Which> kInside{Which::kEta1, Which::kEta2,   Which::kMu,   Which::kDstarBack,
+                                 Which::kH,    Which::kDelta1, Which::kDstar};
 
 /// An octahedron's faces cut in four, the corners at random distances from the middle.
 space::Mesh star(std::mt19937& random, int low, int high) {
@@ -96,21 +97,28 @@ Given drawn(std::mt19937& random, int kind) {
   return of_body(std::move(body));
 }
 
+struct Told {
+  int all = 0, depths = 0, fits = 0;  // of them gamma1 below 0; eta1 above 0 and eta2
+};
+
 void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& surfaces, const RealVector& p,
-                 const std::vector<Which>& all, double moved, int& told) {
+                 const std::vector<Which>& all, double moved, Told& told) {
   for (const Which which : all) {
     const auto found = surfaces.value(which, p);
     if (!found) continue;
-    ++told;
+    ++told.all;
     const auto wanted = parts.value(which, space::scaled(Real(scale), p));
     ASSERT_EQ(found->value.has_value(), wanted.has_value()) << int(which);
     if (!wanted) continue;
+    told.depths += which == Which::kGamma1 && found->value->value.sign() < 0;
+    told.fits += which == Which::kEta2 || (which == Which::kEta1 && found->value->value.sign() > 0);
     const Real value = wanted->value / Real(scale);
-    if (wanted->proven && moved == 0)
+    if (wanted->proven && moved == 0) {
       ASSERT_EQ((found->value->value - value).sign(), 0)
           << int(which) << " " << found->value->value.to_double() << " " << value.to_double();
-    else
+    } else {
       ASSERT_NEAR(found->value->value.to_double(), value.to_double(), 4 * moved + 0x1p-30 * (1 + value.to_double()));
+    }
     if (!found->value->nearest || (which != Which::kGamma1 && which != Which::kEta1)) continue;
     // At the nearest such position the distance is 0.
     const auto there = surfaces.value(which, *found->value->nearest);
@@ -118,9 +126,9 @@ void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& 
   }
 }
 
-/// At `count` positions each of `rounds` pairs; how many values the surfaces told.
-int compare_all(std::mt19937& random, const Given& a, const Given& b, const std::vector<Which>& all, int reach) {
-  int told = 0;
+/// At eight positions.
+void compare_all(std::mt19937& random, const Given& a, const Given& b, const std::vector<Which>& all, int reach,
+                 Told& told) {
   const double moved = a.body->moved + b.body->moved;  // by which the parts are not the mesh
   const std::int64_t scale = std::lcm(a.body->scale, b.body->scale);
   const SolidPair parts(shared(at_scale(*b.body, scale)), shared(at_scale(*a.body, scale)));
@@ -130,29 +138,30 @@ int compare_all(std::mt19937& random, const Given& a, const Given& b, const std:
     const auto pick = [&] { return std::uniform_int_distribution<int>(-far, far)(random); };
     expect_same(parts, scale, surfaces, space::place(pick(), pick(), pick(), 1 + i % 2), all, moved, told);
   }
-  return told;
 }
 
 TEST(SurfacePair, Outside) {
   std::mt19937 random(77);
-  int told = 0;
+  Told told;
   for (int round = 0; round < 12; ++round) {
     const Given a = of_mesh(star(random, 5, 9)), b = drawn(random, round % 4);
-    told += compare_all(random, a, b, kOutside, 30);
+    compare_all(random, a, b, kOutside, 30, told);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(told, 300);
+  EXPECT_GT(told.all, 300);
+  EXPECT_GT(told.depths, 12);
 }
 
 TEST(SurfacePair, Inside) {
   std::mt19937 random(78);
-  int told = 0;
+  Told told;
   for (int round = 0; round < 12; ++round) {
     const Given a = of_mesh(corner_room(12 + round)), b = drawn(random, 2 + round % 2);
-    told += compare_all(random, a, b, kInside, 8);
+    compare_all(random, a, b, kInside, 8, told);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(told, 150);
+  EXPECT_GT(told.all, 150);
+  EXPECT_GT(told.fits, 40);
 }
 
 /// Out of a mesh with dents, in which the farthest place may be.

@@ -64,6 +64,12 @@ TEST(LargeMesh, NeedsNoParts) {
   EXPECT_EQ(value(Kind::kGamma1, middle).sign(), 1);
   EXPECT_EQ(value(Kind::kD1, across), Real());
   EXPECT_EQ(value(Kind::kPenetration, far), Real());
+  EXPECT_EQ(value(Kind::kGamma1, across), Real(-100));
+  EXPECT_EQ(value(Kind::kPenetration, across), Real(100));
+  const auto fit = solver.value(named(Kind::kEta1), across);
+  EXPECT_GT(fit->value, Real(100));
+  EXPECT_EQ(value(Kind::kEta1, *fit->nearest), Real());
+  EXPECT_GT(value(Kind::kEta2, far), Real(3100));
   EXPECT_EQ(value(Kind::kGamma2, far), sqrt(Real(3400) * Real(3400) + Real(2 * 100 * 100)));
   EXPECT_EQ(value(Kind::kEta1, within).sign(), -1);
   EXPECT_EQ(value(Kind::kEta1, within), value(Kind::kMu, within));
@@ -86,6 +92,8 @@ TEST(LargeMesh, HundredThousandTriangles) {
   EXPECT_EQ(v->value, Real(500));
   ASSERT_TRUE(v->nearest);
   EXPECT_EQ((*v->nearest)[0], Real(1410));
+  EXPECT_EQ(solver.value(named(Kind::kGamma1), space::place(1400, 0, 0))->value, Real(-10));
+  EXPECT_GT(solver.value(named(Kind::kEta1), space::place(1400, 0, 0))->value, Real(10));
 }
 
 }  // namespace
