@@ -74,7 +74,7 @@ SolidValue CutPair::apart(const RealVector& p) const {
     const Box box = box_of(s, by);
     for (const CutSearch& part : parts_) {
       if (best && distance(box, {part.low, part.high}) > best->value.to_double()) continue;
-      const TouchingRule to = touching_distance(s, by, s.radius.to_double());
+      const TouchingRule to = gap_to(s, by);
       const FrontPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0);
       if (!found.found) continue;
       SolidValue v = searched(found, size_);
@@ -102,7 +102,7 @@ Between CutPair::nearly_apart(const RealVector& p, double level) const {
   const Until until{level, kShare};
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
-    const TouchingRule to = touching_distance(s, by, s.radius.to_double());
+    const TouchingRule to = gap_to(s, by);
     for (const CutSearch& part : parts_) {
       const double least = distance(box, {part.low, part.high});
       if (least > out.low) continue;

@@ -63,6 +63,15 @@ TouchingRule keep_in(const BodyPart& set, const Vector& p) {
   return flat_sided(set) ? highest_plane(set.planes(), p) : touching_distance(set, p, set.radius.to_double());
 }
 
+TouchingRule gap_to(const BodyPart& set, const Vector& p) {
+  TouchingRule away = touching_distance(set, p, set.radius.to_double());
+  if (!flat_sided(set)) return away;
+  return [inside = highest_plane(set.planes(), p), away = std::move(away)](const Vector& x) {
+    const Touching at = inside(x);
+    return at.value < 0 ? at : away(x);
+  };
+}
+
 ConvexDistance keep_out(const BodyPart& set, const Vector& p) {
   return [rule = grown_distance({set.planes(), space::real(set.center), set.radius}), p](const Vector& x) {
     return rule(x - p);

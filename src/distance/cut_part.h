@@ -31,6 +31,8 @@ bool is_empty(const space::CutBody& body);
 CutSearch cut_search(const space::CutPart& part, double size);
 /// As rules of a place: in the convex set moved by p, with how deep; outside it.
 TouchingRule keep_in(const space::BodyPart& set, const space::Vector& p);
+/// The distance to the set moved by p; inside it minus how deep, so that what is flat on both sides is told at once.
+TouchingRule gap_to(const space::BodyPart& set, const space::Vector& p);
 ConvexDistance keep_out(const space::BodyPart& set, const space::Vector& p);
 
 /// Whether the closed part holds the place, exactly.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Pairs of shapes of which one has no body, as balls are cut out of it (distance/cut_pair.h). Lengths in steps of the
-// scale. Guarantee: as there. Keywords: bowl, dome, lens.
+// Pairs of shapes of which one has no body, as balls are cut out of it (distance/cut_pair.h); several shapes of one
+// side count as their union. Lengths in steps of the scale. Guarantee: as there. Keywords: bowl, dome, lens.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace findspace::situation {
 
-/// Without a pair where not one of two shapes is cut, or there are more.
+/// Without a pair where none is cut, or some on both sides, or one is a complement.
 struct CutShapes {
   std::int64_t scale = 1;
   std::unique_ptr<distance::CutPair> pair;

@@ -97,7 +97,7 @@ space::RaySourcePointer by_cut(const RayWorld& world, const SignMap& map, const 
                                const RayGrid& grid) {
   const auto forms = [&](const std::vector<std::string>& names) {
     std::vector<SpaceShape> out;
-    if (names.size() == 1) out.push_back(space_shape(*world.shapes.at(names[0]).stated()));
+    for (const std::string& name : names) out.push_back(space_shape(*world.shapes.at(name).stated()));
     return out;
   };
   CutShapes cut = cut_shapes(forms(second ? d.second : d.first), forms(second ? d.first : d.second));

@@ -63,14 +63,6 @@ void keep(CutPart part, std::vector<CutPart>& out) {
   out.push_back(std::move(part));
 }
 
-CutBody of_body(Body body) {
-  CutBody out;
-  out.scale = body.scale;
-  for (const BodyPart& part : body.parts) out.parts.push_back({{part}, {}});
-  out.rooms.push_back(std::move(body));
-  return out;
-}
-
 std::pair<CutBody, CutBody> together(const CutBody& a, const CutBody& b) {
   const std::int64_t scale = std::lcm(a.scale, b.scale);
   return {at_scale(a, scale), at_scale(b, scale)};
@@ -126,13 +118,6 @@ CutBody less(const CutBody& first, const CutBody& second) {
   return std::move(a);
 }
 
-CutBody united(const CutBody& first, const CutBody& second) {
-  auto [a, b] = together(first, second);
-  a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
-  a.rooms.clear(), a.pillars.clear();
-  return std::move(a);
-}
-
 /// The first child less the others, or what all have in common; `kept` and `taken` make those that count and those that
 /// are taken away.
 template <class Kept, class Taken>
@@ -163,9 +148,9 @@ CutBody displaced(const CutBody& child, const plane::Shape& shape) {
 }
 
 CutBody of_erosion(const Erosion& made) {
-  CutBody out = of_body(made.rooms[0]);
-  for (std::size_t k = 1; k < made.rooms.size(); ++k) out = common(out, of_body(made.rooms[k]));
-  return made.pillars ? less(out, of_body(*made.pillars)) : out;
+  CutBody out = uncut(made.rooms[0]);
+  for (std::size_t k = 1; k < made.rooms.size(); ++k) out = common(out, uncut(made.rooms[k]));
+  return made.pillars ? less(out, uncut(*made.pillars)) : out;
 }
 
 /// The shape's Minkowski difference by b: what several shapes have in common is shrunk one by one, what is taken away
@@ -177,7 +162,7 @@ CutBody eroded(const plane::Shape& shape, const Body& b) {
     case Kind::kDifference:
       return clipped(
           shape, [&](const plane::Shape& c) { return eroded(c, b); },
-          [&](const plane::Shape& c) { return of_body(minkowski_sum(body(c), b)); });
+          [&](const plane::Shape& c) { return uncut(minkowski_sum(body(c), b)); });
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
@@ -226,7 +211,7 @@ CutBody node(const plane::Shape& shape) {
     default:
       break;
   }
-  return of_body(body(shape));  // which says why not
+  return uncut(body(shape));  // which says why not
 }
 
 bool is_round(const plane::Shape& shape) {
@@ -246,12 +231,27 @@ bool is_cut(const plane::Shape& shape) {
 
 }  // namespace
 
+CutBody uncut(Body body) {
+  CutBody out;
+  out.scale = body.scale;
+  for (const BodyPart& part : body.parts) out.parts.push_back({{part}, {}});
+  out.rooms.push_back(std::move(body));
+  return out;
+}
+
+CutBody united(const CutBody& first, const CutBody& second) {
+  auto [a, b] = together(first, second);
+  a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
+  a.rooms.clear(), a.pillars.clear();
+  return std::move(a);
+}
+
 CutBody cut_body(const plane::Shape& shape) {
   try {
     Body made = body(shape);
     if (made.outside)
       throw Error(ErrorCode::kUnsupported, "a complement of this kind is not computed in 3D", shape.place);
-    return of_body(std::move(made));
+    return uncut(std::move(made));
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported || !is_cut(shape) || !is_round(shape)) throw;
   }

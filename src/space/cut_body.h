@@ -36,6 +36,10 @@ CutBody cut_body(const plane::Shape& shape);
 /// Of a minkowski_difference or an offset by a negative amount, also where it is a body: of a shape with flat faces the
 /// plain set, sheets and single points included.
 CutBody cut_erosion(const plane::Shape& shape);
+/// A bounded body in that form.
+CutBody uncut(Body body);
+/// The union; it has no rooms.
+CutBody united(const CutBody& first, const CutBody& second);
 /// The same set in finer steps; `scale` is a multiple of its own.
 CutBody at_scale(const CutBody& body, std::int64_t scale);
 

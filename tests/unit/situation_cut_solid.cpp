@@ -62,5 +62,49 @@ TEST(CutSolid, HasSignsWhereItHasNoValue) {
   EXPECT_TRUE(found_by_search(rays, touching));
 }
 
+/// A bowl, a plate below it and another bowl as one obstacle, or as what moves.
+TEST(CutSolid, IsOneOfSeveral) {
+  using K = findspace::situation::Kind;
+  const plane::ShapePtr plate = space::hull({{-20, -20, -30},
+                                             {20, -20, -30},
+                                             {-20, 20, -30},
+                                             {20, 20, -30},
+                                             {-20, -20, -40},
+                                             {20, -20, -40},
+                                             {-20, 20, -40},
+                                             {20, 20, -40}});
+  SpaceWorld all = world("B");
+  all.shapes["P"] = space_shape(*plate);
+  all.shapes["Q"] = space_shape(*space::node(Kind::kDifference, {cube(20), space::ball({0, 0, -20}, 15)}));
+  const SpaceSolver solver(all);
+  Distance several = named(K::kGamma1), farthest = named(K::kGamma2);
+  several.second = {"A", "P"}, farthest.second = {"A", "P"};
+  EXPECT_EQ(solver.value(several, space::place(0, 0, 17))->value, Real(15) - sqrt(Real(54)));
+  EXPECT_EQ(solver.value(several, space::place(-15, 0, -44))->value, Real(1));
+  Distance plate_alone = named(K::kGamma2);
+  plate_alone.second = {"P"};
+  EXPECT_EQ(solver.value(farthest, space::place(0, 0, 17))->value,
+            solver.value(plate_alone, space::place(0, 0, 17))->value);
+  // With the other bowl the pocket is filled.
+  several.second = {"A", "Q"};
+  EXPECT_EQ(solver.value(several, space::place(0, 0, 24))->value, Real(1));
+
+  all.moving = {"A", "P"};
+  const SpaceSolver back(all);
+  Distance moved = named(K::kGamma1, true);
+  moved.first = {"A", "P"};
+  EXPECT_EQ(back.value(moved, space::place(0, 0, -17))->value, Real(15) - sqrt(Real(54)));
+
+  RayWorld rays;
+  rays.shapes.emplace("A", RayShape(bowl()));
+  rays.shapes.emplace("P", RayShape(plate));
+  rays.shapes.emplace("B", RayShape(cube(3)));
+  rays.moving = {"B"}, rays.step = Real(1);
+  SignMap touching{named(K::kGamma1), Real(), false};
+  touching.distance.second = {"A", "P"};
+  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
+  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, -25)), 1);
+}
+
 }  // namespace
 }  // namespace findspace::situation
