@@ -3,50 +3,147 @@
 #include "distance/matrix_game.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "exact/interval.h"
 
 namespace findspace::distance {
 
-// With entries shifted to be positive: maximise sum y subject to M y <= 1, y >= 0. The value is 1 / sum y, the weights
-// of the rows are the dual values over that sum. The slack variables are a feasible start.
-GameValue matrix_game(const std::vector<std::array<double, 4>>& columns) {
-  double shift = 0;
-  for (const auto& c : columns) shift = std::max(shift, *std::max_element(c.begin(), c.end()));
-  if (shift == 0) return {0, {1, 0, 0, 0}};
-  const std::size_t n = columns.size(), width = n + 5;
-  std::vector<std::vector<double>> rows(5, std::vector<double>(width, 0));  // four rows, then the objective
+namespace {
+
+using Column = std::array<double, 4>;
+using Square = std::array<Column, 4>;  // by columns
+
+double dot(const Column& a, const Column& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
+
+/// The inverse, by rows; false where a pivot vanishes.
+bool invert(const Square& of, Square& out) {
+  double m[4][8];
   for (std::size_t r = 0; r < 4; ++r) {
-    for (std::size_t j = 0; j < n; ++j) rows[r][j] = columns[j][r] / shift + 1;
-    rows[r][n + r] = 1;
-    rows[r][width - 1] = 1;
+    for (std::size_t c = 0; c < 4; ++c) m[r][c] = of[c][r], m[r][4 + c] = r == c;
   }
-  for (std::size_t j = 0; j < n; ++j) rows[4][j] = -1;
-  constexpr double kEntering = 0x1p-48;
-  for (int step = 0; step < 200; ++step) {
-    // The first column that helps (Bland: no cycles).
-    std::size_t in = 0;
-    while (in + 1 < width && rows[4][in] >= -kEntering) ++in;
-    if (in + 1 == width) break;
-    std::size_t out = 4;
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::size_t top = c;
+    for (std::size_t r = c + 1; r < 4; ++r) {
+      if (std::fabs(m[r][c]) > std::fabs(m[top][c])) top = r;
+    }
+    if (m[top][c] == 0) return false;
+    std::swap(m[top], m[c]);
+    const double pivot = 1 / m[c][c];
+    for (double& x : m[c]) x *= pivot;
     for (std::size_t r = 0; r < 4; ++r) {
-      if (rows[r][in] <= kEntering) continue;
-      if (out == 4 || rows[r][width - 1] * rows[out][in] < rows[out][width - 1] * rows[r][in]) out = r;
-    }
-    if (out == 4) break;
-    const double pivot = rows[out][in];
-    for (double& x : rows[out]) x /= pivot;
-    for (std::size_t r = 0; r < 5; ++r) {
-      if (r == out || rows[r][in] == 0) continue;
-      const double factor = rows[r][in];
-      for (std::size_t j = 0; j < width; ++j) rows[r][j] -= factor * rows[out][j];
+      if (r == c) continue;
+      const double factor = m[r][c];
+      for (std::size_t k = c; k < 8; ++k) m[r][k] -= factor * m[c][k];
     }
   }
-  const double sum = rows[4][width - 1];
-  GameValue game;
-  game.value = (1 / sum - 1) * shift;
-  double weights = 0;
-  for (std::size_t r = 0; r < 4; ++r) weights += game.rows[r] = std::max(0.0, rows[4][n + r]);
-  for (double& w : game.rows) w /= weights;
-  return game;
+  for (std::size_t r = 0; r < 4; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) out[r][c] = m[r][4 + c];
+  }
+  return true;
+}
+
+/// max sum x, A x <= 1, x >= 0, where A's columns are those of the game over the greatest entry, and 1 more. The basis
+/// is inverted anew in each step, and what its weights are worth in the game is kept where it is the best so far: so
+/// columns that are nearly the same, whose bases are made of rounding, do no harm.
+class Simplex {
+ public:
+  Simplex(const std::vector<Column>& columns, double shift) : columns_(columns), shift_(shift) {
+    for (std::size_t r = 0; r < 4; ++r) basis_[r] = columns.size() + r;
+    best_.value = exact::kInfinity;
+  }
+
+  GameValue run() {
+    constexpr int kMostSteps = 100;
+    constexpr double kClose = 0x1p-48;
+    for (int step = 0; step < kMostSteps; ++step) {
+      Square basis;
+      for (std::size_t r = 0; r < 4; ++r) basis[r] = column(basis_[r]);
+      if (!invert(basis, inverse_)) break;
+      const std::size_t in = price();
+      if (in == none() || best_.value - lowest_ <= kClose * shift_) break;
+      if (!enter(in)) break;
+    }
+    return best_;
+  }
+
+ private:
+  std::size_t none() const { return columns_.size() + 4; }
+  Column column(std::size_t j) const {
+    Column out{};
+    if (j >= columns_.size()) {
+      out[j - columns_.size()] = 1;
+      return out;
+    }
+    for (std::size_t r = 0; r < 4; ++r) out[r] = columns_[j][r] / shift_ + 1;
+    return out;
+  }
+
+  /// The column that helps most; and what both players' weights are worth.
+  std::size_t price() {
+    constexpr double kHelps = 0x1p-49;
+    Column rows{}, mean{};
+    double weights = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      x_[k] = inverse_[k][0] + inverse_[k][1] + inverse_[k][2] + inverse_[k][3];
+      if (basis_[k] >= columns_.size()) continue;
+      for (std::size_t r = 0; r < 4; ++r) rows[r] += inverse_[k][r];
+      const double w = std::max(0.0, x_[k]);
+      weights += w;
+      for (std::size_t r = 0; r < 4; ++r) mean[r] += w * columns_[basis_[k]][r];
+    }
+    if (weights > 0) best_.value = std::min(best_.value, *std::max_element(mean.begin(), mean.end()) / weights);
+    std::size_t in = none();
+    double most = kHelps;
+    const auto take = [&](std::size_t j, double gain) {
+      if (gain > most && std::find(basis_.begin(), basis_.end(), j) == basis_.end()) most = gain, in = j;
+    };
+    for (std::size_t r = 0; r < 4; ++r) take(columns_.size() + r, -rows[r]);
+    Column mix;
+    double sum = 0, least = exact::kInfinity;
+    for (std::size_t r = 0; r < 4; ++r) sum += mix[r] = std::max(0.0, rows[r]);
+    const double all = rows[0] + rows[1] + rows[2] + rows[3];
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      take(j, 1 - dot(rows, columns_[j]) / shift_ - all);
+      least = std::min(least, dot(mix, columns_[j]));
+    }
+    if (sum > 0 && least / sum > lowest_) {
+      lowest_ = least / sum;
+      for (std::size_t r = 0; r < 4; ++r) best_.rows[r] = mix[r] / sum;
+    }
+    return in;
+  }
+
+  bool enter(std::size_t in) {
+    constexpr double kPivot = 0x1p-30;
+    const Column added = column(in);
+    Column by;
+    std::size_t out = 4;
+    for (std::size_t k = 0; k < 4; ++k) {
+      by[k] = dot(inverse_[k], added);
+      if (by[k] > kPivot && (out == 4 || x_[k] * by[out] < x_[out] * by[k])) out = k;
+    }
+    if (out == 4) return false;
+    basis_[out] = in;
+    return true;
+  }
+
+  const std::vector<Column>& columns_;
+  double shift_;
+  std::array<std::size_t, 4> basis_;
+  Square inverse_{};
+  Column x_{};
+  GameValue best_;
+  double lowest_ = -1;
+};
+
+}  // namespace
+
+GameValue matrix_game(const std::vector<Column>& columns) {
+  double shift = 0;
+  for (const Column& c : columns) shift = std::max(shift, *std::max_element(c.begin(), c.end()));
+  if (shift == 0) return {0, {1, 0, 0, 0}};
+  return Simplex(columns, shift).run();
 }
 
 GameValue bounding_game(std::vector<std::array<double, 4>> columns,

@@ -9,10 +9,8 @@
 //   eta1, eta2, mu in a convex A   of the convex hull of B;
 //   eta1, eta2                     undefined where B's box is larger than A's;
 //   dstar                          0 where the one does not lie in the other;
-//   gamma1, penetration            where the interiors meet: the nearest position at which they touch from outside;
-//   eta1, eta2                     in an A of one surface, outside it: the nearest, and the farthest, at which B
-//   touches
-//                                  it from inside;
+//   gamma1, penetration            overlapping: the nearest position at which they touch from outside;
+//   eta1, eta2 in one surface      the nearest, and the farthest, position at which B touches it from inside;
 //   mu, h, hausdorff outside       at a corner of B, or by search (surface_peak.h);
 //   delta1, delta2, mu, h back     as these with the roles exchanged.
 // Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Nothing is said of other values, nor

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "distance/solid_value.h"
+#include "distance/surface_ball.h"
 #include "distance/surface_pair.h"
 #include "space/touch_search.h"
 
@@ -44,6 +45,23 @@ bool within_limits(const std::vector<space::Polytope>& parts) {
   });
 }
 
+/// The moving one, where it is a single ball.
+const space::SurfaceSet::Ball* only_ball(const Surfaced& s) {
+  const bool one = s.surface && s.surface->sheets().empty() && s.surface->balls().size() == 1;
+  return one ? s.surface->balls().data() : nullptr;
+}
+
+std::optional<Answer> of_ball(const space::SurfaceSet::Ball& ball, const Surfaced& fixed, TouchSide side, bool farthest,
+                              const RealVector& p) {
+  if (!fixed.surface || !fixed.surface->one_sheet() || fixed.convex || ball.radius.sign() <= 0) return std::nullopt;
+  const SurfaceBall of{fixed.surface.get(), ball.radius, side};
+  const RealVector center = space::real(ball.center), x = space::plus(p, center);
+  BallPlace place = farthest ? farthest_for_ball(of, x) : nearest_for_ball(of, x);
+  if (!place.told) return std::nullopt;
+  if (place.value && place.value->nearest) place.value->nearest = space::minus(*place.value->nearest, center);
+  return Answer{std::move(place.value)};
+}
+
 }  // namespace
 
 /// Of a fixed one that is not convex: else parts are the quick way.
@@ -73,15 +91,25 @@ std::optional<space::SurfaceGaps::Relation> SurfacePair::touching_relation(const
 std::optional<Answer> SurfacePair::depth(const RealVector& p) const {
   const bool back = faces(a_) < faces(b_);
   const Side& side = back ? back_ : forth_;
-  const TouchSets* sets = touching(side, TouchSide::kOutside);
-  if (!sets) return std::nullopt;
   const RealVector at = back ? space::negated(p) : p;
-  SolidValue out = signed_value(at, *nearest_touch(*sets, at), -1);
-  if (back && out.nearest) out.nearest = space::negated(*out.nearest);
-  return Answer{std::move(out)};
+  std::optional<Answer> out;
+  if (const auto* ball = only_ball(*side.moving)) {
+    out = of_ball(*ball, *side.fixed, TouchSide::kOutside, false, at);
+    if (out && out->value) out->value->value = -out->value->value;
+  } else if (const TouchSets* sets = touching(side, TouchSide::kOutside)) {
+    out = Answer{signed_value(at, *nearest_touch(*sets, at), -1)};
+  }
+  if (!out || !out->value) return std::nullopt;
+  if (back && out->value->nearest) out->value->nearest = space::negated(*out->value->nearest);
+  return out;
 }
 
 std::optional<Answer> SurfacePair::to_fit(const Side& side, Which which, const RealVector& p) {
+  if (const auto* ball = only_ball(*side.moving)) {
+    auto out = of_ball(*ball, *side.fixed, TouchSide::kInside, which == Which::kEta2, p);
+    if (out && out->value && which == Which::kEta2) out->value->nearest.reset();
+    return out;
+  }
   const TouchSets* sets = touching(side, TouchSide::kInside);
   if (!sets) return std::nullopt;
   const auto q = which == Which::kEta2 ? farthest_touch(*sets, p) : nearest_touch(*sets, p);

@@ -98,7 +98,7 @@ Given drawn(std::mt19937& random, int kind) {
 }
 
 struct Told {
-  int all = 0, depths = 0, fits = 0;  // of them gamma1 below 0; eta1 above 0 and eta2
+  int all = 0, depths = 0, fits = 0, proven = 0;  // of them gamma1 below 0; eta1 above 0 and eta2; compared exactly
 };
 
 void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& surfaces, const RealVector& p,
@@ -113,11 +113,13 @@ void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& 
     told.depths += which == Which::kGamma1 && found->value->value.sign() < 0;
     told.fits += which == Which::kEta2 || (which == Which::kEta1 && found->value->value.sign() > 0);
     const Real value = wanted->value / Real(scale);
-    if (wanted->proven && moved == 0) {
+    if (wanted->proven && found->value->proven && moved == 0) {
+      ++told.proven;
       ASSERT_EQ((found->value->value - value).sign(), 0)
           << int(which) << " " << found->value->value.to_double() << " " << value.to_double();
     } else {
-      ASSERT_NEAR(found->value->value.to_double(), value.to_double(), 4 * moved + 0x1p-30 * (1 + value.to_double()));
+      ASSERT_NEAR(found->value->value.to_double(), value.to_double(), 4 * moved + 0x1p-30 * (1 + value.to_double()))
+          << int(which);
     }
     if (!found->value->nearest || (which != Which::kGamma1 && which != Which::kEta1)) continue;
     // At the nearest such position the distance is 0.
@@ -162,6 +164,7 @@ TEST(SurfacePair, Inside) {
   }
   EXPECT_GT(told.all, 150);
   EXPECT_GT(told.fits, 40);
+  EXPECT_GT(told.proven, 300);
 }
 
 /// Out of a mesh with dents, in which the farthest place may be.
