@@ -4,8 +4,8 @@
 // The body that another sticks out of, as stick_out_rays.h asks for it: by its convex parts, or by the triangles of its
 // surface, where a cell is bounded by the distance of its middle and its size, as no distance grows faster than a step,
 // and where few triangles can be nearest in it by the matrix game of their distances, which are convex (solid_peak.h).
-// Guarantee: doubles, bounds as in solid_peak.h. Cost: of the surface some microseconds a cell. Keywords: distance
-// field, branch and bound.
+// What lies surely within is passed over by an octree that all searches share (field_boxes.h). Guarantee: doubles,
+// bounds as in solid_peak.h. Cost: of the surface some microseconds a cell. Keywords: distance field, branch and bound.
 #pragma once
 
 #include <memory>

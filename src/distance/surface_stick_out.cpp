@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "distance/field_boxes.h"
 #include "distance/matrix_game.h"
 #include "distance/peak_queue.h"
 #include "distance/stick_out_field.h"
@@ -19,6 +20,8 @@ using space::Vector;
 
 /// Triangles whose distances bound a cell, at most.
 constexpr std::size_t kFew = 8;
+/// Of the octree about the surface.
+constexpr int kDepth = 9;
 /// Steps of a run, each as long as the point is clear.
 constexpr int kMostSteps = 60;
 /// Places about a point that may tell its side.
@@ -66,7 +69,11 @@ class TriangleField : public StickOutField {
       triangles_.push_back(
           {exact::shadow(body_.corner(f, 0)), exact::shadow(body_.corner(f, 1)), exact::shadow(body_.corner(f, 2))});
     for (const BoxTree::Node& node : tree_.nodes()) boxes_.push_back(box_of(node.box));
-    size_ = space::length(exact::shadow(body_.high) - exact::shadow(body_.low));
+    for (int k = 0; k < static_cast<int>(body_.faces.size()); ++k) face_boxes_.push_back(box_of(tree_.box(k)));
+    const Vector low = exact::shadow(body_.low), high = exact::shadow(body_.high);
+    size_ = space::length(high - low);
+    known_ = std::make_unique<const FieldBoxes>(space::scaled(0.5, space::plus(low, high)), size_, kDepth,
+                                                [this](const Vector& x) { return signed_distance(x); });
   }
   double size() const override { return size_; }
   SolidPeak peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round, double slack,
@@ -80,6 +87,10 @@ class TriangleField : public StickOutField {
     }
     return at;
   }
+
+  /// Whether no place of the cell is farther out, by what searches before it saw.
+  bool surely_within(const Tetrahedron& cell, double most) const { return known_->within(cell, most); }
+  double least_known() const { return known_->least_half(); }
 
   double distance(int triangle, const Vector& x) const {
     return space::length(x - nearest_place(triangles_[static_cast<std::size_t>(triangle)], x));
@@ -133,6 +144,7 @@ class TriangleField : public StickOutField {
       if (top.gap > most * most) continue;
       const BoxTree::Node& node = tree_.nodes()[static_cast<std::size_t>(top.node)];
       for (int k = node.first; k < node.first + node.count; ++k) {
+        if (gap(face_boxes_[static_cast<std::size_t>(k)], x) > most * most) continue;
         if (!take(tree_.face(k))) return;
       }
       if (node.count > 0) continue;
@@ -143,11 +155,18 @@ class TriangleField : public StickOutField {
     }
   }
 
+  /// Where the side is not told, that to the surface.
+  double signed_distance(const Vector& x) const {
+    const double d = nearest(x).distance;
+    return inside(x, d).value_or(false) ? -d : d;
+  }
+
   space::RayBody body_;
   BoxTree tree_;
   std::vector<Corners> triangles_;
-  std::vector<Box> boxes_;  // of the nodes
+  std::vector<Box> boxes_, face_boxes_;  // of the nodes; of the faces, as the tree has them
   double size_;
+  std::unique_ptr<const FieldBoxes> known_;
 };
 
 struct Cell {
@@ -163,6 +182,7 @@ class Search {
 
   SolidPeak run(std::span<const Tetrahedron> solid) {
     for (const Tetrahedron& t : solid) {
+      if (field_.surely_within(t, queue_.slack())) continue;
       std::vector<int> triangles;
       for (const Vector& v : t) triangles.push_back(field_.nearest(v).triangle);
       add(t, exact::kInfinity, std::move(triangles));
@@ -177,44 +197,50 @@ class Search {
         space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
     double radius = 0;
     for (const Vector& v : corner) radius = std::max(radius, space::length(v - middle));
+    const double most = std::max(queue_.slack(), queue_.best().value);
+    if (radius > 4 * field_.least_known() && field_.surely_within(corner, most)) return;
     const TriangleField::Nearest near = field_.nearest(middle, queue_.slack() - radius, cell.triangles);
     if (!queue_.worth(near.distance + radius)) return;
     cell.triangles.push_back(near.triangle);
-    find_columns(cell);
+    const std::vector<std::array<double, 4>> columns = find_columns(cell);
     if (!queue_.worth(cell.bound)) return;
     const auto inside = field_.inside(middle, near.distance);
     const double value = inside.value_or(false) ? -near.distance : near.distance;
     cell.bound = std::min(cell.bound, value + radius);
     if (!queue_.worth(cell.bound)) return;
     if (inside == false) queue_.offer(middle, value);
-    play(cell);
+    play(cell, columns);
     if (queue_.worth(cell.bound)) queue_.push(std::move(cell));
   }
 
   /// The distances of the cell's triangles from its corners; keeps those that bound it best.
-  void find_columns(Cell& cell) {
+  std::vector<std::array<double, 4>> find_columns(Cell& cell) {
+    struct Bounding {
+      double most;
+      int triangle;
+      std::array<double, 4> column;
+    };
     std::sort(cell.triangles.begin(), cell.triangles.end());
     cell.triangles.erase(std::unique(cell.triangles.begin(), cell.triangles.end()), cell.triangles.end());
-    std::vector<std::pair<double, int>> order;
+    std::vector<Bounding> order;
     for (const int f : cell.triangles) {
-      double most = 0;
-      for (const Vector& v : cell.corner) most = std::max(most, field_.distance(f, v));
-      order.emplace_back(most, f);
+      Bounding& next = order.emplace_back(Bounding{0, f, {}});
+      for (std::size_t v = 0; v < 4; ++v) next.column[v] = field_.distance(f, cell.corner[v]);
+      next.most = *std::max_element(next.column.begin(), next.column.end());
     }
-    std::sort(order.begin(), order.end());
-    cell.bound = std::min(cell.bound, order[0].first);
+    std::sort(order.begin(), order.end(), [](const Bounding& p, const Bounding& q) {
+      return std::pair(p.most, p.triangle) < std::pair(q.most, q.triangle);
+    });
+    cell.bound = std::min(cell.bound, order[0].most);
     order.resize(std::min(order.size(), kFew));
     cell.triangles.clear();
-    for (const auto& [most, f] : order) cell.triangles.push_back(f);
+    std::vector<std::array<double, 4>> columns;
+    for (const Bounding& b : order) cell.triangles.push_back(b.triangle), columns.push_back(b.column);
+    return columns;
   }
 
   /// Lowers the bound by the game, and tries its place.
-  void play(Cell& cell) {
-    std::vector<std::array<double, 4>> columns;
-    for (const int f : cell.triangles) {
-      columns.emplace_back();
-      for (std::size_t v = 0; v < 4; ++v) columns.back()[v] = field_.distance(f, cell.corner[v]);
-    }
+  void play(Cell& cell, const std::vector<std::array<double, 4>>& columns) {
     const GameValue game = matrix_game(columns);
     cell.bound = std::min(cell.bound, game.value);
     if (!queue_.worth(cell.bound)) return;
