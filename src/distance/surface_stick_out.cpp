@@ -199,7 +199,7 @@ class Search {
     for (const Vector& v : corner) radius = std::max(radius, space::length(v - middle));
     const double most = std::max(queue_.slack(), queue_.best().value);
     if (radius > 4 * field_.least_known() && field_.surely_within(corner, most)) return;
-    const TriangleField::Nearest near = field_.nearest(middle, queue_.slack() - radius, cell.triangles);
+    const TriangleField::Nearest near = field_.nearest(middle, most - radius, cell.triangles);
     if (!queue_.worth(near.distance + radius)) return;
     cell.triangles.push_back(near.triangle);
     const std::vector<std::array<double, 4>> columns = find_columns(cell);
