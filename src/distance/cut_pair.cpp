@@ -199,20 +199,19 @@ std::optional<SolidValue> CutPair::covered(const RealVector& p) const {
   return v;
 }
 
-SolidValue CutPair::apart_or_refused(const RealVector& p) const {
+SolidValue CutPair::apart_or_deep(const RealVector& p) const {
   Gap found = gap(p);
-  if (found.depth > 0) fail("how deep a shape is in one that round ones are cut out of is not computed");
-  return std::move(found.value);
+  return found.depth > 0 ? overlapping(p) : std::move(found.value);
 }
 
 std::optional<SolidValue> CutPair::value_at(Which which, const RealVector& p) const {
   switch (which) {
     case Which::kGamma1:
-      return apart_or_refused(p);
+      return apart_or_deep(p);
     case Which::kD1:
       return cut_off(gap(p).value, false);
     case Which::kPenetration:
-      return cut_off(apart_or_refused(p), true);
+      return cut_off(apart_or_deep(p), true);
     case Which::kGamma2:
       return reach(p);
     case Which::kEta1:
@@ -270,10 +269,12 @@ std::optional<Between> CutPair::nearly_fits(const RealVector& p, double level) c
 std::optional<Between> CutPair::between(Which which, const Real& level, const RealVector& p) const {
   const double at = level.to_double();
   if (which == Which::kGamma1) {
-    if (at < 0) fail("how deep a shape is in one that round ones are cut out of is not computed");
     const RealVector q = cut_moves_ ? space::negated(p) : p;
     const double depth = common_depth(q, kSeen);
-    return depth > 0 ? Between{-exact::kInfinity, -depth - at} : nearly_apart(q, at);
+    if (depth > 0) return at < 0 ? nearly_overlapping(q, at) : Between{-exact::kInfinity, -depth - at};
+    if (at >= 0) return nearly_apart(q, at);
+    const Between gap = nearly_apart(q, 0);
+    return Between{std::max(gap.low, -2 * kSeen * size_) - at, gap.high - at};
   }
   const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
   if (fit && at > 0) return nearly_fits(cut_moves_ ? space::negated(p) : p, at);

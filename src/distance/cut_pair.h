@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // T-distances of a body B and a solid A that round ones are cut out of (cut_body.h), at a position of B:
-//   gamma1 and d1   where B + p does not meet the interior of A; where it does, only that they are below 0, and 0;
-//   gamma2, diameter
+//   gamma1, d1, penetration
+//                   the depth by search (cut_depth.h), of B and parts of A without round polyhedra;
+//   gamma2
 //   eta1, dstar     of B in A by its rooms and pillars: E is what fits into every room and meets no pillar;
 //   mu, h           of B to A where B + p lies in A; hausdorff where A sticks out of B by more than B could of A;
 //   eta2            where all rooms are convex;
@@ -24,6 +25,8 @@
 #include "space/cut_body.h"
 
 namespace findspace::distance {
+
+class CutDepth;
 
 class CutPair {
  public:
@@ -53,7 +56,11 @@ class CutPair {
   double common_depth(const space::RealVector& p, double enough) const;
   SolidValue apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
-  SolidValue apart_or_refused(const space::RealVector& p) const;
+  SolidValue apart_or_deep(const space::RealVector& p) const;
+  const CutDepth& depths() const;
+  SolidValue overlapping(const space::RealVector& p) const;
+  std::optional<SolidValue> free_of_sets(const space::RealVector& p) const;
+  Between nearly_overlapping(const space::RealVector& p, double level) const;
   SolidValue reach(const space::RealVector& p) const;
   SolidValue named_reach(const space::CutPart& part, const space::RealVector& from, const FrontPlace& found) const;
   std::optional<SolidValue> worst_fit(const space::RealVector& p) const;
@@ -78,6 +85,8 @@ class CutPair {
   double size_ = 1;
   mutable std::once_flag fits_made_;
   mutable std::optional<FrontRoom> fits_;
+  mutable std::once_flag depths_made_;
+  mutable std::shared_ptr<const CutDepth> depths_;
   mutable std::once_flag extents_made_;
   mutable bool too_large_ = false;
 };

@@ -127,7 +127,7 @@ double CutPair::common_depth(const RealVector& p, double enough) const {
       if (distance(box, {part.low, part.high}) > 0) continue;
       Rules rules = part.rules;
       rules.keep_in.push_back(keep_in(s, by));
-      most = std::max(most, most_slack(part.cells, rules, enough * size_).value);
+      most = std::max(most, most_slack(part.cells, rules, {enough * size_}).value);
     }
   }
   return most > enough * size_ ? most : 0;

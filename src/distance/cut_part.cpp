@@ -89,7 +89,7 @@ CutSearch cut_search(const CutPart& part, double size) {
   out.cells = tetrahedra_of_box(low, high);
   for (const BodyPart& set : part.within) out.rules.keep_in.push_back(keep_in(set, {}));
   for (const BodyPart& set : part.without) out.rules.keep_out.push_back(keep_out(set, {}));
-  out.empty = most_slack(out.cells, out.rules, kThin * size).value <= kThin * size;
+  out.empty = most_slack(out.cells, out.rules, {kThin * size}).value <= kThin * size;
   return out;
 }
 

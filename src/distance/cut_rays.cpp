@@ -4,6 +4,7 @@
 
 #include <findspace/error.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "space/ray_sources.h"
@@ -25,11 +26,15 @@ space::Bounds3 positions(const CutPair& pair) {
 
 std::unique_ptr<space::RaySource> cut_map(Which which, const Real& level, std::shared_ptr<const CutPair> pair,
                                           std::int64_t scale, const space::RayGrid& grid) {
+  if (which == Which::kPenetration) {
+    if (level.sign() < 0) return space::constant_rays(grid, 1);
+    auto deeper = cut_map(Which::kGamma1, -level, std::move(pair), scale, grid);
+    const bool any = level.sign() == 0;
+    return space::mapped_rays(std::move(deeper), [any](int s) { return any ? std::max(0, -s) : -s; });
+  }
   const bool cut_off = which == Which::kD1;
   if (cut_off && level.sign() < 0) return space::constant_rays(grid, 1);
   const Which base = cut_off ? Which::kGamma1 : which;
-  if (base == Which::kGamma1 && level.sign() < 0)
-    throw Error(ErrorCode::kUnsupported, "how deep a shape is in one that round ones are cut out of is not computed");
   const space::Bounds3 box = positions(*pair);
   const space::Vector low = space::rounded(box.low), high = space::rounded(box.high);
   const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;

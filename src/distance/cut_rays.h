@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Sign maps on rays of the distances between a body and a solid that round ones are cut out of (cut_pair.h), by values
-// (value_rays.h): gamma1 and d1 at levels from 0 on, gamma2, eta1, eta2, the distance by which a cut solid sticks out
-// of a convex body. Inside gamma1 the slack of what the two have in common takes the place of the depth: it has the
-// same sign and changes no faster. Guarantee: as value_rays.h. Cost: some hundred values a line. Keywords: ray map.
+// (value_rays.h): gamma1, d1 and penetration, gamma2, eta1, eta2, the distance by which a cut solid sticks out
+// of a convex body. For levels of gamma1 from 0 on the slack of what the two have in common takes the place of the
+// depth inside: it has the same sign and changes no faster. Guarantee: as value_rays.h. Cost: some hundred values a
+// line. Keywords: ray map.
 #pragma once
 
 #include <memory>

@@ -14,23 +14,6 @@ namespace findspace::distance {
 
 using space::Vector;
 
-std::pair<Vector, Vector> askew(const Vector& low, const Vector& high) {
-  const Vector wide = high - low;
-  return {low - Vector{0.0371 * wide.x, 0.0493 * wide.y, 0.0287 * wide.z},
-          space::plus(high, {0.0231 * wide.x, 0.0419 * wide.y, 0.0527 * wide.z})};
-}
-
-double longest_edge(const Tetrahedron& t, std::size_t& a, std::size_t& b) {
-  double most = -1;
-  for (std::size_t v = 0; v < 4; ++v) {
-    for (std::size_t w = v + 1; w < 4; ++w) {
-      const double d = space::length(t[v] - t[w]);
-      if (d > most) most = d, a = v, b = w;
-    }
-  }
-  return most;
-}
-
 namespace {
 
 using Column = std::array<double, 4>;
@@ -49,31 +32,18 @@ constexpr int kAskAt = 3000;
 struct Cell {
   Tetrahedron corner;
   std::vector<int> out, in;  // the functions that are not satisfied in all of the cell
+  std::vector<int> more;     // likewise, of MoreFronts
   double key = 0;            // nothing in it is better
   int depth = 0;
   /// Of cells as good as each other the smallest comes first: where all of a front is as near, any place of it will do.
   bool operator<(const Cell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
 };
 
-Vector centre(const Tetrahedron& t) {
-  return space::scaled(0.25, space::plus(space::plus(t[0], t[1]), space::plus(t[2], t[3])));
-}
-
 /// At most what a convex function is, at the corners, by its tangent at x.
 Column tangent(const Touching& at, const Vector& x, const Tetrahedron& corner) {
   Column out;
   for (std::size_t v = 0; v < 4; ++v) out[v] = at.value + space::dot(at.slope, corner[v] - x);
   return out;
-}
-
-/// Whether x is on the same side of each face as the corner that is not on it; numbers.
-bool holds(const Tetrahedron& t, const Vector& x) {
-  for (std::size_t v = 0; v < 4; ++v) {
-    const Vector &a = t[(v + 1) % 4], &b = t[(v + 2) % 4], &c = t[(v + 3) % 4];
-    const Vector e = b - a, g = c - a, normal{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
-    if (space::dot(normal, x - a) * space::dot(normal, t[v] - a) < 0) return false;
-  }
-  return true;
 }
 
 double most(const Column& c) { return *std::max_element(c.begin(), c.end()); }
@@ -89,11 +59,13 @@ class Search {
   }
 
   FrontPlace run(std::span<const Tetrahedron> room, double floor, const Until* until = nullptr) {
-    std::vector<int> out(rules_.keep_out.size()), in(rules_.keep_in.size());
-    std::iota(out.begin(), out.end(), 0);
-    std::iota(in.begin(), in.end(), 0);
+    Cell all;
+    all.out.resize(rules_.keep_out.size()), all.in.resize(rules_.keep_in.size());
+    std::iota(all.out.begin(), all.out.end(), 0);
+    std::iota(all.in.begin(), all.in.end(), 0);
     room_ = room;
-    for (const Tetrahedron& t : room) add(t, out, in, floor, 0);
+    if (rules_.more) ask();
+    for (const Tetrahedron& t : room) add(t, all, floor, 0);
     double left = exact::kInfinity;
     for (int count = 0; !queue_.empty(); ++count) {
       const Cell top = queue_.top();
@@ -139,11 +111,15 @@ class Search {
     const auto in = [&](const TouchingRule& f) { return f(x).value <= -room; };
     if (!cell)
       return std::all_of(rules_.keep_out.begin(), rules_.keep_out.end(), out) &&
-             std::all_of(rules_.keep_in.begin(), rules_.keep_in.end(), in);
+             std::all_of(rules_.keep_in.begin(), rules_.keep_in.end(), in) &&
+             (!rules_.more || rules_.more->allows(x, {}));
     return std::all_of(cell->out.begin(), cell->out.end(),
                        [&](int i) { return out(rules_.keep_out[static_cast<std::size_t>(i)]); }) &&
            std::all_of(cell->in.begin(), cell->in.end(),
-                       [&](int i) { return in(rules_.keep_in[static_cast<std::size_t>(i)]); });
+                       [&](int i) { return in(rules_.keep_in[static_cast<std::size_t>(i)]); }) &&
+           std::all_of(cell->more.begin(), cell->more.end(),
+                       [&](int i) { return rules_.more->beyond(i, x) >= room; }) &&
+           (!rules_.more || rules_.more->allows(x, cell->more));
   }
 
   void offer(const Vector& x, const Cell& cell) {
@@ -209,6 +185,21 @@ class Search {
     return true;
   }
 
+  /// Likewise of MoreFronts.
+  bool keep_near_more(const Tetrahedron& corner, const std::vector<int>& known, double edge, Cell& cell,
+                      std::vector<Column>& columns) const {
+    const auto take = [&](int i) {
+      Column c{};
+      for (std::size_t v = 0; v < 4; ++v) c[v] = rules_.more->beyond(i, corner[v]);
+      if (most(c) < -kNoise * size_) return false;
+      if (least(c) > edge + kNoise * size_) return true;
+      cell.more.push_back(i), columns.push_back(c);
+      return true;
+    };
+    const std::vector<int> made = rules_.more->near(centre(corner), edge, known);
+    return std::all_of(made.begin(), made.end(), take);
+  }
+
   /// What no place of the cell is better than, at the corners: linear, or concave.
   Column floor_of(const Tetrahedron& corner) const {
     if (distance_) {
@@ -220,8 +211,7 @@ class Search {
     return out;
   }
 
-  void add(const Tetrahedron& corner, const std::vector<int>& out, const std::vector<int>& in, double floor,
-           int depth) {
+  void add(const Tetrahedron& corner, const Cell& of, double floor, int depth) {
     Cell cell;
     cell.corner = corner, cell.depth = depth;
     const Column objective = floor_of(corner);
@@ -229,7 +219,9 @@ class Search {
     if (!(cell.key < wanted())) return;
     std::size_t a = 0, b = 1;
     std::vector<Column> columns;
-    if (!keep_near(corner, out, in, longest_edge(corner, a, b), cell, columns)) return;
+    const double edge = longest_edge(corner, a, b);
+    if (!keep_near(corner, of.out, of.in, edge, cell, columns)) return;
+    if (rules_.more && !keep_near_more(corner, of.more, edge, cell, columns)) return;
     offer(centre(corner), cell);
     // First what is a little better than the best, so that this comes as near to the least as rounding lets it; the
     // cell is kept only where something clearly better may be.
@@ -265,7 +257,7 @@ class Search {
     for (const std::size_t moved : {a, b}) {
       Tetrahedron corner = cell.corner;
       corner[moved] = middle;
-      add(corner, cell.out, cell.in, cell.key, cell.depth + 1);
+      add(corner, cell, cell.key, cell.depth + 1);
     }
   }
 

@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "distance/front_cells.h"
 #include "distance/solid_peak.h"
 
 namespace findspace::distance {
@@ -31,21 +32,27 @@ struct Touching {
 };
 using TouchingRule = std::function<Touching(const space::Vector&)>;
 
+/// What else places have to keep out of, which no few convex functions say: each cell is told those that count there.
+class MoreFronts {
+ public:
+  virtual ~MoreFronts() = default;
+  /// By number a convex function that is at least 0 at all allowed places. Numbers of one search stay.
+  virtual double beyond(int number, const space::Vector& x) const = 0;
+  /// Those for a cell of one that had those of `known`: the numbers.
+  virtual std::vector<int> near(const space::Vector& middle, double edge, std::span<const int> known) = 0;
+  /// Whether the place keeps all of them, known or not; `known` may tell at once that it does not.
+  virtual bool allows(const space::Vector& x, std::span<const int> known) const = 0;
+};
+
 struct Rules {
   std::vector<ConvexDistance> keep_out;
   std::vector<TouchingRule> keep_in;
+  MoreFronts* more = nullptr;
 };
 
 /// The objective at a place of no room that is known to be allowed; asked once, where the search comes to one or is
-/// long.
+/// long, or first where there are MoreFronts.
 using KnownPlace = std::function<std::optional<double>()>;
-
-/// A box about the box. Cells whose faces lie in those of the sets would touch what is allowed and never be settled;
-/// cells of this one stand askew.
-std::pair<space::Vector, space::Vector> askew(const space::Vector& low, const space::Vector& high);
-
-/// Its length, and its ends.
-double longest_edge(const Tetrahedron& t, std::size_t& a, std::size_t& b);
 
 inline constexpr int kMostFrontCells = 60000;
 

@@ -3,6 +3,7 @@
 #include "distance/front_slack.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 #include "distance/matrix_game.h"
@@ -15,6 +16,8 @@ using space::Vector;
 namespace {
 
 constexpr int kMostSlackCells = 20000;
+constexpr int kRounds = 4;      // of tangents in a cell
+constexpr double kNear = 0.75;  // of the bound: a value that more tangents do not help
 
 using Column = std::array<double, 4>;
 
@@ -31,47 +34,67 @@ double slack_at(const Rules& rules, const Vector& x) {
   return least;
 }
 
-std::vector<Column> columns_of(const Rules& rules, const Tetrahedron& corner) {
+/// What the slack is at most: chords of what is to be kept out of.
+std::vector<Column> chords(const Rules& rules, const Tetrahedron& corner) {
   std::vector<Column> out;
   for (const ConvexDistance& f : rules.keep_out) {
     Column& c = out.emplace_back();
     for (std::size_t v = 0; v < 4; ++v) c[v] = f(corner[v]);
   }
-  const Vector middle =
-      space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
-  for (const TouchingRule& g : rules.keep_in) {
-    const Touching at = g(middle);
-    Column& c = out.emplace_back();
-    for (std::size_t v = 0; v < 4; ++v) c[v] = -at.value - space::dot(at.slope, corner[v] - middle);
-  }
   return out;
+}
+
+/// Tangents at x of what is to be kept in.
+void touch(const Rules& rules, const Tetrahedron& corner, const Vector& x, std::vector<Column>& out) {
+  for (const TouchingRule& g : rules.keep_in) {
+    const Touching at = g(x);
+    Column& c = out.emplace_back();
+    for (std::size_t v = 0; v < 4; ++v) c[v] = -at.value - space::dot(at.slope, corner[v] - x);
+  }
+}
+
+/// The greatest slack that the columns leave, and where.
+Slack highest(const std::vector<Column>& columns, const Tetrahedron& corner) {
+  double lowest = 0, most = 0;
+  for (const Column& c : columns) {
+    for (const double entry : c) lowest = std::min(lowest, entry), most = std::max(most, entry);
+  }
+  std::vector<Column> shifted = columns;
+  for (Column& c : shifted) {
+    for (double& entry : c) entry -= lowest;
+  }
+  const GameValue game = matrix_game(shifted);
+  Vector x;
+  for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
+  if (!std::isfinite(x.x + x.y + x.z)) return {most, most, centre(corner)};  // a cell of rounding
+  const double bound = game.value + lowest + 0x1p-44 * (most - lowest);
+  return {bound, bound, x};
 }
 
 }  // namespace
 
-Slack most_slack(std::span<const Tetrahedron> room, const Rules& rules, double enough) {
+Slack most_slack(std::span<const Tetrahedron> room, const Rules& rules, const SlackEnd& end) {
   Slack best{-exact::kInfinity, exact::kInfinity, {}};
   std::priority_queue<Cell> queue;
   const auto add = [&](const Tetrahedron& corner) {
-    std::vector<Column> columns = columns_of(rules, corner);
-    double lowest = 0, highest = 0;
-    for (const Column& c : columns) {
-      for (const double entry : c) lowest = std::min(lowest, entry), highest = std::max(highest, entry);
+    std::vector<Column> columns = chords(rules, corner);
+    touch(rules, corner, centre(corner), columns);
+    double bound = exact::kInfinity;
+    for (int round = 0; round < kRounds && bound > std::max(end.enough, best.value); ++round) {
+      const Slack at = highest(columns, corner);
+      bound = std::min(bound, at.bound);
+      const double value = slack_at(rules, at.place);
+      if (value > best.value) best.value = value, best.place = at.place;
+      if (value > kNear * bound && value > 0) break;
+      touch(rules, corner, at.place, columns);
     }
-    for (Column& c : columns) {
-      for (double& entry : c) entry -= lowest;
-    }
-    const GameValue game = matrix_game(columns);
-    Vector x;
-    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
-    const double value = slack_at(rules, x);
-    if (value > best.value) best.value = value, best.place = x;
-    queue.push({corner, game.value + lowest + 0x1p-44 * (highest - lowest)});
+    queue.push({corner, bound});
   };
   for (const Tetrahedron& t : room) add(t);
   for (int count = 0; !queue.empty() && count < kMostSlackCells; ++count) {
     const Cell top = queue.top();
-    if (top.bound <= enough || (best.value > enough && 2 * best.value >= top.bound)) break;
+    if (top.bound <= end.enough || top.bound - best.value <= end.blur) break;
+    if (best.value > std::max(0.0, end.enough) && best.value >= end.share * top.bound) break;
     queue.pop();
     std::size_t a = 0, b = 1;
     longest_edge(top.corner, a, b);

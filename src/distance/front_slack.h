@@ -20,7 +20,11 @@ struct Slack {
   space::Vector place;
 };
 
-/// Until the bound is at most `enough`, or the value is more than `enough` and at least half the bound.
-Slack most_slack(std::span<const Tetrahedron> room, const Rules& rules, double enough);
+struct SlackEnd {
+  double enough = 0;   // the bound need not be less
+  double share = 0.5;  // of the bound: a value that is more than enough and so much of it need not be more
+  double blur = 0;     // as near as the bound has to come to the value
+};
+Slack most_slack(std::span<const Tetrahedron> room, const Rules& rules, const SlackEnd& end);
 
 }  // namespace findspace::distance

@@ -47,7 +47,8 @@ TEST(CutSolid, HasValuesWhicheverShapeMoves) {
   EXPECT_EQ(back.value(named(K::kEta1), q)->value, solver.value(named(K::kEta1), p)->value);
   EXPECT_EQ(solver.value(named(K::kEta1), space::place(0, 0, -10))->value, Real(-7));
   EXPECT_FALSE(solver.value(named(K::kDelta1), p));
-  EXPECT_THROW(solver.value(named(K::kGamma1), space::place(0, 0, 3)), Error);  // how deep is not computed
+  EXPECT_EQ(solver.value(named(K::kGamma1), space::place(0, 0, -12))->value, Real(-11));
+  EXPECT_EQ(back.value(named(K::kPenetration, true), space::place(0, 0, 12))->value, Real(11));
   EXPECT_EQ(solver.value(named(K::kD1), space::place(0, 0, 3))->value, Real());
 }
 
