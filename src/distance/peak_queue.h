@@ -31,13 +31,13 @@ class PeakQueue {
   }
   void push(Cell cell) { cells_.push(std::move(cell)); }
 
-  /// `split` offers and pushes what it makes of a cell.
+  /// `split` offers and pushes what it makes of a cell; it is asked for so many.
   template <class Split>
-  SolidPeak run(Split&& split) {
+  SolidPeak run(Split&& split, int most = kMostCells) {
     for (int count = 0; !cells_.empty(); ++count) {
       const Cell top = cells_.top();
       if (!worth(top.bound)) break;
-      if (count == kMostCells) {
+      if (count == most) {
         best_.whole = false;
         best_.bound = top.bound;
         return best_;

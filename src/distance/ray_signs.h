@@ -11,10 +11,9 @@
 //   gamma2, eta2, delta2, diameter   intersections of balls about the farthest candidates;  d1, h, dstar, penetration
 //   from these. Guarantee: exact on every line, round fronts included, but where the frontier itself is round and has
 //   to
-// be measured from: the depth in a union of round parts, containment in such below 0, levels above 0 of containment of
-// round shapes in shapes that are not convex, of mu of them and of mu to a complement; these are by values
-// (value_rays.h). Error(kUnsupported) for containment in unions of round parts above 0. Cost: line_pieces.h for
-// each piece of the sets or of their frontier. Keywords: ray map, offset, level set.
+// be measured from: the depth in a union of round parts, containment in such but at level 0, levels above 0 of
+// containment of round shapes in shapes that are not convex, of mu of them and of mu to a complement; these are by
+// values (value_rays.h). Cost: line_pieces.h for each piece of the sets or of their frontier. Keywords: ray map, offset, level set.
 #pragma once
 
 #include <memory>

@@ -41,9 +41,16 @@ struct Corner {
   double floor = 0;  // at most the signed distance to the core, plus the part's radius
 };
 
+}  // namespace
+
 RoundSolid round_solid(const BodyPart& part, const Vector& by) {
   RoundSolid out;
   out.radius = part.radius.to_double();
+  const std::span<const space::Point> ends = part.vertices();
+  if (ends.size() <= 2) {
+    out.from = space::plus(exact::shadow(ends.front()), by), out.to = space::plus(exact::shadow(ends.back()), by);
+    return out;
+  }
   out.way = [way = way_to(part.planes()), by](const Vector& x) { return way(x - by); };
   out.from = out.to = space::plus(exact::shadow(part.vertices()[0]), by);
   for (const space::Point& v : part.vertices()) {
@@ -53,8 +60,6 @@ RoundSolid round_solid(const BodyPart& part, const Vector& by) {
   }
   return out;
 }
-
-}  // namespace
 
 std::vector<ConvexDistance> distances_to_parts(const Body& a) {
   std::vector<ConvexDistance> out;
@@ -155,10 +160,7 @@ Solids solids_of(const Body& b, const RealVector& p) {
   Solids out;
   const Vector by = space::rounded(p);
   for (const BodyPart& part : b.parts) {
-    if (part.point()) {
-      const Vector center = space::rounded(space::plus(real(part.center), p));
-      out.round.push_back({center, center, part.radius.to_double()});
-    } else if (part.radius.sign() > 0) {
+    if (part.point() || part.radius.sign() > 0) {
       out.round.push_back(round_solid(part, by));
     } else {
       for (Tetrahedron& t : tetrahedra(*part.core)) {

@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "distance/round_solid.h"
 #include "distance/solid_pair.h"
 #include "distance/solid_peak.h"
 
@@ -19,6 +20,8 @@ namespace findspace::distance {
 
 /// To the core of each part of the body, less its radius.
 std::vector<ConvexDistance> distances_to_parts(const space::Body& a);
+/// A part with a radius, or a point, moved.
+RoundSolid round_solid(const space::BodyPart& part, const space::Vector& by);
 /// Whether no polyhedron among the parts has a radius.
 bool polyhedra_and_balls(const space::Body& b);
 /// Both less the radius of a convex A, where no part of B is less round: (P (+) r) (-) r = P, so they fit as they did.

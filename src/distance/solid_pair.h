@@ -29,6 +29,7 @@
 namespace findspace::distance {
 
 class FrontRoom;
+struct UnionRooms;
 
 struct SolidValue {
   exact::Real value;
@@ -64,6 +65,7 @@ class SolidPair {
     bool none = false;   // the moving one is too large
     mutable std::once_flag front_made;
     mutable std::shared_ptr<const FrontRoom> front;
+    std::shared_ptr<const UnionRooms> in_union;  // where the fixed one is a union of round parts
   };
   struct Side {  // one of the two as moving, the other as fixed
     const space::Body* moving = nullptr;
@@ -79,6 +81,13 @@ class SolidPair {
   /// Where B + p lies in A, a union of polyhedra: at most 0.
   std::optional<SolidValue> inside_polyhedra(const Side& side, const space::RealVector& p) const;
   std::optional<SolidValue> farthest_fit(const Side& side, const space::RealVector& p) const;
+  /// The box holds E.
+  static std::shared_ptr<const UnionRooms> union_rooms(const space::Body& b, const space::Body& a,
+                                                       const space::Bounds3& box);
+  /// `stuck`: how far the moving body sticks out at p.
+  std::optional<SolidValue> into_union(const Side& side, const Fit& fit, const space::RealVector& p,
+                                       const SolidValue& stuck) const;
+  static std::optional<SolidValue> farthest_in_union(const Fit& fit, const space::RealVector& p);
   /// max(0, -eta1), also where eta1 is not computed.
   std::optional<SolidValue> clearance_inside(const Side& side, const space::RealVector& p) const;
   /// Minus the distance of the moving body, which lies in the fixed one, to what is outside that.

@@ -6,9 +6,10 @@
 //   in a ball             an intersection of balls;
 //   in an offset polytope A = P (+) r, of parts no rounder than that: part by part and vertex by vertex an intersection
 //                         of rounded polytopes; else that of the parts less r in P, as (P (+) r) (-) r = P;
-//   in polyhedra          what is farther from the cover of outside cells less B's cores than their radii.
-// In a union of round parts only how deep B lies inside is known. Guarantee: as solid_pair.h; fronts that are round are
-// searched (front_room.h). Keywords: erosion, Minkowski difference, containment.
+//   in polyhedra          what is farther from the cover of outside cells less B's cores than their radii;
+//   in a union of round parts: solid_pair_union.cpp.
+// Guarantee: as solid_pair.h; fronts that are round are searched (front_room.h). Keywords: erosion, Minkowski
+// difference, containment.
 
 #include <findspace/error.h>
 
@@ -29,8 +30,6 @@ using space::real;
 using space::RealVector;
 
 namespace {
-
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
 /// Positions at which the box around B lies in that around A; nothing where it never does.
 std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) {
@@ -70,7 +69,12 @@ std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
     made->balls.emplace(std::move(balls));
     return made;
   }
-  if (a.round() && !a.convex()) fail("how far a shape is from fitting into a union of round parts is not computed");
+  if (a.round() && !a.convex()) {
+    const auto box = fit_box(b, a);
+    made->none = !box;
+    if (box) made->in_union = union_rooms(b, a, *box);
+    return made;
+  }
   if (a.convex()) {
     const auto plain = without_radius(b, a);
     if (!plain) {
@@ -115,6 +119,7 @@ std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVecto
     if (v.value.sign() <= 0) return v;  // inside both distances agree
     const Fit& f = fit(side);
     if (f.none) return std::nullopt;
+    if (f.in_union) return into_union(side, f, p, v);
     if (!f.round) {
       const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_uncovered(p);
       return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
@@ -162,6 +167,7 @@ std::optional<SolidValue> SolidPair::inside_polyhedra(const Side& side, const Re
 std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
   const Fit& f = fit(side);
   if (f.none) return std::nullopt;
+  if (f.in_union) return farthest_in_union(f, p);
   if (f.round) {
     auto v = front(side, f).farthest(p);
     if (v) v->nearest.reset();

@@ -3,6 +3,7 @@
 #include "distance/solid_peak.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -40,8 +41,8 @@ class Search {
     }
   }
 
-  SolidPeak run() {
-    return queue_.run([this](const Cell& top) { split(top); });
+  SolidPeak run(int most) {
+    return queue_.run([this](const Cell& top) { split(top); }, most);
   }
 
  private:
@@ -120,7 +121,7 @@ class Search {
   /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
   void split(const Cell& cell) {
     std::size_t a = 0, b = 1;
-    double longest = 0, greatest = 0x1p-46 * queue_.best().value;
+    double longest = 0, greatest = 0x1p-46 * std::fabs(queue_.best().value);
     for (std::size_t v = 0; v < 4; ++v) {
       for (std::size_t w = v + 1; w < 4; ++w) {
         const double d = space::length(cell.corner[v] - cell.corner[w]), bent = bend(cell, v, w);
@@ -170,12 +171,12 @@ std::vector<Tetrahedron> tetrahedra(const space::ConvexRegion& region) {
 
 SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
                      double share) {
-  return Search(solid, {}, sets, slack, share).run();
+  return Search(solid, {}, sets, slack, share).run(kMostCells);
 }
 
 SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
-                     std::span<const ConvexDistance> sets, double slack, double share) {
-  return Search(solid, round, sets, slack, share).run();
+                     std::span<const ConvexDistance> sets, double slack, double share, int most) {
+  return Search(solid, round, sets, slack, share).run(most);
 }
 
 std::vector<Tetrahedron> tetrahedra_of_box(const Vector& low, const Vector& high) {

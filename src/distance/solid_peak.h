@@ -51,8 +51,8 @@ struct RoundSolid;  // round_solid.h
 /// what it is more than the slack. At least one set.
 SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
                      double share = 0);
-/// Over solids and round ones.
+/// Over solids and round ones, with at most so many cells.
 SolidPeak solid_peak(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
-                     std::span<const ConvexDistance> sets, double slack, double share = 0);
+                     std::span<const ConvexDistance> sets, double slack, double share = 0, int most = kMostCells);
 
 }  // namespace findspace::distance

@@ -35,12 +35,12 @@ Body bounded(Body a) {
 
 bool eta1_by_values(const Real& level, const Body& b, const Body& a) {
   if (!a.round()) return level.sign() > 0 && b.round() && !a.convex();
-  if (!a.convex()) return level.sign() < 0 || (level.sign() == 0 && !polyhedra_and_balls(b));
+  if (!a.convex()) return level.sign() != 0 || !polyhedra_and_balls(b);
   return level.sign() > 0 && !balls(b, a) && !without_radius(b, a);
 }
 
 bool eta2_by_values(const Body& b, const Body& a) {
-  if (!a.convex()) return b.round() && !a.round();
+  if (!a.convex()) return b.round() || a.round();
   return a.round() && !balls(b, a) && !without_radius(b, a);
 }
 

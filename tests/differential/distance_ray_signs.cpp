@@ -267,18 +267,5 @@ TEST(RaySigns, ExactFitOfABall) {
   }
 }
 
-TEST(RaySigns, SaysWhatItDoesNotKnow) {
-  const RayGrid grid = grid_of(2, 1, 2);
-  Body two = ball(0, 0, 0, 3);
-  two.parts.push_back(ball(4, 0, 0, 2).parts[0]);
-  // How far a shape is from fitting into a union of round parts; level 0 is known.
-  EXPECT_THROW(ray_sign_map(Which::kEta1, Real(1), kCube, two, grid), Error);
-  EXPECT_THROW(ray_sign_map(Which::kEta2, Real(1), kCube, two, grid), Error);
-  EXPECT_NO_THROW(ray_sign_map(Which::kEta1, Real(0), kCube, two, grid));
-  const SolidPair pair(space::shared(kCube), space::shared(two));
-  EXPECT_THROW(pair.value(Which::kEta1, space::place(9, 0, 0)), Error);
-  EXPECT_THROW(pair.value(Which::kEta2, space::place(0, 0, 0)), Error);
-}
-
 }  // namespace
 }  // namespace findspace::distance
