@@ -13,7 +13,8 @@
 //   to
 // be measured from: the depth in a union of round parts, containment in such but at level 0, levels above 0 of
 // containment of round shapes in shapes that are not convex, of mu of them and of mu to a complement; these are by
-// values (value_rays.h). Cost: line_pieces.h for each piece of the sets or of their frontier. Keywords: ray map, offset, level set.
+// values (value_rays.h). Cost: line_pieces.h for each piece of the sets or of their frontier. Keywords: ray map,
+// offset, level set.
 #pragma once
 
 #include <memory>

@@ -75,7 +75,11 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
   // Beyond this the bodies are farther apart than the level, and every distance is more than that.
   const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
   const bool outside = a.outside;  // then they are less than any
-  const RayRule rule = [pair, which, level, outside](const RealVector& p) -> std::optional<Between> {
+  // Above 0 it does not matter how deep B lies in A: max(0, eta1) has the same signs.
+  const bool not_deep = which == Which::kEta1 && a.round() && !a.convex() && !outside;
+  const RayRule rule = [pair, which, level, outside, not_deep](const RealVector& p) -> std::optional<Between> {
+    if (not_deep && pair->value(Which::kH, p)->value.sign() == 0)
+      return Between{-level.to_double(), -level.to_double()};
     const auto v = pair->value(which, p);
     if (!v) return std::nullopt;
     const double gap = (outside ? level - v->value : v->value - level).to_double();

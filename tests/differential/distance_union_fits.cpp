@@ -133,5 +133,18 @@ TEST(UnionFits, OnLines) {
   }
 }
 
+/// How deep the box lies in the rounded L is not found where it lies along a wall of its parts; its sign above 0 is.
+TEST(UnionFits, OnALineThroughTheInside) {
+  Body room = space::box_body({{{{0, 0, 0}, {100, 40, 40}}}, {{{0, 0, 0}, {40, 100, 40}}}});
+  for (space::BodyPart& part : room.parts) part.radius = Real(20);
+  const Body box = space::box_body({{{{-10, -10, -10}, {20, 10, 10}}}});
+  const space::RayGrid grid{0, 1, 50, 10, 1, 1, 1, 1};  // y = 50, z = 10
+  const space::RayRow row = ray_sign_map(Which::kEta1, Real(5), box, room, grid)->row(0);
+  ASSERT_EQ(row.events.size(), 4U);
+  const SolidPair pair = pair_of(box, room);
+  for (const space::RayEvent& e : row.events)
+    EXPECT_NEAR(pair.value(Which::kEta1, {e.at.to_real(), Real(50), Real(10)})->value.to_double(), 5, 1e-5);
+}
+
 }  // namespace
 }  // namespace findspace::distance
