@@ -110,7 +110,7 @@ int SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v)
 /// Whether p is a minimiser, by the whole set of them where that is known, else by its value.
 SpaceSolver::SignedValue SpaceSolver::minimal(const SignMap& map, const RealVector& p) const {
   const auto v = value(map.distance, p);
-  if (is_directional(map.distance)) return {shown(map.distance, v), least(map.distance).at.mark(p) == 0 ? 1 : 0};
+  if (is_directional(map.distance)) return {shown(map.distance, v), takes_least(map.distance, v, p) ? 0 : 1};
   const Named n = named(map.distance);
   if (const auto whole = n.pair->least(n.which)) return {shown(map.distance, v), whole->at.mark(p) == 0 ? 1 : 0};
   const auto least = n.pair->nearly_least(n.which);

@@ -156,6 +156,9 @@ class SpaceSolver {
   /// Nothing where it is undefined or -infinity; Error(kUnsupported) but of boxes along an axis.
   std::optional<distance::BoxPair::Least> directional_least(const Distance& distance) const;
   std::optional<distance::SolidLeast> directional_nearly_least(const Distance& distance) const;
+  std::optional<distance::SolidLeast> convex_directional_least(const Distance& distance) const;
+  bool takes_least(const Distance& distance, const std::optional<distance::SolidValue>& v,
+                   const space::RealVector& p) const;
   /// The signs of one sign map along a line, as feasible_on().
   plane::Section signs_on(const SignMap& map, const SpaceLine& line) const;
   std::optional<distance::SolidValue> directional_value(const Distance& distance, const space::RealVector& p) const;

@@ -17,10 +17,13 @@
 #include "situation/text.h"
 #include "situation/which.h"
 #include "space/box_section.h"
+#include "space/longest_chord.h"
 #include "space/oblique_line.h"
 
 namespace findspace::situation {
 namespace {
+
+constexpr const char* kNotTaken = "no position takes a least value, so that lines do not show it";
 
 using distance::SolidValue;
 using exact::Real;
@@ -111,14 +114,41 @@ std::optional<distance::BoxPair::Least> SpaceSolver::directional_least(const Dis
     return d.plain.pair->boxes().directional_least(d.plain.which, d.axis, d.way);
   } catch (const Error& e) {
     if (e.code() != ErrorCode::kUnsupported) throw;
-    refuse(wanted, "least values along a direction are computed in 3D for shapes with axis-parallel faces only");
+    refuse(wanted, "the exact least value along a direction needs axis-parallel faces");
   }
+}
+
+/// Where the positions of level 0 are a convex polytope: minus half its longest chord both ways; one way only, the
+/// whole of it, which no position takes, as it ends in contact.
+std::optional<distance::SolidLeast> SpaceSolver::convex_directional_least(const Distance& wanted) const {
+  const Distance d = moving_first(wanted, world_.moving);
+  const Named plain = named(level_zero(d).distance);
+  const auto zero = is_farthest(d.kind) ? std::nullopt : plain.pair->sublevel(plain.which, Real());
+  if (!zero || zero->radius.sign() != 0)
+    refuse(wanted,
+           "least values along a direction are computed in 3D for convex polyhedra, and where faces are "
+           "axis-parallel along an axis, only");
+  if (zero->region.empty()) return std::nullopt;
+  const Real unit = world_.step / zero->scale;
+  if (zero->region.dimension() < 3)
+    return distance::SolidLeast{Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at)};
+  const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
+  const space::LongestChord chord = longest_chord(zero->region, direction);
+  if (d.mode != Mode::kAlong || !chord.inside) refuse(wanted, kNotTaken);
+  const Real value = -chord.length * sqrt(space::dot(direction, direction)) / Real(2) * unit;
+  return distance::SolidLeast{value, value, true, space::scaled(unit, chord.middle)};
 }
 
 /// On lines the least value stands for where it is taken.
 std::optional<distance::SolidLeast> SpaceSolver::directional_nearly_least(const Distance& wanted) const {
-  const auto found = directional_least(wanted);
-  if (!found || found->at.empty()) refuse(wanted, "no position takes a least value, so that lines do not show it");
+  std::optional<distance::BoxPair::Least> found;
+  try {
+    found = directional_least(wanted);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return convex_directional_least(wanted);
+  }
+  if (!found || found->at.empty()) refuse(wanted, kNotTaken);
   RealVector at;
   const space::IntervalBox box = found->at.boxes()[0];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -127,6 +157,19 @@ std::optional<distance::SolidLeast> SpaceSolver::directional_nearly_least(const 
   }
   const Real value = found->value * world_.step;
   return distance::SolidLeast{value, value, true, space::scaled(world_.step, at)};
+}
+
+/// Whether the value at p is the least.
+bool SpaceSolver::takes_least(const Distance& wanted, const std::optional<SolidValue>& v, const RealVector& p) const {
+  std::optional<distance::BoxPair::Least> whole;
+  try {
+    whole = least(wanted);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+  }
+  if (whole) return whole->at.mark(p) != 0;
+  const auto least = directional_nearly_least(wanted);
+  return v && least && !v->lowest && v->value * world_.step == least->value;
 }
 
 Section SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {
