@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/cut_depth.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -23,18 +21,8 @@ constexpr double kBlur = 0x1p-4;       // of a cell: slack that is not told from
 constexpr double kAgain = 0x1p-1;      // of a cell: where deeper places are looked for again
 constexpr int kTimes = 4;              // that a place is made deeper
 constexpr double kSame = 0x1p-2;       // of a cell: places of one deepest
+constexpr long kMostCellsInAll = 200000;
 constexpr std::size_t kRecent = 8, kMostCuts = 8;
-
-std::vector<MeetSet> meet_sets(const BodyPart& part) {
-  if (part.point() && part.radius.sign() > 0) return {{true, exact::shadow(part.center), part.radius.to_double()}};
-  if (!part.core || part.radius.sign() != 0)
-    throw Error(ErrorCode::kUnsupported,
-                "how deep round polyhedra, or shapes without interior, are in one that round ones are cut out of is "
-                "not computed");
-  std::vector<MeetSet> out;
-  for (const space::HalfSpace& h : part.planes()) out.push_back({false, h.unit, h.shift});
-  return out;
-}
 
 /// A tetrahedron about the box.
 Tetrahedron about_box(const Vector& low, const Vector& high) {
@@ -60,16 +48,20 @@ class CutFronts : public MoreFronts {
     }
   }
 
-  /// Those of pairs that nothing is cut out of.
-  std::vector<int> fixed() {
-    std::vector<int> out;
+  /// Those of the pairs that nothing is cut out of as they are.
+  Rules rules() {
+    Rules out;
+    out.more = this;
     for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
       if (!all_.pairs_[k].out.empty()) continue;
-      out.push_back(static_cast<int>(cuts_.size()));
+      const int number = static_cast<int>(cuts_.size());
       cuts_.push_back({k, {}, all_.pairs_[k].part->low, 0});
+      out.keep_out.push_back([this, number](const Vector& x) { return beyond(number, x); });
     }
     return out;
   }
+
+  bool spent() const override { return cells_ > kMostCellsInAll; }
 
   double beyond(int number, const Vector& x) const override {
     return -slack(cuts_[static_cast<std::size_t>(number)], x).value;
@@ -235,14 +227,17 @@ class CutFronts : public MoreFronts {
                  &to = pair.part->high;
     const auto [least, greatest] = askew({std::max(low.x, from.x), std::max(low.y, from.y), std::max(low.z, from.z)},
                                          {std::min(high.x, to.x), std::min(high.y, to.y), std::min(high.z, to.z)});
-    return most_slack(tetrahedra_of_box(least, greatest), common_[k], end);
+    const Slack out = most_slack(tetrahedra_of_box(least, greatest), common_[k], end);
+    cells_ += out.cells;
+    return out;
   }
 
   const CutDepth& all_;
   std::deque<Cut> cuts_;
   std::vector<Rules> common_;  // of what both parts of a pair hold
   mutable std::deque<Cut> recent_;
-  mutable Vector at_;  // of B, for the rules of common_
+  mutable long cells_ = 0;  // of searches for deepest places
+  mutable Vector at_;       // of B, for the rules of common_
 };
 
 CutDepth::CutDepth(const space::Body& b, const std::vector<CutSearch>& parts, double size) : size_(size) {
@@ -254,14 +249,12 @@ CutDepth::CutDepth(const space::Body& b, const std::vector<CutSearch>& parts, do
     for (const CutSearch& part : parts) {
       Pair& pair = pairs_.emplace_back();
       pair.low = space::rounded(box.low), pair.high = space::rounded(box.high);
-      pair.about = about_box(pair.low, pair.high);
-      pair.moving = meet_sets(s);
+      pair.about = about_box(pair.low, pair.high), pair.moving = meet_sets(s);
       for (const BodyPart& set : part.sets->within) {
         for (const MeetSet& m : meet_sets(set)) pair.fixed.push_back(m);
       }
       for (const BodyPart& set : part.sets->without) pair.out.push_back(gap_to(set, {}));
-      pair.in = keep_in(s, {});
-      pair.part = &part;
+      pair.in = keep_in(s, {}), pair.part = &part;
       const Vector low = part.low - pair.high, high = part.high - pair.low;
       low_ = {std::min(low_.x, low.x), std::min(low_.y, low.y), std::min(low_.z, low.z)};
       high_ = {std::max(high_.x, high.x), std::max(high_.y, high.y), std::max(high_.z, high.z)};
@@ -281,16 +274,19 @@ FrontPlace CutDepth::nearest(const Vector& p, const KnownPlace& known, const Unt
 FrontPlace CutDepth::nearest_in(const Vector& low, const Vector& high, const Vector& p, const KnownPlace& known,
                                 const Until* until) const {
   CutFronts fronts(*this);
-  Rules rules;
-  rules.more = &fronts;
-  for (const int i : fronts.fixed())
-    rules.keep_out.push_back([&fronts, i](const Vector& x) { return fronts.beyond(i, x); });
   const TouchingRule away = [p](const Vector& x) {
     const double d = space::length(x - p);
     return Touching{d, d > 0 ? space::scaled(1 / d, x - p) : Vector{}};
   };
   const auto [from, to] = askew(low, high);
-  return nearest_allowed(tetrahedra_of_box(from, to), rules, away, size_, 0, known, until);
+  return nearest_allowed(tetrahedra_of_box(from, to), fronts.rules(), away, size_, 0, known, until);
+}
+
+FrontPlace CutDepth::farthest_in(const Vector& low, const Vector& high, const Vector& p) const {
+  CutFronts fronts(*this);
+  const auto [from, to] = askew(low, high);
+  return farthest_allowed(
+      tetrahedra_of_box(from, to), fronts.rules(), [p](const Vector& x) { return space::length(x - p); }, size_);
 }
 
 }  // namespace findspace::distance

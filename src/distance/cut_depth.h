@@ -8,14 +8,14 @@
 // between it and what is cut out, says a convex subset of A, and so a concave function below the slack that is the
 // slack itself where x is the deepest place: each cell of the search makes those that it needs (MoreFronts), right to
 // the square of its size. Guarantee: doubles; the place is one at which common slack is at most 2^-42 of the sizes, no
-// such position is nearer than `bound`. Sets cut out may be anything convex; others polytopes and balls. Cost: some
-// hundred cells, each some dozen slacks. Keywords: penetration depth, reverse convex programming, cutting planes.
+// such position is nearer than `bound`; the search may end before (`whole`), so where edges of B lie on edges of what
+// is cut out. Sets cut out may be anything convex; others polytopes and balls. Cost: some hundred cells, each some
+// dozen slacks. Keywords: penetration depth, reverse convex programming, cutting planes.
 #pragma once
 
 #include <vector>
 
 #include "distance/cut_part.h"
-#include "distance/meet_slack.h"
 
 namespace findspace::distance {
 
@@ -28,6 +28,8 @@ class CutDepth {
   FrontPlace nearest(const space::Vector& p, const KnownPlace& known, const Until* until = nullptr) const;
   FrontPlace nearest_in(const space::Vector& low, const space::Vector& high, const space::Vector& p,
                         const KnownPlace& known, const Until* until = nullptr) const;
+  /// The farthest one of those in the box.
+  FrontPlace farthest_in(const space::Vector& low, const space::Vector& high, const space::Vector& p) const;
 
  private:
   friend class CutFronts;

@@ -78,7 +78,6 @@ CutPair::CutPair(std::shared_ptr<const Body> b, std::shared_ptr<const CutBody> a
 /// How B + p fits, by each room and pillar alone: the worst of them, which is no more than what it is by all together;
 /// nothing where one room is too small.
 std::optional<SolidValue> CutPair::worst_fit(const RealVector& p) const {
-  if (rooms_.empty()) fail("how a shape fits into a union of shapes that round ones are cut out of is not computed");
   std::optional<SolidValue> worst;
   const auto take = [&](SolidValue v) {
     if (!worst || worst->value < v.value) worst = std::move(v);
@@ -101,6 +100,7 @@ bool CutPair::is_whole(const SolidValue& worst) const {
 }
 
 std::optional<SolidValue> CutPair::contained(const RealVector& p) const {
+  if (rooms_.empty()) return contained_in_union(p);
   auto worst = worst_fit(p);
   if (!worst || is_whole(*worst)) return worst;
   const FrontRoom* fits = this->fits();
@@ -140,7 +140,7 @@ const FrontRoom* CutPair::fits() const {
 }
 
 std::optional<SolidValue> CutPair::farthest_fit(const RealVector& p) const {
-  if (rooms_.empty()) fail("how a shape fits into a union of shapes that round ones are cut out of is not computed");
+  if (rooms_.empty()) return farthest_in_union(p);
   const FrontRoom* fits = this->fits();
   auto v = fits ? fits->farthest(p) : std::nullopt;
   if (v) v->nearest.reset();
@@ -148,7 +148,7 @@ std::optional<SolidValue> CutPair::farthest_fit(const RealVector& p) const {
 }
 
 SolidValue CutPair::sticking_out(const RealVector& p) const {
-  auto worst = worst_fit(p);
+  auto worst = rooms_.empty() ? contained_in_union(p) : worst_fit(p);
   // B that fits nowhere sticks out everywhere.
   if (!worst || worst->value.sign() > 0)
     fail("how far a shape sticks out of one that round ones are cut out of is not computed");
@@ -187,7 +187,7 @@ bool CutPair::too_large() const {
 
 /// max(0, -eta1), and max(0, mu) where it is 0.
 SolidValue CutPair::clearance(const RealVector& p) const {
-  const auto worst = worst_fit(p);
+  const auto worst = rooms_.empty() ? contained_in_union(p) : worst_fit(p);
   return worst ? *cut_off(worst, true) : SolidValue{};
 }
 
@@ -277,6 +277,8 @@ std::optional<Between> CutPair::between(Which which, const Real& level, const Re
     return Between{std::max(gap.low, -2 * kSeen * size_) - at, gap.high - at};
   }
   const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
+  const bool out = which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at <= 0;
+  if ((fit || out) && rooms_.empty()) return nearly_in_union(cut_moves_ ? space::negated(p) : p, at);
   if (fit && at > 0) return nearly_fits(cut_moves_ ? space::negated(p) : p, at);
   const auto v = value(which, p);
   if (!v) return std::nullopt;

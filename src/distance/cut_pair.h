@@ -8,6 +8,8 @@
 //   eta1, dstar     of B in A by its rooms and pillars: E is what fits into every room and meets no pillar;
 //   mu, h           of B to A where B + p lies in A; hausdorff where A sticks out of B by more than B could of A;
 //   eta2            where all rooms are convex;
+//                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of
+//                   that;
 //   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A.
 // Guarantee: distances from and to places on one sphere or on the polyhedra are exact, others found by search
 // (front_search.h; `proven` false, `error`). Whether B + p lies in A is decided exactly. What is not computed is
@@ -66,6 +68,13 @@ class CutPair {
   std::optional<SolidValue> worst_fit(const space::RealVector& p) const;
   bool is_whole(const SolidValue& worst) const;
   std::optional<SolidValue> contained(const space::RealVector& p) const;
+  /// Without rooms: by what A leaves of a box.
+  struct Among;
+  const Among* among() const;
+  bool in_union(const Among& all, const space::RealVector& p, SolidValue& depth) const;
+  std::optional<SolidValue> contained_in_union(const space::RealVector& p) const;
+  std::optional<SolidValue> farthest_in_union(const space::RealVector& p) const;
+  std::optional<Between> nearly_in_union(const space::RealVector& p, double level) const;
   std::optional<SolidValue> farthest_fit(const space::RealVector& p) const;
   std::optional<Between> nearly_fits(const space::RealVector& p, double level) const;
   const FrontRoom* fits() const;
@@ -85,6 +94,8 @@ class CutPair {
   double size_ = 1;
   mutable std::once_flag fits_made_;
   mutable std::optional<FrontRoom> fits_;
+  mutable std::once_flag among_made_;
+  mutable std::shared_ptr<const Among> among_;
   mutable std::once_flag depths_made_;
   mutable std::shared_ptr<const CutDepth> depths_;
   mutable std::once_flag extents_made_;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/cut_part.h"
 
+#include <findspace/error.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -90,6 +92,17 @@ CutSearch cut_search(const CutPart& part, double size) {
   for (const BodyPart& set : part.within) out.rules.keep_in.push_back(keep_in(set, {}));
   for (const BodyPart& set : part.without) out.rules.keep_out.push_back(keep_out(set, {}));
   out.empty = most_slack(out.cells, out.rules, {kThin * size}).value <= kThin * size;
+  return out;
+}
+
+std::vector<MeetSet> meet_sets(const BodyPart& part) {
+  if (part.point() && part.radius.sign() > 0) return {{true, exact::shadow(part.center), part.radius.to_double()}};
+  if (!part.core || part.radius.sign() != 0)
+    throw Error(ErrorCode::kUnsupported,
+                "how deep round polyhedra, or shapes without interior, are in one that round ones are cut out of is "
+                "not computed");
+  std::vector<MeetSet> out;
+  for (const space::HalfSpace& h : part.planes()) out.push_back({false, h.unit, h.shift});
   return out;
 }
 

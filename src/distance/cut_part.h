@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "distance/front_search.h"
+#include "distance/meet_slack.h"
 #include "distance/solid_pair.h"
 #include "space/cut_body.h"
 
@@ -29,6 +30,8 @@ double cut_size(const space::Body& b, const space::CutBody& a);
 bool is_empty(const space::CutBody& body);
 /// The part has to outlive it.
 CutSearch cut_search(const space::CutPart& part, double size);
+/// A polytope by its planes, or a ball. Throws Error(kUnsupported) for other sets.
+std::vector<MeetSet> meet_sets(const space::BodyPart& part);
 /// As rules of a place: in the convex set moved by p, with how deep; outside it.
 TouchingRule keep_in(const space::BodyPart& set, const space::Vector& p);
 /// The distance to the set moved by p; inside it minus how deep, so that what is flat on both sides is told at once.

@@ -75,7 +75,7 @@ class Search {
         break;
       }
       if (count == kAskAt) ask();
-      if (count == kMostFrontCells) {
+      if (count == kMostFrontCells || (rules_.more && rules_.more->spent())) {
         best_.whole = false, left = std::min(left, top.key);
         break;
       }

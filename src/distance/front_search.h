@@ -42,6 +42,8 @@ class MoreFronts {
   virtual std::vector<int> near(const space::Vector& middle, double edge, std::span<const int> known) = 0;
   /// Whether the place keeps all of them, known or not; `known` may tell at once that it does not.
   virtual bool allows(const space::Vector& x, std::span<const int> known) const = 0;
+  /// Whether so much was done that the search is to end.
+  virtual bool spent() const = 0;
 };
 
 struct Rules {

@@ -66,15 +66,15 @@ Slack highest(const std::vector<Column>& columns, const Tetrahedron& corner) {
   const GameValue game = matrix_game(shifted);
   Vector x;
   for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
-  if (!std::isfinite(x.x + x.y + x.z)) return {most, most, centre(corner)};  // a cell of rounding
+  if (!std::isfinite(x.x + x.y + x.z)) return {most, most, centre(corner), 0};  // a cell of rounding
   const double bound = game.value + lowest + 0x1p-44 * (most - lowest);
-  return {bound, bound, x};
+  return {bound, bound, x, 0};
 }
 
 }  // namespace
 
 Slack most_slack(std::span<const Tetrahedron> room, const Rules& rules, const SlackEnd& end) {
-  Slack best{-exact::kInfinity, exact::kInfinity, {}};
+  Slack best{-exact::kInfinity, exact::kInfinity, {}, 0};
   std::priority_queue<Cell> queue;
   const auto add = [&](const Tetrahedron& corner) {
     std::vector<Column> columns = chords(rules, corner);
@@ -91,7 +91,7 @@ Slack most_slack(std::span<const Tetrahedron> room, const Rules& rules, const Sl
     queue.push({corner, bound});
   };
   for (const Tetrahedron& t : room) add(t);
-  for (int count = 0; !queue.empty() && count < kMostSlackCells; ++count) {
+  for (; !queue.empty() && best.cells < kMostSlackCells; ++best.cells) {
     const Cell top = queue.top();
     if (top.bound <= end.enough || top.bound - best.value <= end.blur) break;
     if (best.value > std::max(0.0, end.enough) && best.value >= end.share * top.bound) break;

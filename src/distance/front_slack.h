@@ -18,6 +18,7 @@ namespace findspace::distance {
 struct Slack {
   double value = 0, bound = 0;
   space::Vector place;
+  int cells = 0;  // that were divided
 };
 
 struct SlackEnd {

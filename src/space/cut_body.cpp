@@ -266,6 +266,17 @@ CutBody cut_erosion(const plane::Shape& shape) {
   }
 }
 
+CutBody left_in_box(const CutBody& body, const Point& low, const Point& high) {
+  std::vector<Point> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  CutBody out;
+  out.scale = body.scale;
+  out.parts.push_back({{part_of(corners, Real())}, {}});
+  for (const CutPart& part : body.parts) out.parts = less(out.parts, part);
+  return out;
+}
+
 CutBody at_scale(const CutBody& body, std::int64_t scale) {
   if (scale == body.scale) return body;
   return changed(body, scale, [&](const Body& b) { return at_scale(b, scale); });

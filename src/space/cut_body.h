@@ -40,6 +40,8 @@ CutBody cut_erosion(const plane::Shape& shape);
 CutBody uncut(Body body);
 /// The union; it has no rooms.
 CutBody united(const CutBody& first, const CutBody& second);
+/// What the solid leaves of a box; without rooms.
+CutBody left_in_box(const CutBody& body, const Point& low, const Point& high);
 /// The same set in finer steps; `scale` is a multiple of its own.
 CutBody at_scale(const CutBody& body, std::int64_t scale);
 
