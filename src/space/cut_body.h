@@ -40,6 +40,11 @@ CutBody cut_erosion(const plane::Shape& shape);
 CutBody uncut(Body body);
 /// The union; it has no rooms.
 CutBody united(const CutBody& first, const CutBody& second);
+CutBody common(const CutBody& first, const CutBody& second);
+/// The first less the second.
+CutBody less(const CutBody& first, const CutBody& second);
+CutBody translated(const CutBody& body, const Point& by);
+CutBody mirrored(const CutBody& body);
 /// What the solid leaves of a box; without rooms.
 CutBody left_in_box(const CutBody& body, const Point& low, const Point& high);
 /// The same set in finer steps; `scale` is a multiple of its own.
