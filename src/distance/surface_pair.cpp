@@ -63,11 +63,9 @@ SurfacePair::Side SurfacePair::side(const Surfaced& moving, const Surfaced& fixe
 /// How the two lie, and their distance where that is one.
 std::optional<Relation> SurfacePair::relation(const Side& side, const RealVector& p, std::optional<SolidValue>& gap) {
   if (!side.gaps) return std::nullopt;
-  const auto near = side.gaps->near(p);
-  auto found = side.gaps->relation(p, near);
-  if (!found) found = touching_relation(side, p);
-  if (found && *found != Relation::kOther)
-    gap = of_gap(side.gaps->gap(p, near), p, *found == Relation::kInside ? -1 : 1);
+  const Relation found = side.gaps->relation(p);
+  if (found != Relation::kOther)
+    gap = of_gap(side.gaps->gap(p, side.gaps->near(p)), p, found == Relation::kInside ? -1 : 1);
   return found;
 }
 

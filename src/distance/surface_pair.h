@@ -13,17 +13,16 @@
 //   eta1, eta2 in one surface      the nearest, and the farthest, position at which B touches it from inside;
 //   mu, h, hausdorff outside       at a corner of B, or by search (surface_peak.h);
 //   delta1, delta2, mu, h back     as these with the roles exchanged.
-// Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Nothing is said of other values, nor
-// near a contact off the grid where B has no convex parts that tell. Cost: surface_gap.h; touch_search.h where
-// positions are looked for at which they touch, for which B (of gamma1 the solid of fewer triangles) is taken as its
-// convex parts. Source: decisions 11 (why facets suffice), 16. Keywords: clearance, mesh distance, penetration depth.
+// Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Nothing is said of other values.
+// Cost: surface_gap.h; surface_contact.h where positions are looked for at which they touch. Source: decisions 11 (why
+// facets suffice), 15, 19. Keywords: clearance, mesh distance, penetration depth.
 #pragma once
 
-#include <functional>
+#include <mutex>
 
 #include "distance/solid_pair.h"
+#include "distance/surface_contact.h"
 #include "space/surface_gap.h"
-#include "space/touch_sets.h"
 
 namespace findspace::distance {
 
@@ -33,8 +32,7 @@ struct Surfaced {
   /// A body of the same convex hull; null where there is none. `convex`: it is the body.
   std::shared_ptr<const space::Body> outline;
   bool convex = false;
-  std::shared_ptr<const space::Body> parts{};                  // the body, where it is known
-  std::function<std::shared_ptr<const space::Body>()> make{};  // makes it else
+  std::shared_ptr<const space::Body> parts{};  // the body, where it is known
 };
 
 class SurfacePair {
@@ -48,22 +46,20 @@ class SurfacePair {
   std::optional<Answer> value(Which which, const space::RealVector& p) const;
 
  private:
-  /// Where the moving one touches the fixed one from one side, made when first needed; null where nothing is told.
-  struct Touching {
+  /// Positions at which the moving one touches the fixed one from one side, made when first needed.
+  struct Contacts {
     std::once_flag made;
-    std::unique_ptr<const space::TouchSets> sets;
+    std::unique_ptr<const SurfaceContacts> contacts;
   };
   struct Side {
     const Surfaced *moving = nullptr, *fixed = nullptr;
     std::unique_ptr<const space::SurfaceGaps> gaps;
-    std::unique_ptr<Touching> outside = std::make_unique<Touching>(), inside = std::make_unique<Touching>();
+    std::unique_ptr<Contacts> outside = std::make_unique<Contacts>(), inside = std::make_unique<Contacts>();
   };
   static Side side(const Surfaced& moving, const Surfaced& fixed);
   static std::optional<space::SurfaceGaps::Relation> relation(const Side& side, const space::RealVector& p,
                                                               std::optional<SolidValue>& gap);
-  static const space::TouchSets* touching(const Side& side, space::TouchSide from);
-  /// How they lie, by that; nothing where nothing is told.
-  static std::optional<space::SurfaceGaps::Relation> touching_relation(const Side& side, const space::RealVector& p);
+  static const SurfaceContacts& contacts(const Side& side, space::TouchSide from);
   /// How deep they overlap; how far the moving one, which does not lie in the fixed one, is from it, and the farthest
   /// position at which it does.
   std::optional<Answer> depth(const space::RealVector& p) const;

@@ -4,7 +4,6 @@
 // How far solids stick out of a closed surface: stick_out_field.h.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "distance/field_boxes.h"
 #include "distance/matrix_game.h"
@@ -24,8 +23,6 @@ constexpr std::size_t kFew = 8;
 constexpr int kDepth = 9;
 /// Steps of a run, each as long as the point is clear.
 constexpr int kMostSteps = 60;
-/// Places about a point that may tell its side.
-constexpr int kMostTried = 6;
 
 struct Corners {
   Vector a, b, c;
@@ -114,17 +111,11 @@ class TriangleField : public StickOutField {
     });
     return best;
   }
-  /// Of a point at the distance from the surface; nothing where it is not told.
-  std::optional<bool> inside(const Vector& x, double distance) const {
-    for (int k = 0; k < kMostTried; ++k) {
-      // Places as far from x as these are on its side, and the line up from one meets no edge.
-      const double by = distance * 0x1p-6 * k;
-      const Vector y = space::plus(x, {by * (1 + k % 3), by * (2 - k % 5), by});
-      const space::RealVector at{exact::Real::from_double(y.x), exact::Real::from_double(y.y),
-                                 exact::Real::from_double(y.z)};
-      if (const auto in = space::encloses(body_, tree_, at, y)) return in;
-    }
-    return std::nullopt;
+  /// Of a point that is not on the surface.
+  bool inside(const Vector& x) const {
+    const space::RealVector at{exact::Real::from_double(x.x), exact::Real::from_double(x.y),
+                               exact::Real::from_double(x.z)};
+    return space::side_of(body_, tree_, at, x) == space::SurfaceSide::kInside;
   }
 
  private:
@@ -155,10 +146,9 @@ class TriangleField : public StickOutField {
     }
   }
 
-  /// Where the side is not told, that to the surface.
   double signed_distance(const Vector& x) const {
     const double d = nearest(x).distance;
-    return inside(x, d).value_or(false) ? -d : d;
+    return inside(x) ? -d : d;
   }
 
   space::RayBody body_;
@@ -204,11 +194,11 @@ class Search {
     cell.triangles.push_back(near.triangle);
     const std::vector<std::array<double, 4>> columns = find_columns(cell);
     if (!queue_.worth(cell.bound)) return;
-    const auto inside = field_.inside(middle, near.distance);
-    const double value = inside.value_or(false) ? -near.distance : near.distance;
+    const bool inside = field_.inside(middle);
+    const double value = inside ? -near.distance : near.distance;
     cell.bound = std::min(cell.bound, value + radius);
     if (!queue_.worth(cell.bound)) return;
-    if (inside == false) queue_.offer(middle, value);
+    if (!inside) queue_.offer(middle, value);
     play(cell, columns);
     if (queue_.worth(cell.bound)) queue_.push(std::move(cell));
   }
@@ -248,7 +238,7 @@ class Search {
     for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], cell.corner[v]));
     const TriangleField::Nearest near = field_.nearest(x, 0, cell.triangles);
     cell.triangles.push_back(near.triangle);
-    if (near.distance > queue_.best().value && field_.inside(x, near.distance) == false) queue_.offer(x, near.distance);
+    if (near.distance > queue_.best().value && !field_.inside(x)) queue_.offer(x, near.distance);
   }
 
   void split(const Cell& cell) {

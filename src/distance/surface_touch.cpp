@@ -2,17 +2,14 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // SurfacePair: what positions tell at which the surfaces touch.
-#include <algorithm>
-
 #include "distance/solid_value.h"
 #include "distance/surface_ball.h"
+#include "distance/surface_contact.h"
 #include "distance/surface_pair.h"
-#include "space/touch_search.h"
 
 namespace findspace::distance {
 
 using space::RealVector;
-using space::TouchSets;
 using space::TouchSide;
 using Answer = SurfacePair::Answer;
 
@@ -22,27 +19,6 @@ std::size_t faces(const Surfaced& s) {
   std::size_t sum = 0;
   for (const auto& sheet : s.surface->sheets()) sum += sheet->body.faces.size();
   return sum;
-}
-
-/// Those of a body of polytopes; none of another.
-std::vector<space::Polytope> polytopes(const Surfaced& s) {
-  const auto body = s.parts ? s.parts : s.make ? s.make() : nullptr;
-  std::vector<space::Polytope> out;
-  if (!body || body->round() || body->outside || body->rounded > 0) return out;
-  for (const space::BodyPart& part : body->parts) {
-    if (!part.core) return {};
-    out.push_back(*part.core);
-  }
-  return out;
-}
-
-bool within_limits(const std::vector<space::Polytope>& parts) {
-  constexpr std::int64_t kFarthest = std::int64_t{1} << 38;
-  return std::all_of(parts.begin(), parts.end(), [](const space::Polytope& part) {
-    return std::all_of(part.vertices().begin(), part.vertices().end(), [](const space::Point& p) {
-      return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kFarthest;
-    });
-  });
 }
 
 /// The moving one, where it is a single ball.
@@ -62,30 +38,28 @@ std::optional<Answer> of_ball(const space::SurfaceSet::Ball& ball, const Surface
   return Answer{std::move(place.value)};
 }
 
-}  // namespace
-
-/// Of a fixed one that is not convex: else parts are the quick way.
-const TouchSets* SurfacePair::touching(const Side& side, TouchSide from) {
-  Touching& touching = from == TouchSide::kInside ? *side.inside : *side.outside;
-  std::call_once(touching.made, [&] {
-    const auto& surface = side.fixed->surface;
-    if (!surface || !surface->one_sheet() || side.fixed->convex) return;
-    std::vector<space::Polytope> parts = polytopes(*side.moving);
-    if (parts.empty() || !within_limits(parts)) return;
-    std::shared_ptr<const TouchSets::Sheet> sheet(surface, surface->sheets()[0].get());
-    touching.sets = std::make_unique<const TouchSets>(std::move(sheet), std::move(parts), from);
-  });
-  return touching.sets.get();
+/// Each one surface, not both convex: then parts are the quick way.
+bool told_by_contacts(const Surfaced& b, const Surfaced& a) {
+  const auto one = [](const Surfaced& s) { return s.surface && s.surface->one_sheet(); };
+  return one(b) && one(a) && !(b.convex && a.convex);
 }
 
-std::optional<space::SurfaceGaps::Relation> SurfacePair::touching_relation(const Side& side, const RealVector& p) {
-  using Relation = space::SurfaceGaps::Relation;
-  const TouchSets* sets = touching(side, TouchSide::kInside);
-  if (!sets) return std::nullopt;
-  const TouchSets::Lies lies = sets->lies(p);
-  return lies == TouchSets::Lies::kInside    ? Relation::kInside
-         : lies == TouchSets::Lies::kOutside ? Relation::kApart
-                                             : Relation::kOther;
+std::optional<Answer> of_contact(const SurfaceContact& contact, const RealVector& p, int sign) {
+  if (!contact.told) return std::nullopt;
+  if (!contact.place) return Answer{};
+  SolidValue out = signed_value(p, *contact.place, sign);
+  if (contact.error > 0) out.proven = false, out.error = contact.error;
+  return Answer{std::move(out)};
+}
+
+}  // namespace
+
+const SurfaceContacts& SurfacePair::contacts(const Side& side, TouchSide from) {
+  Contacts& slot = from == TouchSide::kInside ? *side.inside : *side.outside;
+  std::call_once(slot.made, [&] {
+    slot.contacts = std::make_unique<const SurfaceContacts>(*side.moving->surface, *side.fixed->surface, from);
+  });
+  return *slot.contacts;
 }
 
 std::optional<Answer> SurfacePair::depth(const RealVector& p) const {
@@ -96,8 +70,8 @@ std::optional<Answer> SurfacePair::depth(const RealVector& p) const {
   if (const auto* ball = only_ball(*side.moving)) {
     out = of_ball(*ball, *side.fixed, TouchSide::kOutside, false, at);
     if (out && out->value) out->value->value = -out->value->value;
-  } else if (const TouchSets* sets = touching(side, TouchSide::kOutside)) {
-    out = Answer{signed_value(at, *nearest_touch(*sets, at), -1)};
+  } else if (told_by_contacts(*side.moving, *side.fixed)) {
+    out = of_contact(contacts(side, TouchSide::kOutside).nearest(at), at, -1);
   }
   if (!out || !out->value) return std::nullopt;
   if (back && out->value->nearest) out->value->nearest = space::negated(*out->value->nearest);
@@ -110,13 +84,12 @@ std::optional<Answer> SurfacePair::to_fit(const Side& side, Which which, const R
     if (out && out->value && which == Which::kEta2) out->value->nearest.reset();
     return out;
   }
-  const TouchSets* sets = touching(side, TouchSide::kInside);
-  if (!sets) return std::nullopt;
-  const auto q = which == Which::kEta2 ? farthest_touch(*sets, p) : nearest_touch(*sets, p);
-  if (!q) return Answer{};
-  SolidValue out = signed_value(p, *q, 1);
-  if (which == Which::kEta2) out.nearest.reset();
-  return Answer{std::move(out)};
+  if (!told_by_contacts(*side.moving, *side.fixed)) return std::nullopt;
+  const SurfaceContacts& of = contacts(side, TouchSide::kInside);
+  const bool farthest = which == Which::kEta2;
+  auto out = of_contact(farthest ? of.farthest(p) : of.nearest(p), p, 1);
+  if (out && out->value && farthest) out->value->nearest.reset();
+  return out;
 }
 
 }  // namespace findspace::distance

@@ -103,19 +103,6 @@ std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
 
 namespace {
 
-/// The union of the bodies; null where they are not of this scale.
-std::shared_ptr<const Body> made_parts(const std::vector<LazyBody>& bodies, std::int64_t scale) {
-  std::vector<Body> all;
-  for (const LazyBody& body : bodies) {
-    if (!body || body->outside || scale % body->scale != 0) return nullptr;
-    all.push_back(space::at_scale(*body, scale));
-  }
-  if (all.size() == 1) return std::make_shared<const Body>(std::move(all[0]));
-  std::vector<const Body*> of;
-  for (const Body& body : all) of.push_back(&body);
-  return std::make_shared<const Body>(united(of));
-}
-
 /// Nothing of it where a shape has no surface, or goes on for ever.
 distance::Surfaced surfaced(const std::vector<SpaceShape>& shapes, std::int64_t scale) {
   auto set = std::make_shared<space::SurfaceSet>();
@@ -130,13 +117,7 @@ distance::Surfaced surfaced(const std::vector<SpaceShape>& shapes, std::int64_t 
   out.convex = shapes.size() == 1 && (only.surfaces ? only.convex : only.body->convex());
   const bool as_it_is = shapes.size() == 1 && (out.convex || !only.surfaces);
   out.outline = as_it_is ? std::make_shared<const Body>(space::at_scale(*only.body, scale)) : set->hull(scale);
-  if (as_it_is) {
-    out.parts = out.outline;
-    return out;
-  }
-  std::vector<LazyBody> bodies;
-  for (const SpaceShape& s : shapes) bodies.push_back(s.body);
-  out.make = [bodies = std::move(bodies), scale] { return made_parts(bodies, scale); };
+  if (as_it_is) out.parts = out.outline;
   return out;
 }
 

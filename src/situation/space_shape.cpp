@@ -13,7 +13,7 @@ namespace findspace::situation {
 namespace {
 
 /// Triangles from which on the surface is asked before the convex parts.
-constexpr std::size_t kManyFaces = 500;
+constexpr std::size_t kManyFaces = 120;
 
 std::size_t mesh_faces(const plane::Shape& shape) {
   if (const space::Solid* solid = space::solid_of(shape))

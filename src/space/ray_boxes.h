@@ -20,9 +20,7 @@ struct GridBox {
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y && low.z <= b.high.z &&
            b.low.z <= high.z;
   }
-  GridBox moved(const Point& by, bool raised) const {
-    return {low + by, {high.x + by.x, high.y + by.y, high.z + by.z + (raised ? 1 : 0)}};
-  }
+  GridBox moved(const Point& by, const Point& beyond) const { return {low + by, high + by + beyond}; }
 };
 
 class BoxTree {
@@ -65,10 +63,10 @@ class BoxTree {
   std::vector<GridBox> boxes_;  // in the order of `order_`
 };
 
-/// Calls visit(face of a, face of b) for every two faces whose boxes meet when b is moved by `by` (and raised by less
-/// than a step more); stops where visit returns true, and says so.
+/// Calls visit(face of a, face of b) for every two faces whose boxes meet when b is moved by `by`, and by up to
+/// `beyond` more; stops where visit returns true, and says so.
 template <class Visit>
-bool any_pair(const BoxTree& a, const BoxTree& b, const Point& by, bool raised, Visit visit) {
+bool any_pair(const BoxTree& a, const BoxTree& b, const Point& by, const Point& beyond, Visit visit) {
   struct Task {
     int p, q;
   };
@@ -78,7 +76,7 @@ bool any_pair(const BoxTree& a, const BoxTree& b, const Point& by, bool raised, 
   while (depth > 0) {
     const auto [p, q] = stack[--depth];
     const BoxTree::Node &x = a.nodes()[p], &y = b.nodes()[q];
-    if (!x.box.meets(y.box.moved(by, raised))) continue;
+    if (!x.box.meets(y.box.moved(by, beyond))) continue;
     if (x.count == 0 && (y.count > 0 || x.box.high.x - x.box.low.x >= y.box.high.x - y.box.low.x)) {
       stack[depth++] = {x.first, q};
       stack[depth++] = {x.first + 1, q};
@@ -90,7 +88,7 @@ bool any_pair(const BoxTree& a, const BoxTree& b, const Point& by, bool raised, 
       continue;
     }
     for (int j = y.first; j < y.first + y.count; ++j) {
-      const GridBox box = b.box(j).moved(by, raised);
+      const GridBox box = b.box(j).moved(by, beyond);
       for (int i = x.first; i < x.first + x.count; ++i) {
         if (a.box(i).meets(box) && visit(a.face(i), b.face(j))) return true;
       }

@@ -94,8 +94,8 @@ bool RayOverlap::interiors_meet(const RayPlace& p, Recent& recent) const {
     std::rotate(pairs.begin(), pair, pair + 1);
     return true;
   }
-  const bool raised = p.by.numerator != 0;
-  const bool found = any_pair(a_tree_, b_tree_, p.whole, raised, [&](int f, int g) {
+  const Point beyond{0, 0, p.by.numerator != 0 ? 1 : 0};
+  const bool found = any_pair(a_tree_, b_tree_, p.whole, beyond, [&](int f, int g) {
     if (!faces_overlap(a_, f, b_, g, p)) return false;
     if (pairs.size() == kRemembered) pairs.pop_back();
     pairs.insert(pairs.begin(), {f, g});

@@ -4,8 +4,7 @@
 // Two closed sets given by their surfaces (surface_set.h), B moved to a position p: whether their interiors meet,
 // whether B lies in A, and the least distance of their surfaces. Neither is cut into convex parts. The least distance
 // is taken between a corner and a face, or two edges: pairs of boxes are searched nearest first in doubles, and all
-// features that are as near as doubles can tell are compared exactly. Overlap by ray_overlap.h; where the surfaces are
-// clearly apart p may be rounded to the grid for it, as no surface passes through the other on the way. Guarantee:
+// features that are as near as doubles can tell are compared exactly. Overlap by real_overlap.h. Guarantee:
 // exact. Cost: O(log n) pairs of boxes where few features are nearest, and building the trees. Source: closest
 // points as in Ericson, Real-Time Collision Detection, 2004, 5.1. Keywords: minimum distance, clearance, BVH, branch
 // and bound.
@@ -17,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "space/ray_overlap.h"
+#include "space/real_overlap.h"
 #include "space/surface_set.h"
 
 namespace findspace::space {
@@ -53,29 +52,22 @@ class SurfaceGaps {
   SurfaceGap gap(const RealVector& p, const Near& near) const;
 
   enum class Relation { kApart, kInside, kOther };
-  /// Apart: the interiors do not meet. Inside: B + p lies in A, which is one sheet. Nothing where the position is too
-  /// near a contact to be rounded, and off the grid.
-  std::optional<Relation> relation(const RealVector& p, const Near& near) const;
+  /// Apart: the interiors do not meet. Inside: B + p lies in A, which is one sheet.
+  Relation relation(const RealVector& p) const;
 
  private:
-  /// Of a sheet of A, or of what is outside it, and one of B.
-  struct Overlap {
-    RayBody a;
-    RayOverlap with;
-    Overlap(Triangles of_a, const RayBody& b, bool complement) : a(std::move(of_a)), with(a, b, complement) {}
-  };
   RealVector way(const Pair& pair, const RealVector& p) const;
   exact::Real radius(const Pair& pair) const;
-  const RayOverlap& overlap(std::size_t i, std::size_t j, bool complement) const;
+  /// Of a sheet of A, or of what is outside it, and one of B.
+  const RealOverlap& overlap(std::size_t i, std::size_t j, bool complement) const;
   /// Whether the interiors of B's sheet and of A's, or what is outside that, meet.
-  std::optional<bool> sheets_meet(std::size_t i, std::size_t j, bool complement, const RealVector& p,
-                                  double apart) const;
-  std::optional<Relation> with_balls(const RealVector& p) const;
+  bool sheets_meet(std::size_t i, std::size_t j, bool complement, const RealVector& p) const;
+  Relation with_balls(const RealVector& p) const;
 
   std::shared_ptr<const SurfaceSet> a_, b_;
   double longest_ = 0;  // edge
   mutable std::mutex guard_;
-  mutable std::vector<std::array<std::unique_ptr<const Overlap>, 2>> overlaps_;
+  mutable std::vector<std::array<std::unique_ptr<const RealOverlap>, 2>> overlaps_;
 };
 
 /// From x to the nearest place of the surface.

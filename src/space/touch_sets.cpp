@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/touch_sets.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <tuple>
 
@@ -13,9 +11,6 @@ namespace findspace::space {
 namespace {
 
 using exact::Real;
-
-/// Points of a part that are tried until the line up from one meets no edge.
-constexpr int kTried = 64;
 
 /// How a set lies about a facet.
 enum class Cover { kApart, kCuts, kCovers };
@@ -51,16 +46,10 @@ Cover cover(const std::vector<Point>& ring, const TouchSet& set, double& depth) 
   return all ? Cover::kCovers : Cover::kCuts;
 }
 
-/// Weighted means of all vertices: points of the interior.
-RealVector inner_point(const Polytope& part, int tried) {
+RealVector middle_of(const Polytope& part) {
   RealVector sum{};
-  Real weights;
-  for (int v = 0; v < part.vertex_count(); ++v) {
-    const Real weight(1 + (static_cast<std::int64_t>(v) * (2 * tried + 1) * 7919 + tried * 104729) % 1021);
-    sum = plus(sum, scaled(weight, real(part.vertices()[static_cast<std::size_t>(v)])));
-    weights += weight;
-  }
-  return scaled(Real(1) / weights, sum);
+  for (const Point& v : part.vertices()) sum = plus(sum, real(v));
+  return scaled(Real(1) / Real(part.vertex_count()), sum);
 }
 
 }  // namespace
@@ -145,14 +134,10 @@ void TouchSets::add_pieces(const Facet& facet, std::vector<FlatPiece>& out) cons
 
 /// No set holds p.
 bool TouchSets::encloses_part(std::size_t part, const RealVector& p) const {
-  for (int tried = 0; tried < kTried; ++tried) {
-    const RealVector point = plus(p, inner_point(b_[part], tried));
-    if (const auto inside = encloses(a_->body, a_->tree, point, rounded(point))) return *inside;
-  }
-  throw Error(ErrorCode::kUnsupported, "on which side of a surface a touching position lies was not found");
+  const RealVector point = plus(p, middle_of(b_[part]));
+  return side_of(a_->body, a_->tree, point, rounded(point)) == SurfaceSide::kInside;
 }
 
-/// Of a position that no set holds.
 TouchSets::Lies TouchSets::sides(const RealVector& p) const {
   const bool first = encloses_part(0, p);
   for (std::size_t k = 1; k < b_.size(); ++k) {
@@ -160,22 +145,5 @@ TouchSets::Lies TouchSets::sides(const RealVector& p) const {
   }
   return first ? Lies::kInside : Lies::kOutside;
 }
-
-bool TouchSets::any_holds(const RealVector& p) const {
-  const Vector near = rounded(p);
-  const auto down = [](double c) { return static_cast<std::int64_t>(std::floor(c)) - 1; };
-  const auto up = [](double c) { return static_cast<std::int64_t>(std::ceil(c)) + 1; };
-  const Point low{down(near.x), down(near.y), down(near.z)}, high{up(near.x), up(near.y), up(near.z)};
-  for (std::size_t k = 0; k < b_.size(); ++k) {
-    const bool held = a_->tree.any_meeting({low + boxes_[k].low, high + boxes_[k].high}, [&](int face) {
-      const std::vector<HalfSpace>& planes = set({static_cast<std::size_t>(face), k}).planes;
-      return std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) { return h.sign(p, near) < 0; });
-    });
-    if (held) return true;
-  }
-  return false;
-}
-
-TouchSets::Lies TouchSets::lies(const RealVector& p) const { return any_holds(p) ? Lies::kAcross : sides(p); }
 
 }  // namespace findspace::space

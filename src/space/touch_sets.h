@@ -53,10 +53,6 @@ class TouchSets {
   /// Adds the touching positions on the facet; they keep pointers to planes of the sets.
   void add_pieces(const Facet& facet, std::vector<FlatPiece>& out) const;
 
-  /// Whether all of B + p lies in A, all of it outside, or neither.
-  enum class Lies { kAcross, kOutside, kInside };
-  Lies lies(const RealVector& p) const;
-
  private:
   struct Cutter {
     double depth;  // of the middle of the facet, the deeper the less
@@ -69,8 +65,9 @@ class TouchSets {
   static constexpr std::size_t kShards = 64;
 
   bool find_cutters(const Facet& facet, std::vector<Cutter>& cutters) const;
-  bool any_holds(const RealVector& p) const;
   bool encloses_part(std::size_t part, const RealVector& p) const;
+  /// Whether all of B + p lies in A, all of it outside, or neither; no set holds p.
+  enum class Lies { kAcross, kOutside, kInside };
   Lies sides(const RealVector& p) const;
 
   std::shared_ptr<const Sheet> a_;
