@@ -22,6 +22,7 @@
 
 #include "distance/cut_part.h"
 #include "distance/front_room.h"
+#include "distance/near_rays.h"
 #include "distance/solid_pair.h"
 #include "distance/value_rays.h"
 #include "space/cut_body.h"
@@ -44,8 +45,13 @@ class CutPair {
   const space::CutBody& cut() const { return *a_; }
   bool cut_moves() const { return cut_moves_; }
   std::optional<Between> between(Which which, const exact::Real& level, const space::RealVector& p) const;
+  /// The distance less the level, or another function of the same sign, along lines of that direction; null where
+  /// `between` is to tell. What is said of gamma1 at levels below 0 has the opposite sign.
+  static std::unique_ptr<const NearRule> nearness(std::shared_ptr<const CutPair> pair, Which which, double level,
+                                                  const space::Vector& unit);
 
  private:
+  class GapNear;
   /// B + p and A are apart by `value`, or, if `depth` is more than 0, their interiors meet.
   struct Gap {
     SolidValue value;
