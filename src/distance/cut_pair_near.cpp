@@ -12,7 +12,9 @@
 
 namespace findspace::distance {
 
+using exact::Real;
 using space::BodyPart;
+using space::RealVector;
 using space::Vector;
 
 namespace {
@@ -96,10 +98,76 @@ class CutPair::GapNear : public NearRule {
   std::vector<Moving> parts_;
 };
 
+/// How far the nearest position is at which B is free of A, less how far that is to be.
+class CutPair::FreeNear : public NearRule {
+ public:
+  FreeNear(std::shared_ptr<const CutPair> pair, double depth, const Vector& unit, const NearRange& range)
+      : pair_(pair), depth_(depth), range_(range), free_(std::move(pair), 0, unit) {}
+
+  /// Where B is free, and up to the depth from there.
+  std::vector<std::pair<double, double>> known(const NearLine& line) const override {
+    std::vector<std::pair<double, double>> out;
+    const double reach = depth_ - 2 * kError * pair_->size_;
+    for (const SignStretch& s : near_stretches(free_, line, range_)) {
+      if (s.sign <= 0) continue;
+      if (!out.empty() && s.from - reach <= out.back().second)
+        out.back().second = s.to + reach;
+      else
+        out.emplace_back(s.from - reach, s.to + reach);
+    }
+    return out;
+  }
+
+  Least least(const NearLine& line, double from, double to, const Until& until) const override {
+    const double error = kError * pair_->size_, sense = pair_->cut_moves_ ? -1 : 1;
+    const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
+    const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
+    const double reach = depth_ * (1 + 0x1p-10) + error;
+    const Vector room{reach, reach, reach};
+    const Vector low = Vector{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)} - room,
+                 high = space::plus({std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}, room);
+    std::optional<Vector> out_of_one;
+    const KnownPlace ask = [&] { return out_of_set(p, q, out_of_one); };
+    const Until wanted{depth_, until.share, until.blur};
+    const FrontPlace found =
+        pair_->depths().nearest_to(distance_to_segment(start, unit, from, to), low, high, ask, &wanted);
+    Least out{found.bound - error - depth_, exact::kInfinity, {}};
+    if (!found.found && !(found.known && out_of_one)) return out;
+    out.high = found.value + error - depth_;
+    const Vector place = found.found ? found.place : *out_of_one;
+    out.beyond = [away = distance_to_segment(place, {}, 0, 0), start, unit, by = depth_ - error](double t) {
+      const Touching at = away(space::plus(start, space::scaled(t, unit)));
+      return AlongPlace{at.value - by, space::dot(at.slope, unit)};
+    };
+    return out;
+  }
+
+ private:
+  /// From one of the ends by taking B out of one room, or into one pillar. Between them that is not nearer.
+  std::optional<double> out_of_set(const Vector& p, const Vector& q, std::optional<Vector>& place) const {
+    std::optional<double> best;
+    for (const Vector& from : {p, q}) {
+      const RealVector at{Real::from_double(from.x), Real::from_double(from.y), Real::from_double(from.z)};
+      const auto free = pair_->free_of_sets(at);
+      if (!free || !free->nearest || free->value.sign() >= 0) continue;
+      const Vector there = space::rounded(*free->nearest);
+      const double d = space::length(there - from);
+      if (!best || d < *best) best = d, place = there;
+    }
+    return best;
+  }
+
+  std::shared_ptr<const CutPair> pair_;
+  double depth_;
+  NearRange range_;
+  GapNear free_;
+};
+
 std::unique_ptr<const NearRule> CutPair::nearness(std::shared_ptr<const CutPair> pair, Which which, double level,
-                                                  const Vector& unit) {
-  if (which == Which::kGamma1 && level >= 0) return std::make_unique<GapNear>(std::move(pair), level, unit);
-  return nullptr;
+                                                  const Vector& unit, const NearRange& range) {
+  if (which != Which::kGamma1) return nullptr;
+  if (level >= 0) return std::make_unique<GapNear>(std::move(pair), level, unit);
+  return std::make_unique<FreeNear>(std::move(pair), -level, unit, range);
 }
 
 }  // namespace findspace::distance

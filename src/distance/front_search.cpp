@@ -235,7 +235,7 @@ class Search {
   /// Offers places at which the least of the columns is greatest, with tangents there; false where that is less than 0.
   bool try_best(std::vector<Column>& columns, double target, const Tetrahedron& corner, const Cell& cell) {
     if (columns.empty()) return true;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < (rules_.more ? 1 : kRounds); ++round) {
       const HighestPlace high = highest_place(columns, corner);
       if (high.value < -kNoise * size_ - 0x1p-44 * high.spread) return false;
       offer(high.place, cell);

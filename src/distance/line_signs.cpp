@@ -27,9 +27,9 @@ PositionLine position_line(const space::RayGrid& grid, double part, int i, int j
 
 space::Vector line_direction(const space::RayGrid& grid) { return space::rounded(position_line(grid, 1, 0, 0).unit); }
 
-void put_line(std::span<const SignStretch> known, double part, space::RayRow& row) {
-  int before = 1;
-  row.before.push_back(1);
+void put_line(std::span<const SignStretch> known, double part, space::RayRow& row, int outer) {
+  int before = outer;
+  row.before.push_back(static_cast<std::int8_t>(outer));
   for (std::size_t k = 0; k < known.size();) {
     std::size_t next = k;
     while (next < known.size() && known[next].sign == known[k].sign) ++next;
@@ -41,7 +41,7 @@ void put_line(std::span<const SignStretch> known, double part, space::RayRow& ro
     }
     k = next;
   }
-  if (before != 1) row.events.push_back({ray_place(known.back().to / part), 0, 1});
+  if (before != outer) row.events.push_back({ray_place(known.back().to / part), 0, static_cast<std::int8_t>(outer)});
   row.first.push_back(static_cast<int>(row.events.size()));
 }
 

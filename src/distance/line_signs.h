@@ -25,9 +25,8 @@ struct SignStretch {
   double from, to;
   int sign;
 };
-/// Adds the line, whose stretches come by growing place without gaps; before and behind them the sign is 1. Between -
-/// and
-/// + there is a stretch of 0.
-void put_line(std::span<const SignStretch> known, double part, space::RayRow& row);
+/// Adds the line, whose stretches come by growing place without gaps; before and behind them the sign is `outer`, not
+/// 0. Where signs change there is a stretch of 0.
+void put_line(std::span<const SignStretch> known, double part, space::RayRow& row, int outer = 1);
 
 }  // namespace findspace::distance

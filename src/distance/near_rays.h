@@ -42,31 +42,32 @@ class NearRule {
   };
   /// The level is 0: that of `until` is ignored.
   virtual Least least(const NearLine& line, double from, double to, const Until& until) const = 0;
-  /// Stretches on which the function is known to be less than 0.
+  /// Stretches on which the function is known to be less than 0, in order.
   virtual std::vector<std::pair<double, double>> known(const NearLine& line) const;
 };
 
+/// The part of a line that is within `size` of the middle, and more.
+struct NearRange {
+  space::Vector middle;
+  double size = 0;
+};
+std::vector<SignStretch> near_stretches(const NearRule& rule, const NearLine& line, const NearRange& range);
+
 class NearRays : public space::RaySource {
  public:
-  /// Positions in steps of the scale. Farther than `size` from the middle the function is more than 0.
-  NearRays(std::unique_ptr<const NearRule> rule, const space::Vector& middle, double size, std::int64_t scale,
+  /// Positions in steps of the scale. Out of the range the function has the sign `outer`.
+  NearRays(std::unique_ptr<const NearRule> rule, const NearRange& range, int outer, std::int64_t scale,
            const space::RayGrid& grid);
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
 
  private:
-  struct Walk;
-  std::vector<SignStretch> stretches(const NearLine& line) const;
-  void look(Walk& walk, double from, double to) const;
-  void touch(Walk& walk, double from, double to, const NearRule::Least& v) const;
-  void grow(Walk& walk, double from, double to, double near, double far) const;
-  std::pair<double, bool> end(Walk& walk, double from, double to) const;
-
   std::unique_ptr<const NearRule> rule_;
+  NearRange range_;
+  int outer_;
   space::RayGrid grid_;
-  double unit_, size_;
-  space::Vector middle_;
+  double unit_;
 };
 
 }  // namespace findspace::distance
