@@ -28,9 +28,7 @@ struct Basis {
 /// The dual simplex of foot_search.h for a single set, in doubles.
 class PlanesDistance {
  public:
-  explicit PlanesDistance(std::span<const HalfSpace> planes) {
-    for (const HalfSpace& h : planes) units_.push_back(h.unit), shifts_.push_back(h.shift);
-  }
+  explicit PlanesDistance(std::vector<NearPlane> planes) : planes_(std::move(planes)) {}
   double operator()(const Vector& x) const { return space::length(way(x)); }
   Vector way(const Vector& x) const {
     Vector y;
@@ -39,8 +37,8 @@ class PlanesDistance {
     for (int step = 0; step < 100; ++step) {
       int worst = -1;
       double most = slack;
-      for (int i = 0; i < static_cast<int>(units_.size()); ++i) {
-        const double out = gap(i, x) + dot(units_[i], y);
+      for (int i = 0; i < static_cast<int>(planes_.size()); ++i) {
+        const double out = gap(i, x) + dot(unit(i), y);
         if (out > most && !basis.holds(i)) most = out, worst = i;
       }
       if (worst < 0 || !exchange(basis, worst, x, y)) break;
@@ -49,7 +47,8 @@ class PlanesDistance {
   }
 
  private:
-  double gap(int i, const Vector& x) const { return dot(units_[i], x) + shifts_[i]; }
+  const Vector& unit(int i) const { return planes_[static_cast<std::size_t>(i)].unit; }
+  double gap(int i, const Vector& x) const { return dot(unit(i), x) + planes_[static_cast<std::size_t>(i)].shift; }
 
   /// The foot of x on plane `fresh` and some of the basis that keeps below all of them.
   bool exchange(Basis& basis, int fresh, const Vector& x, Vector& y) const {
@@ -64,7 +63,7 @@ class PlanesDistance {
       if (!foot) continue;
       const auto planes = basis.all();
       const bool below = std::all_of(planes.begin(), planes.end(), [&](int i) {
-        return gap(i, x) + dot(units_[i], *foot) <= 0x1p-44 * (space::size_of(x) + 1);
+        return gap(i, x) + dot(unit(i), *foot) <= 0x1p-44 * (space::size_of(x) + 1);
       });
       if (!below) continue;
       basis = on;
@@ -79,7 +78,7 @@ class PlanesDistance {
     const std::size_t n = on.size();
     std::array<std::array<double, 4>, 3> g{};
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) g[i][j] = dot(units_[on[i]], units_[on[j]]);
+      for (std::size_t j = 0; j < n; ++j) g[i][j] = dot(unit(on[i]), unit(on[j]));
       g[i][3] = -gap(on[i], x);
     }
     for (std::size_t k = 0; k < n; ++k) {
@@ -94,14 +93,19 @@ class PlanesDistance {
     for (std::size_t i = 0; i < n; ++i) {
       const double multiplier = g[i][3] / g[i][i];
       if (multiplier > 0) return std::nullopt;
-      y = space::plus(y, space::scaled(multiplier, units_[on[i]]));
+      y = space::plus(y, space::scaled(multiplier, unit(on[i])));
     }
     return y;
   }
 
-  std::vector<Vector> units_;
-  std::vector<double> shifts_;
+  std::vector<NearPlane> planes_;
 };
+
+std::vector<NearPlane> near_planes(std::span<const HalfSpace> planes) {
+  std::vector<NearPlane> out;
+  for (const HalfSpace& h : planes) out.push_back({h.unit, h.shift});
+  return out;
+}
 
 double to_segment(const Vector& x, const Vector& a, const Vector& b) {
   const Vector e = b - a, from = x - a;
@@ -148,11 +152,15 @@ class FlatDistance {
 }  // namespace
 
 ConvexDistance distance_to(std::span<const HalfSpace> planes) {
-  return [d = std::make_shared<const PlanesDistance>(planes)](const Vector& x) { return (*d)(x); };
+  return [d = std::make_shared<const PlanesDistance>(near_planes(planes))](const Vector& x) { return (*d)(x); };
 }
 
 std::function<Vector(const Vector&)> way_to(std::span<const HalfSpace> planes) {
-  return [d = std::make_shared<const PlanesDistance>(planes)](const Vector& x) { return d->way(x); };
+  return [d = std::make_shared<const PlanesDistance>(near_planes(planes))](const Vector& x) { return d->way(x); };
+}
+
+std::function<Vector(const Vector&)> way_to(std::vector<NearPlane> planes) {
+  return [d = std::make_shared<const PlanesDistance>(std::move(planes))](const Vector& x) { return d->way(x); };
 }
 
 ConvexDistance distance_to_flat(const space::ConvexRegion& set) {

@@ -10,10 +10,17 @@
 
 namespace findspace::distance {
 
+/// {x : unit . x + shift <= 0}, the unit of length 1.
+struct NearPlane {
+  space::Vector unit;
+  double shift = 0;
+};
+
 /// {x : every plane <= 0}, bounded or not.
 ConvexDistance distance_to(std::span<const space::HalfSpace> planes);
 /// From a point to the place of the set that is nearest to it.
 std::function<space::Vector(const space::Vector&)> way_to(std::span<const space::HalfSpace> planes);
+std::function<space::Vector(const space::Vector&)> way_to(std::vector<NearPlane> planes);
 /// A polygon, segment or point.
 ConvexDistance distance_to_flat(const space::ConvexRegion& set);
 

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "distance/front_slack.h"
+#include "distance/swept_part.h"
 #include "exact/interval.h"
 
 namespace findspace::distance {
@@ -273,11 +274,12 @@ FrontPlace CutDepth::nearest(const Vector& p, const KnownPlace& known, const Unt
 
 FrontPlace CutDepth::nearest_in(const Vector& low, const Vector& high, const Vector& p, const KnownPlace& known,
                                 const Until* until) const {
+  return nearest_to(distance_to_segment(p, {}, 0, 0), low, high, known, until);
+}
+
+FrontPlace CutDepth::nearest_to(const TouchingRule& away, const Vector& low, const Vector& high,
+                                const KnownPlace& known, const Until* until) const {
   CutFronts fronts(*this);
-  const TouchingRule away = [p](const Vector& x) {
-    const double d = space::length(x - p);
-    return Touching{d, d > 0 ? space::scaled(1 / d, x - p) : Vector{}};
-  };
   const auto [from, to] = askew(low, high);
   return nearest_allowed(tetrahedra_of_box(from, to), fronts.rules(), away, size_, 0, known, until);
 }

@@ -28,6 +28,9 @@ class CutDepth {
   FrontPlace nearest(const space::Vector& p, const KnownPlace& known, const Until* until = nullptr) const;
   FrontPlace nearest_in(const space::Vector& low, const space::Vector& high, const space::Vector& p,
                         const KnownPlace& known, const Until* until = nullptr) const;
+  /// Of those in the box, the one nearest to what the rule is the distance to.
+  FrontPlace nearest_to(const TouchingRule& away, const space::Vector& low, const space::Vector& high,
+                        const KnownPlace& known, const Until* until) const;
   /// The farthest one of those in the box.
   FrontPlace farthest_in(const space::Vector& low, const space::Vector& high, const space::Vector& p) const;
 

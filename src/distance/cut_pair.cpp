@@ -21,7 +21,6 @@ using space::RealVector;
 namespace {
 
 constexpr double kError = 0x1p-40;  // of the size
-constexpr double kSeen = 0x1p-32;   // of the size: depths that lines do not tell from none
 constexpr double kShare = 0x1p-1;   // of a value that is only used to go on from
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
@@ -268,14 +267,6 @@ std::optional<Between> CutPair::nearly_fits(const RealVector& p, double level) c
 
 std::optional<Between> CutPair::between(Which which, const Real& level, const RealVector& p) const {
   const double at = level.to_double();
-  if (which == Which::kGamma1) {
-    const RealVector q = cut_moves_ ? space::negated(p) : p;
-    const double depth = common_depth(q, kSeen);
-    if (depth > 0) return at < 0 ? nearly_overlapping(q, at) : Between{-exact::kInfinity, -depth - at};
-    if (at >= 0) return nearly_apart(q, at);
-    const Between gap = nearly_apart(q, 0);
-    return Between{std::max(gap.low, -2 * kSeen * size_) - at, gap.high - at};
-  }
   const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
   const bool out = which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at <= 0;
   if ((fit || out) && rooms_.empty()) return nearly_in_union(cut_moves_ ? space::negated(p) : p, at);

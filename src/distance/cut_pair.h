@@ -22,6 +22,7 @@
 
 #include "distance/cut_part.h"
 #include "distance/front_room.h"
+#include "distance/near_rays.h"
 #include "distance/solid_pair.h"
 #include "distance/value_rays.h"
 #include "space/cut_body.h"
@@ -38,14 +39,20 @@ class CutPair {
 
   /// Nothing where the distance is undefined: +infinity.
   std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
-  /// What the distance less the level is between, or another function of the same sign that no step changes by more
-  /// than its length; nothing where it is undefined.
   const space::Body& whole() const { return *b_; }
   const space::CutBody& cut() const { return *a_; }
   bool cut_moves() const { return cut_moves_; }
+  /// What the distance less the level is between, or another function of the same sign that no step changes by more
+  /// than its length; nothing where it is undefined. Not of gamma1.
   std::optional<Between> between(Which which, const exact::Real& level, const space::RealVector& p) const;
+  /// The distance less the level, or another function of the same sign, along lines of that direction; null where
+  /// `between` is to tell. What is said of gamma1 at levels below 0 has the opposite sign.
+  static std::unique_ptr<const NearRule> nearness(std::shared_ptr<const CutPair> pair, Which which, double level,
+                                                  const space::Vector& unit, const NearRange& range);
 
  private:
+  class GapNear;
+  class FreeNear;
   /// B + p and A are apart by `value`, or, if `depth` is more than 0, their interiors meet.
   struct Gap {
     SolidValue value;
@@ -62,7 +69,6 @@ class CutPair {
   const CutDepth& depths() const;
   SolidValue overlapping(const space::RealVector& p) const;
   std::optional<SolidValue> free_of_sets(const space::RealVector& p) const;
-  Between nearly_overlapping(const space::RealVector& p, double level) const;
   SolidValue reach(const space::RealVector& p) const;
   SolidValue named_reach(const space::CutPart& part, const space::RealVector& from, const FrontPlace& found) const;
   std::optional<SolidValue> worst_fit(const space::RealVector& p) const;

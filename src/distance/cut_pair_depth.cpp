@@ -68,16 +68,4 @@ SolidValue CutPair::overlapping(const RealVector& p) const {
   return *std::move(known);
 }
 
-/// gamma1 where the interiors meet, less a level below 0.
-Between CutPair::nearly_overlapping(const RealVector& p, double level) const {
-  const Until until{-level, 0.5};
-  const KnownPlace known = [&]() -> std::optional<double> {
-    const auto free = free_of_sets(p);
-    return free ? std::optional(-free->value.to_double()) : std::nullopt;
-  };
-  const FrontPlace found = depths().nearest(space::rounded(p), known, &until);
-  const double error = kError * size_;
-  return {-found.value - error - level, -found.bound + error - level};
-}
-
 }  // namespace findspace::distance

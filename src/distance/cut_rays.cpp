@@ -38,8 +38,16 @@ std::unique_ptr<space::RaySource> cut_map(Which which, const Real& level, std::s
   const space::Bounds3 box = positions(*pair);
   const space::Vector low = space::rounded(box.low), high = space::rounded(box.high);
   const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
-  const RayRule rule = [pair, base, level](const space::RealVector& p) { return pair->between(base, level, p); };
-  auto rays = std::make_unique<ValueRays>(rule, space::scaled(0.5, space::plus(low, high)), size, scale, grid);
+  const NearRange range{space::scaled(0.5, space::plus(low, high)), size};
+  space::RaySourcePointer rays;
+  if (auto near = CutPair::nearness(pair, base, level.to_double(), line_direction(grid), range)) {
+    const bool deep = base == Which::kGamma1 && level.sign() < 0;
+    rays = std::make_unique<NearRays>(std::move(near), range, deep ? -1 : 1, scale, grid);
+    if (deep) rays = space::negated_rays(std::move(rays));
+  } else {
+    const RayRule rule = [pair, base, level](const space::RealVector& p) { return pair->between(base, level, p); };
+    rays = std::make_unique<ValueRays>(rule, range.middle, size, scale, grid);
+  }
   if (!cut_off || level.sign() > 0) return rays;
   return space::mapped_rays(std::move(rays), [](int s) { return s > 0 ? 1 : 0; });
 }

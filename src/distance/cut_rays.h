@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Sign maps on rays of the distances between a body and a solid that round ones are cut out of (cut_pair.h), by values
-// (value_rays.h): gamma1, d1 and penetration, gamma2, eta1, eta2, the distance by which a cut solid sticks out
-// of a convex body. For levels of gamma1 from 0 on the slack of what the two have in common takes the place of the
-// depth inside: it has the same sign and changes no faster. Guarantee: as value_rays.h. Cost: some hundred values a
-// line. Keywords: ray map.
+// Sign maps on rays of the distances between a body and a solid that round ones are cut out of (cut_pair.h): gamma1, d1
+// and penetration by searches for the nearest places of whole stretches (near_rays.h), by values (value_rays.h) gamma2,
+// eta1, eta2, the distance by which a cut solid sticks out of a convex body. For levels of gamma1 from 0 on how deep a
+// place of the solid is in the body takes the place of the depth inside: it has the same sign and changes no faster.
+// Guarantee: as value_rays.h. Cost: some dozen searches a line, else some hundred values. Keywords: ray map.
 #pragma once
 
 #include <memory>

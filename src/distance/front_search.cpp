@@ -7,7 +7,7 @@
 #include <numeric>
 #include <queue>
 
-#include "distance/matrix_game.h"
+#include "distance/front_columns.h"
 #include "exact/interval.h"
 
 namespace findspace::distance {
@@ -16,8 +16,6 @@ using space::Vector;
 
 namespace {
 
-using Column = std::array<double, 4>;
-
 /// Of the size: what rounding may do to a function, how much of it what is found has to be allowed by (distances to
 /// planes err to the safe side), and where cells are no longer divided.
 constexpr double kNoise = 0x1p-46, kRoom = 0x1p-48, kLeast = 0x1p-44;
@@ -25,6 +23,8 @@ constexpr double kNoise = 0x1p-46, kRoom = 0x1p-48, kLeast = 0x1p-44;
 /// best place, where fronts and the sphere about it part by squares only, cells are settled before these are lost in
 /// noise.
 constexpr double kBetter = 0x1p-43;
+
+constexpr int kRounds = 3;  // of tangents in a cell
 
 /// Cells after which it is asked for a place of no room, as most of what is left may be such.
 constexpr int kAskAt = 3000;
@@ -38,16 +38,6 @@ struct Cell {
   /// Of cells as good as each other the smallest comes first: where all of a front is as near, any place of it will do.
   bool operator<(const Cell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
 };
-
-/// At most what a convex function is, at the corners, by its tangent at x.
-Column tangent(const Touching& at, const Vector& x, const Tetrahedron& corner) {
-  Column out;
-  for (std::size_t v = 0; v < 4; ++v) out[v] = at.value + space::dot(at.slope, corner[v] - x);
-  return out;
-}
-
-double most(const Column& c) { return *std::max_element(c.begin(), c.end()); }
-double least(const Column& c) { return *std::min_element(c.begin(), c.end()); }
 
 /// The objective is minimised: the distance, or minus the one that is to be great.
 class Search {
@@ -63,7 +53,7 @@ class Search {
     all.out.resize(rules_.keep_out.size()), all.in.resize(rules_.keep_in.size());
     std::iota(all.out.begin(), all.out.end(), 0);
     std::iota(all.in.begin(), all.in.end(), 0);
-    room_ = room;
+    room_ = room, until_ = until;
     if (rules_.more) ask();
     for (const Tetrahedron& t : room) add(t, all, floor, 0);
     double left = exact::kInfinity;
@@ -93,14 +83,24 @@ class Search {
   }
 
  private:
-  /// Whether all between `lowest` and the best value known is on one side of the level, and nearly as far from it.
+  /// Whether all between `lowest` and the best value known is on one side of the level, and nearly as far from it, or
+  /// all is next to it.
   bool told(const Until& until, double lowest) const {
     const double low = lowest - until.level, high = best_.value - until.level;
     const double near = low > 0 ? low : -high, far = low > 0 ? high : -low;
-    return near > 0 && near >= until.share * far;
+    if (near > 0) return until.share == 0 || near >= until.share * far;
+    return until.blur > 0 && low >= -until.blur && high <= until.blur;
   }
 
-  double wanted() const { return std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value; }
+  /// What is not less than this need not be looked for.
+  double wanted() const {
+    const double better = std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value;
+    if (!until_ || !(until_->blur > 0)) return better;
+    const double off = best_.value - until_->level;
+    if (off > until_->blur) return std::min(better, until_->level + until_->blur);
+    const double lower = until_->share > 0 ? off / until_->share : off;
+    return std::min(better, until_->level + std::min(lower, -until_->blur));
+  }
 
   double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -(*far_)(x); }
 
@@ -177,8 +177,7 @@ class Search {
     for (const int i : in) {
       const Touching at = rules_.keep_in[static_cast<std::size_t>(i)](middle);
       if (at.value < -edge - kNoise * size_) continue;
-      Column c = tangent(at, middle, corner);
-      for (double& entry : c) entry = -entry;
+      const Column c = less(0, tangent(at, middle, corner));
       if (most(c) < -kNoise * size_) return false;
       cell.in.push_back(i), columns.push_back(c);
     }
@@ -227,29 +226,38 @@ class Search {
     // cell is kept only where something clearly better may be.
     for (const double target : {best_.value, wanted()}) {
       std::vector<Column> all = columns;
-      if (std::isfinite(target)) {
-        all.emplace_back();
-        for (std::size_t v = 0; v < 4; ++v) all.back()[v] = target - objective[v];
-      }
-      if (!try_best(all, corner, cell)) return;
+      if (std::isfinite(target)) all.push_back(less(target, objective));
+      if (!try_best(all, target, corner, cell)) return;
     }
     if (cell.key < wanted()) queue_.push(std::move(cell));
   }
 
-  /// Offers the place at which the least of the columns is greatest; false where that is less than 0.
-  bool try_best(std::vector<Column>& columns, const Tetrahedron& corner, const Cell& cell) {
+  /// Offers places at which the least of the columns is greatest, with tangents there; false where that is less than 0.
+  bool try_best(std::vector<Column>& columns, double target, const Tetrahedron& corner, const Cell& cell) {
     if (columns.empty()) return true;
-    double lowest = 0, highest = 0;
-    for (const Column& c : columns) lowest = std::min(lowest, least(c)), highest = std::max(highest, most(c));
-    for (Column& c : columns) {
-      for (double& entry : c) entry -= lowest;
+    for (int round = 0; round < (rules_.more ? 1 : kRounds); ++round) {
+      const HighestPlace high = highest_place(columns, corner);
+      if (high.value < -kNoise * size_ - 0x1p-44 * high.spread) return false;
+      offer(high.place, cell);
+      if (!touch(high.place, target, corner, cell, columns)) break;
     }
-    const GameValue game = matrix_game(columns);
-    if (game.value + lowest < -kNoise * size_ - 0x1p-44 * (highest - lowest)) return false;
-    Vector x;
-    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
-    offer(x, cell);
     return true;
+  }
+
+  /// Adds the tangents at x of what x breaks; false where there is none.
+  bool touch(const Vector& x, double target, const Tetrahedron& corner, const Cell& cell,
+             std::vector<Column>& columns) const {
+    const std::size_t before = columns.size();
+    const double room = kNoise * size_;
+    if (distance_ && std::isfinite(target)) {
+      const Touching at = (*distance_)(x);
+      if (at.value > target + room) columns.push_back(less(target, tangent(at, x, corner)));
+    }
+    for (const int i : cell.in) {
+      const Touching at = rules_.keep_in[static_cast<std::size_t>(i)](x);
+      if (at.value > room) columns.push_back(less(0, tangent(at, x, corner)));
+    }
+    return columns.size() > before;
   }
 
   void split(const Cell& cell, std::size_t a, std::size_t b) {
@@ -268,6 +276,7 @@ class Search {
   double size_;
   const KnownPlace& known_;
   FrontPlace best_;
+  const Until* until_ = nullptr;
   bool asked_ = false;
   std::priority_queue<Cell> queue_;
 };

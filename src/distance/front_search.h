@@ -68,9 +68,10 @@ struct FrontPlace {
 };
 
 /// A search that need not end: it may where how far the value is from the level, and on which side, is known but for
-/// that share.
+/// that share, or where it is within `blur` of the level. With `blur` it does not matter how much more than that the
+/// value is.
 struct Until {
-  double level = 0, share = 0;
+  double level = 0, share = 0, blur = 0;
 };
 
 /// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <queue>
 
-#include "distance/matrix_game.h"
+#include "distance/front_columns.h"
 #include "exact/interval.h"
 
 namespace findspace::distance {
@@ -18,8 +18,6 @@ namespace {
 constexpr int kMostSlackCells = 20000;
 constexpr int kRounds = 4;      // of tangents in a cell
 constexpr double kNear = 0.75;  // of the bound: a value that more tangents do not help
-
-using Column = std::array<double, 4>;
 
 struct Cell {
   Tetrahedron corner;
@@ -46,29 +44,20 @@ std::vector<Column> chords(const Rules& rules, const Tetrahedron& corner) {
 
 /// Tangents at x of what is to be kept in.
 void touch(const Rules& rules, const Tetrahedron& corner, const Vector& x, std::vector<Column>& out) {
-  for (const TouchingRule& g : rules.keep_in) {
-    const Touching at = g(x);
-    Column& c = out.emplace_back();
-    for (std::size_t v = 0; v < 4; ++v) c[v] = -at.value - space::dot(at.slope, corner[v] - x);
-  }
+  for (const TouchingRule& g : rules.keep_in) out.push_back(less(0, tangent(g(x), x, corner)));
 }
 
 /// The greatest slack that the columns leave, and where.
 Slack highest(const std::vector<Column>& columns, const Tetrahedron& corner) {
-  double lowest = 0, most = 0;
-  for (const Column& c : columns) {
-    for (const double entry : c) lowest = std::min(lowest, entry), most = std::max(most, entry);
+  const HighestPlace high = highest_place(columns, corner);
+  const Vector& x = high.place;
+  if (std::isfinite(x.x + x.y + x.z)) {
+    const double bound = high.value + 0x1p-44 * high.spread;
+    return {bound, bound, x, 0};
   }
-  std::vector<Column> shifted = columns;
-  for (Column& c : shifted) {
-    for (double& entry : c) entry -= lowest;
-  }
-  const GameValue game = matrix_game(shifted);
-  Vector x;
-  for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], corner[v]));
-  if (!std::isfinite(x.x + x.y + x.z)) return {most, most, centre(corner), 0};  // a cell of rounding
-  const double bound = game.value + lowest + 0x1p-44 * (most - lowest);
-  return {bound, bound, x, 0};
+  double greatest = 0;  // a cell of rounding
+  for (const Column& c : columns) greatest = std::max(greatest, most(c));
+  return {greatest, greatest, centre(corner), 0};
 }
 
 }  // namespace

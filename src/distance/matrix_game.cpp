@@ -43,9 +43,9 @@ bool invert(const Square& of, Square& out) {
   return true;
 }
 
-/// max sum x, A x <= 1, x >= 0, where A's columns are those of the game over the greatest entry, and 1 more. The basis
-/// is inverted anew in each step, and what its weights are worth in the game is kept where it is the best so far: so
-/// columns that are nearly the same, whose bases are made of rounding, do no harm.
+/// max sum x, A x <= 1, x >= 0, where A's columns are those of the game over the greatest entry, and 1 more. What the
+/// weights of a basis are worth in the game is kept where it is the best so far: so columns that are nearly the same,
+/// whose bases are made of rounding, do no harm. The last basis is inverted anew, and steps go on from there.
 class Simplex {
  public:
   Simplex(const std::vector<Column>& columns, double shift) : columns_(columns), shift_(shift) {
@@ -56,13 +56,21 @@ class Simplex {
   GameValue run() {
     constexpr int kMostSteps = 100;
     constexpr double kClose = 0x1p-48;
+    for (std::size_t k = 0; k < 4; ++k) inverse_[k][k] = 1;
+    bool anew = true;
     for (int step = 0; step < kMostSteps; ++step) {
+      const std::size_t in = price();
+      if (best_.value - lowest_ <= kClose * shift_) break;
+      if (in != none()) {
+        if (!enter(in)) break;
+        anew = false;
+        continue;
+      }
+      if (anew) break;
       Square basis;
       for (std::size_t r = 0; r < 4; ++r) basis[r] = column(basis_[r]);
       if (!invert(basis, inverse_)) break;
-      const std::size_t in = price();
-      if (in == none() || best_.value - lowest_ <= kClose * shift_) break;
-      if (!enter(in)) break;
+      anew = true;
     }
     return best_;
   }
@@ -125,6 +133,12 @@ class Simplex {
     }
     if (out == 4) return false;
     basis_[out] = in;
+    const double pivot = 1 / by[out];
+    for (double& entry : inverse_[out]) entry *= pivot;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (k == out) continue;
+      for (std::size_t r = 0; r < 4; ++r) inverse_[k][r] -= by[k] * inverse_[out][r];
+    }
     return true;
   }
 

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/ray_place.h"
 #include "distance/solid_mu.h"
-#include "space/oblique_line.h"
 #include "space/ray_sources.h"
 
 namespace findspace::distance {
@@ -89,22 +87,6 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
   return outside ? space::negated_rays(std::move(rays)) : std::move(rays);
 }
 
-ValueRays::Walk ValueRays::walk(int i, int j) const {
-  Walk out;
-  const Real unit = Real::ratio(1, grid_.parts);
-  if (grid_.oblique) {
-    out.start = space::scaled(Real::from_double(unit_), grid_.oblique->origin);
-    out.unit = grid_.oblique->frame[2];
-    return out;
-  }
-  const Real scale = Real::from_double(unit_ * static_cast<double>(grid_.parts)) * unit;
-  const auto axis = static_cast<std::size_t>(grid_.axis);
-  out.start[(axis + 1) % 3] = Real(grid_.u_at(i)) * scale;
-  out.start[(axis + 2) % 3] = Real(grid_.v_at(j)) * scale;
-  out.unit[axis] = Real(1);
-  return out;
-}
-
 /// The signs between two places; what is known comes by growing place.
 void ValueRays::look(Walk& walk, double from, double to) const {
   const double blur = size_ * (walk.values < kFine ? kCertain : kCoarse), middle = (from + to) / 2;
@@ -114,7 +96,7 @@ void ValueRays::look(Walk& walk, double from, double to) const {
   }
   if (++walk.values > kMost)
     throw Error(ErrorCode::kUnsupported, "the signs along a line were not found within the limit of the search");
-  const auto v = rule_(space::along(walk.start, Real::from_double(middle), walk.unit));
+  const auto v = rule_(space::along(walk.line.start, Real::from_double(middle), walk.line.unit));
   if (!v) {
     walk.known.push_back({from, to, 1});
     return;
@@ -129,31 +111,13 @@ void ValueRays::look(Walk& walk, double from, double to) const {
   if (last < to) look(walk, last, to);
 }
 
-void ValueRays::put(const Walk& walk, RayRow& row) const {
-  int before = 1;
-  row.before.push_back(1);
-  for (std::size_t k = 0; k < walk.known.size();) {
-    std::size_t next = k;
-    while (next < walk.known.size() && walk.known[next].sign == walk.known[k].sign) ++next;
-    const int sign = walk.known[k].sign;
-    // Between - and + there always is a stretch of 0; at its ends the sign is 0, too.
-    if (sign != before) {
-      row.events.push_back({ray_place(walk.known[k].from / unit_), 0, static_cast<std::int8_t>(sign)});
-      before = sign;
-    }
-    k = next;
-  }
-  if (before != 1) row.events.push_back({ray_place(walk.known.back().to / unit_), 0, 1});
-  row.first.push_back(static_cast<int>(row.events.size()));
-}
-
 RayRow ValueRays::row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
-    Walk line = walk(i, j);
-    const double place = space::dot(middle_ - space::rounded(line.start), space::rounded(line.unit));
-    look(line, place - 2 * size_, place + 2 * size_);
-    put(line, out);
+    Walk walk{position_line(grid_, unit_, i, j), {}, 0};
+    const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
+    look(walk, place - 2 * size_, place + 2 * size_);
+    put_line(walk.known, unit_, out);
   }
   return out;
 }

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 
+#include "distance/line_signs.h"
 #include "distance/solid_pair.h"
 #include "space/ray_map.h"
 
@@ -47,20 +48,13 @@ class ValueRays : public space::RaySource {
   space::RayRow row(int j) const override;
 
  private:
-  struct Stretch {
-    double from, to;
-    int sign;
-  };
-  /// Of one line, in steps.
   struct Walk {
-    space::RealVector start, unit;
-    std::vector<Stretch> known;
+    PositionLine line;
+    std::vector<SignStretch> known;
     int values = 0;
   };
 
-  Walk walk(int i, int j) const;
   void look(Walk& walk, double from, double to) const;
-  void put(const Walk& walk, space::RayRow& row) const;
 
   RayRule rule_;
   space::RayGrid grid_;

@@ -152,15 +152,21 @@ void FootSearch::beyond(const Foot& foot, int plane) {
     }
     if (count > 3) continue;
     next = foot_on(planes, count);
+    bool close = false;  // numbers do not tell whether all are kept
     for (int i = 0; next && i < foot.count; ++i) {
       const Seen& s = planes_[foot.active[i]];
-      if (dot(s.unit, next->at) + s.gap < -8 * next->error) next.reset();
+      const double kept_by = dot(s.unit, next->at) + s.gap;
+      close = close || ((kept >> i & 1) == 0 && kept_by < 8 * next->error);
+      if (kept_by < -8 * next->error) next.reset();
     }
+    if (!next) continue;
+    std::array<int, 3> key = next->active;
+    std::sort(key.begin(), key.end());
+    if (known_.insert(key).second)
+      queue_.push(*next);
+    else if (close)
+      next.reset();  // it may break one of them: more of them are tried
   }
-  if (!next) return;
-  std::array<int, 3> key = next->active;
-  std::sort(key.begin(), key.end());
-  if (known_.insert(key).second) queue_.push(*next);
 }
 
 bool FootSearch::covers_exactly(std::size_t part, const Foot& foot, std::optional<RealVector>& exact) {

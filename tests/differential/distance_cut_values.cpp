@@ -35,9 +35,9 @@ RealVector on_grid(const Vector& v) {
 
 constexpr double kHalf = 3;  // of the cube that moves
 
-std::shared_ptr<const CutPair> shared_pair(const Case& c) {
+std::shared_ptr<const CutPair> shared_pair(const Case& c, bool cut_moves = false) {
   return std::make_shared<const CutPair>(space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
-                                         std::make_shared<const CutBody>(space::cut_body(*c.shape)), false);
+                                         std::make_shared<const CutBody>(space::cut_body(*c.shape)), cut_moves);
 }
 
 CutPair pair_of(const Case& c, bool cut_moves = false) {
@@ -174,19 +174,54 @@ TEST(CutValues, AreThoseOfLines) {
           const int i = static_cast<int>(random() % 4);
           const RealVector p{Real(grid.u_at(i)), Real(grid.v_at(j)), on_grid(any(random, 30))[2]};
           const int sign = space::sign_at(row, i, p[2]);
-          const Between value = *pair->between(Which::kGamma1, Real(level), p);
+          const double over = pair->value(Which::kD1, p)->value.to_double() - static_cast<double>(level);
           if (sign != 0) ++certain;
-          if (value.low > 0.01) {
+          if (over > 0.01) {
             EXPECT_EQ(sign, 1) << c.name;
-          }
-          if (value.high < -0.01) {
-            EXPECT_EQ(sign, -1) << c.name;
+          } else if (over <= 0) {
+            EXPECT_LE(sign, 0) << c.name;
           }
         }
       }
     }
   }
   EXPECT_GT(certain, 200);
+}
+
+/// Where a line's sign changes the value is the level, whichever shape moves.
+TEST(CutValues, AreLevelsWhereLinesEnd) {
+  const space::RayGrid grid{2, 1, -17, -14, 13, 11, 2, 3};
+  int ends = 0;
+  const std::vector<Case> all = cases();
+  for (const Case& c : {all[0], all[1]}) {
+    for (const bool cut_moves : {false, true}) {
+      const auto pair = shared_pair(c, cut_moves);
+      for (const std::int64_t level : {-2, 0, 4}) {
+        const auto map = cut_map(Which::kGamma1, Real(level), pair, 1, grid);
+        const space::RayRow row = map->row(cut_moves ? 1 : 2);
+        for (int i = 0; i < grid.nu; ++i) {
+          for (int k = row.first[std::size_t(i)]; k < row.first[std::size_t(i) + 1]; ++k) {
+            const RealVector p{Real(grid.u_at(i)), Real(grid.v_at(cut_moves ? 1 : 2)),
+                               row.events[std::size_t(k)].at.to_real()};
+            EXPECT_NEAR(pair->value(Which::kGamma1, p)->value.to_double(), static_cast<double>(level), 1e-6) << c.name;
+            ++ends;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(ends, 40);
+}
+
+/// A cube beside a block slides along it: one stretch of 0, by one search.
+TEST(CutValues, HaveLinesAlongFaces) {
+  const Case bowl = cases()[0];
+  for (const std::int64_t level : {0, 4}) {
+    const space::RayGrid grid{2, 1, 23 + level, 1, 1, 1, 1, 1};
+    const space::RayRow row = cut_map(Which::kGamma1, Real(level), shared_pair(bowl), 1, grid)->row(0);
+    for (const int z : {-22, 0, 22}) EXPECT_EQ(space::sign_at(row, 0, Real(z)), 0) << level;
+    for (const int z : {-30, 30}) EXPECT_EQ(space::sign_at(row, 0, Real(z)), 1) << level;
+  }
 }
 
 /// The exact values of places that square roots name.

@@ -156,6 +156,24 @@ TEST(OpenCover, SlitsAndEmptyComplements) {
   EXPECT_FALSE(all.nearest_uncovered(place(0, 0, 0)));
 }
 
+/// Beside the edge of a box: two of its planes are nearer than numbers tell, of a place so far from the third.
+TEST(OpenCover, FindsACornerBesidePlanes) {
+  std::vector<HalfSpace> box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    RealVector n;
+    n[k] = Real(1);
+    box.emplace_back(n, Real());
+    box.emplace_back(negated(n), Real(-500000));
+  }
+  for (const double x : {0x1p-30, 0x1p-23, 0x1.6p-23, 0x1p-21}) {
+    for (const double z : {0x1.8p-30, 0x1.2p-23, 0x1.6p-23, 0x1p-20}) {
+      const auto q = nearest_in(box, {Real::from_double(x), Real(2000000), Real::from_double(z)});
+      ASSERT_TRUE(q) << x << " " << z;
+      EXPECT_EQ(*q, place(0, 0, 0)) << x << " " << z;
+    }
+  }
+}
+
 TEST(MinBall, OfPointsOnAndOffALine) {
   EXPECT_EQ(min_ball({place(1, 2, 3)}).square, Real(0));
   const EnclosingBall box = min_ball({place(0, 0, 0), place(2, 0, 0), place(0, 4, 0), place(2, 4, 6), place(1, 1, 1)});
