@@ -176,6 +176,8 @@ bool BoxPair::has_value(Which which) {
          base == Which::kDelta2;
 }
 
+bool BoxPair::is_reach(Which which) { return which == Which::kGamma2 || which == Which::kDiameter; }
+
 std::optional<SolidValue> BoxPair::signed_value(Which base, const RealVector& p) const {
   const Signs& s = signs(base);
   if (!s.defined) return std::nullopt;
@@ -194,15 +196,26 @@ std::optional<SolidValue> BoxPair::signed_value(Which base, const RealVector& p)
   return out;
 }
 
+std::optional<SolidValue> BoxPair::farthest_value(Which base, const RealVector& p) const {
+  const auto q = farthest(signs(base).closed, p);
+  if (!q) return std::nullopt;
+  SolidValue out;
+  const RealVector off = space::minus(*q, p);
+  out.value = sqrt(dot(off, off));
+  return out;
+}
+
 std::optional<SolidValue> BoxPair::value(Which which, const RealVector& p) const {
-  if (which == Which::kEta2 || which == Which::kDelta2) {
-    const Signs& s = signs(which == Which::kEta2 ? Which::kEta1 : Which::kDelta1);
-    const auto q = farthest(s.closed, p);
-    if (!q) return std::nullopt;
-    SolidValue out;
-    const RealVector off = space::minus(*q, p);
-    out.value = sqrt(dot(off, off));
-    return out;
+  if (which == Which::kEta2) return farthest_value(Which::kEta1, p);
+  if (which == Which::kDelta2) return farthest_value(Which::kDelta1, p);
+  if (is_reach(which)) {
+    auto most = farthest_value(Which::kGamma1, p);
+    for (const BoxComplex* own : {&a_, &b_}) {
+      if (which != Which::kDiameter || !most) continue;
+      const auto diameter = BoxPair(*own, *own).farthest_value(Which::kGamma1, {});
+      if (!diameter || most->value < diameter->value) most = diameter;
+    }
+    return most;
   }
   const auto d = derived(which);
   if (!d) return signed_value(which, p);

@@ -5,8 +5,8 @@
 // (distances.md 1.3, 1.4):
 //   X = A (+) -B,  U = (int A (+) -B) u (A (+) -int B),  E = (A^c (+) -B)^c,  int E = (cl(A^c) (+) -B)^c,
 //   D, int D: the same with the roles exchanged, reflected.
-// With them the sign map at level 0 of every distance, and the values of gamma1, eta1, delta1, eta2, delta2 at a
-// position: the shapes may have sheets, lines and points, and may be unbounded. Guarantee: exact. Other levels have
+// With them the sign map at level 0 of every distance, and the values of gamma1, eta1, delta1, gamma2, eta2, delta2 at
+// a position: the shapes may have sheets, lines and points, and may be unbounded. Guarantee: exact. Other levels have
 // round fronts; where the '-' set is made of separate boxes, levels below 0 have not and are exact too. Cost: pairs of
 // boxes, painted on one grid. Keywords: configuration space, slots, exact fit.
 #pragma once
@@ -29,8 +29,9 @@ class BoxPair {
   space::BoxComplex sign_map(Which which, const exact::Real& level) const;
   /// The same of one of the six distances along an axis, both ways (`way` 0) or up or down it (1, -1), at any level.
   space::BoxComplex directional_map(Which which, const exact::Real& level, int axis, int way) const;
-  /// Whether value() answers for it.
+  /// Whether value() answers for it; for these two as well, which bodies tell faster.
   static bool has_value(Which which);
+  static bool is_reach(Which which);
   std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
 
   /// The least value of gamma1, eta1 or delta1 and where it is taken, if the '-' set is made of separate boxes or
@@ -55,6 +56,7 @@ class BoxPair {
   Signs made(Which base) const;
   space::BoxComplex base_map(Which base, const exact::Real& level) const;
   std::optional<SolidValue> signed_value(Which base, const space::RealVector& p) const;
+  std::optional<SolidValue> farthest_value(Which base, const space::RealVector& p) const;
 
   space::BoxComplex b_, a_;
   mutable std::array<std::once_flag, 3> once_;

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "distance/convex_distance.h"
+#include "distance/convex_least.h"
 #include "space/cover_frontier.h"
 #include "space/deepest.h"
 #include "space/min_ball.h"
@@ -16,15 +17,9 @@
 namespace findspace::distance {
 
 using exact::Real;
-using space::Body;
-using space::ConvexRegion;
-using space::HalfSpace;
-using space::RealVector;
-using space::Vector;
+using space::Body, space::ConvexRegion, space::HalfSpace, space::RealVector, space::Vector;
 
 namespace {
-
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
 RealVector real_of(const Vector& v) { return {Real::from_double(v.x), Real::from_double(v.y), Real::from_double(v.z)}; }
 
@@ -259,8 +254,11 @@ class Least {
 
   std::optional<SolidLeast> searched(Which which, double floor) const {
     if (!pair_.value(which, low_)) return std::nullopt;
-    const auto value = [&](const RealVector& p) { return pair_.value(which, p)->value; };
-    return least_in_box(value, space::rounded(low_), space::rounded(high_), floor);
+    const Vector low = space::rounded(low_), high = space::rounded(high_);
+    const auto value = [&](const RealVector& p) { return *pair_.value(which, p); };
+    if (a_.convex() && (which == Which::kMu || (which == Which::kHausdorff && b_.convex())))
+      if (auto v = convex_least(value, low, high)) return v;
+    return least_in_box([&](const RealVector& p) { return value(p).value; }, low, high, floor);
   }
 
   const Body &b_, &a_;
@@ -288,7 +286,8 @@ Which exchanged(Which which) {
 }  // namespace
 
 std::optional<SolidLeast> solid_least(Which which, const Body& b, const Body& a) {
-  if (a.outside) fail("over all positions a distance to a complement has no least value");
+  if (a.outside)
+    throw Error(ErrorCode::kUnsupported, "over all positions a distance to a complement has no least value");
   const Which forth = exchanged(which);
   if (forth == which) return Least(b, a).of(which);
   // A in B + p is -A + p in -B.

@@ -214,10 +214,8 @@ std::optional<SolidValue> SolidPair::unbounded(Which which, const RealVector& p)
       return cut_off(mu(), false);
     case Which::kD1:
       return cut_off(gamma1(), false);
-    case Which::kPenetration: {
-      auto v = gamma1();
-      return v->lowest ? std::nullopt : cut_off(std::move(v), true);
-    }
+    case Which::kPenetration:
+      return cut_off(gamma1(), true);
     case Which::kDstarBack:
       return cut_off(eta1(), true);
     case Which::kDstar:

@@ -18,9 +18,10 @@ inline SolidValue signed_value(const space::RealVector& p, const space::RealVect
   return out;
 }
 
-/// max(0, v), or max(0, -v) if `negated`.
+/// max(0, v), or max(0, -v) if `negated`; nothing stands for +infinity.
 inline std::optional<SolidValue> cut_off(std::optional<SolidValue> v, bool negated) {
   if (!v) return negated ? std::optional<SolidValue>(SolidValue{}) : std::nullopt;
+  if (v->lowest) return negated ? std::nullopt : std::optional<SolidValue>(SolidValue{});
   if (negated) v->value = -v->value;
   if (v->value.sign() < 0) v->value = exact::Real();
   return v;

@@ -158,7 +158,7 @@ const distance::SolidPair& SpacePair::bodies() const {
 }
 
 std::optional<SolidValue> SpacePair::value(Which which, const RealVector& p) const {
-  if (boxes_ && BoxPair::has_value(which)) {
+  if (boxes_ && (BoxPair::has_value(which) || (BoxPair::is_reach(which) && !all().pair))) {
     try {
       return boxes_->value(which, p);
     } catch (const Error& e) {

@@ -123,4 +123,17 @@ ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells) 
   return result;
 }
 
+double surface_area(const Polytope& p) {
+  double twice = 0;
+  for (int f = 0; f < p.facet_count(); ++f) {
+    for (int h = p.first_half_edge(f) + 1; h + 1 < p.first_half_edge(f + 1); ++h) {
+      const Point base = p.vertices()[p.half_edges()[p.first_half_edge(f)].origin];
+      const Shadow3 n =
+          exact::shadow(exact::cross(p.vertices()[p.half_edges()[h].origin] - base, p.vertices()[p.target(h)] - base));
+      twice += std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    }
+  }
+  return twice / 2;
+}
+
 }  // namespace findspace::space

@@ -16,5 +16,7 @@ ConvexParts parts_of_cells(const std::vector<ConvexRegion>& cells);
 ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells);
 
 exact::Real six_volumes(const Polytope& p);
+/// Rounded.
+double surface_area(const Polytope& p);
 
 }  // namespace findspace::space

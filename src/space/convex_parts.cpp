@@ -25,19 +25,6 @@ using Kind = plane::Shape::Kind;
 
 constexpr std::size_t kMostFaces = 100000;
 
-double surface_area(const Polytope& p) {
-  double twice = 0;
-  for (int f = 0; f < p.facet_count(); ++f) {
-    for (int h = p.first_half_edge(f) + 1; h + 1 < p.first_half_edge(f + 1); ++h) {
-      const Point base = p.vertices()[p.half_edges()[p.first_half_edge(f)].origin];
-      const Shadow3 n =
-          exact::shadow(exact::cross(p.vertices()[p.half_edges()[h].origin] - base, p.vertices()[p.target(h)] - base));
-      twice += std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-    }
-  }
-  return twice / 2;
-}
-
 /// The parts of a surface that does not meet itself have exactly its volume; else it encloses some space twice, or not.
 /// Where vertices were rounded the volume may change by the surface times the longest move, here taken twice.
 void check_volume(const ConvexParts& parts, const Real& six_enclosed) {
@@ -117,9 +104,12 @@ void add(ConvexParts& sum, ConvexParts more) {
   sum.moved = std::max(sum.moved, more.moved);
 }
 
+/// As convex_parts(), but of what is left of a shape there may be nothing.
+ConvexParts made(const plane::Shape& shape);
+
 ConvexParts all_children(const plane::Shape& shape) {
   ConvexParts sum;
-  for (const plane::ShapePtr& child : shape.children) add(sum, convex_parts(*child));
+  for (const plane::ShapePtr& child : shape.children) add(sum, made(*child));
   return sum;
 }
 
@@ -133,7 +123,7 @@ ConvexParts hull_of(ConvexParts parts) {
 
 /// A sum of unions is the union of the sums of their parts.
 ConvexParts sum_of(const plane::Shape& a, const plane::Shape& b) {
-  ConvexParts p = convex_parts(a), q = convex_parts(b), result;
+  ConvexParts p = made(a), q = made(b), result;
   result.scale = std::lcm(p.scale, q.scale);
   result.rounded = p.rounded + q.rounded;
   result.moved = std::max(p.moved, q.moved);
@@ -175,21 +165,37 @@ ConvexParts difference_of(const plane::Shape& a, const plane::Shape& b) {
   return result;
 }
 
+/// Whether the set is the interior of one, or a union with such.
+bool lacks_boundary(const plane::Shape& shape) {
+  if (shape.kind == Kind::kInterior) return true;
+  if (shape.kind != Kind::kTranslate && shape.kind != Kind::kMirror && shape.kind != Kind::kUnion) return false;
+  return std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return lacks_boundary(*c); });
+}
+
+/// Keeps what is inside the other shape, or what is not.
+void clip(ConvexParts& kept, const plane::Shape& by, bool inside) {
+  const bool open = !inside && lacks_boundary(by);
+  if (open && by.kind == Kind::kUnion) {  // walls between its sets stay
+    for (const plane::ShapePtr& child : by.children) clip(kept, *child, false);
+    return;
+  }
+  const ConvexParts other = made(by);
+  const std::int64_t scale = std::lcm(kept.scale, other.scale);
+  const std::vector<Polytope> a = at_scale(kept, scale), b = at_scale(other, scale);
+  ConvexParts next = parts_of_cells(inside ? intersection_cells(a, b)
+                                    : open ? outside_cells(a, b)
+                                           : difference_cells(a, b));
+  next.scale *= scale;
+  next.rounded += kept.rounded + other.rounded;
+  next.moved = std::max({next.moved / static_cast<double>(scale), kept.moved, other.moved});
+  kept = std::move(next);
+}
+
 /// a n b n .., or the closure of a without the others.
 ConvexParts clipped(const plane::Shape& shape) {
-  ConvexParts result = convex_parts(*shape.children[0]);
-  for (std::size_t i = 1; i < shape.children.size(); ++i) {
-    const ConvexParts other = convex_parts(*shape.children[i]);
-    const std::int64_t scale = std::lcm(result.scale, other.scale);
-    const std::vector<Polytope> a = at_scale(result, scale), b = at_scale(other, scale);
-    ConvexParts next =
-        parts_of_cells(shape.kind == Kind::kIntersection ? intersection_cells(a, b) : difference_cells(a, b));
-    if (next.parts.empty()) throw Error(ErrorCode::kUnsupported, "nothing with interior is left of the shape");
-    next.scale *= scale;
-    next.rounded += result.rounded + other.rounded;
-    next.moved = std::max({next.moved / static_cast<double>(scale), result.moved, other.moved});
-    result = std::move(next);
-  }
+  ConvexParts result = made(*shape.children[0]);
+  for (std::size_t i = 1; i < shape.children.size(); ++i)
+    clip(result, *shape.children[i], shape.kind == Kind::kIntersection);
   return result;
 }
 
@@ -204,7 +210,7 @@ ConvexParts node_parts(const plane::Shape& shape) {
     case Kind::kInterior:
     case Kind::kRegularize:
     case Kind::kClosure:
-      return convex_parts(*shape.children[0]);
+      return made(*shape.children[0]);
     case Kind::kHull:
       return hull_of(all_children(shape));
     case Kind::kMinkowskiSum:
@@ -212,18 +218,27 @@ ConvexParts node_parts(const plane::Shape& shape) {
     case Kind::kMinkowskiDifference:
       return difference_of(*shape.children[0], *shape.children[1]);
     case Kind::kMirror: {
-      ConvexParts parts = convex_parts(*shape.children[0]);
+      ConvexParts parts = made(*shape.children[0]);
       for (Polytope& p : parts.parts) p = p.mirrored();
       enlarge(parts.around, -1);
       return parts;
     }
     case Kind::kTranslate:
-      return moved_by(convex_parts(*shape.children[0]), {shape.points[0].x, shape.points[0].y, shape.lift});
+      return moved_by(made(*shape.children[0]), {shape.points[0].x, shape.points[0].y, shape.lift});
     default:
       break;
   }
   throw Error(ErrorCode::kUnsupported,
               "this kind of shape has no convex polyhedral parts; state it as a union of polytopes");
+}
+
+ConvexParts made(const plane::Shape& shape) {
+  try {
+    return node_parts(shape);
+  } catch (const Error& e) {
+    if (shape.place.empty() || !e.place().empty()) throw;
+    throw e.within(shape.place);
+  }
 }
 
 }  // namespace
@@ -250,12 +265,10 @@ ConvexParts convex_parts(const Mesh& mesh) {
 }
 
 ConvexParts convex_parts(const plane::Shape& shape) {
-  try {
-    return node_parts(shape);
-  } catch (const Error& e) {
-    if (shape.place.empty() || !e.place().empty()) throw;
-    throw e.within(shape.place);
-  }
+  ConvexParts parts = made(shape);
+  if (parts.parts.empty())
+    throw Error(ErrorCode::kUnsupported, "nothing with interior is left of the shape", shape.place);
+  return parts;
 }
 
 std::vector<Polytope> at_scale(const ConvexParts& parts, std::int64_t scale) {

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Intersection and difference of finite unions of convex polytopes, as convex cells.
-//   intersection_cells   the parts of A n B with interior; Error(kUnsupported) if a thin piece (the two touch) is left
-//   over, since a body
-//                        has none;
-//   difference_cells     the closure of A \ B; its cells do not overlap where those of A do not.
-// Guarantee: exact: a cell is kept if and only if it has interior. Cost: cells times facets.
+//   intersection_cells   A n B;
+//   difference_cells     the closure of A \ B; its cells do not overlap where those of A do not;
+//   outside_cells        A \ int B, of all of B: walls between its polytopes are in the interior.
+// Guarantee: exact: a cell is kept if and only if it has interior, and Error(kUnsupported) says that a thin piece is
+// left over (A and B touch, faces of A and int B lie on each other), since a body has none. Cost: cells times facets.
 // Keywords: constructive solid geometry, convex clipping.
 #pragma once
 
@@ -20,5 +20,6 @@ namespace findspace::space {
 
 std::vector<ConvexRegion> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b);
 std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+std::vector<ConvexRegion> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b);
 
 }  // namespace findspace::space

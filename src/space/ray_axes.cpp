@@ -5,44 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "space/ray_connect.h"
+
 namespace findspace::space {
 namespace {
-
-/// Disjoint sets of intervals, each with what is known of it.
-class Sets {
- public:
-  int add() {
-    root_.push_back(static_cast<int>(root_.size()));
-    return root_.back();
-  }
-  int find(int k) {
-    while (root_[static_cast<std::size_t>(k)] != k)
-      k = root_[static_cast<std::size_t>(k)] = root_[static_cast<std::size_t>(root_[static_cast<std::size_t>(k)])];
-    return k;
-  }
-  void join(int a, int b) {
-    a = find(a), b = find(b);
-    root_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  }
-  std::size_t size() const { return root_.size(); }
-
- private:
-  std::vector<int> root_;
-};
-
-struct Stretch {
-  double from = 0, to = 0;
-  int first = 0, last = -1;  // the lattice points on it
-};
-
-/// The intervals of the lines of one axis.
-struct Lines {
-  std::vector<Stretch> stretches;
-  std::vector<std::size_t> first{0};  // of each line; the line (i, j) has number j * nu + i
-  int base = 0;                       // the number of the first stretch among those of all axes
-
-  std::span<const Stretch> line(std::size_t k) const { return {stretches.data() + first[k], first[k + 1] - first[k]}; }
-};
 
 class Collector {
  public:
@@ -109,83 +75,6 @@ class Collector {
 
   const RayLattice& lattice_;
   const std::function<bool(std::int8_t)>& inside_;
-};
-
-class Connector {
- public:
-  Connector(const RayLattice& lattice, std::array<Lines, 3>& lines) : lattice_(lattice), lines_(lines) {
-    int base = 0;
-    for (Lines& axis : lines_) {
-      axis.base = base;
-      base += static_cast<int>(axis.stretches.size());
-    }
-    for (int k = 0; k < base; ++k) crossing_.add(), near_.add();
-  }
-
-  /// The number of the stretch along z that holds a lattice point of the region.
-  int at(const std::array<int, 3>& p) const {
-    const Lines& z = lines_[2];
-    const std::size_t k =
-        static_cast<std::size_t>(p[1]) * static_cast<std::size_t>(lattice_.count[0]) + static_cast<std::size_t>(p[0]);
-    const auto line = z.line(k);
-    const auto found = std::partition_point(line.begin(), line.end(), [&](const Stretch& s) { return s.last < p[2]; });
-    return z.base + static_cast<int>(z.first[k] + static_cast<std::size_t>(found - line.begin()));
-  }
-
-  void cross() {
-    for (int axis = 0; axis < 2; ++axis) {
-      each(axis, [&](const Stretch& s, int number, std::array<int, 3> p) {
-        for (int k = s.first; k <= s.last; ++k) {
-          p[static_cast<std::size_t>(axis)] = k;
-          const int other = at(p);
-          crossing_.join(number, other);
-          near_.join(number, other);
-        }
-      });
-    }
-  }
-
-  void overlap() {
-    for (const Lines& axis : lines_) {
-      const std::size_t k = static_cast<std::size_t>(&axis - lines_.data());
-      const auto across = static_cast<std::size_t>(lattice_.count[(k + 1) % 3]);
-      for (std::size_t line = 0; line + 1 < axis.first.size(); ++line) {
-        if (line % across != 0) join_lines(axis, line, line - 1);
-        if (line >= across) join_lines(axis, line, line - across);
-      }
-    }
-  }
-
-  template <class Visit>
-  void each(int axis, Visit visit) const {
-    const Lines& lines = lines_[static_cast<std::size_t>(axis)];
-    const auto a = static_cast<std::size_t>(axis);
-    const auto across = static_cast<std::size_t>(lattice_.count[(a + 1) % 3]);
-    for (std::size_t line = 0; line + 1 < lines.first.size(); ++line) {
-      std::array<int, 3> p{};
-      p[(a + 1) % 3] = static_cast<int>(line % across);
-      p[(a + 2) % 3] = static_cast<int>(line / across);
-      for (std::size_t s = lines.first[line]; s < lines.first[line + 1]; ++s)
-        visit(lines.stretches[s], lines.base + static_cast<int>(s), p);
-    }
-  }
-
-  Sets& crossing() { return crossing_; }
-  Sets& near() { return near_; }
-
- private:
-  void join_lines(const Lines& axis, std::size_t a, std::size_t b) {
-    const auto p = axis.line(a), q = axis.line(b);
-    for (std::size_t i = 0, j = 0; i < p.size() && j < q.size();) {
-      if (p[i].from <= q[j].to && q[j].from <= p[i].to)
-        near_.join(axis.base + static_cast<int>(axis.first[a] + i), axis.base + static_cast<int>(axis.first[b] + j));
-      p[i].to < q[j].to ? ++i : ++j;
-    }
-  }
-
-  const RayLattice& lattice_;
-  std::array<Lines, 3>& lines_;
-  Sets crossing_, near_;
 };
 
 /// One component while it is being made.
@@ -257,6 +146,7 @@ RayAxes ray_axes(const RayLattice& lattice, const std::function<std::unique_ptr<
   Connector sets(lattice, lines);
   sets.cross();
   sets.overlap();
+  sets.gather();
   std::vector<Part> parts(sets.near().size());
   add_stretches(lattice, sets, parts);
   add_surface(out.surface, sets, parts);

@@ -85,5 +85,37 @@ TEST(RayAxes, CertifiedByAWayAroundACorner) {
   EXPECT_NEAR(r.summary.volume, 3 * 36 - 2 * 8, 4);
 }
 
+/// x + y + z within 1/10 of one of the numbers, in a cube of 9 steps.
+RayAxes slanted_plates(const std::vector<std::int64_t>& at) {
+  std::vector<LinePiece> pieces;
+  for (const std::int64_t c : at) {
+    std::vector<HalfSpace> planes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      RealVector normal;
+      normal[k] = Real(1);
+      planes.emplace_back(normal, Real(-90));
+      planes.emplace_back(negated(normal), Real(0));
+    }
+    const RealVector slanted{Real(1), Real(1), Real(1)};
+    planes.emplace_back(slanted, Real(-c - 1));
+    planes.emplace_back(negated(slanted), Real(c - 1));
+    pieces.push_back(polytope_piece(std::move(planes), {0, 0, 0}, {90, 90, 90}));
+  }
+  const RayLattice lattice = ray_lattice({0, 0, 0}, {9, 9, 9}, 9);
+  return ray_axes(
+      lattice, [&](int axis) { return std::make_unique<PieceRays>(pieces, 10, lattice.grid(axis)); },
+      [](std::int8_t sign) { return sign <= 0; });
+}
+
+TEST(RayAxes, SplintersGoWithWhatIsNear) {
+  // No two neighbouring lines meet a slanted plate in intervals that overlap, and no two lines cross in it.
+  const RayAxes one = slanted_plates({135});
+  ASSERT_EQ(one.summary.components.size(), 1U);
+  EXPECT_FALSE(one.summary.components[0].certified);
+  EXPECT_GT(one.summary.intervals, 100);
+  // Some steps apart they are two.
+  EXPECT_EQ(slanted_plates({95, 185}).summary.components.size(), 2U);
+}
+
 }  // namespace
 }  // namespace findspace::space
