@@ -13,7 +13,7 @@ using space::Vector;
 namespace {
 
 /// Planes of a box, and pairs of triangles looked through for them.
-constexpr std::size_t kFewPlanes = 40, kFewPairs = 3000;
+constexpr std::size_t kFewPlanes = 40, kFewPairs = 1000;
 /// The same where they may pass through one place, as in an exact fit, which is tried every so many divisions.
 constexpr std::size_t kManyPlanes = 2000, kManyPairs = 400000;
 constexpr int kOften = 7;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "situation/contact_rays.h"
 #include "space/touch_rays.h"
 
 namespace findspace::situation {
@@ -23,6 +24,8 @@ namespace {
 
 /// Pairs of triangles up to which the convex parts of both are quicker; so is a convex one.
 constexpr std::size_t kFewPairs = 1500;
+/// From so many on the parts of a solid that is not convex are too many, or not on the grid.
+constexpr std::size_t kManyFaces = 120;
 /// Sets of a triangle and a convex part, at most.
 constexpr std::size_t kMostSets = 100000;
 constexpr std::int64_t kFarthest = std::int64_t{1} << 38;
@@ -68,6 +71,8 @@ Source touching_rays(Which which, const TouchingSolid& b, const TouchingSolid& a
   const TouchingSolid &fixed = back ? b : a, &moving = back ? a : b;
   if (space::is_convex(fixed.solids[0])) return nullptr;
   const TouchSide side = depth ? TouchSide::kOutside : TouchSide::kInside;
+  if (std::min(of_a, of_b) >= kManyFaces && !space::is_convex(moving.solids[0]))
+    return contact_rays(which, b.solids[0], a.solids[0], level, grid);
   const auto pair = pair_of(fixed.solids[0].surface, moving, side, back);
   if (!pair) return nullptr;
   if (farthest) return space::all_touching_near(*pair, level, grid);

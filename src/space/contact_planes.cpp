@@ -24,14 +24,31 @@ double squared_of_segments(const Triple& a, const Triple& b, const Triple& c, co
                    from(c, d, a), from(c, d, b)});
 }
 
+/// The corner of the face that is not on the edge.
+const Point& apex(const RayBody& body, int face, const RayEdge& e) {
+  const auto& corners = body.faces[at(face)];
+  return body
+      .points[at(*std::find_if(corners.begin(), corners.end(), [&](int v) { return v != e.from && v != e.to; }))];
+}
+
+/// The sign of n . w for n = u x v in doubles, whose factors are exact; 0 where they do not tell.
+int surely(const Vector& n, double size, const Vector& w) {
+  const double value = dot(n, w), bound = 0x1p-46 * size * size_of(w);
+  return (value > bound) - (value < -bound);
+}
+
 }  // namespace
 
 ContactPlanes::Featured::Featured(const RayBody& of) : body(of), vertices(of.faces.size()), edges(of.faces.size()) {
   for (std::size_t v = 0; v < of.vertices.size(); ++v)
     vertices[at(of.corners[at(of.vertices[v].first)].face)].push_back(static_cast<int>(v));
-  for (std::size_t e = 0; e < of.edges.size(); ++e) {
-    // Along others no solid can lie on one side.
-    if (of.edges[e].bend > 0) edges[at(of.edges[e].left)].push_back(static_cast<int>(e));
+  for (std::size_t k = 0; k < of.edges.size(); ++k) {
+    const RayEdge& e = of.edges[k];
+    if (e.bend <= 0) continue;  // along others no solid can lie on one side
+    const Point& from = of.points[at(e.from)];
+    edges[at(e.left)].push_back({static_cast<int>(k), exact::shadow(of.points[at(e.to)] - from),
+                                 exact::shadow(apex(of, e.left, e) - from),
+                                 exact::shadow(apex(of, e.right, e) - from)});
   }
 }
 
@@ -51,8 +68,10 @@ class ContactPlanes::Collector {
   void add(int f, int g) {
     for (const int v : of_.b_.vertices[at(g)]) corner_of_b(f, of_.b_.body.vertices[at(v)]);
     for (const int v : of_.a_.vertices[at(f)]) corner_of_a(of_.a_.body.vertices[at(v)], g);
-    for (const int e : of_.a_.edges[at(f)]) {
-      for (const int d : of_.b_.edges[at(g)]) edges(of_.a_.body.edges[at(e)], of_.b_.body.edges[at(d)]);
+    for (const EdgeWays& e : of_.a_.edges[at(f)]) {
+      for (const EdgeWays& d : of_.b_.edges[at(g)]) {
+        if (may_touch(e, d)) edges(of_.a_.body.edges[at(e.edge)], of_.b_.body.edges[at(d.edge)]);
+      }
     }
   }
   std::vector<Plane>& planes() { return planes_; }
@@ -101,10 +120,14 @@ class ContactPlanes::Collector {
     put(-b.normals[at(g)], a.points[at(v.point)], b.corner(g, 0));
   }
 
-  static const Point& apex(const RayBody& body, int face, const RayEdge& e) {
-    const auto& corners = body.faces[at(face)];
-    return body
-        .points[at(*std::find_if(corners.begin(), corners.end(), [&](int v) { return v != e.from && v != e.to; }))];
+  /// Whether a plane along both may have the solids on its two sides.
+  static bool may_touch(const EdgeWays& e, const EdgeWays& d) {
+    const Vector &u = e.way, &v = d.way, n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    const double size = size_of(u) * size_of(v);
+    const int below = surely(n, size, e.left), other = surely(n, size, e.right);
+    if (below * other < 0) return false;
+    const int above = surely(n, size, d.left), next = surely(n, size, d.right);
+    return above * next >= 0 && (below + other) * (above + next) <= 0;
   }
 
   void edges(const RayEdge& e, const RayEdge& d) {

@@ -28,10 +28,16 @@ class ContactPlanes {
                                          std::size_t most_pairs) const;
 
  private:
-  /// A body and what of its corners and edges each face stands for: each feature has one such face.
+  /// Of a convex edge its way, and those from it to the corners of its faces.
+  struct EdgeWays {
+    int edge = 0;
+    Vector way, left, right;
+  };
+  /// A body and what of its corners and convex edges each face stands for: each feature has one such face.
   struct Featured {
     const RayBody& body;
-    std::vector<std::vector<int>> vertices, edges;  // of each face
+    std::vector<std::vector<int>> vertices;  // of each face
+    std::vector<std::vector<EdgeWays>> edges;
     explicit Featured(const RayBody& of);
   };
   class Collector;
