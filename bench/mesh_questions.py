@@ -3,12 +3,15 @@
 # SPDX-FileCopyrightText: findspace contributors
 """How long a mesh of thousands of triangles takes: every distance to a small octahedron at two positions, and maps.
 
-    bench/mesh_questions.py build/release/findspace ../shared/data/3d/meshes/spot.obj [LINES] > table.md
+    bench/mesh_questions.py build/release/findspace ../shared/data/3d/meshes/spot.obj [LINES] [--torus] > table.md
+
+With --torus the other shape is one of 480 triangles, which is not convex.
 
 Each question is a program of its own, reading included; LINES x LINES lines of a map (64). Prints Markdown.
 """
 
 import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -24,6 +27,21 @@ MAPS = ["gamma1(B, A) <= 0", "gamma1(B, A) <= 0.05", "gamma1(B, A) <= -0.05", "e
 OCTAHEDRON = [[s * 0.1 if k == axis else 0 for k in range(3)] for axis in range(3) for s in (1, -1)]
 
 
+def torus():
+    """Around z, 20 by 12 corners to six decimals."""
+    corners, faces = [], []
+    for i in range(20):
+        for j in range(12):
+            u, v = math.tau * i / 20, math.tau * j / 12
+            far = 0.25 + 0.08 * math.cos(v)
+            corners.append([round(c, 6) for c in (0.3 + far * math.cos(u), 0.2 + far * math.sin(u),
+                                                  0.08 * math.sin(v) - 0.1)])
+            p, q = i * 12 + j, (i + 1) % 20 * 12 + j
+            r, s = (i + 1) % 20 * 12 + (j + 1) % 12, i * 12 + (j + 1) % 12
+            faces += [[p, q, r], [p, r, s]]
+    return {"mesh": {"vertices": corners, "faces": faces}}
+
+
 def seconds(command):
     """By the clock; status 1 is an answer as well."""
     begun = time.time()
@@ -37,13 +55,15 @@ def seconds(command):
 
 
 def main():
-    program, mesh = sys.argv[1], str(pathlib.Path(sys.argv[2]).resolve())
-    lines = sys.argv[3] if len(sys.argv) > 3 else "64"
+    with_torus = "--torus" in sys.argv
+    program, mesh, *rest = [a for a in sys.argv[1:] if a != "--torus"]
+    mesh, lines = str(pathlib.Path(mesh).resolve()), rest[0] if rest else "64"
+    other = torus() if with_torus else {"polytope": OCTAHEDRON}
     with tempfile.TemporaryDirectory() as folder:
         path = str(pathlib.Path(folder) / "scene.json")
 
         def asked(where, *command):
-            scene = {"findspace": 1, "shapes": {"A": {"file": mesh}, "B": {"polytope": OCTAHEDRON}}, "moving": "B"}
+            scene = {"findspace": 1, "shapes": {"A": {"file": mesh}, "B": other}, "moving": "B"}
             if where:
                 scene["where"] = where
             pathlib.Path(path).write_text(json.dumps(scene), encoding="utf-8")
