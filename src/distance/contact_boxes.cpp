@@ -15,8 +15,8 @@ namespace {
 /// Planes of a box, and pairs of triangles looked through for them.
 constexpr std::size_t kFewPlanes = 40, kFewPairs = 1000;
 /// The same where they may pass through one place, as in an exact fit, which is tried every so many divisions.
-constexpr std::size_t kManyPlanes = 2000, kManyPairs = 400000;
-constexpr int kOften = 7;
+constexpr std::size_t kManyPlanes = 2000, kManyPairs = 400000, kPairsEarly = 20000;
+constexpr int kOften = 7, kEarly = 12;
 
 std::vector<HalfSpace> half_spaces(const std::vector<Plane>& planes) { return {planes.begin(), planes.end()}; }
 
@@ -35,7 +35,10 @@ ContactBoxes::ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& 
   const double room = 0x1p-6 * space::length(shadow(of_b.high - of_b.low));
   const auto whole = askew(low - Vector{room, room, room}, space::plus(high, {room, room, room}));
   size_ = space::length(whole.first) + space::length(whole.second) + depths_.size();
-  boxes_.push_back({whole.first, whole.second, 0, State::kNew, -1, {}});
+  // B's box may be larger than A's: then B lies in A nowhere.
+  const Vector wide = whole.second - whole.first;
+  const bool none = wide.x < 0 || wide.y < 0 || wide.z < 0;
+  boxes_.push_back({whole.first, whole.second, 0, none ? State::kOverlap : State::kNew, -1, {}});
 }
 
 const ContactBoxes::Box& ContactBoxes::look(int k) {
@@ -57,7 +60,8 @@ const ContactBoxes::Box& ContactBoxes::look(int k) {
 
 std::optional<std::vector<HalfSpace>> ContactBoxes::many_planes(int k) const {
   const Box& of = box(k);
-  const auto planes = planes_.near(of.middle(), space::length(of.half()), kManyPlanes, kManyPairs);
+  const std::size_t pairs = of.level > kEarly ? kManyPairs : kPairsEarly;
+  const auto planes = planes_.near(of.middle(), space::length(of.half()), kManyPlanes, pairs);
   if (!planes) return std::nullopt;
   return half_spaces(*planes);
 }
