@@ -30,7 +30,8 @@ double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1
 std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, const space::RayBody& body, int f) {
   const Vector from = middle_of(body, f), normal = body.normal_shadows[static_cast<std::size_t>(f)];
   const Vector inward = space::scaled(-1 / space::length(normal), normal);
-  double radius = space::length(exact::shadow(body.high - body.low));
+  const Vector wide = exact::shadow(body.high - body.low);
+  double radius = std::min({wide.x, wide.y, wide.z}) / 2;  // none is larger
   for (int k = 0; k < kShrinks; ++k) {
     const Vector at = space::plus(from, space::scaled(radius, inward));
     const SurfaceField::Signed there = field.at(at);
