@@ -46,6 +46,8 @@ class ContactBoxes {
   bool overlap(const space::RealVector& p) { return overlap_.interiors_meet(p, recent_); }
   /// Whether they do for sure at a position that is off by no more.
   bool surely_overlap(const space::Vector& p, double off) const { return overlap_.surely_meet(p, off, recent_); }
+  /// That were made.
+  std::size_t count() const { return boxes_.size(); }
   /// Of the coordinates and the boxes.
   double size() const { return size_; }
 
