@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
-#include "io/write_json.h"
+#include "io/write/write_json.h"
 #include "position_picture.h"
 #include "report.h"
 #include "session.h"

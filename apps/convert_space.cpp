@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "io/space_surface.h"
-#include "io/write_json.h"
-#include "io/write_json_space.h"
-#include "io/write_mesh.h"
-#include "space/ray_solids.h"
-#include "space/solid.h"
+#include "io/mesh/space_surface.h"
+#include "io/mesh/write_mesh.h"
+#include "io/write/write_json.h"
+#include "io/write/write_json_space.h"
+#include "space/convolution/ray_solids.h"
+#include "space/polytope/solid.h"
 #include "space_commands.h"
 
 namespace findspace::app {

@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "commands.h"
-#include "io/write_constructive.h"
-#include "io/write_json.h"
-#include "io/write_wkt.h"
+#include "io/write/write_constructive.h"
+#include "io/write/write_json.h"
+#include "io/write/write_wkt.h"
 #include "line_choice.h"
-#include "plane/in_order.h"
+#include "plane/query/in_order.h"
 #include "report.h"
 #include "session.h"
 #include "space_commands.h"

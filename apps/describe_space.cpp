@@ -8,12 +8,12 @@
 #include <algorithm>
 
 #include "findspace/error.h"
-#include "io/space_surface.h"
-#include "io/write_json_space.h"
+#include "io/mesh/space_surface.h"
+#include "io/write/write_json_space.h"
 #include "ray_outcome.h"
-#include "space/box_shape.h"
-#include "space/ray_solids.h"
-#include "space/shape_rays.h"
+#include "space/convolution/ray_solids.h"
+#include "space/shape/box_shape.h"
+#include "space/shape/shape_rays.h"
 #include "space_commands.h"
 #include "space_outcome.h"
 #include "space_report.h"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "session.h"
-#include "space/ray_surface.h"
+#include "space/rays/ray_surface.h"
 
 namespace findspace::app {
 

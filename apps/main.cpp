@@ -18,8 +18,8 @@
 
 #include "commands.h"
 #include "deadline.h"
-#include "plane/parallel.h"
-#include "situation/names.h"
+#include "plane/base/parallel.h"
+#include "situation/formula/names.h"
 
 namespace findspace::app {
 namespace {

@@ -10,15 +10,15 @@
 #include <memory>
 #include <utility>
 
-#include "io/draw_slices.h"
-#include "io/write_json_rays.h"
-#include "io/write_mesh.h"
+#include "io/draw/draw_slices.h"
+#include "io/mesh/write_mesh.h"
+#include "io/write/write_json_rays.h"
 #include "ray_optimum.h"
-#include "situation/certain_cells.h"
-#include "situation/evaluate.h"
-#include "situation/solve_rays.h"
-#include "space/ray_axes.h"
-#include "space/ray_sources.h"
+#include "situation/formula/evaluate.h"
+#include "situation/planar/certain_cells.h"
+#include "situation/solid/solve_rays.h"
+#include "space/rays/ray_axes.h"
+#include "space/rays/ray_sources.h"
 #include "space_commands.h"
 
 namespace findspace::app {

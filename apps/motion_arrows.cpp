@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "plane/extent.h"
-#include "plane/topology.h"
+#include "plane/complex/extent.h"
+#include "plane/query/topology.h"
 
 namespace findspace::app {
 

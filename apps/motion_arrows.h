@@ -6,9 +6,9 @@
 
 #include <vector>
 
-#include "io/draw_arrows.h"
-#include "io/scene.h"
-#include "situation/solve.h"
+#include "io/draw/draw_arrows.h"
+#include "io/scene/scene.h"
+#include "situation/planar/solve.h"
 
 namespace findspace::app {
 

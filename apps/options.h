@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/spool.h"
+#include "io/text/spool.h"
 
 namespace findspace::app {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "io/write_phi.h"
+#include "io/write/write_phi.h"
 #include "session.h"
 
 namespace findspace::app {

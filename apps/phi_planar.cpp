@@ -9,13 +9,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "distance/at_position.h"
-#include "io/write_json.h"
-#include "io/write_planar_phi.h"
+#include "distance/planar/at_position.h"
+#include "io/write/write_json.h"
+#include "io/write/write_planar_phi.h"
 #include "phi_command.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/topology.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::app {
 namespace {

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verb place for 3D scenes: bodies one after another (planning/space_sequence.h) or all at once
-// (planning/space_simultaneous.h), the positions each had, and the placed shapes as one mesh.
+// The verb place for 3D scenes: bodies one after another (planning/solid/space_sequence.h) or all at once
+// (planning/solid/space_simultaneous.h), the positions each had, and the placed shapes as one mesh.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "findspace/error.h"
-#include "io/draw_bodies.h"
-#include "io/draw_layout.h"
-#include "io/write_json_rays.h"
-#include "io/write_json_space.h"
-#include "io/write_placement.h"
+#include "io/draw/draw_bodies.h"
+#include "io/draw/draw_layout.h"
+#include "io/write/write_json_rays.h"
+#include "io/write/write_json_space.h"
+#include "io/write/write_placement.h"
 #include "placement_demands.h"
-#include "planning/space_sequence.h"
-#include "planning/space_simultaneous.h"
-#include "space/rotated_shape.h"
+#include "planning/solid/space_sequence.h"
+#include "planning/solid/space_simultaneous.h"
+#include "space/shape/rotated_shape.h"
 #include "space_commands.h"
 
 namespace findspace::app {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <set>
 
-#include "planning/relations.h"
-#include "situation/text.h"
+#include "planning/order/relations.h"
+#include "situation/formula/text.h"
 
 namespace findspace::app {
 namespace {

@@ -5,7 +5,7 @@
 // and which shapes have to be turned for it.
 #pragma once
 
-#include "planning/problem.h"
+#include "planning/order/problem.h"
 #include "session.h"
 
 namespace findspace::app {

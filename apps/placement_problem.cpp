@@ -6,7 +6,7 @@
 #include <set>
 
 #include "placement_demands.h"
-#include "plane/shape.h"
+#include "plane/contour/shape.h"
 
 namespace findspace::app {
 namespace {

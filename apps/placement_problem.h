@@ -5,7 +5,7 @@
 // they speak of. Mistakes are reported at their place in the scene.
 #pragma once
 
-#include "planning/problem.h"
+#include "planning/order/problem.h"
 #include "session.h"
 
 namespace findspace::app {

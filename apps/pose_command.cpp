@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "io/draw_layout.h"
-#include "io/write_poses.h"
-#include "plane/topology.h"
+#include "io/draw/draw_layout.h"
+#include "io/write/write_poses.h"
+#include "plane/query/topology.h"
 #include "turn_command.h"
 
 namespace findspace::app {

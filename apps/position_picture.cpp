@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-#include "io/draw_layout.h"
-#include "plane/measure_cells_twofold.h"
-#include "plane/transform.h"
+#include "io/draw/draw_layout.h"
+#include "plane/build/transform.h"
+#include "plane/query/measure_cells_twofold.h"
 
 namespace findspace::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "session.h"
-#include "situation/solve.h"
+#include "situation/planar/solve.h"
 
 namespace findspace::app {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "situation/optimize_rays.h"
+#include "situation/solid/optimize_rays.h"
 
 namespace findspace::app {
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "io/write_json_rays.h"
+#include "io/write/write_json_rays.h"
 #include "ray_outcome.h"
-#include "space/ray_intervals.h"
-#include "space/ray_summary.h"
-#include "space/ray_surface.h"
+#include "space/rays/ray_intervals.h"
+#include "space/rays/ray_summary.h"
+#include "space/rays/ray_surface.h"
 
 namespace findspace::app {
 

@@ -9,12 +9,12 @@
 #include <optional>
 #include <string>
 
-#include "io/write_json_rays.h"
+#include "io/write/write_json_rays.h"
 #include "line_choice.h"
 #include "session.h"
-#include "situation/ray_minima.h"
-#include "situation/solve_rays.h"
-#include "space/ray_extreme.h"
+#include "situation/solid/ray_minima.h"
+#include "situation/solid/solve_rays.h"
+#include "space/rays/ray_extreme.h"
 
 namespace findspace::app {
 

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "io/draw_layout.h"
-#include "io/write_witness.h"
-#include "plane/measure_cells_twofold.h"
-#include "situation/text.h"
+#include "io/draw/draw_layout.h"
+#include "io/write/write_witness.h"
+#include "plane/query/measure_cells_twofold.h"
+#include "situation/formula/text.h"
 
 namespace findspace::app {
 namespace {

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "io/write_json.h"
-#include "plane/locate_line.h"
-#include "plane/summary.h"
-#include "situation/solve.h"
+#include "io/write/write_json.h"
+#include "plane/query/locate_line.h"
+#include "plane/query/summary.h"
+#include "situation/planar/solve.h"
 
 namespace findspace::app {
 

@@ -12,11 +12,11 @@
 #include <iterator>
 #include <set>
 
-#include "io/write_file.h"
-#include "io/write_json.h"
+#include "io/write/write_file.h"
+#include "io/write/write_json.h"
 #include "motion_arrows.h"
-#include "plane/build.h"
-#include "plane/parallel.h"
+#include "plane/base/parallel.h"
+#include "plane/build/build.h"
 
 namespace findspace::app {
 namespace {

@@ -12,13 +12,13 @@
 #include <string_view>
 #include <vector>
 
-#include "io/scene.h"
-#include "io/spool.h"
-#include "io/write_svg.h"
+#include "io/scene/scene.h"
+#include "io/text/spool.h"
+#include "io/write/write_svg.h"
 #include "options.h"
-#include "situation/optimize.h"
-#include "situation/parse.h"
-#include "situation/parse_goal.h"
+#include "situation/formula/parse.h"
+#include "situation/formula/parse_goal.h"
+#include "situation/planar/optimize.h"
 #include "talk.h"
 
 namespace findspace::app {

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/draw_space.h"
-#include "io/space_surface.h"
-#include "io/write_json_space.h"
-#include "plane/parallel.h"
+#include "io/draw/draw_space.h"
+#include "io/mesh/space_surface.h"
+#include "io/write/write_json_space.h"
+#include "plane/base/parallel.h"
 #include "ray_outcome.h"
-#include "situation/optimize_convex.h"
+#include "situation/solid/optimize_convex.h"
 #include "space_outcome.h"
 #include "space_report.h"
 

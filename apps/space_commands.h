@@ -5,10 +5,10 @@
 // the plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
 #pragma once
 
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "line_choice.h"
 #include "session.h"
-#include "situation/solve_space.h"
+#include "situation/solid/solve_space.h"
 
 namespace findspace::app {
 

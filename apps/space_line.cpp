@@ -4,11 +4,11 @@
 // map of a 3D scene whose shape moves along one line.
 #include <fmt/format.h>
 
-#include "io/draw_layout.h"
-#include "io/write_json.h"
+#include "io/draw/draw_layout.h"
+#include "io/write/write_json.h"
 #include "report.h"
-#include "situation/optimize_line.h"
-#include "situation/ray_minima.h"
+#include "situation/solid/optimize_line.h"
+#include "situation/solid/ray_minima.h"
 #include "space_commands.h"
 
 namespace findspace::app {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/space_surface.h"
-#include "io/write_json_space.h"
+#include "io/mesh/space_surface.h"
+#include "io/write/write_json_space.h"
 #include "space_report.h"
 
 namespace findspace::app {

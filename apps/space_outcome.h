@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "io/write_json.h"
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
+#include "io/write/write_json.h"
 #include "line_choice.h"
 #include "session.h"
-#include "situation/solve_space.h"
+#include "situation/solid/solve_space.h"
 
 namespace findspace::app {
 

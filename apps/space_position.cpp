@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "io/draw_bodies.h"
-#include "io/write_json_space.h"
-#include "situation/text.h"
+#include "io/draw/draw_bodies.h"
+#include "io/write/write_json_space.h"
+#include "situation/formula/text.h"
 #include "space_commands.h"
 #include "space_outcome.h"
 #include "space_report.h"

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "io/draw_layout.h"
-#include "situation/text.h"
+#include "io/draw/draw_layout.h"
+#include "situation/formula/text.h"
 
 namespace findspace::app {
 namespace {

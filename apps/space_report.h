@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/write_json.h"
-#include "situation/solve_space.h"
-#include "space/box_summary.h"
+#include "io/write/write_json.h"
+#include "situation/solid/solve_space.h"
+#include "space/box/box_summary.h"
 
 namespace findspace::app {
 

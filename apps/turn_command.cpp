@@ -7,11 +7,11 @@
 
 #include <algorithm>
 
-#include "io/draw_layout.h"
-#include "io/draw_turns.h"
-#include "io/write_json.h"
-#include "io/write_turns.h"
-#include "plane/measure_cells_twofold.h"
+#include "io/draw/draw_layout.h"
+#include "io/write/draw_turns.h"
+#include "io/write/write_json.h"
+#include "io/write/write_turns.h"
+#include "plane/query/measure_cells_twofold.h"
 #include "position_picture.h"
 #include "report.h"
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "session.h"
-#include "situation/solve_turning.h"
+#include "situation/planar/solve_turning.h"
 
 namespace findspace::app {
 

@@ -7,11 +7,11 @@
 #include <functional>
 
 #include "contenders.h"
-#include "plane/contour.h"
-#include "plane/level.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/offset/level.h"
+#include "plane/sum/minkowski.h"
 
 namespace bench {
 namespace {

@@ -19,9 +19,9 @@
 #include <random>
 #include <string>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "phi_rivals.h"
-#include "space/depth_grid.h"
+#include "space/phi/depth_grid.h"
 
 namespace phi_bench {
 

@@ -14,10 +14,10 @@
 #include <string>
 
 #include "differential/space_wheels.h"
-#include "plane/parallel.h"
+#include "plane/base/parallel.h"
 #include "ray_inputs.h"
-#include "space/ray_ball.h"
-#include "space/ray_pair.h"
+#include "space/convolution/ray_ball.h"
+#include "space/convolution/ray_pair.h"
 
 namespace {
 

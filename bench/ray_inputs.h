@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "space/ray_body.h"
+#include "space/convolution/ray_body.h"
 
 namespace ray_bench {
 

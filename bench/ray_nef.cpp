@@ -14,8 +14,8 @@
 #include "differential/space_voxels.h"
 #include "differential/space_wheels.h"
 #include "ray_inputs.h"
-#include "space/mesh_crossing.h"
-#include "space/ray_axes.h"
+#include "space/convolution/mesh_crossing.h"
+#include "space/rays/ray_axes.h"
 
 namespace {
 

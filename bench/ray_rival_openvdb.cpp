@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "ray_inputs.h"
-#include "space/ray_map.h"
+#include "space/rays/ray_map.h"
 
 namespace {
 

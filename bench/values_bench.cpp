@@ -16,15 +16,15 @@
 #include <memory>
 #include <string_view>
 
-#include "distance/at_position.h"
-#include "plane/contour.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
-#include "plane/topology.h"
-#include "situation/evaluate.h"
-#include "situation/parse.h"
-#include "situation/solve.h"
+#include "distance/planar/at_position.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
+#include "situation/formula/evaluate.h"
+#include "situation/formula/parse.h"
+#include "situation/planar/solve.h"
 #include "values_rivals.h"
 
 namespace {

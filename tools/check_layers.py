@@ -5,7 +5,8 @@
 
 usage: check_layers.py [ROOT]
 
-1. A file of src/<layer>/ includes only its own layer and lower ones, always as "layer/file.h".
+1. A file of src/<layer>/<street>/ includes only its own layer and lower ones, always as "layer/street/file.h". Within
+   a layer no streets include each other in a circle. A street has at most 40 files, and its layer's README names it.
 2. A header of include/findspace/ includes only the standard library and its neighbours.
 3. Every source file opens with the two SPDX lines.
 4. Outside src/exact no small constant (1e-9) stands in the code: only src/exact decides signs. One that
@@ -18,6 +19,8 @@ import sys
 
 LAYERS = ["exact", "plane", "space", "distance", "situation", "planning", "io"]
 CODE = (".h", ".cpp")
+MOST_FILES = 40  # of a street
+MOST_LINES = 10  # of the README of a layer
 OWN = ("src", "include", "apps", "tests", "bench", "python", "tools")
 SPDX = ("SPDX-License-Identifier: Apache-2.0", "SPDX-FileCopyrightText: findspace contributors")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -49,22 +52,83 @@ def includes(text):
             yield number, found.group(1), found.group(2)
 
 
-def check_layer_includes(root):
+def street_files(root):
+    """(layer, street, path) of every source file, and what stands elsewhere as (None, None, path)."""
     for path in files(root, "src"):
         parts = path.split(os.sep)
-        if not path.endswith(CODE):
-            continue
-        if len(parts) < 3 or parts[1] not in LAYERS:
-            yield path, 1, "is in no layer of src/"
+        if path.endswith(CODE):
+            yield (parts[1], parts[2], path) if len(parts) == 4 and parts[1] in LAYERS else (None, None, path)
+
+
+def check_layer_includes(root):
+    for layer, _, path in street_files(root):
+        if layer is None:
+            yield path, 1, "is in no street src/<layer>/<street>/"
             continue
         for number, kind, name in includes(read(root, path)):
             top = name.split("/")[0]
             if kind == "<" or top == "findspace":
                 continue
-            if "/" not in name or top not in LAYERS:
-                yield path, number, f'include "{name}" names no layer'
-            elif LAYERS.index(top) > LAYERS.index(parts[1]):
-                yield path, number, f'{parts[1]} includes "{name}" from a higher layer'
+            if name.count("/") != 2 or top not in LAYERS:
+                yield path, number, f'include "{name}" names no layer and street'
+            elif LAYERS.index(top) > LAYERS.index(layer):
+                yield path, number, f'{layer} includes "{name}" from a higher layer'
+
+
+def street_graph(root):
+    """{(layer, street): {street of the same layer: (path, line) of the first include}}"""
+    graph = {}
+    for layer, street, path in street_files(root):
+        if layer is None:
+            continue
+        below = graph.setdefault((layer, street), {})
+        for number, kind, name in includes(read(root, path)):
+            parts = name.split("/")
+            if kind == '"' and len(parts) == 3 and parts[0] == layer and parts[1] != street:
+                below.setdefault(parts[1], (path, number))
+    return graph
+
+
+def order_of_streets(graph, layer):
+    """The streets of a layer, lower ones first, and the circles that remain."""
+    left = {street: set(below) for (of, street), below in graph.items() if of == layer}
+    order = []
+    while left:
+        free = sorted(street for street, below in left.items() if not below & set(left))
+        if not free:
+            break
+        order += free
+        for street in free:
+            del left[street]
+    return order, left
+
+
+def check_streets(root):
+    graph = street_graph(root)
+    for layer in LAYERS:
+        order, circle = order_of_streets(graph, layer)
+        for street in sorted(circle):
+            for other in sorted(set(graph[layer, street]) & set(circle)):
+                path, number = graph[layer, street][other]
+                yield path, number, f"street {layer}/{street} stands in a circle with {layer}/{other}"
+        readme = os.path.join("src", layer, "README.md")
+        text = read(root, readme) if os.path.exists(os.path.join(root, readme)) else ""
+        if not text or len(text.splitlines()) > MOST_LINES:
+            yield readme, 1, f"a layer has a README of at most {MOST_LINES} lines that says what each street holds"
+        named = re.findall(r"^\* `(\w+)/`", text, re.M)
+        if sorted(named) != sorted(order + list(circle)):
+            yield readme, 1, f"names the streets {named}, and there are {order}"
+        below = {street: number for number, street in enumerate(named)}
+        for street in named:
+            for other in graph.get((layer, street), {}):
+                if below.get(other, -1) > below[street]:
+                    yield readme, 1, f"{street} includes {other}, which the README names later"
+    count = {}
+    for layer, street, path in street_files(root):
+        count[layer, street] = count.get((layer, street), 0) + 1
+    for (layer, street), number in sorted(count.items(), key=str):
+        if number > MOST_FILES:
+            yield os.path.join("src", layer, street), 1, f"has {number} files; a street has at most {MOST_FILES}"
 
 
 def check_public_headers(root):
@@ -102,7 +166,7 @@ def check_small_constants(root):
 def main(argv):
     root = argv[0] if argv else os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     faults = 0
-    for check in (check_layer_includes, check_public_headers, check_licence_lines, check_small_constants):
+    for check in (check_layer_includes, check_streets, check_public_headers, check_licence_lines, check_small_constants):
         for path, line, fault in check(root):
             print(f"{path}:{line}: {fault}")
             faults += 1

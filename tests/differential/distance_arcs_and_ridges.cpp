@@ -15,10 +15,10 @@
 #include <numbers>
 #include <random>
 
-#include "distance/at_position.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/path_region.h"
+#include "distance/planar/at_position.h"
+#include "plane/build/path_region.h"
+#include "plane/complex/overlay.h"
+#include "plane/sum/minkowski.h"
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {

@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "differential/space_oracle.h"
-#include "distance/solid_pair.h"
+#include "distance/solid/solid_pair.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

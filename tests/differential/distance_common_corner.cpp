@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "distance/common_corner.h"
+#include "distance/planar_features/common_corner.h"
 #include "law/distance_random.h"
-#include "plane/locate.h"
+#include "plane/query/locate.h"
 
 namespace findspace::distance {
 namespace {

@@ -5,9 +5,9 @@
 // the nearest free one no sampled place of the solid is in the body, and at no position that is nearer they are apart.
 #include <gtest/gtest.h>
 
-#include "distance/cut_pair.h"
-#include "distance/cut_rays.h"
-#include "distance/meet_slack.h"
+#include "distance/cut/cut_pair.h"
+#include "distance/cut/cut_rays.h"
+#include "distance/search/meet_slack.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 

@@ -6,8 +6,8 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
-#include "distance/cut_pair.h"
-#include "distance/cut_rays.h"
+#include "distance/cut/cut_pair.h"
+#include "distance/cut/cut_rays.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 

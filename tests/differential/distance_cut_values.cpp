@@ -10,8 +10,8 @@
 #include <functional>
 #include <random>
 
-#include "distance/cut_pair.h"
-#include "distance/cut_rays.h"
+#include "distance/cut/cut_pair.h"
+#include "distance/cut/cut_rays.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Clearances of solids from the facets of their convolution (space/facet_rays.h) against those from their convex parts
-// (ray_signs.h): the same sign everywhere on every line, in general position and along walls and edges, in exact fits.
+// Clearances of solids from the facets of their convolution (space/convolution/facet_rays.h) against those from their
+// convex parts (ray_signs.h): the same sign everywhere on every line, in general position and along walls and edges, in
+// exact fits.
 #include <gtest/gtest.h>
 
 #include "differential/space_voxels.h"
-#include "distance/ray_signs.h"
-#include "space/facet_rays.h"
+#include "distance/rays/ray_signs.h"
+#include "space/convolution/facet_rays.h"
 
 namespace findspace::distance {
 namespace {

@@ -10,10 +10,10 @@
 #include <cmath>
 #include <random>
 
-#include "distance/at_position.h"
-#include "plane/contour.h"
-#include "plane/locate.h"
-#include "plane/primitives.h"
+#include "distance/planar/at_position.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/query/locate.h"
 
 namespace findspace::distance {
 namespace {

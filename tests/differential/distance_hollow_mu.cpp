@@ -10,8 +10,8 @@
 #include <functional>
 #include <random>
 
-#include "distance/ray_signs.h"
-#include "distance/solid_pair.h"
+#include "distance/rays/ray_signs.h"
+#include "distance/solid/solid_pair.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

@@ -12,8 +12,8 @@
 #include <random>
 #include <set>
 
-#include "distance/at_position.h"
-#include "plane/overlay.h"
+#include "distance/planar/at_position.h"
+#include "plane/complex/overlay.h"
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {

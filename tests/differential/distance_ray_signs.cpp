@@ -5,10 +5,10 @@
 // every event, where the value has to be the level, and between events.
 #include <gtest/gtest.h>
 
-#include "distance/ray_signs.h"
-#include "distance/solid_pair.h"
+#include "distance/rays/ray_signs.h"
+#include "distance/solid/solid_pair.h"
 #include "findspace/error.h"
-#include "space/oblique_line.h"
+#include "space/rays/oblique_line.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <random>
 
-#include "distance/ray_directional.h"
-#include "distance/ray_signs.h"
-#include "distance/track_value.h"
-#include "space/oblique_line.h"
+#include "distance/planar/track_value.h"
+#include "distance/rays/ray_directional.h"
+#include "distance/rays/ray_signs.h"
+#include "space/rays/oblique_line.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

@@ -13,7 +13,7 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
-#include "distance/at_position.h"
+#include "distance/planar/at_position.h"
 
 using namespace findspace::distance;
 using findspace::exact::Real;

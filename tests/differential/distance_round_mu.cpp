@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "distance/solid_pair.h"
+#include "distance/solid/solid_pair.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

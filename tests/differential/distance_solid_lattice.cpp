@@ -7,8 +7,8 @@
 
 #include <set>
 
-#include "distance/box_pair.h"
-#include "distance/solid_pair.h"
+#include "distance/solid/box_pair.h"
+#include "distance/solid/solid_pair.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

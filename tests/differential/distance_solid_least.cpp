@@ -5,8 +5,8 @@
 // of which may be less.
 #include <gtest/gtest.h>
 
-#include "distance/box_pair.h"
-#include "distance/solid_least.h"
+#include "distance/solid/box_pair.h"
+#include "distance/solid/solid_least.h"
 #include "findspace/error.h"
 #include "unit/space_bodies.h"
 

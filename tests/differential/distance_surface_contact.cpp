@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "differential/space_voxels.h"
-#include "distance/solid_pair.h"
-#include "distance/surface_contact.h"
-#include "space/real_overlap.h"
+#include "distance/solid/solid_pair.h"
+#include "distance/surface/surface_contact.h"
+#include "space/surface/real_overlap.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

@@ -8,9 +8,9 @@
 #include <numeric>
 #include <random>
 
-#include "distance/solid_mu.h"
-#include "distance/surface_pair.h"
-#include "space/mesh.h"
+#include "distance/search/solid_mu.h"
+#include "distance/surface/surface_pair.h"
+#include "space/mesh/mesh.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

@@ -2,17 +2,17 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Depths, how far a shape is from fitting and the farthest fit from the positions at which solids touch
-// (space/touch_rays.h) against those from the convex parts of both (ray_signs.h): the same sign everywhere on every
-// line, in general position and along walls and edges, in slits and exact fits. And how far one sticks out of the other
-// by the triangles of its surface.
+// (space/surface/touch_rays.h) against those from the convex parts of both (ray_signs.h): the same sign everywhere on
+// every line, in general position and along walls and edges, in slits and exact fits. And how far one sticks out of the
+// other by the triangles of its surface.
 #include <gtest/gtest.h>
 
 #include "differential/space_voxels.h"
-#include "distance/ray_signs.h"
-#include "distance/stick_out_rays.h"
-#include "space/ray_ball.h"
-#include "space/ray_pair.h"
-#include "space/touch_rays.h"
+#include "distance/rays/ray_signs.h"
+#include "distance/rays/stick_out_rays.h"
+#include "space/convolution/ray_ball.h"
+#include "space/convolution/ray_pair.h"
+#include "space/surface/touch_rays.h"
 
 namespace findspace::distance {
 namespace {

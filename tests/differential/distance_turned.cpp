@@ -12,11 +12,11 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
-#include "distance/turned_directional.h"
-#include "distance/turned_pair.h"
-#include "distance/turning.h"
-#include "distance/turning_angles.h"
-#include "plane/transform.h"
+#include "distance/rotation/turned_directional.h"
+#include "distance/rotation/turned_pair.h"
+#include "distance/rotation/turning.h"
+#include "distance/rotation/turning_angles.h"
+#include "plane/build/transform.h"
 
 namespace findspace::distance {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include "distance/ray_signs.h"
-#include "distance/solid_pair.h"
+#include "distance/rays/ray_signs.h"
+#include "distance/solid/solid_pair.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

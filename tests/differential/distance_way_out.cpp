@@ -10,13 +10,13 @@
 #include <cmath>
 #include <random>
 
-#include "distance/at_position.h"
-#include "distance/farthest.h"
-#include "distance/way_out.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
-#include "plane/topology.h"
+#include "distance/planar/at_position.h"
+#include "distance/planar/farthest.h"
+#include "distance/planar/way_out.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::distance {
 namespace {

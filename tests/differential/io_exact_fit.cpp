@@ -13,13 +13,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "plane/contour.h"
-#include "plane/level.h"
-#include "plane/locate.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
-#include "plane/topology.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/offset/level.h"
+#include "plane/query/locate.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
 namespace {

@@ -11,7 +11,7 @@
 #include <iterator>
 
 #include "differential/space_oracle.h"
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 namespace findspace {
 namespace {

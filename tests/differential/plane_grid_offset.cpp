@@ -17,12 +17,12 @@
 
 #include "findspace/error.h"
 #include "law/plane_invariants.h"
-#include "plane/contour.h"
-#include "plane/grid_offset.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
-#include "plane/topology.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/offset/grid_offset.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
 namespace {

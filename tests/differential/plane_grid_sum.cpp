@@ -13,10 +13,10 @@
 
 #include "differential/whole_sum.h"
 #include "findspace/error.h"
-#include "plane/contour.h"
-#include "plane/grid_faces.h"
-#include "plane/minkowski.h"
-#include "plane/primitives.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/grid/grid_faces.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
 namespace {

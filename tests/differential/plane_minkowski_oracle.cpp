@@ -11,11 +11,11 @@
 #include <array>
 #include <random>
 
-#include "plane/level.h"
-#include "plane/locate.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/offset/level.h"
+#include "plane/query/locate.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
 namespace {

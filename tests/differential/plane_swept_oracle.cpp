@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What moving windows see (plane/swept.h), cell by cell, against looking: the marks of the complex along each window,
-// one at a time (plane/section.h). And sums with closed and open segments against the convolution (plain_sum.h), which
-// knows nothing of windows.
+// What moving windows see (plane/build/swept.h), cell by cell, against looking: the marks of the complex along each
+// window, one at a time (plane/query/section.h). And sums with closed and open segments against the convolution
+// (plain_sum.h), which knows nothing of windows.
 #include <gtest/gtest.h>
 
 #include "findspace/error.h"
 #include "law/plane_random.h"
-#include "plane/locate.h"
-#include "plane/plain_sum.h"
-#include "plane/section.h"
-#include "plane/swept.h"
+#include "plane/build/swept.h"
+#include "plane/offset/plain_sum.h"
+#include "plane/query/locate.h"
+#include "plane/query/section.h"
 
 namespace findspace::plane {
 namespace {

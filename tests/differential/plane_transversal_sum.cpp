@@ -15,14 +15,14 @@
 
 #include "differential/whole_sum.h"
 #include "findspace/error.h"
-#include "plane/contour.h"
-#include "plane/grid_faces.h"
-#include "plane/meeting_curves.h"
-#include "plane/minkowski.h"
-#include "plane/pair_sums.h"
-#include "plane/prune_inside.h"
-#include "plane/topology.h"
-#include "plane/transversal_sum.h"
+#include "plane/contour/contour.h"
+#include "plane/grid/grid_faces.h"
+#include "plane/grid/meeting_curves.h"
+#include "plane/grid/prune_inside.h"
+#include "plane/grid/transversal_sum.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
+#include "plane/sum/pair_sums.h"
 
 namespace findspace::plane {
 namespace {

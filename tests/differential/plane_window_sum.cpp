@@ -12,11 +12,11 @@
 #include <random>
 
 #include "findspace/error.h"
-#include "plane/contour.h"
-#include "plane/local_sum.h"
-#include "plane/minkowski.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/sum/local_sum.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
 namespace {

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "../unit/distance_shapes.h"
-#include "planning/pose_stack.h"
-#include "situation/parse.h"
-#include "situation/solve_turning.h"
+#include "planning/pose/pose_stack.h"
+#include "situation/formula/parse.h"
+#include "situation/planar/solve_turning.h"
 
 namespace findspace::planning {
 namespace {

@@ -10,9 +10,9 @@
 #include <random>
 #include <set>
 
-#include "planning/space_sequence.h"
-#include "situation/parse.h"
-#include "space/solid.h"
+#include "planning/solid/space_sequence.h"
+#include "situation/formula/parse.h"
+#include "space/polytope/solid.h"
 
 namespace findspace::planning {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "differential/space_voxels.h"
-#include "distance/ray_signs.h"
-#include "situation/contact_rays.h"
+#include "distance/rays/ray_signs.h"
+#include "situation/solid/contact_rays.h"
 
 namespace findspace::situation {
 namespace {

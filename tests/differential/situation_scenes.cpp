@@ -11,11 +11,11 @@
 #include <cmath>
 #include <random>
 
-#include "plane/locate.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
-#include "situation/parse.h"
-#include "situation/solve.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/query/locate.h"
+#include "situation/formula/parse.h"
+#include "situation/planar/solve.h"
 
 namespace findspace::situation {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "differential/space_nef_sum.h"
-#include "space/ray_summary.h"
+#include "space/rays/ray_summary.h"
 
 namespace findspace::space::nef_oracle {
 

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <random>
 
-#include "space/ray_pair.h"
+#include "space/convolution/ray_pair.h"
 
 namespace findspace::space::nef_oracle {
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "space/contact_surface.h"
+#include "space/phi/contact_surface.h"
 
 namespace findspace::space {
 

@@ -5,7 +5,7 @@
 // slanted solids between a polytope inside the ball and one about it.
 #include <gtest/gtest.h>
 
-#include "space/ray_ball.h"
+#include "space/convolution/ray_ball.h"
 #include "space_voxels.h"
 
 namespace findspace::space {

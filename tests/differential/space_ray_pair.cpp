@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "space/ray_pair.h"
+#include "space/convolution/ray_pair.h"
 #include "space_voxels.h"
 
 namespace findspace::space {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <map>
 
-#include "space/ray_pair.h"
-#include "space/ray_surface.h"
+#include "space/convolution/ray_pair.h"
+#include "space/rays/ray_surface.h"
 #include "space_voxels.h"
 
 namespace findspace::space {

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "findspace/error.h"
-#include "space/ray_body.h"
-#include "space/shape_rays.h"
-#include "space/solid.h"
+#include "space/convolution/ray_body.h"
+#include "space/polytope/solid.h"
+#include "space/shape/shape_rays.h"
 #include "unit/solid_shapes.h"
 #include "unit/space_bodies.h"
 

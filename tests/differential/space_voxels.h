@@ -11,9 +11,9 @@
 #include <set>
 #include <vector>
 
-#include "space/body.h"
-#include "space/phi_union.h"
-#include "space/ray_body.h"
+#include "space/body/body.h"
+#include "space/convolution/ray_body.h"
+#include "space/phi/phi_union.h"
 
 namespace findspace::space {
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "space/ray_body.h"
+#include "space/convolution/ray_body.h"
 
 namespace findspace::space {
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "plane/boundary.h"
-#include "plane/convolution.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
+#include "plane/complex/boundary.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/sum/convolution.h"
 
 namespace findspace::plane {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "findspace/error.h"
-#include "io/read_file.h"
+#include "io/read/read_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace findspace;

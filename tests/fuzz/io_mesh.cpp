@@ -8,8 +8,8 @@
 #include <string>
 
 #include "findspace/error.h"
-#include "io/read_mesh.h"
-#include "space/mesh.h"
+#include "io/mesh/read_mesh.h"
+#include "space/mesh/mesh.h"
 
 namespace {
 

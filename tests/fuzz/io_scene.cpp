@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Any bytes are a scene or an Error. Of a scene, the promises of src/plane/shape.h hold: rings have their direction and
-// every vertex is on the grid. No file is opened.
+// Any bytes are a scene or an Error. Of a scene, the promises of src/plane/contour/shape.h hold: rings have their
+// direction and every vertex is on the grid. No file is opened.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
 #include "findspace/error.h"
-#include "io/scene.h"
-#include "plane/contour.h"
+#include "io/scene/scene.h"
+#include "plane/contour/contour.h"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "situation/evaluate.h"
-#include "situation/parse.h"
-#include "situation/text.h"
+#include "situation/formula/evaluate.h"
+#include "situation/formula/parse.h"
+#include "situation/formula/text.h"
 
 namespace {
 

@@ -8,9 +8,9 @@
 
 #include <cmath>
 
-#include "distance/at_position.h"
+#include "distance/planar/at_position.h"
 #include "distance_random.h"
-#include "plane/nearest.h"
+#include "plane/query/nearest.h"
 
 namespace findspace::distance {
 namespace {

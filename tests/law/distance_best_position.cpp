@@ -11,13 +11,13 @@
 #include <limits>
 #include <numbers>
 
-#include "distance/best_position.h"
-#include "distance/rotation_in_time.h"
-#include "distance/turning_motion.h"
+#include "distance/planar_least/best_position.h"
+#include "distance/rotation/rotation_in_time.h"
+#include "distance/rotation/turning_motion.h"
 #include "law/plane_random.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
-#include "plane/topology.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 namespace {

@@ -10,10 +10,10 @@
 #include <array>
 #include <cmath>
 
-#include "distance/at_position.h"
-#include "distance/extremum.h"
+#include "distance/planar/at_position.h"
+#include "distance/planar_least/extremum.h"
 #include "distance_random.h"
-#include "plane/topology.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 namespace {

@@ -10,10 +10,10 @@
 #include <array>
 #include <memory>
 
-#include "distance/directional.h"
-#include "distance/shape_pair.h"
+#include "distance/planar/directional.h"
+#include "distance/planar/shape_pair.h"
 #include "law/plane_random.h"
-#include "plane/locate.h"
+#include "plane/query/locate.h"
 
 namespace findspace::distance {
 namespace {

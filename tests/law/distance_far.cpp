@@ -9,14 +9,14 @@
 #include <array>
 #include <cmath>
 
-#include "distance/at_position.h"
-#include "distance/extremum.h"
+#include "distance/planar/at_position.h"
+#include "distance/planar_least/extremum.h"
 #include "distance_random.h"
-#include "plane/moved.h"
-#include "plane/nearest.h"
-#include "plane/overlay.h"
-#include "plane/real_vector.h"
-#include "plane/topology.h"
+#include "plane/base/real_vector.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/moved.h"
+#include "plane/query/nearest.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 namespace {

@@ -14,10 +14,10 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
-#include "distance/extremum.h"
-#include "distance/shape_pair.h"
+#include "distance/planar/shape_pair.h"
+#include "distance/planar_least/extremum.h"
 #include "distance_random.h"
-#include "plane/topology.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 namespace {

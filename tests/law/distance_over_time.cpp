@@ -8,11 +8,11 @@
 
 #include <algorithm>
 
-#include "distance/over_time.h"
-#include "distance/shape_pair.h"
+#include "distance/planar/shape_pair.h"
+#include "distance/rotation/over_time.h"
 #include "law/plane_random.h"
-#include "plane/locate.h"
-#include "plane/section.h"
+#include "plane/query/locate.h"
+#include "plane/query/section.h"
 
 namespace findspace::distance {
 namespace {

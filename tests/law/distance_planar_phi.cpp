@@ -11,11 +11,11 @@
 #include <numeric>
 #include <random>
 
-#include "distance/signed_distance.h"
-#include "plane/build.h"
-#include "plane/topology.h"
-#include "space/closed_forms.h"
-#include "space/planar_phi_union.h"
+#include "distance/planar/signed_distance.h"
+#include "plane/build/build.h"
+#include "plane/query/topology.h"
+#include "space/phi/planar_phi_union.h"
+#include "space/polytope/closed_forms.h"
 
 namespace findspace::distance {
 namespace {

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
-#include "distance/shape_pair.h"
-#include "plane/minkowski.h"
+#include "distance/planar/shape_pair.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::distance {
 

@@ -12,12 +12,12 @@
 #include <cmath>
 #include <random>
 
-#include "distance/extremum.h"
-#include "distance/shape_pair.h"
+#include "distance/planar/shape_pair.h"
+#include "distance/planar_least/extremum.h"
 #include "distance_random.h"
 #include "findspace/error.h"
-#include "plane/contour.h"
-#include "plane/topology.h"
+#include "plane/contour/contour.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 namespace {

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "differential/space_oracle.h"
-#include "distance/box_pair.h"
-#include "distance/solid_pair.h"
+#include "distance/solid/box_pair.h"
+#include "distance/solid/solid_pair.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {

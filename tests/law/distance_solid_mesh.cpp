@@ -6,7 +6,7 @@
 // the mesh itself.
 #include <gtest/gtest.h>
 
-#include "distance/solid_pair.h"
+#include "distance/solid/solid_pair.h"
 #include "unit/space_bodies.h"
 #include "unit/space_bumps.h"
 

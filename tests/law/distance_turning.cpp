@@ -12,12 +12,12 @@
 #include <limits>
 #include <numbers>
 
-#include "distance/rotation_in_time.h"
-#include "distance/turning_map.h"
-#include "distance/turning_positions.h"
+#include "distance/rotation/rotation_in_time.h"
+#include "distance/rotation/turning_map.h"
+#include "distance/rotation/turning_positions.h"
 #include "law/plane_random.h"
-#include "plane/locate.h"
-#include "plane/primitives.h"
+#include "plane/complex/primitives.h"
+#include "plane/query/locate.h"
 
 namespace findspace::distance {
 namespace {

@@ -10,13 +10,13 @@
 
 #include <random>
 
-#include "exact/real_text.h"
-#include "io/scene.h"
-#include "io/write_cells.h"
-#include "io/write_constructive.h"
-#include "plane/build.h"
-#include "plane/overlay.h"
-#include "plane/topology.h"
+#include "exact/number/real_text.h"
+#include "io/scene/scene.h"
+#include "io/write/write_cells.h"
+#include "io/write/write_constructive.h"
+#include "plane/build/build.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/topology.h"
 
 namespace findspace::io {
 namespace {

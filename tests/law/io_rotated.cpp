@@ -9,8 +9,8 @@
 
 #include <cmath>
 
-#include "io/scene.h"
-#include "space/rounded_phi.h"
+#include "io/scene/scene.h"
+#include "space/body/rounded_phi.h"
 
 namespace findspace::io {
 namespace {

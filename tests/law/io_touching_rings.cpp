@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <array>
 
-#include "io/read_file.h"
-#include "io/write_svg.h"
-#include "io/write_wkt.h"
+#include "io/read/read_file.h"
+#include "io/write/write_svg.h"
+#include "io/write/write_wkt.h"
 #include "law/plane_random.h"
-#include "plane/primitives.h"
-#include "plane/touching_rings.h"
+#include "plane/build/touching_rings.h"
+#include "plane/complex/primitives.h"
 
 namespace findspace::io {
 namespace {

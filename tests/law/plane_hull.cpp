@@ -7,8 +7,8 @@
 
 #include "findspace/error.h"
 #include "law/plane_random.h"
-#include "plane/hull.h"
-#include "plane/plain_sum.h"
+#include "plane/build/hull.h"
+#include "plane/offset/plain_sum.h"
 
 namespace findspace::plane {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "plane/cell_complex.h"
+#include "plane/complex/cell_complex.h"
 
 namespace findspace::plane {
 namespace invariants {

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "../unit/plane_topology_sets.h"
-#include "plane/extent.h"
-#include "plane/islands.h"
-#include "plane/side_by_side.h"
+#include "plane/complex/extent.h"
+#include "plane/complex/side_by_side.h"
+#include "plane/query/islands.h"
 #include "plane_invariants.h"
 
 namespace findspace::plane {

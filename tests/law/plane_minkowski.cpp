@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "law/plane_random.h"
-#include "plane/locate.h"
-#include "plane/minkowski.h"
-#include "plane/plain_sum.h"
+#include "plane/offset/plain_sum.h"
+#include "plane/query/locate.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
 namespace {

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "law/plane_invariants.h"
-#include "plane/build.h"
-#include "plane/contour.h"
-#include "plane/overlay.h"
-#include "plane/topology.h"
+#include "plane/build/build.h"
+#include "plane/complex/overlay.h"
+#include "plane/contour/contour.h"
+#include "plane/query/topology.h"
 
 namespace findspace::plane {
 

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "law/plane_random.h"
-#include "plane/locate.h"
-#include "plane/minkowski.h"
+#include "plane/query/locate.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
 namespace {

@@ -8,8 +8,8 @@
 #include <array>
 #include <random>
 
-#include "situation/certain_cells.h"
-#include "situation/evaluate.h"
+#include "situation/formula/evaluate.h"
+#include "situation/planar/certain_cells.h"
 
 namespace findspace::situation {
 namespace {

@@ -10,9 +10,9 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
-#include "plane/minkowski.h"
-#include "situation/parse.h"
-#include "situation/solve.h"
+#include "plane/sum/minkowski.h"
+#include "situation/formula/parse.h"
+#include "situation/planar/solve.h"
 
 using namespace findspace::situation;
 using findspace::exact::Real;

@@ -14,9 +14,9 @@
 #include <random>
 #include <regex>
 
-#include "situation/evaluate.h"
-#include "situation/parse.h"
-#include "situation/text.h"
+#include "situation/formula/evaluate.h"
+#include "situation/formula/parse.h"
+#include "situation/formula/text.h"
 
 namespace findspace::situation {
 namespace {

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "../unit/plane_topology_sets.h"
-#include "situation/feasible_near.h"
-#include "situation/parse.h"
+#include "situation/formula/parse.h"
+#include "situation/planar/feasible_near.h"
 
 namespace findspace::situation {
 namespace {

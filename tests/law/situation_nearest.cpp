@@ -10,11 +10,11 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
-#include "plane/minkowski.h"
-#include "plane/nearest.h"
-#include "plane/topology.h"
-#include "situation/parse.h"
-#include "situation/solve.h"
+#include "plane/query/nearest.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
+#include "situation/formula/parse.h"
+#include "situation/planar/solve.h"
 
 using namespace findspace::situation;
 using findspace::exact::Real;

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "../unit/plane_topology_sets.h"
-#include "situation/parse.h"
-#include "situation/solve.h"
+#include "situation/formula/parse.h"
+#include "situation/planar/solve.h"
 
 namespace findspace::situation {
 namespace {

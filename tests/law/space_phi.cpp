@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "differential/space_oracle.h"
-#include "space/depth_grid.h"
-#include "space/phi_exact.h"
-#include "space/phi_union.h"
+#include "space/phi/depth_grid.h"
+#include "space/phi/phi_exact.h"
+#include "space/phi/phi_union.h"
 
 namespace findspace::space {
 namespace {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-#include "space/rounded_phi.h"
+#include "space/body/rounded_phi.h"
 
 namespace findspace::space {
 namespace {

@@ -15,13 +15,13 @@
 #include <numeric>
 #include <random>
 
-#include "io/read_mesh.h"
-#include "space/convex_parts.h"
-#include "space/convex_region.h"
-#include "space/mesh.h"
-#include "space/mesh_crossing.h"
-#include "space/phi_union.h"
-#include "space/ray_pair.h"
+#include "io/mesh/read_mesh.h"
+#include "space/body/convex_parts.h"
+#include "space/convolution/mesh_crossing.h"
+#include "space/convolution/ray_pair.h"
+#include "space/mesh/mesh.h"
+#include "space/phi/phi_union.h"
+#include "space/polytope/convex_region.h"
 
 namespace findspace {
 namespace {

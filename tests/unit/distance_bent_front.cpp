@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "distance/bent_front.h"
+#include "distance/planar_features/bent_front.h"
 
 namespace findspace::distance {
 namespace {

@@ -7,16 +7,16 @@
 #include <array>
 #include <cmath>
 
-#include "distance/coordinate.h"
-#include "distance/extremum.h"
-#include "distance/farthest.h"
-#include "distance/level_probe.h"
-#include "distance/point_set.h"
-#include "distance/shape_pair.h"
+#include "distance/planar/farthest.h"
+#include "distance/planar/shape_pair.h"
+#include "distance/planar_features/point_set.h"
+#include "distance/planar_least/coordinate.h"
+#include "distance/planar_least/extremum.h"
+#include "distance/planar_least/level_probe.h"
 #include "distance_shapes.h"
-#include "plane/path_region.h"
-#include "plane/summary.h"
-#include "plane/topology.h"
+#include "plane/build/path_region.h"
+#include "plane/query/summary.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 namespace {

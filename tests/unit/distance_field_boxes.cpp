@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "distance/field_boxes.h"
+#include "distance/search/field_boxes.h"
 
 namespace findspace::distance {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "distance/front.h"
+#include "distance/planar_features/front.h"
 
 namespace findspace::distance {
 namespace {

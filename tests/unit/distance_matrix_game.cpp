@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "distance/matrix_game.h"
+#include "distance/search/matrix_game.h"
 
 namespace findspace::distance {
 namespace {

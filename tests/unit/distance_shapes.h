@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "plane/cell_complex.h"
-#include "plane/contour.h"
-#include "plane/locate.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
+#include "plane/complex/cell_complex.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/query/locate.h"
 
 namespace findspace::testing {
 

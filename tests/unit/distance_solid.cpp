@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "distance/box_pair.h"
-#include "distance/solid_pair.h"
+#include "distance/solid/box_pair.h"
+#include "distance/solid/solid_pair.h"
 #include "findspace/error.h"
 #include "unit/space_bodies.h"
 

@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "distance/shape_pair.h"
-#include "distance/site_pairs.h"
+#include "distance/planar/shape_pair.h"
+#include "distance/planar_features/site_pairs.h"
 #include "distance_shapes.h"
-#include "plane/topology.h"
+#include "plane/query/topology.h"
 
 // Values and sign maps of every distance against the closed forms of distances.md 3.11.
 namespace findspace::distance {

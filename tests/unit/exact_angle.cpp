@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "exact/angle.h"
+#include "exact/planar/angle.h"
 
 namespace findspace::exact {
 namespace {

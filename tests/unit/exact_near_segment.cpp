@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "exact/near_segment.h"
-#include "exact/stages.h"
+#include "exact/number/stages.h"
+#include "exact/planar/near_segment.h"
 
 namespace findspace::exact {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "exact/offset_points.h"
+#include "exact/planar/offset_points.h"
 
 namespace findspace::exact {
 namespace {

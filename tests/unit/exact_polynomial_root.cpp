@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include "exact/polynomial_root.h"
-#include "exact/stages.h"
-#include "exact/turn_polynomial.h"
+#include "exact/number/polynomial_root.h"
+#include "exact/number/stages.h"
+#include "exact/planar/turn_polynomial.h"
 
 namespace findspace::exact {
 namespace {

@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "exact/geometry.h"
-#include "exact/primitive.h"
+#include "exact/number/primitive.h"
+#include "exact/planar/geometry.h"
 
 namespace findspace::exact {
 namespace {

@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "exact/real.h"
-#include "exact/stages.h"
+#include "exact/number/real.h"
+#include "exact/number/stages.h"
 #include "findspace/error.h"
 
 namespace findspace::exact {

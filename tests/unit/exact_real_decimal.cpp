@@ -4,7 +4,7 @@
 // Decimals: what is refused, and what is exact.
 #include <gtest/gtest.h>
 
-#include "exact/decimal.h"
+#include "exact/number/decimal.h"
 #include "findspace/error.h"
 
 namespace findspace::exact {

@@ -10,9 +10,9 @@
 #include <memory>
 #include <random>
 
-#include "exact/real.h"
-#include "exact/real_sign.h"
-#include "exact/stages.h"
+#include "exact/number/real.h"
+#include "exact/number/real_sign.h"
+#include "exact/number/stages.h"
 
 namespace findspace::exact {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "exact/wide_int.h"
+#include "exact/number/wide_int.h"
 
 namespace findspace::exact {
 namespace {

@@ -7,11 +7,11 @@
 #include <random>
 #include <vector>
 
-#include "exact/angle.h"
-#include "exact/polynomial_root.h"
-#include "exact/real_sign.h"
-#include "exact/stages.h"
-#include "exact/zero_proof.h"
+#include "exact/number/polynomial_root.h"
+#include "exact/number/real_sign.h"
+#include "exact/number/stages.h"
+#include "exact/number/zero_proof.h"
+#include "exact/planar/angle.h"
 
 namespace findspace::exact {
 namespace {

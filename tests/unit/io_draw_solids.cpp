@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "io/draw_bodies.h"
-#include "io/draw_slices.h"
-#include "space/piece_rays.h"
+#include "io/draw/draw_bodies.h"
+#include "io/draw/draw_slices.h"
+#include "space/rays/piece_rays.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::io {

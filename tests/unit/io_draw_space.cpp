@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/draw_space.h"
+#include "io/draw/draw_space.h"
 
 namespace findspace::io {
 namespace {

@@ -5,7 +5,7 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
-#include "io/units.h"
+#include "io/text/units.h"
 
 namespace findspace::io {
 namespace {

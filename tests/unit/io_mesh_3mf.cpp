@@ -10,11 +10,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "io/mesh_3mf.h"
-#include "io/read_mesh.h"
-#include "io/write_mesh_binary.h"
-#include "io/zip_archive.h"
-#include "space/mesh.h"
+#include "io/mesh/mesh_3mf.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh_binary.h"
+#include "io/mesh/zip_archive.h"
+#include "space/mesh/mesh.h"
 
 namespace findspace::io {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "findspace/error.h"
-#include "io/read_file.h"
+#include "io/read/read_file.h"
 
 namespace findspace::io {
 namespace {

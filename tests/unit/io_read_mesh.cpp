@@ -7,9 +7,9 @@
 
 #include <cstring>
 
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
-#include "space/mesh.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh.h"
+#include "space/mesh/mesh.h"
 
 namespace findspace::io {
 namespace {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "findspace/error.h"
-#include "io/read_outline.h"
-#include "io/svg_path.h"
+#include "io/text/read_outline.h"
+#include "io/text/svg_path.h"
 
 namespace findspace::io {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "findspace/error.h"
-#include "io/scene.h"
+#include "io/scene/scene.h"
 
 namespace findspace::io {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "io/read_text.h"
-#include "io/scene.h"
+#include "io/scene/scene.h"
+#include "io/text/read_text.h"
 
 namespace findspace::io {
 namespace {

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "findspace/error.h"
-#include "io/write_file.h"
+#include "io/write/write_file.h"
 
 namespace findspace::io {
 namespace {

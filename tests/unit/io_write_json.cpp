@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/write_json.h"
+#include "io/write/write_json.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::io {

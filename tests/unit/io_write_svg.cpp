@@ -7,9 +7,9 @@
 #include <pugixml.hpp>
 
 #include "findspace/error.h"
-#include "io/read_file.h"
-#include "io/write_svg.h"
-#include "plane/build.h"
+#include "io/read/read_file.h"
+#include "io/write/write_svg.h"
+#include "plane/build/build.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::io {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "findspace/error.h"
-#include "io/read_file.h"
-#include "io/write_wkt.h"
-#include "plane/build.h"
+#include "io/read/read_file.h"
+#include "io/write/write_wkt.h"
+#include "plane/build/build.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::io {

@@ -5,8 +5,8 @@
 
 #include "findspace/error.h"
 #include "law/plane_random.h"
-#include "plane/build.h"
-#include "plane/locate.h"
+#include "plane/build/build.h"
+#include "plane/query/locate.h"
 
 namespace findspace::plane {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "plane/contact_joints.h"
+#include "plane/rotation/contact_joints.h"
 
 namespace findspace::plane {
 namespace {

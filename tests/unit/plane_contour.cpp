@@ -9,7 +9,7 @@
 #include <random>
 
 #include "findspace/error.h"
-#include "plane/contour.h"
+#include "plane/contour/contour.h"
 
 namespace findspace::plane {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "findspace/error.h"
-#include "plane/contour.h"
-#include "plane/contour_meet.h"
+#include "plane/contour/contour.h"
+#include "plane/contour/contour_meet.h"
 
 namespace findspace::plane {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "findspace/error.h"
 #include "law/plane_random.h"
-#include "plane/hull.h"
-#include "plane/locate.h"
-#include "plane/minkowski.h"
+#include "plane/build/hull.h"
+#include "plane/query/locate.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
 namespace {

@@ -7,7 +7,7 @@
 #include <array>
 #include <tuple>
 
-#include "plane/in_order.h"
+#include "plane/query/in_order.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {

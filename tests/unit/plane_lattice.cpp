@@ -9,10 +9,10 @@
 #include <random>
 #include <set>
 
-#include "plane/bitmap.h"
-#include "plane/inner_mask.h"
-#include "plane/lattice_runs.h"
-#include "plane/lattice_sum.h"
+#include "plane/base/bitmap.h"
+#include "plane/base/lattice_runs.h"
+#include "plane/grid/inner_mask.h"
+#include "plane/grid/lattice_sum.h"
 
 namespace findspace::plane {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "plane/locate.h"
+#include "plane/query/locate.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plane/locate_line.h"
+#include "plane/query/locate_line.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {

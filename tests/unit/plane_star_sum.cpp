@@ -5,9 +5,9 @@
 
 #include <array>
 
-#include "plane/primitives.h"
-#include "plane/star_shaped.h"
-#include "plane/star_sum.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/star_shaped.h"
+#include "plane/grid/star_sum.h"
 
 namespace findspace::plane {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "plane/locate.h"
-#include "plane/measure_cells.h"
-#include "plane/summary.h"
+#include "plane/query/locate.h"
+#include "plane/query/measure_cells.h"
+#include "plane/query/summary.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plane/topology.h"
+#include "plane/query/topology.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {

@@ -6,10 +6,10 @@
 
 #include <vector>
 
-#include "plane/overlay.h"
-#include "plane/piece_builder.h"
-#include "plane/topology.h"
-#include "plane/winding.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/piece_builder.h"
+#include "plane/complex/winding.h"
+#include "plane/query/topology.h"
 
 namespace findspace::plane {
 

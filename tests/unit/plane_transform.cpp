@@ -7,9 +7,9 @@
 
 #include "findspace/error.h"
 #include "law/plane_random.h"
-#include "plane/locate.h"
-#include "plane/primitives.h"
-#include "plane/transform.h"
+#include "plane/build/transform.h"
+#include "plane/complex/primitives.h"
+#include "plane/query/locate.h"
 
 namespace findspace::plane {
 namespace {

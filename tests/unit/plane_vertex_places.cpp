@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "plane/measure_cells_places.h"
+#include "plane/query/measure_cells_places.h"
 
 namespace findspace::plane {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "planning/difference_boxes.h"
+#include "planning/solid/difference_boxes.h"
 
 namespace findspace::planning {
 namespace {

@@ -7,13 +7,13 @@
 
 #include <random>
 
-#include "plane/locate.h"
-#include "plane/overlay.h"
-#include "plane/primitives.h"
-#include "plane/topology.h"
-#include "planning/convex_cells.h"
-#include "planning/linear_program.h"
-#include "planning/pair_system.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/query/locate.h"
+#include "plane/query/topology.h"
+#include "planning/order/convex_cells.h"
+#include "planning/order/linear_program.h"
+#include "planning/planar/pair_system.h"
 
 namespace findspace::planning {
 namespace {

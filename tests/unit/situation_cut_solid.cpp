@@ -5,8 +5,8 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
-#include "situation/solve_rays.h"
-#include "situation/solve_space.h"
+#include "situation/solid/solve_rays.h"
+#include "situation/solid/solve_space.h"
 #include "unit/solid_shapes.h"
 #include "unit/space_bodies.h"
 

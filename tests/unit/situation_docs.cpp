@@ -8,7 +8,7 @@
 #include <iterator>
 #include <regex>
 
-#include "situation/parse.h"
+#include "situation/formula/parse.h"
 
 namespace findspace::situation {
 namespace {

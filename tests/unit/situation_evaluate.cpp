@@ -4,9 +4,9 @@
 // Truth from signs, and which sign maps a formula has.
 #include <gtest/gtest.h>
 
-#include "situation/evaluate.h"
-#include "situation/parse.h"
-#include "situation/text.h"
+#include "situation/formula/evaluate.h"
+#include "situation/formula/parse.h"
+#include "situation/formula/text.h"
 
 namespace findspace::situation {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "situation/solve_space.h"
-#include "space/mesh.h"
+#include "situation/solid/solve_space.h"
+#include "space/mesh/mesh.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::situation {

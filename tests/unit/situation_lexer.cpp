@@ -4,7 +4,7 @@
 // Words, signs and places.
 #include <gtest/gtest.h>
 
-#include "situation/lexer.h"
+#include "situation/formula/lexer.h"
 
 namespace findspace::situation {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "situation/parse.h"
+#include "situation/formula/parse.h"
 
 namespace findspace::situation {
 

@@ -4,9 +4,9 @@
 // Extrema over a convex set, and over rays through a region.
 #include <gtest/gtest.h>
 
-#include "situation/optimize_convex.h"
-#include "space/piece_rays.h"
-#include "space/ray_extreme.h"
+#include "situation/solid/optimize_convex.h"
+#include "space/rays/piece_rays.h"
+#include "space/rays/ray_extreme.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::situation {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "situation/optimize_rays.h"
+#include "situation/solid/optimize_rays.h"
 
 namespace findspace::situation {
 namespace {

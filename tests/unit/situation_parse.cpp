@@ -4,8 +4,8 @@
 // What formulas mean: every sentence is compared with the canonical text of the formula it has to become.
 #include <gtest/gtest.h>
 
-#include "situation/parse.h"
-#include "situation/text.h"
+#include "situation/formula/parse.h"
+#include "situation/formula/text.h"
 
 namespace findspace::situation {
 namespace {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "space/solid.h"
+#include "space/polytope/solid.h"
 
 namespace findspace::space {
 

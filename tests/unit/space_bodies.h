@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "space/body.h"
-#include "space/box_complex.h"
+#include "space/body/body.h"
+#include "space/box/box_complex.h"
 
 namespace findspace::space {
 

@@ -5,10 +5,10 @@
 // points.
 #include <gtest/gtest.h>
 
-#include "space/box_summary.h"
-#include "space/convex_set.h"
-#include "space/min_ball.h"
-#include "space/open_cover.h"
+#include "space/body/open_cover.h"
+#include "space/box/box_summary.h"
+#include "space/box/convex_set.h"
+#include "space/polytope/min_ball.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::space {

@@ -9,9 +9,9 @@
 #include <map>
 #include <random>
 
-#include "space/body.h"
-#include "space/mesh.h"
-#include "space/real_vector.h"
+#include "space/body/body.h"
+#include "space/mesh/mesh.h"
+#include "space/polytope/real_vector.h"
 
 namespace findspace::space {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "differential/space_oracle.h"
-#include "space/deepest.h"
+#include "space/polytope/deepest.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::space {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "space/cell_parts.h"
-#include "space/cut_body.h"
-#include "space/erosion.h"
+#include "space/body/cell_parts.h"
+#include "space/body/cut_body.h"
+#include "space/body/erosion.h"
 #include "unit/solid_shapes.h"
 
 namespace findspace::space {

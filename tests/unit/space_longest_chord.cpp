@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "space/longest_chord.h"
+#include "space/polytope/longest_chord.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::space {

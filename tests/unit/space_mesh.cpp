@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "space/convex_parts.h"
-#include "space/mesh.h"
-#include "space/phi_union.h"
+#include "space/body/convex_parts.h"
+#include "space/mesh/mesh.h"
+#include "space/phi/phi_union.h"
 
 namespace findspace::space {
 namespace {

@@ -4,8 +4,8 @@
 // Surfaces that cross themselves, in general position and along coincident faces, and surfaces that only touch.
 #include <gtest/gtest.h>
 
-#include "space/mesh.h"
-#include "space/mesh_crossing.h"
+#include "space/convolution/mesh_crossing.h"
+#include "space/mesh/mesh.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::space {

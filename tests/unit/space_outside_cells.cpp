@@ -5,8 +5,8 @@
 // enlarged, reflected and united meshes as well.
 #include <gtest/gtest.h>
 
-#include "space/outside_cells.h"
-#include "space/partition.h"
+#include "space/body/outside_cells.h"
+#include "space/polytope/partition.h"
 #include "unit/space_bumps.h"
 
 namespace findspace::space {

@@ -10,10 +10,10 @@
 #include <limits>
 #include <random>
 
-#include "space/closed_forms.h"
-#include "space/convex_polygon.h"
-#include "space/depth_grid.h"
-#include "space/phi_union.h"
+#include "space/phi/depth_grid.h"
+#include "space/phi/phi_union.h"
+#include "space/polytope/closed_forms.h"
+#include "space/polytope/convex_polygon.h"
 
 namespace findspace::space {
 namespace {

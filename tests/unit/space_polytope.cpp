@@ -5,7 +5,7 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
-#include "space/polytope.h"
+#include "space/polytope/polytope.h"
 
 namespace {
 

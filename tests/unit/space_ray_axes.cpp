@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "space/piece_rays.h"
-#include "space/ray_axes.h"
+#include "space/rays/piece_rays.h"
+#include "space/rays/ray_axes.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::space {

@@ -3,7 +3,7 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
-#include "space/triangulate.h"
+#include "space/polytope/triangulate.h"
 
 namespace findspace::space {
 namespace {

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar/derived.h"
+
+#include <algorithm>
+#include <array>
+
+#include "plane/base/real_vector.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/moved.h"
+#include "plane/sum/minkowski.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Mark;
+using plane::SignMap;
+using plane::operator+;
+using plane::operator-;
+
+namespace {
+
+Front turned_round(Front f) {
+  f.k = -f.k;  // f(level) becomes f(-level)
+  return f;
+}
+
+class CutOff : public TDistance {
+ public:
+  CutOff(TDistancePointer f, Real floor, bool negated)
+      : f_(std::move(f)), floor_(std::move(floor)), negated_(negated) {}
+
+  bool defined() const override { return negated_ || f_->defined(); }
+
+  SignMap sign_map(const Real& level) const override {
+    if (!defined()) return CellComplex::uniform(1);
+    int above = compare(level, floor_);
+    if (above < 0) return CellComplex::uniform(1);
+    int turn = negated_ ? -1 : 1;
+    SignMap m = f_->sign_map(negated_ ? -level : level);
+    return plane::remark(std::move(m), [=](Mark k) { return Mark(above > 0 ? turn * k : turn * k > 0); });
+  }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    auto v = f_->value(p);
+    if (!v) return negated_ ? std::optional(Value{floor_, std::nullopt}) : std::nullopt;
+    if (v->minus_infinity) return negated_ ? std::nullopt : std::optional(Value{floor_, std::nullopt});
+    if (negated_) v->value = -v->value;
+    if (v->value < floor_) v->value = floor_;
+    return v;
+  }
+
+  RealPoint seed() const override { return f_->seed(); }
+
+  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
+    auto out = f_->fronts(p, room);
+    if (negated_)
+      for (NearFront& n : out) n.front = turned_round(std::move(n.front));
+    return out;
+  }
+
+  std::optional<Lowest> lowest() const override {
+    auto l = negated_ ? std::nullopt : f_->lowest();
+    return l && l->level > floor_ ? l : std::nullopt;
+  }
+
+  std::vector<Real> special_levels() const override {
+    auto out = f_->special_levels();
+    if (negated_)
+      for (Real& l : out) l = -l;
+    out.push_back(floor_);
+    return out;
+  }
+
+ private:
+  TDistancePointer f_;
+  Real floor_;
+  bool negated_;
+};
+
+class Greater : public TDistance {
+ public:
+  Greater(TDistancePointer f, TDistancePointer g) : f_(std::move(f)), g_(std::move(g)) {}
+
+  bool defined() const override { return f_->defined() && g_->defined(); }
+
+  SignMap sign_map(const Real& level) const override {
+    if (!defined()) return CellComplex::uniform(1);
+    SignMap f = f_->sign_map(level), g = g_->sign_map(level);
+    std::array<const CellComplex*, 2> both{&f, &g};
+    return plane::overlay(both, [](std::span<const Mark> m) { return std::max(m[0], m[1]); });
+  }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    auto f = f_->value(p), g = g_->value(p);
+    if (!f || !g) return std::nullopt;
+    if (f->minus_infinity || g->minus_infinity) return f->minus_infinity ? g : f;
+    return f->value < g->value ? g : f;
+  }
+
+  RealPoint seed() const override { return f_->seed(); }
+
+  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
+    auto out = f_->fronts(p, room), more = g_->fronts(p, room);
+    out.insert(out.end(), more.begin(), more.end());
+    return out;
+  }
+
+  std::vector<Real> special_levels() const override {
+    auto out = f_->special_levels(), more = g_->special_levels();
+    out.insert(out.end(), more.begin(), more.end());
+    return out;
+  }
+
+ private:
+  TDistancePointer f_, g_;
+};
+
+class Reflected : public TDistance {
+ public:
+  explicit Reflected(TDistancePointer f) : f_(std::move(f)) {}
+
+  bool defined() const override { return f_->defined(); }
+  SignMap sign_map(const Real& level) const override { return mirrored(f_->sign_map(level)); }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    auto v = f_->value({-p.x, -p.y});
+    if (v && v->nearest) v->nearest = RealPoint{-v->nearest->x, -v->nearest->y};
+    return v;
+  }
+
+  RealPoint seed() const override {
+    RealPoint p = f_->seed();
+    return {-p.x, -p.y};
+  }
+
+  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
+    auto out = f_->fronts({-p.x, -p.y}, room);
+    for (NearFront& n : out) n.front = n.front.reflected();
+    return out;
+  }
+
+  std::optional<Lowest> lowest() const override {
+    auto l = f_->lowest();
+    if (l) l->at = {-l->at.x, -l->at.y};
+    return l;
+  }
+
+  std::vector<Real> special_levels() const override { return f_->special_levels(); }
+
+ private:
+  TDistancePointer f_;
+};
+
+class Displaced : public TDistance {
+ public:
+  Displaced(TDistancePointer f, RealPoint by) : f_(std::move(f)), by_(std::move(by)) {}
+
+  bool defined() const override { return f_->defined(); }
+  SignMap sign_map(const Real& level) const override { return plane::moved(f_->sign_map(level), -by_); }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    auto v = f_->value(p + by_);
+    if (v && v->nearest) v->nearest = *v->nearest - by_;
+    return v;
+  }
+
+  RealPoint seed() const override { return f_->seed() - by_; }
+
+  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
+    auto out = f_->fronts(p + by_, room);
+    for (NearFront& n : out) n.front = n.front.moved(by_);
+    return out;
+  }
+
+  std::optional<Lowest> lowest() const override {
+    auto l = f_->lowest();
+    if (l) l->at = l->at - by_;
+    return l;
+  }
+
+  std::optional<Elsewhere> elsewhere() const override { return Elsewhere{*f_, by_}; }
+  std::vector<Real> special_levels() const override { return f_->special_levels(); }
+
+ private:
+  TDistancePointer f_;
+  RealPoint by_;
+};
+
+}  // namespace
+
+TDistancePointer cut_off(TDistancePointer f, Real floor, bool negated) {
+  return std::make_shared<CutOff>(std::move(f), std::move(floor), negated);
+}
+
+TDistancePointer greater(TDistancePointer f, TDistancePointer g) {
+  return std::make_shared<Greater>(std::move(f), std::move(g));
+}
+
+TDistancePointer reflected(TDistancePointer f) { return std::make_shared<Reflected>(std::move(f)); }
+
+TDistancePointer displaced(TDistancePointer f, RealPoint by) {
+  return std::make_shared<Displaced>(std::move(f), std::move(by));
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar/farthest_from_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "distance/planar/peak_search.h"
+#include "distance/planar_features/bent_front.h"
+#include "plane/query/nearest.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::Index;
+using plane::Mark;
+using plane::Region;
+
+namespace {
+
+// Of the scale.
+constexpr double kSamePlace = 0x1p-20, kRounded = 0x1p-42, kNothingMore = 0x1p-45, kSurelyLess = 0x1p-46;
+constexpr PeakEffort kCoarse{0x1p-24}, kFine{0x1p-44};
+constexpr std::size_t kMostPeaks = 10;
+
+bool inside(Mark m) { return m > 0; }
+
+RealPoint operator+(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
+
+/// Whether the level can be the peak's value. That of a place on an edge may still grow beside it, but not fall. Other
+/// fronts meet there, too: the ridge between two lines goes on past the end of an edge, at levels less than the peak's.
+bool is_value(const Real& level, const Peak& peak, double scale) {
+  const auto i = level.interval();
+  if (i.hi < peak.value - scale * kSurelyLess) return false;
+  return peak.cell.dimension == 1 || i.lo <= peak.value + scale * kRounded;
+}
+
+/// In p: where the edge's greatest distance from the inside of a circle of A is `level`: its least distance to the
+/// centre is r - level.
+std::vector<Front> hollow_fronts(const Front& edge, const Front& circle) {
+  if (edge.circle) {
+    Real x = circle.a - edge.a, y = circle.b - edge.b;
+    return {Front::ring(x, y, circle.c + edge.c, circle.k), Front::ring(x, y, edge.c - circle.c, -circle.k)};
+  }
+  Real n = sqrt(edge.a * edge.a + edge.b * edge.b), c = edge.a * circle.a + edge.b * circle.b - edge.c;
+  return {Front::line(edge.a, edge.b, c - n * circle.c, -n * circle.k),
+          Front::line(edge.a, edge.b, c + n * circle.c, n * circle.k)};
+}
+
+}  // namespace
+
+FarthestFromSet::FarthestFromSet(const Region& b, const Region& a)
+    : b_(b), a_(a), a_sites_(sites(a, inside)), b_sites_(sites(b, inside)), a_reach_(a, a_sites_) {
+  for (const auto* list : {&a_sites_, &b_sites_})
+    for (const Site& s : *list)
+      scale_ = std::max({scale_, std::abs(s.x0), std::abs(s.y0), std::abs(s.x1), std::abs(s.y1), std::abs(s.r)});
+}
+
+std::vector<Index> FarthestFromSet::near_sites(double x, double y, double room) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Site& s : a_sites_) least = std::min(least, s.distance(x, y));
+  std::vector<Index> out;
+  for (Index k = 0; k < a_sites_.size(); ++k)
+    if (a_sites_[k].distance(x, y) <= least + room) out.push_back(k);
+  return out;
+}
+
+double FarthestFromSet::scale(double px, double py) const { return scale_ + std::abs(px) + std::abs(py); }
+
+/// One for each place, the first ones.
+std::vector<Peak> FarthestFromSet::distinct(const std::vector<Peak>& all, double scale) {
+  std::vector<Peak> out;
+  for (const Peak& k : all) {
+    bool known = std::any_of(out.begin(), out.end(), [&](const Peak& u) {
+      return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * kSamePlace;
+    });
+    if (!known) out.push_back(k);
+    if (out.size() == kMostPeaks) break;
+  }
+  return out;
+}
+
+std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, double least_value,
+                                         const PeakEffort& effort) const {
+  double scale = this->scale(px, py);
+  const PeakSets sets{a_, b_, a_sites_, b_sites_, a_reach_};
+  return distinct(PeakSearch(sets, px, py, {scale, room, least_value, effort}).run(), scale);
+}
+
+std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, double least_value) const {
+  const double px = near_value(p.x), py = near_value(p.y), scale = this->scale(px, py);
+  std::optional<FarthestPlace> best;
+  auto take = [&](const std::vector<Peak>& all) {
+    for (const Peak& k : distinct(all, scale)) {
+      FarthestPlace place = exact_place(k, p);
+      if (!best || place.value.to_double() > best->value.to_double()) best = std::move(place);
+    }
+  };
+  PeakSearch search({a_, b_, a_sites_, b_sites_, a_reach_}, px, py, {scale, scale * kSamePlace, least_value, kCoarse});
+  take(search.run());
+  // Where an arc crosses a parabola no formula gives the place, and what was taken for it is less than the greatest.
+  // Only what is more is looked for; all that is about as far would be too much where a ridge touches an edge.
+  const double more_than = best ? near_value(best->value) + scale * kNothingMore : least_value;
+  take(search.finer({scale, scale * kRounded, more_than, kFine}));
+  return best;
+}
+
+/// The event's level is the distance to A there, not only to some of its parts.
+bool FarthestFromSet::is_distance(const Event& e) const {
+  double x = near_value(e.at->x), y = near_value(e.at->y), least = std::numeric_limits<double>::infinity();
+  for (const Site& s : a_sites_) least = std::min(least, s.distance(x, y));
+  return std::abs(near_value(e.level) - least) <= (scale_ + std::abs(x) + std::abs(y)) * kRounded;
+}
+
+FarthestPlace FarthestFromSet::exact_place(const Peak& peak, const RealPoint& p) const {
+  if (peak.cell.dimension == 0) {
+    RealPoint at = b_.geometry.exact(b_.vertices[peak.cell.index].point) + p;
+    return {plane::nearest(a_, inside, at)->distance, at, peak.cell};
+  }
+  double px = near_value(p.x), py = near_value(p.y);
+  double scale = std::max(this->scale(px, py), scale_ + std::abs(peak.x) + std::abs(peak.y));
+  std::vector<Front> fronts;
+  for (Index k : near_sites(peak.x, peak.y, scale * kSamePlace))
+    if (fronts.size() < kMostPeaks) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
+  std::optional<Front> edge;
+  std::optional<Site> edge_part;
+  if (peak.cell.dimension == 1) {
+    edge_part = edge_site(b_, peak.cell.index);
+    edge = still_front(b_, *edge_part).moved({-p.x, -p.y});
+  }
+  std::optional<FarthestPlace> best;
+  auto take = [&](const std::vector<Event>& all) {
+    for (const Event& e : all) {
+      if (!e.at || (best && near_value(e.level) <= near_value(best->value))) continue;
+      if (!is_value(e.level, peak, scale)) continue;
+      double x = near_value(e.at->x), y = near_value(e.at->y);
+      if (!(std::hypot(x - peak.x, y - peak.y) <= scale * kSamePlace) || !is_distance(e)) continue;
+      if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * kRounded)) continue;
+      best = FarthestPlace{e.level, *e.at, peak.cell};
+    }
+  };
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    if (!edge) take(events(fronts[i]));
+    if (edge && (edge->circle || fronts[i].circle)) take(events(fronts[i], *edge));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (edge) take(events(fronts[i], fronts[j], *edge));
+      if (!edge && (fronts[i].circle || fronts[j].circle)) take(events(fronts[i], fronts[j]));
+      for (std::size_t k = 0; !edge && k < j; ++k) take(events(fronts[i], fronts[j], fronts[k]));
+    }
+  }
+  if (best) return *best;
+  RealPoint at{Real::from_double(peak.x), Real::from_double(peak.y)};
+  return {plane::nearest(a_, inside, at)->distance, at, peak.cell};
+}
+
+void FarthestFromSet::add_fronts(const Peak& peak, const RealPoint& p, double room, std::vector<NearFront>& out) const {
+  const double px = near_value(p.x), py = near_value(p.y);
+  auto put = [&](const Front& f) { out.push_back({f, f.gap(px, py, peak.value)}); };
+  if (peak.cell.dimension == 2) return put(Front::ring(Real(), Real(), -exact_place(peak, p).value, 1));
+  std::vector<Front> fronts;
+  for (Index k : near_sites(peak.x, peak.y, room)) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
+  if (peak.cell.dimension == 0) {
+    RealPoint b = b_.geometry.exact(b_.vertices[peak.cell.index].point);
+    for (const Front& f : fronts) put(f.moved(b));
+    return;
+  }
+  Front edge = still_front(b_, edge_site(b_, peak.cell.index));
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    if (fronts[i].circle && fronts[i].k.sign() < 0)
+      for (const Front& f : hollow_fronts(edge, fronts[i])) put(f);
+    if (edge.circle) {
+      // The far side of the arc: the front of its centre at level - radius.
+      Front f = fronts[i];
+      f.c -= f.k * edge.c;
+      put(f.moved({edge.a, edge.b}));
+    }
+    for (std::size_t j = 0; j < i; ++j)
+      if (const auto corner = corner_front(edge, fronts[i], fronts[j], peak.x, peak.y)) put(*corner);
+  }
+}
+
+}  // namespace findspace::distance

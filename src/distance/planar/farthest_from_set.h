@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The point of a set B + p that is farthest from a closed set A: the directed Hausdorff distance h(B+p, A) = max over b
+// of d(b, A), over the whole of B (its vertices, edges and inside), not over samples. Method: boxes over B, the one
+// with the largest bound first. A box carries the parts of A's boundary that can be nearest in it; its bound is the
+// least over those of their greatest distance in the box (at a corner, distances to convex parts being convex). In a
+// box with few parts the candidates are: B's vertices; on B's edges the places between two parts of A, by intervals
+// with the same bound; inside B the places equally far from three parts. The best place is then computed exactly from
+// the fronts that meet there; last, a finer search for what is more. Guarantee: numbers to about 1e-14 of the
+// coordinates, the final value exact in the place found, and no place has more by 2^-44 of the scale. Cost: about (n +
+// m) log(n + m) for shapes that are apart or similar. Source: branch and bound; Alt, Behrends, Blömer 1995 for where
+// the maximum can lie. Keywords: directed Hausdorff distance, lower envelope, branch and bound.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "distance/planar/farthest_place.h"
+#include "distance/planar_features/site_reach.h"
+#include "plane/query/locate.h"
+
+namespace findspace::distance {
+
+/// A place of B + p where d(., A) has (about) a local maximum.
+struct Peak {
+  double value = 0, x = 0, y = 0;  // the place itself, in A's coordinates
+  plane::Cell cell{};              // of B; dimension 2 for a place inside B
+};
+
+/// How far a search goes.
+struct PeakEffort {
+  double short_part;  // of the scale: a part of an edge this short is a place
+  long most_ranges = std::numeric_limits<long>::max();
+};
+
+class FarthestFromSet {
+ public:
+  /// Keeps references; both closed, B bounded.
+  FarthestFromSet(const plane::Region& b, const plane::Region& a);
+
+  /// Peaks of value at least greatest - room and more than `least_value`, the greatest first, one for each place, as
+  /// far as the effort goes.
+  std::vector<Peak> peaks(double px, double py, double room, double least_value, const PeakEffort& effort) const;
+  /// The exact distance to A in the place of the peak.
+  FarthestPlace exact_place(const Peak& peak, const exact::RealPoint& p) const;
+  /// The farthest place if its value is more than `least_value`.
+  std::optional<FarthestPlace> greatest(const exact::RealPoint& p, double least_value) const;
+  /// Fronts (in p) that decide the peak's value, as far as they can be given.
+  void add_fronts(const Peak& peak, const exact::RealPoint& p, double room, std::vector<NearFront>& out) const;
+
+  /// The size of the numbers at p; rounding is relative to it.
+  double scale(double px, double py) const;
+
+ private:
+  static std::vector<Peak> distinct(const std::vector<Peak>& all, double scale);
+  bool is_distance(const Event& e) const;
+  std::vector<plane::Index> near_sites(double x, double y, double room) const;
+
+  const plane::Region &b_, &a_;
+  std::vector<Site> a_sites_, b_sites_;
+  SiteReach a_reach_;
+  double scale_ = 1;
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar/hausdorff.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plane/complex/overlay.h"
+#include "plane/sum/minkowski.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Mark;
+using plane::Region;
+using plane::SignMap;
+
+namespace {
+
+constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;  // of the scale
+constexpr PeakEffort kToFindFronts{0x1p-24, 3000};             // a place near the peak tells them
+constexpr double kPlaceRoom = 0x1p-21;                         // of the scale: what such a place may be off
+
+}  // namespace
+
+DirectedHausdorff::DirectedHausdorff(Region b, Region a) : b_(std::move(b)), a_(std::move(a)), search_(b_, a_) {}
+
+const SignedDistance& DirectedHausdorff::containment() const {
+  std::call_once(made_, [this] { containment_ = std::make_unique<SignedDistance>(SignedDistance::eta1(b_, a_)); });
+  return *containment_;
+}
+
+SignMap DirectedHausdorff::sign_map(const Real& level) const {
+  if (!defined()) return CellComplex::uniform(1);
+  if (level.sign() <= 0) return containment().sign_map(level);
+  SignMap around = plane::distance_map(a_, level);
+  Region closed = plane::remark(around, [](Mark m) { return Mark(m <= 0); });
+  Region outside = plane::remark(std::move(around), [](Mark m) { return Mark(m >= 0); });
+  // B+p leaves the closed set; B+p meets the complement of the open one.
+  SignMap in_closed = containment_map(closed, b_), leaves_open = contact_map(outside, b_);
+  std::array<const CellComplex*, 2> both{&in_closed, &leaves_open};
+  return plane::overlay(both, [](std::span<const Mark> m) { return Mark(m[1] > 0 ? -1 : m[0] <= 0 ? 0 : 1); });
+}
+
+std::optional<Value> DirectedHausdorff::value(const RealPoint& p) const {
+  if (!defined()) return std::nullopt;
+  double scale = search_.scale(near_value(p.x), near_value(p.y));
+  if (auto h = search_.greatest(p, scale * kClearlyOut)) return Value{h->value, std::nullopt};
+  // B+p lies in A, or all but: containment decides.
+  auto margin = containment().value(p);
+  if (margin && (margin->minus_infinity || margin->value.sign() <= 0)) return margin;
+  auto h = search_.greatest(p, scale * kHardlyOut);
+  return Value{h ? h->value : Real(), std::nullopt};
+}
+
+RealPoint DirectedHausdorff::seed() const {
+  if (a_.vertices.empty() || b_.vertices.empty()) return {Real(), Real()};
+  RealPoint p = a_.geometry.exact(a_.vertices[0].point), q = b_.geometry.exact(b_.vertices[0].point);
+  return {p.x - q.x, p.y - q.y};
+}
+
+std::vector<NearFront> DirectedHausdorff::fronts(const RealPoint& p, double room) const {
+  double x = near_value(p.x), y = near_value(p.y);
+  room = std::max(room, search_.scale(x, y) * kPlaceRoom);
+  auto peaks = search_.peaks(x, y, room, search_.scale(x, y) * kClearlyOut, kToFindFronts);
+  std::vector<NearFront> out;
+  if (peaks.empty() || peaks[0].value < room) out = containment().defined() ? containment().fronts(p, room) : out;
+  for (const Peak& k : peaks) {
+    std::size_t first = out.size();
+    search_.add_fronts(k, p, room, out);
+    for (std::size_t i = first; i < out.size(); ++i) out[i].gap = std::max(out[i].gap, peaks[0].value - k.value);
+  }
+  return out;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The signed directed Hausdorff distance mu(B+p, A) = max over b in B of gamma1(b+p, A) (distances.md 3.3, 3.5): how
+// far B + p sticks out of A at most, or minus the margin it has inside. With V = A (+) level * int K and its closed
+// companion:
+//   level > 0: - where B+p lies in V, 0 where it lies in A (+) level * K but not in V, + elsewhere; the zero set may be
+//   fat; level <= 0: as eta1.
+// The other order, mu(A, B+p), is reflected(mu of A moving over B); the Hausdorff distance is the greater of the two.
+// Guarantee: sign maps exact; values exact in a place found by search (see farthest_from_set.h). Cost: sign map: one
+// convolution with a disc, two with B. Keywords: Hausdorff distance, directed Hausdorff distance.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "distance/planar/farthest_from_set.h"
+#include "distance/planar/signed_distance.h"
+#include "distance/planar_features/t_distance.h"
+
+namespace findspace::distance {
+
+class DirectedHausdorff : public TDistance {
+ public:
+  /// mu(B+p, A); closed shapes. +infinity if B is not bounded.
+  DirectedHausdorff(plane::Region b, plane::Region a);
+
+  bool defined() const override { return b_.faces[0].mark <= 0; }
+  plane::SignMap sign_map(const exact::Real& level) const override;
+  std::optional<Value> value(const exact::RealPoint& p) const override;
+  exact::RealPoint seed() const override;
+  std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const override;
+  std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
+
+ private:
+  const SignedDistance& containment() const;
+
+  plane::Region b_, a_;
+  FarthestFromSet search_;
+  mutable std::once_flag made_;
+  mutable std::unique_ptr<SignedDistance> containment_;  // eta1, made when first needed
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The search behind farthest_place.h. In numbers: places on B's boundary and inside that can be the farthest, with the
+// parts of A that are nearest there (place_search.cpp); then the exact place and value of each (farthest_place.cpp).
+// Guarantee: as farthest_place.h. Keywords: branch and bound.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "distance/planar/farthest_place.h"
+
+namespace findspace::distance {
+
+inline constexpr std::size_t kMostParts = 10;  // of A at one place: their meetings are all tried
+inline constexpr double kMeetingRoom = 8;      // of a found place's error: so near to it parts of A are to meet
+
+/// A place with its distance to A (0 inside A) and the part of A's boundary that is nearest. Where that part is too
+/// close to matter, the value is its distance and `inside` false, wherever the place lies.
+struct Seen {
+  Spot at;
+  double value = 0;
+  SiteTree::Near near{};
+  bool inside = false;
+};
+
+struct Found {
+  Seen seen;
+  plane::Cell cell;
+  double error = 0;  // of the value
+};
+
+class PlaceSearch {
+ public:
+  PlaceSearch(const SiteTree& b, const SiteTree& a, const PeakBoxes& boxes, const exact::RealPoint& p,
+              double least_value);
+
+  std::optional<FarthestPlace> run();
+
+ private:
+  bool in_a(Spot at, const SiteTree::Near& near) const;
+  bool in_b(Spot at, const SiteTree::Near& near) const;
+  Seen see(Spot at, plane::Index guess) const;
+  double to_site(Spot at, plane::Index site) const { return a_.sites()[site].distance(at.x, at.y); }
+  void record(const Seen& seen, plane::Cell cell, double error = 0);
+  plane::Index start();
+  double most(const SiteBox& box, plane::Index site) const;
+  SiteBox placed(plane::Index node) const;
+  void walk_boundary();
+  void visit_edge(const Site& edge, plane::Index guess);
+  double split(const Seen& s, const Seen& t) const;
+  void search_inside();
+  FarthestPlace exact_vertex(const Found& f) const;
+  std::vector<Site> parts_near(Spot at, double reach) const;
+  bool is_in_b(const Found& f, const exact::RealPoint& at, double room) const;
+  std::optional<FarthestPlace> exact_meeting(const Found& f) const;
+
+  const SiteTree &a_, &b_;
+  const PeakBoxes& boxes_;
+  const exact::RealPoint& p_;
+  double px_, py_, scale_, slack_, best_;
+  std::vector<Found> found_;
+};
+
+}  // namespace findspace::distance

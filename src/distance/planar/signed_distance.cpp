@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar/signed_distance.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Mark;
+using plane::SignMap;
+
+SignedDistance::SignedDistance(SignMap base)
+    : base_(std::move(base)), defined_(plane::any_mark(base_, [](Mark m) { return m <= 0; })) {}
+
+SignedDistance SignedDistance::gamma1(const plane::Region& b, const plane::Region& a) {
+  return SignedDistance(contact_map(a, b));
+}
+
+SignedDistance SignedDistance::eta1(const plane::Region& b, const plane::Region& a) {
+  return SignedDistance(containment_map(a, b));
+}
+
+SignedDistance SignedDistance::delta1(const plane::Region& b, const plane::Region& a) {
+  // A lies in B + p where A - p lies in B.
+  return SignedDistance(mirrored(containment_map(b, a)));
+}
+
+SignMap SignedDistance::sign_map(const exact::Real& level) const {
+  return defined_ ? level_map(base_, level) : CellComplex::uniform(1);
+}
+
+std::optional<Value> SignedDistance::value(const exact::RealPoint& p) const {
+  if (!defined_) return std::nullopt;
+  Mark sign = mark_of(base_, locate(base_, p));
+  if (sign == 0) return Value{exact::Real(), std::nullopt};
+  auto n = sign > 0 ? nearest(
+                          base_, [](Mark m) { return m <= 0; }, p)
+                    : nearest(
+                          base_, [](Mark m) { return m >= 0; }, p);
+  if (!n) return Value{exact::Real(), std::nullopt, true};  // inside everywhere
+  return Value{sign > 0 ? n->distance : -n->distance, n->at};
+}
+
+RealPoint SignedDistance::seed() const {
+  if (base_.vertices.empty()) return {Real(), Real()};
+  return base_.geometry.exact(base_.vertices[0].point);
+}
+
+std::vector<NearFront> SignedDistance::fronts(const RealPoint& p, double room) const {
+  double x = near_value(p.x), y = near_value(p.y);
+  Mark at = mark_of(base_, locate(base_, p));
+  std::vector<NearFront> out;
+  for (int sign : {-1, 1}) {
+    // Outside the distance to marks <= 0 counts, inside minus that to marks >= 0.
+    if (at * sign < 0) continue;
+    auto all = distance::sites(base_, [sign](Mark m) { return m * sign <= 0; });
+    double least = std::numeric_limits<double>::infinity();
+    for (const Site& s : all) least = std::min(least, s.distance(x, y));
+    for (const Site& s : all) {
+      double gap = s.distance(x, y) - least;
+      if (gap <= room) out.push_back({near_front(base_, s, x, y, sign), gap});
+    }
+  }
+  return out;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The signed pair distances gamma1, eta1 and delta1 of a moving shape B at p and a fixed shape A (distances.md 3.1):
+//   f(p) = d(p, C) - d(p, O^c)   with open O and closed C, O in C:
+//   gamma1: O = U (interiors meet),       C = X (the shapes meet);      always defined
+//   eta1:   O = {B+p in int A},           C = {B+p in A};               defined if C is not empty, else +infinity
+//   everywhere delta1: O = {A in int (B+p)},         C = {A in B+p};               likewise
+// Shapes are taken as closed sets (their closure); B must be bounded. Units: grid steps.
+// Guarantee: sign maps are exact at every level; values are exact reals. Cost: one convolution for the base map, one
+// with a disc for each level other than 0. Keywords: signed distance, penetration depth, clearance, containment margin.
+#pragma once
+
+#include <optional>
+
+#include "distance/planar_features/sites.h"
+#include "distance/planar_features/t_distance.h"
+#include "plane/offset/level.h"
+#include "plane/query/nearest.h"
+
+namespace findspace::distance {
+
+class SignedDistance : public TDistance {
+ public:
+  /// From the sign map at level 0.
+  explicit SignedDistance(plane::SignMap base);
+  static SignedDistance gamma1(const plane::Region& b, const plane::Region& a);
+  static SignedDistance eta1(const plane::Region& b, const plane::Region& a);
+  static SignedDistance delta1(const plane::Region& b, const plane::Region& a);
+
+  /// False where the distance is +infinity everywhere.
+  bool defined() const override { return defined_; }
+  /// The sign of f - level at every position.
+  plane::SignMap sign_map(const exact::Real& level) const override;
+  /// The sign map at level 0.
+  const plane::SignMap& base() const { return base_; }
+
+  /// f at a position; nothing if undefined.
+  std::optional<Value> value(const exact::RealPoint& p) const override;
+  exact::RealPoint seed() const override;
+  std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const override;
+  /// 0: the least level of sets without interior.
+  std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
+
+ private:
+  plane::SignMap base_;
+  bool defined_ = true;
+};
+
+}  // namespace findspace::distance

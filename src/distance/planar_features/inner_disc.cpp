@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar_features/inner_disc.h"
+
+#include <cmath>
+#include <queue>
+
+namespace findspace::distance {
+namespace {
+
+constexpr int kMostCells = 200;
+constexpr double kGoodEnough = 1.05;  // of the best found
+
+struct Cell {
+  double x, y, half;  // a square
+  double depth, most;
+  bool operator<(const Cell& o) const { return most < o.most; }  // the most promising on top
+};
+
+Cell cell(const SiteTree& tree, double x, double y, double half) {
+  double depth = depth_in(tree, x, y).value_or(0);
+  return {x, y, half, depth, depth + half * std::sqrt(2.0)};
+}
+
+}  // namespace
+
+std::optional<double> depth_in(const SiteTree& tree, double x, double y) {
+  auto near = tree.nearest(x, y);
+  auto inside = tree.contains(x, y, near);
+  if (!inside) return std::nullopt;
+  return *inside ? near.distance : -near.distance;
+}
+
+InnerDisc inner_disc(const SiteTree& tree) {
+  InnerDisc best;
+  if (tree.empty()) return best;
+  const SiteBox& box = tree.nodes()[0].box;
+  std::priority_queue<Cell> cells;
+  cells.push(cell(tree, (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, std::max(box.x1 - box.x0, box.y1 - box.y0) / 2));
+  for (int k = 0; k < kMostCells && !cells.empty(); ++k) {
+    const Cell top = cells.top();
+    cells.pop();
+    if (top.depth > best.radius) best = {top.x, top.y, top.depth};
+    if (top.most <= best.radius * kGoodEnough) break;
+    const double half = top.half / 2;
+    for (double dx : {-half, half})
+      for (double dy : {-half, half}) cells.push(cell(tree, top.x + dx, top.y + dy, half));
+  }
+  return best;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What every distance f(p) of a moving shape B at p and a fixed shape A offers (a PositionFunction): its sign map at a
+// level and its value at a position. A T-distance (distances.md 3) is one that is 1-Lipschitz in p and tends to
+// infinity with |p|; it offers besides the elementary distances ("fronts") that can decide it near a position, from
+// which exact extrema are made. Distances along a direction (7.1) are no T-distances, they jump. Lengths are in grid
+// steps. Guarantee: sign maps and values are exact unless the family says otherwise. Keywords: T-distance, level set,
+// sublevel set.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "distance/planar_features/front.h"
+#include "plane/complex/cell_complex.h"
+
+namespace findspace::distance {
+
+struct Value {
+  exact::Real value;                        // f(p)
+  std::optional<exact::RealPoint> nearest;  // signed distances: the nearest position where f = 0, if f(p) is not 0
+  bool minus_infinity = false;              // f(p) is -infinity, and `value` means nothing
+};
+
+class PositionFunction {
+ public:
+  virtual ~PositionFunction() = default;
+
+  /// False where the distance is +infinity everywhere.
+  virtual bool defined() const = 0;
+  /// The sign of f - level at every position; + everywhere if undefined.
+  virtual plane::SignMap sign_map(const exact::Real& level) const = 0;
+  /// f at a position; nothing if undefined.
+  virtual std::optional<Value> value(const exact::RealPoint& p) const = 0;
+};
+
+using PositionFunctionPointer = std::shared_ptr<const PositionFunction>;
+
+class TDistance : public PositionFunction {
+ public:
+  /// A position where a search may begin.
+  virtual exact::RealPoint seed() const = 0;
+  /// The fronts with a gap of at most `room` at p.
+  virtual std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const = 0;
+  /// The least value and the only position that has it, where the family can tell by itself.
+  struct Lowest {
+    exact::Real level;
+    exact::RealPoint at;
+  };
+  virtual std::optional<Lowest> lowest() const { return std::nullopt; }
+  /// The same function in other coordinates, f(p) = in(p + by), where numbers are more exact: searches are made there.
+  struct Elsewhere {
+    const TDistance& in;
+    exact::RealPoint by;
+  };
+  virtual std::optional<Elsewhere> elsewhere() const { return std::nullopt; }
+  /// Levels at which f may have a minimum or a plateau that no fronts explain.
+  virtual std::vector<exact::Real> special_levels() const { return {}; }
+};
+
+using TDistancePointer = std::shared_ptr<const TDistance>;
+
+}  // namespace findspace::distance

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar_least/extremum.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "distance/planar_features/point_set.h"
+#include "distance/planar_least/extremum_candidates.h"
+#include "distance/planar_least/level_probe.h"
+#include "plane/base/real_vector.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/locate.h"
+#include "plane/query/moved.h"
+#include "plane/query/topology.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Region;
+using plane::operator-;
+
+namespace {
+
+constexpr int kMostProbes = 120;
+constexpr double kMost = 0x1p44;    // no level lies beyond: coordinates are below 2^40
+constexpr double kPlace = 0x1p-42;  // of the scale: so near the best positions are told
+
+/// A number between the two with few digits.
+double simple_between(double low, double high) {
+  double grain = std::exp2(std::floor(std::log2(high - low)) - 2);
+  double middle = low + (high - low) / 2, round = std::round(middle / grain) * grain;
+  return round > low && round < high ? round : middle;
+}
+
+class Search {
+ public:
+  Search(const TDistance& f, const Region& s, Sense sense)
+      : f_(f),
+        s_(s),
+        closure_(plane::closure(s)),
+        whole_(plane::is_whole(s)),
+        turn_(sense == Sense::kMinimum ? 1 : -1) {}
+
+  Extremum run(const std::optional<Bracket>& known);
+
+ private:
+  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, turn_); }
+  RealPoint start() const {
+    return whole_ || closure_.vertices.empty() ? f_.seed() : closure_.geometry.exact(closure_.vertices[0].point);
+  }
+  double number(const Real& level) const { return turn_ * near_value(level); }
+  bool reaches(const Real& level);
+  bool accept(const Real& level);
+  double extent() const;
+  Extremum infinite(bool below) const;
+  bool bracket(const Real& value);
+  bool take(const Bracket& known);
+  bool try_near(const std::vector<Real>& all, double number);
+  bool try_candidates();
+  void enclose();
+  void pin_down();
+  bool take_lowest(Extremum& out) const;
+  Extremum proven();
+  Extremum enclosed() const;
+
+  const TDistance& f_;
+  const Region& s_;
+  Region closure_;
+  bool whole_;
+  int turn_;
+  double bad_ = 0, good_ = 0, scale_ = 1;  // turned so that less is better: the extremum is in (bad, good]
+  CellComplex reached_;                    // of the last level that was reached
+  std::vector<Real> refused_;
+  std::optional<Bracket> known_;
+  Real level_, beyond_;   // the extremum; where it is enclosed: what is reached, and what is not
+  CellComplex accepted_;  // probed at it over the closure
+  bool value_only_ = false;
+};
+
+bool Search::reaches(const Real& level) {
+  CellComplex c = probe(level, closure_);
+  bool yes = has_mark(c, kOn) || has_mark(c, kBeyond);
+  (yes ? good_ : bad_) = number(level);
+  if (yes) reached_ = std::move(c);
+  return yes;
+}
+
+/// Is this the extremum? Narrows the bracket if not.
+bool Search::accept(const Real& level) {
+  CellComplex c = probe(level, closure_);
+  if (has_mark(c, kBeyond)) {
+    good_ = number(level);
+    reached_ = std::move(c);
+    return false;
+  }
+  if (!has_mark(c, kOn)) {
+    bad_ = number(level);
+    return false;
+  }
+  level_ = level;
+  accepted_ = std::move(c);
+  return true;
+}
+
+double Search::extent() const {
+  double most = 1;
+  for (const auto& v : closure_.vertices) {
+    const auto& p = closure_.geometry.points[v.point];
+    most = std::max({most, std::abs(p.x), std::abs(p.y)});
+  }
+  return most;
+}
+
+/// f is +infinity or, `below`, -infinity everywhere: it changes no faster than the position.
+Extremum Search::infinite(bool below) const {
+  Extremum e;
+  if (!below) return e;
+  e.exists = e.unbounded = e.attained = e.proven = true;
+  e.at = s_;
+  return e;
+}
+
+/// Around the extremum, from the value at some position; false where there is no bound.
+bool Search::bracket(const Real& value) {
+  good_ = turn_ * value.to_double();
+  scale_ = std::max(scale_, std::abs(good_));
+  good_ += scale_ * 0x1p-30;
+  double step = std::max(1.0, scale_ / 8);
+  for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) {
+    bad_ = good_ - step;
+    if (bad_ < -kMost) return false;
+  }
+  // Over the whole plane nothing else says how large all is.
+  scale_ = std::max({scale_, std::abs(bad_), std::abs(good_)});
+  return true;
+}
+
+/// Begins with what is known, if the level that is said to be reached is.
+bool Search::take(const Bracket& known) {
+  const double room = scale_ * 0x1p-40;  // of the numbers
+  const double good = turn_ * known.reached + room;
+  if (!reaches(Real::from_double(turn_ * good))) return false;
+  bad_ = std::min(turn_ * known.bound - room, good - 2 * room);
+  known_ = known;
+  return true;
+}
+
+/// The candidate next to a number, if one is as near as rounding.
+bool Search::try_near(const std::vector<Real>& all, double number) {
+  const auto far = [number](const Real& l) { return std::abs(near_value(l) - number); };
+  const auto best =
+      std::min_element(all.begin(), all.end(), [&](const auto& l, const auto& m) { return far(l) < far(m); });
+  if (far(*best) > scale_ * 0x1p-36) return false;
+  if (accept(*best)) return true;
+  refused_.push_back(*best);
+  return false;
+}
+
+bool Search::try_candidates() {
+  double low = bad_ - scale_ * 0x1p-48, high = good_ + scale_ * 0x1p-48;
+  auto all = extremum_candidates(f_, whole_ ? nullptr : &closure_, reached_, std::min(turn_ * low, turn_ * high),
+                                 std::max(turn_ * low, turn_ * high));
+  std::erase_if(all, [&](const Real& l) {
+    return std::any_of(refused_.begin(), refused_.end(), [&](const Real& r) { return near_value(r) == near_value(l); });
+  });
+  if (all.empty()) return false;
+  if (known_ && try_near(all, std::exchange(known_, std::nullopt)->reached)) return true;
+  // Candidates of one value are tried; several values are told apart by bisection first.
+  double spread = std::abs(near_value(all.front()) - near_value(all.back()));
+  if (spread > scale_ * 0x1p-40) return false;
+  for (std::size_t k = 0; k < all.size() && k < 3; ++k) {
+    if (accept(all[k])) return true;
+    refused_.push_back(all[k]);
+  }
+  return false;
+}
+
+/// At the level that was accepted.
+Extremum Search::proven() {
+  Extremum e;
+  e.exists = e.proven = true, e.level = level_;
+  if (value_only_) return e;
+  if (!whole_) e.at = on_level(probe(level_, s_));
+  e.attained = whole_ || !plane::is_empty(e.at);
+  if (whole_ || !e.attained) e.at = on_level(std::move(accepted_));
+  return e;
+}
+
+Extremum Search::enclosed() const {
+  Extremum e;
+  e.exists = true, e.level = level_;
+  if (value_only_) return e;
+  const auto beyond = beyond_.interval();
+  e.bound = turn_ > 0 ? beyond.lo : beyond.hi;
+  const ComponentPoints found = one_point_a_component(reached_);
+  e.within = found.within;
+  e.at = point_set(found.points);
+  const std::array<const Region*, 2> beside{&closure_, &s_};
+  const CellComplex lacking = probe(level_, plane::subtract(beside));
+  e.attained = whole_ || !(has_mark(lacking, kOn) || has_mark(lacking, kBeyond));
+  return e;
+}
+
+/// The family knows its least value, and a position of the closure of S has it.
+bool Search::take_lowest(Extremum& out) const {
+  const auto lowest = turn_ > 0 ? f_.lowest() : std::nullopt;
+  if (!lowest || (!whole_ && plane::mark_of(closure_, plane::locate(closure_, lowest->at)) <= 0)) return false;
+  out.exists = out.proven = true;
+  out.level = lowest->level, out.at = point_set({&lowest->at, 1});
+  out.attained = whole_ || plane::mark_of(s_, plane::locate(s_, lowest->at)) > 0;
+  return true;
+}
+
+/// What was rounded at the ends of the bracket, by exact sign maps: (bad, good] holds the extremum.
+void Search::enclose() {
+  const double width = std::max(good_ - bad_, scale_ * 0x1p-50);
+  while (!reaches(Real::from_double(turn_ * good_))) good_ += width;
+  for (double low = bad_; reaches(Real::from_double(turn_ * low));) low = good_ - width;
+  level_ = Real::from_double(turn_ * good_), beyond_ = Real::from_double(turn_ * bad_);
+}
+
+/// Where two opposite fronts meet, positions as good as the level lie as far apart as the square root of what it is
+/// off: the bracket is narrowed, past doubles, until they are told, or lie no nearer (curves and faces of best ones).
+void Search::pin_down() {
+  constexpr int kSteps = 12, kMostRounds = 10;
+  double within = one_point_a_component(reached_).within;
+  for (int round = 0; round < kMostRounds && within > scale_ * kPlace; ++round) {
+    for (int k = 0; k < kSteps; ++k) {
+      const Real middle = (level_ + beyond_) / Real(2);
+      CellComplex c = probe(middle, closure_);
+      const bool yes = has_mark(c, kOn) || has_mark(c, kBeyond);
+      (yes ? level_ : beyond_) = middle;
+      if (yes) reached_ = std::move(c);
+    }
+    const double now = one_point_a_component(reached_).within;
+    if (now > within / 2) return;
+    within = now;
+  }
+}
+
+Extremum Search::run(const std::optional<Bracket>& known) {
+  value_only_ = known && known->value_only;
+  if (plane::is_empty(s_) || !f_.defined()) return {};
+  if (turn_ < 0 && s_.faces[0].mark > 0) {
+    Extremum e;
+    e.unbounded = true;
+    return e;
+  }
+  if (Extremum out; take_lowest(out)) return out;
+  for (const Real& l : f_.special_levels())
+    if (accept(l)) return proven();
+  scale_ = extent();
+  if (!known || !take(*known)) {
+    const auto value = f_.value(start());
+    if (!value || value->minus_infinity) return infinite(value.has_value());
+    if (Extremum out; !bracket(value->value)) return out.unbounded = true, out;
+  }
+  for (int probes = 0; probes < kMostProbes; ++probes) {
+    double width = good_ - bad_;
+    if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return proven();
+    width = good_ - bad_;
+    double least = std::max(std::abs(good_) * 0x1p-44, scale_ * 0x1p-50);
+    if (width <= least) break;
+    reaches(Real::from_double(turn_ * simple_between(bad_, good_)));
+  }
+  enclose();
+  if (!value_only_) pin_down();
+  return enclosed();
+}
+
+}  // namespace
+
+Extremum extremum(const TDistance& f, const Region& s, Sense sense, const std::optional<Bracket>& known) {
+  if (const auto there = f.elsewhere()) {
+    Extremum e = extremum(there->in, plane::moved(s, there->by), sense, known);
+    e.at = plane::moved(std::move(e.at), -there->by);
+    return e;
+  }
+  return Search(f, s, sense).run(known);
+}
+
+Extremum least(const TDistance& f) { return extremum(f, CellComplex::uniform(1), Sense::kMinimum); }
+
+}  // namespace findspace::distance

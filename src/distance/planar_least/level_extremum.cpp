@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar_least/level_extremum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/planar_features/point_set.h"
+#include "distance/planar_least/extremum_candidates.h"
+#include "distance/planar_least/level_probe.h"
+#include "plane/query/topology.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using plane::CellComplex;
+using plane::Region;
+
+namespace {
+
+constexpr double kMost = 0x1p44;  // no level lies beyond: coordinates are below 2^40
+
+class LevelSearch {
+ public:
+  LevelSearch(const PositionFunction& f, const Region& s, Sense sense)
+      : f_(f), s_(s), turn_(sense == Sense::kMinimum ? 1 : -1) {}
+
+  Extremum run(bool continuous) {
+    Extremum out;
+    if (plane::is_empty(s_) || !f_.defined()) return out;
+    if (!bracket(out)) return out;
+    out.exists = true;
+    narrow(0.25);
+    if (whole_number(out, continuous)) return out;
+    narrow(0x1p-20);
+    out.level = level(good_), out.attained = true;
+    out.at = point_set(one_point_a_component(probe(level(good_), s_)).points);
+    return out;
+  }
+
+ private:
+  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, turn_); }
+  Real level(double number) const { return Real::from_double(turn_ * number); }
+  bool reaches(double number) const { return !plane::is_empty(probe(level(number), s_)); }
+
+  /// The extremum into (bad, good], less being better; false where there is none.
+  bool bracket(Extremum& out) {
+    good_ = 1, bad_ = -1;
+    for (; good_ < kMost && !reaches(good_); good_ *= 2) bad_ = good_;
+    if (good_ >= kMost) return false;
+    for (; bad_ > -kMost && reaches(bad_); bad_ *= 2) good_ = bad_;
+    out.unbounded = bad_ <= -kMost;
+    return !out.unbounded;
+  }
+
+  /// Bisects to a width of so many steps, or 2^-48 of the value.
+  void narrow(double width) {
+    while (good_ - bad_ > std::max(width, std::abs(good_) * 0x1p-48)) {
+      const double middle = bad_ + (good_ - bad_) / 2;
+      (reaches(middle) ? good_ : bad_) = middle;
+    }
+  }
+
+  /// Whether the extremum is the whole number in the bracket, with proof.
+  bool whole_number(Extremum& out, bool continuous) const {
+    const double whole = std::round(good_);
+    if (whole < bad_ || whole > good_) return false;
+    const CellComplex at = probe(level(whole), s_);
+    if (has_mark(at, kBeyond)) return false;
+    out.attained = has_mark(at, kOn);
+    // Where S has nothing there, its closure may: an infimum, of which all that is beyond is reached.
+    if (!out.attained && !continuous) return false;
+    out.at = on_level(out.attained ? at : probe(level(whole), plane::closure(s_)));
+    out.level = level(whole);
+    out.proven = out.attained || !plane::is_empty(out.at);
+    return out.proven;
+  }
+
+  const PositionFunction& f_;
+  const Region& s_;
+  int turn_;
+  double bad_ = 0, good_ = 0;
+};
+
+}  // namespace
+
+Extremum level_extremum(const PositionFunction& f, const Region& s, Sense sense, bool continuous) {
+  return LevelSearch(f, s, sense).run(continuous);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/rays/ray_covers.h"
+
+#include <array>
+#include <cmath>
+
+#include "space/body/position_covers.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::Bounds3;
+using space::ConvexRegion;
+using space::HalfSpace;
+using space::RealVector;
+
+namespace {
+
+RayCover cover_of(const space::OpenCover& cover, const Bounds3& a, const Bounds3& b, bool outside) {
+  RayCover out;
+  for (std::size_t k = 0; k < cover.size(); ++k)
+    out.sets.push_back(cover.planes(k)), out.extents.push_back(cover.extent(k));
+  out.low = outside ? space::minus(a.low, b.low) : space::minus(a.low, b.high);
+  out.high = outside ? space::minus(a.high, b.high) : space::minus(a.high, b.low);
+  for (int k = 0; k < 3; ++k) {
+    out.all = out.all || out.high[k] < out.low[k];
+    out.low[k] -= Real(1), out.high[k] += Real(1);
+  }
+  out.beyond = outside;
+  return out;
+}
+
+}  // namespace
+
+space::OpenCover RayCover::lazy() const {
+  space::OpenCover out;
+  for (std::size_t k = 0; k < sets.size(); ++k) out.add(extents[k], sets[k]);
+  return out;
+}
+
+RayCover overlap_sets(const Body& b, const Body& a) {
+  return cover_of(space::overlap_cover(b, a), bounds(a), bounds(b), false);
+}
+
+RayCover outside_sets(const Body& b, const Body& a) {
+  const std::vector<space::OutsideCell> cells = space::outside_cells(a);
+  return cover_of(space::outside_cover(b, cells), bounds(a), bounds(b), true);
+}
+
+ConvexRegion difference_core(const space::BodyPart& a, const space::BodyPart& b) {
+  const std::vector<HalfSpace> planes = space::difference_planes(a, b);
+  if (planes.empty()) {
+    const RealVector center = space::real(a.center - b.center);
+    return ConvexRegion(center, center);
+  }
+  const space::Extent extent = space::difference_extent(a, b);
+  const std::array<double, 6> ends{extent.low.x,  extent.low.y,  extent.low.z,
+                                   extent.high.x, extent.high.y, extent.high.z};
+  RealVector low, high;
+  for (std::size_t k = 0; k < 3; ++k)
+    low[k] = Real::from_double(std::floor(ends[k]) - 1), high[k] = Real::from_double(std::ceil(ends[k + 3]) + 1);
+  return cut_from(low, high, planes);
+}
+
+ConvexRegion cut_from(const RealVector& low, const RealVector& high, std::span<const HalfSpace> planes) {
+  ConvexRegion set(low, high);
+  for (const HalfSpace& h : planes) set.cut(h);
+  return set;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/rays/ray_directional.h"
+
+#include <algorithm>
+
+#include "distance/rays/ray_covers.h"
+#include "distance/rays/ray_signs.h"
+#include "distance/rays/round_directional.h"
+#include "space/body/cover_frontier.h"
+#include "space/rays/piece_rays.h"
+#include "space/rays/ray_sources.h"
+#include "space/rays/swept_pieces.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::ConvexRegion;
+using space::HalfSpace;
+using space::LinePiece;
+using space::RayGrid;
+using space::RealVector;
+using space::Sweep;
+using Source = space::RaySourcePointer;
+
+/// A convex set grown by a ball.
+struct Grown {
+  ConvexRegion core;
+  Real radius;
+};
+
+/// A union of closed convex sets: grown regions, and half spaces beyond the box that holds the rest.
+struct ClosedSets {
+  std::vector<Grown> regions;
+  std::vector<HalfSpace> beyond;
+};
+
+/// The half spaces that a box leaves.
+std::vector<HalfSpace> around(const RealVector& low, const RealVector& high) {
+  std::vector<HalfSpace> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    RealVector up;
+    up[k] = Real(1);
+    out.emplace_back(up, -low[k]);
+    out.emplace_back(space::negated(up), high[k]);
+  }
+  return out;
+}
+
+/// The closures of the open sets.
+ClosedSets closures(const RayCover& cover) {
+  ClosedSets out;
+  for (const auto& set : cover.sets) {
+    ConvexRegion region = cut_from(cover.low, cover.high, set);
+    if (!region.empty()) out.regions.push_back({std::move(region), Real()});
+  }
+  if (cover.beyond) out.beyond = around(cover.low, cover.high);
+  return out;
+}
+
+/// What the open sets leave.
+ClosedSets rest(const RayCover& cover) {
+  ClosedSets out;
+  for (ConvexRegion& piece : space::uncovered_pieces(cover.lazy(), cover.low, cover.high))
+    out.regions.push_back({std::move(piece), Real()});
+  for (ConvexRegion& piece : space::cover_frontier(cover.sets, cover.low, cover.high))
+    out.regions.push_back({std::move(piece), Real()});
+  if (!cover.beyond) out.beyond = around(cover.low, cover.high);
+  return out;
+}
+
+/// The positions at which the closed bodies meet, by pairs of parts.
+ClosedSets differences(const Body& b, const Body& a) {
+  ClosedSets out;
+  for (const BodyPart& t : a.parts) {
+    for (const BodyPart& s : b.parts) out.regions.push_back({difference_core(t, s), t.radius + s.radius});
+  }
+  return out;
+}
+
+class Directional {
+ public:
+  Directional(const RealVector& direction, bool both_ways, std::int64_t scale, const RayGrid& grid)
+      : unit_(space::scaled(Real(1) / sqrt(space::dot(direction, direction)), direction)),
+        both_ways_(both_ways),
+        scale_(scale),
+        grid_(grid) {}
+
+  /// gamma1 of the open set that the cover is, its own closed companion being the closures'. Not at level 0.
+  Source signed_map(const RayCover& cover, const Real& level) const;
+  /// gamma1 below 0 where the set is one region.
+  Source depth_map(const Grown& set, const Real& level) const;
+  /// The greatest distance to a bounded closed set.
+  Source farthest_map(const ClosedSets& closed, const Real& level) const;
+  /// From p at most `reach` along the way: sums of what is met with the way back.
+  Source within(const ClosedSets& sets, const Real& reach) const;
+  DirectionalWish wish(bool farthest) const { return {unit_, both_ways_, farthest}; }
+  const RayGrid& grid() const { return grid_; }
+
+ private:
+  Source constant(int sign) const { return space::constant_rays(grid_, sign); }
+  Source swept(const ClosedSets& sets, const Sweep& sweep) const;
+  Source farther(const ClosedSets& sets, const Real& level, const Real& most, bool forward) const;
+
+  RealVector unit_;
+  bool both_ways_;
+  std::int64_t scale_;
+  RayGrid grid_;
+};
+
+Source Directional::swept(const ClosedSets& sets, const Sweep& sweep) const {
+  std::vector<LinePiece> pieces;
+  for (const Grown& set : sets.regions) space::add_swept_pieces(set.core, set.radius, sweep, pieces);
+  for (const HalfSpace& h : sets.beyond) pieces.push_back(space::swept_piece(h, sweep));
+  return std::make_unique<space::PieceRays>(pieces, scale_, grid_);
+}
+
+Source Directional::within(const ClosedSets& sets, const Real& reach) const {
+  return both_ways_ ? swept(sets, {unit_, -reach, reach, false, false})
+                    : swept(sets, {unit_, -reach, Real(), false, true});
+}
+
+Source Directional::signed_map(const RayCover& cover, const Real& level) const {
+  if (level.sign() > 0) return within(closures(cover), level);
+  return space::negated_rays(within(rest(cover), -level));
+}
+
+/// The set and where it is moved by the depth have to hold the position: inside of the convex set is all between.
+Source Directional::depth_map(const Grown& set, const Real& level) const {
+  std::vector<LinePiece> whole{space::whole_piece(set.core)};
+  if (set.radius.sign() > 0) add_round_pieces(set.core, set.radius, whole);
+  std::vector<Source> all;
+  const auto add_moved = [&](const Real& by) {
+    std::vector<LinePiece> pieces;
+    for (const LinePiece& piece : whole) pieces.push_back(moved(piece, space::scaled(by, unit_)));
+    all.push_back(std::make_unique<space::PieceRays>(pieces, scale_, grid_));
+  };
+  add_moved(Real());
+  add_moved(level);
+  if (both_ways_) add_moved(-level);
+  return space::combined_rays(std::move(all), [](std::span<const std::int8_t> s) {
+    return s[0] < 0 ? *std::max_element(s.begin(), s.end()) : std::int8_t(1);
+  });
+}
+
+/// +1 where the set is met farther off than the level, 0 where not but at the level, -1 elsewhere.
+Source Directional::farther(const ClosedSets& sets, const Real& level, const Real& most, bool forward) const {
+  return space::negated_rays(forward ? swept(sets, {unit_, -most, -level, true, false})
+                                     : swept(sets, {unit_, level, most, false, true}));
+}
+
+Source Directional::farthest_map(const ClosedSets& closed, const Real& level) const {
+  if (level.sign() < 0 || closed.regions.empty()) return constant(1);
+  // A position that meets the set within the level meets nothing of it farther off than the level and its extent.
+  Real extent, radius;
+  const ConvexRegion::Vertex& first = closed.regions[0].core.vertices()[0];
+  for (const Grown& set : closed.regions) {
+    radius = std::max(radius, set.radius);
+    for (const ConvexRegion::Vertex& v : set.core.vertices()) {
+      for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, abs(v.at[k] - first.at[k]));
+    }
+  }
+  const Real most = Real(2) * level + Real(6) * extent + Real(4) * radius + Real(1);
+  std::vector<Source> all;
+  if (level.sign() > 0) {
+    all.push_back(within(closed, level));
+  } else {
+    // At level 0 only what is met at once counts.
+    std::vector<LinePiece> pieces;
+    for (const Grown& set : closed.regions) {
+      pieces.push_back(space::whole_piece(set.core));
+      if (set.radius.sign() > 0) add_round_pieces(set.core, set.radius, pieces);
+    }
+    all.push_back(space::mapped_rays(std::make_unique<space::PieceRays>(pieces, scale_, grid_),
+                                     [](int s) { return s <= 0 ? 0 : 1; }));
+  }
+  all.push_back(farther(closed, level, most, true));
+  if (both_ways_) all.push_back(farther(closed, level, most, false));
+  return space::greatest_rays(std::move(all));
+}
+
+Body bounded(Body a) {
+  a.outside = false;
+  return a;
+}
+
+/// Of eta1 and eta2, A bounded.
+bool fit_by_values(const Body& b, const Body& a) { return a.round() || (b.round() && !a.convex()); }
+
+bool depth_by_values(const Real& level, const Body& b, const Body& a) {
+  return level.sign() < 0 && (a.round() || b.round()) && !(a.convex() && b.convex());
+}
+
+Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest);
+
+/// eta1 and eta2. Inside and outside of A exchanged eta1 is -gamma1.
+Source eta(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest,
+           const RayGrid& grid) {
+  if (a.outside && farthest) return space::constant_rays(grid, 1);
+  if (a.outside) return space::negated_rays(gamma(maker, b, bounded(a), -level, false));
+  if (fit_by_values(b, a)) return round_fit_map(level, maker.wish(farthest), b, a, grid);
+  const RayCover cover = outside_sets(b, a);
+  if (cover.all) return space::constant_rays(grid, 1);
+  return farthest ? maker.farthest_map(rest(cover), level) : space::negated_rays(maker.signed_map(cover, -level));
+}
+
+Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest) {
+  if (a.round() || b.round()) {
+    const ClosedSets closed = differences(b, a);
+    if (farthest) return maker.farthest_map(closed, level);
+    if (level.sign() > 0) return maker.within(closed, level);
+    if (closed.regions.size() == 1) return maker.depth_map(closed.regions[0], level);
+    return round_depth_map(level, maker.wish(false), b, a, maker.grid());
+  }
+  const RayCover cover = overlap_sets(b, a);
+  return farthest ? maker.farthest_map(closures(cover), level) : maker.signed_map(cover, level);
+}
+
+}  // namespace
+
+bool directional_by_values(Which which, const Real& level, const Body& b, const Body& a) {
+  switch (which) {
+    case Which::kGamma1:
+      if (a.outside) return fit_by_values(b, bounded(a));
+      return depth_by_values(level, b, a);
+    case Which::kGamma2:
+      return false;
+    case Which::kEta1:
+      if (a.outside) return depth_by_values(-level, b, bounded(a));
+      return fit_by_values(b, a);
+    case Which::kEta2:
+      return !a.outside && fit_by_values(b, a);
+    default:
+      return !a.outside && fit_by_values(mirrored(a), mirrored(b));
+  }
+}
+
+std::unique_ptr<space::RaySource> ray_directional_map(Which which, const Real& level, const RealVector& direction,
+                                                      bool both_ways, const Body& b, const Body& a,
+                                                      const RayGrid& grid) {
+  const bool farthest = which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2;
+  if (!farthest && level.sign() == 0) return ray_sign_map(which, level, b, a, grid);
+  const Directional maker(direction, both_ways, b.scale, grid);
+  switch (which) {
+    case Which::kGamma1:
+    case Which::kGamma2:
+      if (!a.outside) return gamma(maker, b, a, level, farthest);
+      if (farthest) return space::constant_rays(grid, 1);
+      return space::negated_rays(eta(maker, b, bounded(a), -level, false, grid));
+    case Which::kEta1:
+    case Which::kEta2:
+      return eta(maker, b, a, level, farthest, grid);
+    default:
+      // A in B + p is -A + p in -B.
+      if (a.outside) return space::constant_rays(grid, 1);
+      return eta(maker, mirrored(a), mirrored(b), level, farthest, grid);
+  }
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sign maps on rays of distances along a direction u (distances.md 7.1; definitions in directional.h), at levels other
+// than 0 of gamma1, eta1 and delta1, and at any level of gamma2, eta2 and delta2. The closed sets are unions of convex
+// polyhedra: those that the open sets of a cover close to, and what the cover leaves (pieces, facets, edges and single
+// points); or, of gamma1 and gamma2 of round bodies, of convex differences grown by their radii. The regions are their
+// sums with stretches of a line, with or without its ends (space/rays/swept_pieces.h). Guarantee: exact on every
+// line. The depth in a union with round parts, and containment of or in round bodies, are found by values
+// (round_directional.h), which says what is refused. Cost: the convex pieces of the sets, each made once. Keywords:
+// partial Minkowski sum, directional penetration depth.
+#pragma once
+
+#include <memory>
+
+#include "distance/planar/shape_pair.h"
+#include "space/body/body.h"
+#include "space/rays/ray_map.h"
+
+namespace findspace::distance {
+
+/// `which` is one of the six; the level in the bodies' steps. `direction` need not be of length 1.
+std::unique_ptr<space::RaySource> ray_directional_map(Which which, const exact::Real& level,
+                                                      const space::RealVector& direction, bool both_ways,
+                                                      const space::Body& b, const space::Body& a,
+                                                      const space::RayGrid& grid);
+
+/// Whether that map is found by values, so that 0 means a place near the front. Not at level 0 of gamma1, eta1, delta1.
+bool directional_by_values(Which which, const exact::Real& level, const space::Body& b, const space::Body& a);
+
+}  // namespace findspace::distance

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The sign map at any level of a distance along the very direction that the lines run in, read off the signs at level 0
+// on each line (track_value.h says how a value follows from them): a place where the sign can change is an end on the
+// line moved by the level. So it holds for shapes of every kind of which the plain distance has a sign map: round ones,
+// surfaces, differences. Guarantee: as the sign map at level 0: exact where that is. Cost: the square of the ends on a
+// line. Keywords: directional penetration depth, run-length morphology.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <mutex>
+
+#include "plane/query/section.h"
+#include "space/rays/ray_map.h"
+
+namespace findspace::distance {
+
+struct RunWish {
+  bool farthest = false;  // gamma2, eta2, delta2; else gamma1, eta1, delta1
+  bool both_ways = false;
+  bool forward = true;  // one way: by growing place
+};
+
+class RayRuns : public space::RaySource, private space::RayRoots {
+ public:
+  using Rows = std::function<space::RayRow(int)>;
+  /// `zero`: of gamma1, eta1 or delta1 at level 0; the level in parts of a grid step.
+  RayRuns(Rows zero, const RunWish& wish, const exact::Real& level, const space::RayGrid& grid);
+
+  const space::RayGrid& grid() const override { return grid_; }
+  space::RayRow row(int j) const override;
+
+ private:
+  plane::Section section(const space::RayRow& row, int i) const;
+  int sign(const plane::Section& line, const exact::Real& at) const;
+  space::RayPosition position(const exact::Real& at) const;
+  exact::Real root(int patch, int which, int i, int j) const override;
+
+  Rows zero_;
+  RunWish wish_;
+  exact::Real level_;
+  space::RayGrid grid_;
+  mutable std::mutex guard_;
+  mutable std::deque<exact::Real> places_;  // those that are no small fractions
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/rotation/over_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "distance/planar_features/sites.h"
+#include "plane/build/path_region.h"
+#include "plane/build/swept.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/locate.h"
+#include "plane/query/moved.h"
+#include "plane/query/section.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Mark;
+using plane::SignMap;
+using plane::operator+;
+using plane::operator-;
+
+namespace {
+
+SignMap negated(SignMap m) {
+  return remark(std::move(m), [](Mark k) { return Mark(-k); });
+}
+
+/// f at some points of a path, as numbers, brackets its extremum: it changes by at most the way (Piyavskii 1972).
+class PathSearch {
+ public:
+  PathSearch(const TDistance& f, const RelativePath& path, Sense sense)
+      : f_(f), path_(path), sign_(sense == Sense::kMinimum ? 1 : -1) {}
+
+  std::optional<Bracket> run() {
+    constexpr int kFirst = 4, kMost = 200;
+    constexpr double kEnough = 0x1p-24;
+    best_ = look(0, 0);
+    double length = 0;
+    for (std::size_t leg = 0; leg + 1 < path_.size(); ++leg) {
+      double f = look(leg, 0);
+      for (int k = 1; k <= kFirst; ++k) {
+        const double to = double(k) / kFirst, g = look(leg, to);
+        push({leg, to - 1.0 / kFirst, to, f, g, 0});
+        f = g;
+      }
+      length += way(leg);
+    }
+    for (int k = 0; k < kMost && !gaps_.empty(); ++k) {
+      const Gap gap = gaps_.front();
+      if (best_ - gap.low <= length * kEnough) break;
+      std::pop_heap(gaps_.begin(), gaps_.end());
+      gaps_.pop_back();
+      const double middle = gap.from + (gap.to - gap.from) / 2, f = look(gap.leg, middle);
+      push({gap.leg, gap.from, middle, gap.f, f, 0});
+      push({gap.leg, middle, gap.to, f, gap.g, 0});
+    }
+    refine();
+    return Bracket{sign_ * best_, sign_ * (gaps_.empty() ? best_ : std::min(best_, gaps_.front().low)), true};
+  }
+
+ private:
+  struct Gap {
+    std::size_t leg;
+    double from, to, f, g, low;
+    bool operator<(const Gap& other) const { return low > other.low; }
+  };
+
+  /// Golden sections of the gaps beside the best point: f is smooth or has one kink there.
+  void refine() {
+    constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
+    constexpr int kSteps = 50;
+    const auto best = std::min_element(
+        gaps_.begin(), gaps_.end(), [](const Gap& g, const Gap& h) { return std::min(g.f, g.g) < std::min(h.f, h.g); });
+    if (best == gaps_.end()) return;
+    const std::size_t leg = best->leg;
+    const double at = best->f < best->g ? best->from : best->to;
+    double from = best->from, to = best->to;
+    for (const Gap& g : gaps_) {
+      if (g.leg == leg && g.to == at) from = g.from;
+      if (g.leg == leg && g.from == at) to = g.to;
+    }
+    double low = to - kGolden * (to - from), high = from + kGolden * (to - from);
+    double f = look(leg, low), g = look(leg, high);
+    for (int k = 0; k < kSteps; ++k) {
+      if (f < g) {
+        to = high, high = low, g = f, low = to - kGolden * (to - from), f = look(leg, low);
+      } else {
+        from = low, low = high, f = g, high = from + kGolden * (to - from), g = look(leg, high);
+      }
+    }
+  }
+
+  double way(std::size_t leg) const {
+    const RealPoint d = path_[leg + 1] - path_[leg];
+    return std::hypot(near_value(d.x), near_value(d.y)) * (1 + 0x1p-40);
+  }
+
+  double look(std::size_t leg, double part) {
+    const RealPoint& from = path_[leg];
+    const RealPoint& to = path_[std::min(leg + 1, path_.size() - 1)];
+    const Real s = Real::from_double(part);
+    const RealPoint d = to - from;
+    const double v = sign_ * f_.value({from.x + s * d.x, from.y + s * d.y})->value.to_double();
+    best_ = std::min(best_, v);
+    return v;
+  }
+
+  void push(Gap gap) {
+    gap.low = (gap.f + gap.g - way(gap.leg) * (gap.to - gap.from)) / 2;
+    gaps_.push_back(gap);
+    std::push_heap(gaps_.begin(), gaps_.end());
+  }
+
+  const TDistance& f_;
+  const RelativePath& path_;
+  double sign_, best_ = std::numeric_limits<double>::infinity();
+  std::vector<Gap> gaps_;
+};
+
+/// The sign of the least (greatest) value along the path from every position.
+SignMap extreme_along(SignMap m, const RelativePath& path, Sense sense) {
+  if (sense == Sense::kMinimum) return least_along(m, path);
+  return negated(least_along(negated(std::move(m)), path));
+}
+
+class OverTime : public PositionFunction {
+ public:
+  OverTime(TDistancePointer f, RelativePath path, Sense sense)
+      : f_(std::move(f)), path_(std::move(path)), sense_(sense) {}
+
+  bool defined() const override { return f_->defined(); }
+
+  SignMap sign_map(const Real& level) const override { return extreme_along(f_->sign_map(level), path_, sense_); }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    if (!defined()) return std::nullopt;
+    RelativePath moved = path_;
+    for (RealPoint& w : moved) w = w + p;
+    const Extremum e = extremum(*f_, plane::region_of_path(moved), sense_, bracket(moved));
+    if (!e.exists) return std::nullopt;
+    return Value{e.level, std::nullopt};
+  }
+
+ private:
+  std::optional<Bracket> bracket(const RelativePath& path) const { return PathSearch(*f_, path, sense_).run(); }
+
+  TDistancePointer f_;
+  RelativePath path_;
+  Sense sense_;
+};
+
+class JumpingOverTime : public PositionFunction {
+ public:
+  JumpingOverTime(PositionFunctionPointer f, RelativePath path, Sense sense)
+      : f_(std::move(f)), path_(std::move(path)), sense_(sense) {
+    for (std::size_t k = 0; k < path_.size(); ++k) times_.emplace_back(int(k));
+  }
+
+  bool defined() const override { return f_->defined(); }
+
+  SignMap sign_map(const Real& level) const override { return extreme_along(f_->sign_map(level), path_, sense_); }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    if (!defined()) return std::nullopt;
+    if (sign(p, Real()) == 0) return Value{Real(), std::nullopt};
+    constexpr double kFar = 0x1p44;  // steps: beyond all coordinates
+    if (sign(p, Real::from_double(-kFar)) <= 0) return Value{Real(), std::nullopt, true};
+    if (sign(p, Real::from_double(kFar)) > 0) return std::nullopt;
+    double low = -kFar, high = kFar;  // f is above the one, not above the other
+    for (int k = 0; k < 110; ++k) {
+      const double middle = low + (high - low) / 2;
+      if (middle <= low || middle >= high) break;
+      (sign(p, Real::from_double(middle)) > 0 ? low : high) = middle;
+    }
+    const Real whole = exact::round(Real::from_double(high));
+    return Value{sign(p, whole) == 0 ? whole : Real::from_double(high), std::nullopt};
+  }
+
+ private:
+  /// Of the extremum at p minus the level.
+  Mark sign(const RealPoint& p, const Real& level) const {
+    const SignMap m = f_->sign_map(level);
+    if (path_.size() == 1) return mark_of(m, locate(m, p + path_[0]));
+    const plane::Section line = plane::section_of_path(m, p, path_, times_);
+    Mark best = line.stops[0].at;
+    for (std::size_t k = 0; k < line.stops.size(); ++k) {
+      for (const Mark mark : {line.stops[k].at, k + 1 < line.stops.size() ? line.stops[k].after : line.stops[k].at})
+        best = sense_ == Sense::kMinimum ? std::min(best, mark) : std::max(best, mark);
+    }
+    return best;
+  }
+
+  PositionFunctionPointer f_;
+  RelativePath path_;
+  Sense sense_;
+  std::vector<Real> times_;
+};
+
+class AtInstant : public PositionFunction {
+ public:
+  AtInstant(PositionFunctionPointer f, const RealPoint& by) : f_(std::move(f)), by_(by) {}
+
+  bool defined() const override { return f_->defined(); }
+  SignMap sign_map(const Real& level) const override { return plane::moved(f_->sign_map(level), -by_); }
+
+  std::optional<Value> value(const RealPoint& p) const override {
+    auto v = f_->value(p + by_);
+    if (v && v->nearest) v->nearest = *v->nearest - by_;
+    return v;
+  }
+
+ private:
+  PositionFunctionPointer f_;
+  RealPoint by_;
+};
+
+}  // namespace
+
+PositionFunctionPointer over_time(TDistancePointer f, RelativePath path, Sense sense) {
+  return std::make_shared<OverTime>(std::move(f), std::move(path), sense);
+}
+
+PositionFunctionPointer jumping_over_time(PositionFunctionPointer f, RelativePath path, Sense sense) {
+  return std::make_shared<JumpingOverTime>(std::move(f), std::move(path), sense);
+}
+
+PositionFunctionPointer at_instant(PositionFunctionPointer f, const RealPoint& by) {
+  return std::make_shared<AtInstant>(std::move(f), by);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/field_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace findspace::distance {
+
+using space::Vector;
+
+struct FieldBoxes::Box {
+  double value = 0;  // in the middle
+  mutable std::atomic<std::array<Box, 8>*> children{nullptr};
+  ~Box() { delete children.load(); }
+};
+
+/// A tetrahedron: the box about it, and the planes of its faces.
+struct FieldBoxes::Asked {
+  Vector low, high;
+  struct Plane {
+    Vector normal;  // outward
+    double offset = 0, spread = 0;
+  };
+  std::array<Plane, 4> planes;
+  double most = 0, least_half = 0;
+
+  Asked(const Tetrahedron& t, double most_, double smallest) : low(t[0]), high(t[0]), most(most_) {
+    for (const Vector& v : t) {
+      low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+      high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vector &a = t[(k + 1) % 4], e = t[(k + 2) % 4] - a, g = t[(k + 3) % 4] - a, f = t[k] - a;
+      Vector n{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
+      if (space::dot(n, f) > 0) n = space::scaled(-1, n);
+      // Of a flat one the planes say nothing that is known for certain.
+      const double room = 0x1p-40 * space::size_of(n) * (space::size_of(low) + space::size_of(high));
+      planes[k] = {n, space::dot(n, a) + room, space::size_of(n)};
+    }
+    least_half = std::max(smallest, space::length(high - low) / 64);
+  }
+  bool misses(const Vector& middle, double half) const {
+    if (middle.x - half > high.x || middle.x + half < low.x || middle.y - half > high.y || middle.y + half < low.y ||
+        middle.z - half > high.z || middle.z + half < low.z)
+      return true;
+    return std::any_of(planes.begin(), planes.end(),
+                       [&](const Plane& p) { return space::dot(p.normal, middle) - half * p.spread > p.offset; });
+  }
+};
+
+FieldBoxes::FieldBoxes(const Vector& middle, double half, int depth, Value value)
+    : middle_(middle),
+      half_(half),
+      least_half_(std::ldexp(half, -depth)),
+      value_(std::move(value)),
+      root_(std::make_unique<Box>()) {
+  root_->value = value_(middle);
+}
+
+FieldBoxes::~FieldBoxes() = default;
+
+namespace {
+
+Vector part(const Vector& middle, double half, std::size_t k) {
+  const double by = half / 2;
+  return {middle.x + ((k & 1) != 0 ? by : -by), middle.y + ((k & 2) != 0 ? by : -by),
+          middle.z + ((k & 4) != 0 ? by : -by)};
+}
+
+}  // namespace
+
+const std::array<FieldBoxes::Box, 8>& FieldBoxes::children(const Box& box, const Vector& middle, double half) const {
+  if (const auto* known = box.children.load(std::memory_order_acquire)) return *known;
+  auto made = std::make_unique<std::array<Box, 8>>();
+  for (std::size_t k = 0; k < 8; ++k) (*made)[k].value = value_(part(middle, half, k));
+  std::array<Box, 8>* expected = nullptr;
+  if (box.children.compare_exchange_strong(expected, made.get(), std::memory_order_acq_rel)) return *made.release();
+  return *expected;
+}
+
+bool FieldBoxes::within(const Box& box, const Vector& middle, double half, const Asked& asked) const {
+  if (asked.misses(middle, half)) return true;
+  const double reach = half * 1.7320508075688774;
+  if (box.value + reach <= asked.most) return true;
+  if (box.value - reach > asked.most || half < 2 * asked.least_half) return false;
+  const std::array<Box, 8>& all = children(box, middle, half);
+  for (std::size_t k = 0; k < 8; ++k) {
+    if (!within(all[k], part(middle, half, k), half / 2, asked)) return false;
+  }
+  return true;
+}
+
+bool FieldBoxes::within(const Tetrahedron& corners, double most) const {
+  const Asked asked(corners, most, least_half_);
+  const Vector by{half_, half_, half_}, low = middle_ - by, high = space::plus(middle_, by);
+  if (asked.low.x < low.x || asked.low.y < low.y || asked.low.z < low.z || asked.high.x > high.x ||
+      asked.high.y > high.y || asked.high.z > high.z)
+    return false;
+  return within(*root_, middle_, half_, asked);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The place of a room nearest to a convex set, or farthest from one, among those that convex functions allow: each
+// of `keep_out` is to be at least 0 there (the place is outside a grown set), each of `keep_in` at most 0 (inside one).
+// So distances to and from round fronts are found, of which planes alone are not enough. Branch and bound over
+// tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what its
+// tangent is there; weights for which no place of the cell can be allowed and better than the best one known are a
+// matrix game, whose other side is a place to try. Both bounds are off by the square of a cell's size, so smooth fronts
+// cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed place is better
+// than `bound`. Passages and places of no room, which numbers cannot tell from closed ones, make `bound` differ from
+// `value` (or nothing is found), unless such a place is known: `unsure` is one. Cost: some hundred to some thousand
+// cells, each as many values as functions are near 0 in it. Keywords: reverse convex programming, penetration depth,
+// global optimisation.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "distance/search/front_cells.h"
+#include "distance/search/solid_peak.h"
+
+namespace findspace::distance {
+
+/// A convex function at x: value + slope . (y - x) is nowhere more than it. No step changes it by more than its length.
+struct Touching {
+  double value = 0;
+  space::Vector slope;
+};
+using TouchingRule = std::function<Touching(const space::Vector&)>;
+
+/// What else places have to keep out of, which no few convex functions say: each cell is told those that count there.
+class MoreFronts {
+ public:
+  virtual ~MoreFronts() = default;
+  /// By number a convex function that is at least 0 at all allowed places. Numbers of one search stay.
+  virtual double beyond(int number, const space::Vector& x) const = 0;
+  /// Those for a cell of one that had those of `known`: the numbers.
+  virtual std::vector<int> near(const space::Vector& middle, double edge, std::span<const int> known) = 0;
+  /// Whether the place keeps all of them, known or not; `known` may tell at once that it does not.
+  virtual bool allows(const space::Vector& x, std::span<const int> known) const = 0;
+  /// Whether so much was done that the search is to end.
+  virtual bool spent() const = 0;
+};
+
+struct Rules {
+  std::vector<ConvexDistance> keep_out;
+  std::vector<TouchingRule> keep_in;
+  MoreFronts* more = nullptr;
+};
+
+/// The objective at a place of no room that is known to be allowed; asked once, where the search comes to one or is
+/// long, or first where there are MoreFronts.
+using KnownPlace = std::function<std::optional<double>()>;
+
+inline constexpr int kMostFrontCells = 60000;
+
+struct FrontPlace {
+  bool found = false;
+  double value = 0, bound = 0;
+  space::Vector place;
+  std::optional<space::Vector> unsure;
+  bool known = false;  // instead of `found`: the value is that at the place asked for
+  bool whole = true;   // false: ended at kMostFrontCells
+};
+
+/// A search that need not end: it may where how far the value is from the level, and on which side, is known but for
+/// that share, or where it is within `blur` of the level. With `blur` it does not matter how much more than that the
+/// value is.
+struct Until {
+  double level = 0, share = 0, blur = 0;
+};
+
+/// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.
+FrontPlace nearest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const TouchingRule& distance,
+                           double size, double floor, const KnownPlace& known = {}, const Until* until = nullptr);
+/// At which the distance is greatest.
+FrontPlace farthest_allowed(std::span<const Tetrahedron> room, const Rules& rules, const ConvexDistance& distance,
+                            double size, const KnownPlace& known = {});
+
+}  // namespace findspace::distance

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/least_in_box.h"
+
+#include <algorithm>
+#include <queue>
+
+#include "plane/base/parallel.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+constexpr std::size_t kAtOnce = 16;
+
+struct Box {
+  Vector center, half;
+  double bound = 0;
+  bool operator<(const Box& other) const { return bound > other.bound; }  // the least is on top
+};
+
+class Search {
+ public:
+  explicit Search(const std::function<Real(const RealVector&)>& value, double floor) : value_(value), floor_(floor) {}
+
+  SolidLeast run(const Vector& low, const Vector& high) {
+    const Vector half = space::scaled(0.5, high - low);
+    tolerance_ = 0x1p-30 * (space::length(half) + 1);
+    take({{space::plus(low, half), half, 0}});
+    while (count_ < kMostValues && !queue_.empty() && least_ - queue_.top().bound > tolerance_ && least_ > floor_) {
+      std::vector<Box> parts;
+      for (std::size_t k = 0; k < kAtOnce && !queue_.empty(); ++k) {
+        divide(queue_.top(), parts);
+        queue_.pop();
+      }
+      take(std::move(parts));
+    }
+    const double bound = std::max(floor_, queue_.empty() ? least_ : std::min(queue_.top().bound, least_));
+    // Roundings: of the centres and of the values.
+    out_.bound = std::min(out_.value, Real::from_double(bound - 0x1p-44 * (std::fabs(bound) + space::length(half))));
+    if (floor_ >= bound) out_.bound = std::min(out_.value, Real::from_double(floor_));
+    out_.proven = out_.bound == out_.value;
+    return out_;
+  }
+
+ private:
+  static void divide(const Box& box, std::vector<Box>& parts) {
+    const Vector h = space::scaled(0.5, box.half);
+    for (int k = 0; k < 8; ++k) {
+      const Vector by{k & 1 ? h.x : -h.x, k & 2 ? h.y : -h.y, k & 4 ? h.z : -h.z};
+      parts.push_back({space::plus(box.center, by), h, 0});
+    }
+  }
+
+  void take(std::vector<Box> boxes) {
+    std::vector<Real> values(boxes.size());
+    plane::parallel_for(boxes.size(), [&](std::size_t k) { values[k] = value_(space::real(boxes[k].center)); });
+    count_ += static_cast<int>(boxes.size());
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      const double value = values[k].to_double();
+      if (value < least_ || count_ == 1) {
+        least_ = value;
+        out_.value = std::move(values[k]);
+        out_.at = space::real(boxes[k].center);
+      }
+      boxes[k].bound = value - space::length(boxes[k].half);
+      queue_.push(boxes[k]);
+    }
+  }
+
+  const std::function<Real(const RealVector&)>& value_;
+  double floor_, tolerance_ = 0, least_ = exact::kInfinity;
+  int count_ = 0;
+  std::priority_queue<Box> queue_;
+  SolidLeast out_;
+};
+
+}  // namespace
+
+SolidLeast least_in_box(const std::function<Real(const RealVector&)>& value, const Vector& low, const Vector& high,
+                        double floor) {
+  return Search(value, floor).run(low, high);
+}
+
+}  // namespace findspace::distance

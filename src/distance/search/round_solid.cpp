@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/round_solid.h"
+
+#include <algorithm>
+
+namespace findspace::distance {
+
+using space::dot;
+using space::Vector;
+
+Vector RoundSolid::foot(const Vector& x) const {
+  if (way) return space::plus(x, way(x));
+  const Vector e = to - from;
+  const double square = dot(e, e), part = square > 0 ? std::clamp(dot(x - from, e) / square, 0.0, 1.0) : 0;
+  return space::plus(from, space::scaled(part, e));
+}
+
+Vector RoundSolid::pulled_in(const Vector& x) const {
+  const Vector at = foot(x), off = x - at;
+  const double far = space::length(off);
+  return far > radius ? space::plus(at, space::scaled(radius / far, off)) : x;
+}
+
+std::optional<std::array<double, 4>> RoundSolid::beyond_plane(const Vector& x, const Tetrahedron& corners) const {
+  const Vector at = foot(x), off = x - at;
+  const double far = space::length(off);
+  if (!(far > radius / 2))
+    return std::nullopt;  // no sign: any plane that touches is a bound, this one would be far off
+  std::array<double, 4> out{};
+  for (std::size_t v = 0; v < 4; ++v) out[v] = dot(off, corners[v] - at) / far - radius;
+  return out;
+}
+
+/// A box, cut along the six ways from its lowest to its highest corner.
+std::vector<Tetrahedron> around(const RoundSolid& solid) {
+  const Vector room{solid.radius, solid.radius, solid.radius};
+  const auto low = Vector{std::min(solid.from.x, solid.to.x), std::min(solid.from.y, solid.to.y),
+                          std::min(solid.from.z, solid.to.z)} -
+                   room;
+  const auto high = space::plus(
+      {std::max(solid.from.x, solid.to.x), std::max(solid.from.y, solid.to.y), std::max(solid.from.z, solid.to.z)},
+      room);
+  return tetrahedra_of_box(low, high);
+}
+
+}  // namespace findspace::distance

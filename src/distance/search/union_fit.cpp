@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/union_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <queue>
+
+#include "distance/search/matrix_game.h"
+
+namespace findspace::distance {
+
+using space::plus;
+using space::scaled;
+using space::Vector;
+using Column = UnionStickOut::Column;
+using Witness = UnionStickOut::Witness;
+
+namespace {
+
+/// Of the size: what rounding may do, by how much B has to fit, where cells are no longer divided, and what is better
+/// than the best by less than which is not looked for.
+constexpr double kNoise = 0x1p-46, kRoom = 0x1p-45, kLeast = 0x1p-42, kBetter = 0x1p-37;
+constexpr int kMostCells = 6000;
+/// Cells of the search for what sticks out, at a corner and at a place that may be in E.
+constexpr int kRough = 1500, kFine = 20000;
+constexpr std::size_t kMostWitnesses = 6;
+/// Choices of parts that are tried for a cell; with more it is divided.
+constexpr int kMostChoices = 200;
+
+struct Corner {
+  Vector at;
+  UnionStickOut::Farthest stuck;
+};
+using CornerPointer = std::shared_ptr<const Corner>;
+
+struct Cell {
+  std::array<CornerPointer, 4> corner;
+  std::vector<Witness> witnesses;
+  CornerPointer inside;  // a corner of it or of one that it is a part of, at which B fits
+  double key = 0;
+  int depth = 0;
+  bool operator<(const Cell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
+};
+
+/// A place where the columns, of which one of each witness is chosen, are all at most 0, and the objective allows it.
+class Choice {
+ public:
+  Choice(std::vector<std::vector<Column>> witnesses, std::vector<Column> wanted, double noise)
+      : witnesses_(std::move(witnesses)), columns_(std::move(wanted)), noise_(noise) {
+    std::sort(witnesses_.begin(), witnesses_.end(), [](const auto& x, const auto& y) { return x.size() < y.size(); });
+  }
+  /// The weights of the corners.
+  std::optional<std::array<double, 4>> place() {
+    if (columns_.empty() && witnesses_.empty()) return std::array<double, 4>{0.25, 0.25, 0.25, 0.25};
+    if (!columns_.empty()) rows_ = game();
+    if (!columns_.empty() && !rows_) return std::nullopt;
+    return from(0) ? rows_ : std::nullopt;
+  }
+
+ private:
+  bool from(std::size_t k) {
+    if (k == witnesses_.size()) return true;
+    for (const Column& c : witnesses_[k]) {
+      Column room = c;
+      for (double& entry : room) entry = -entry;
+      columns_.push_back(room);
+      if (++tried_ > kMostChoices) return true;
+      const auto rows = game();
+      if (rows) {
+        rows_ = rows;
+        if (from(k + 1)) return true;
+      }
+      columns_.pop_back();
+    }
+    return false;
+  }
+
+  /// Where the least of the columns is greatest, if that is not below 0.
+  std::optional<std::array<double, 4>> game() const {
+    double lowest = 0, highest = 0;
+    for (const Column& c : columns_) {
+      for (const double entry : c) lowest = std::min(lowest, entry), highest = std::max(highest, entry);
+    }
+    std::vector<Column> raised = columns_;
+    for (Column& c : raised) {
+      for (double& entry : c) entry -= lowest;
+    }
+    const GameValue found = matrix_game(raised);
+    if (found.value + lowest < -noise_ - 0x1p-44 * (highest - lowest)) return std::nullopt;
+    return found.rows;
+  }
+
+  std::vector<std::vector<Column>> witnesses_;
+  std::vector<Column> columns_;
+  double noise_;
+  std::optional<std::array<double, 4>> rows_;
+  int tried_ = 0;
+};
+
+class Search {
+ public:
+  Search(const UnionStickOut& stick_out, const FitWish& wish, double size)
+      : stick_out_(stick_out), wish_(wish), size_(size) {
+    best_.value = wish.known, best_.known = std::isfinite(wish.known);
+  }
+
+  FrontPlace run(std::span<const Tetrahedron> room) {
+    for (const Tetrahedron& t : room) {
+      Cell cell;
+      for (std::size_t v = 0; v < 4; ++v) cell.corner[v] = corner(t[v], 0x1p-6 * size_);
+      cell.key = wish_.floor;
+      add(std::move(cell));
+    }
+    int count = 0;
+    double left = exact::kInfinity;
+    for (; !queue_.empty(); ++count) {
+      const Cell top = queue_.top();
+      if (!(top.key < wanted())) break;
+      queue_.pop();
+      std::size_t a = 0, b = 1;
+      const double edge = longest_edge(corners(top), a, b);
+      if (edge <= kLeast * size_ || count >= kMostCells) {
+        best_.whole = count < kMostCells;
+        left = top.key, best_.unsure = middle(corners(top));
+        break;
+      }
+      split(top, a, b, edge);
+    }
+    best_.bound = std::min(best_.value, left);
+    return best_;
+  }
+
+ private:
+  static Tetrahedron corners(const Cell& cell) {
+    return {cell.corner[0]->at, cell.corner[1]->at, cell.corner[2]->at, cell.corner[3]->at};
+  }
+  static Vector middle(const Tetrahedron& t) { return scaled(0.25, plus(plus(t[0], t[1]), plus(t[2], t[3]))); }
+
+  CornerPointer corner(const Vector& at, double precision) const {
+    return std::make_shared<const Corner>(Corner{at, stick_out_.farthest(at, precision, kRough)});
+  }
+
+  double objective(const Vector& x) const {
+    const double d = space::length(x - wish_.from);
+    return wish_.farthest ? -d : d;
+  }
+  double wanted() const { return std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value; }
+
+  /// At the corners, what is nowhere more than the objective.
+  Column objective_below(const Tetrahedron& t) const {
+    Column out;
+    const Vector at = middle(t), off = at - wish_.from;
+    const double d = space::length(off);
+    for (std::size_t v = 0; v < 4; ++v)
+      out[v] = wish_.farthest ? objective(t[v]) : d > 0 ? d + space::dot(off, t[v] - at) / d : 0;
+    return out;
+  }
+
+  void take(const Vector& x) {
+    const double value = objective(x);
+    if (value < best_.value) best_.value = value, best_.place = x, best_.found = true, best_.known = false;
+  }
+
+  /// Whether B fits at a place, by more than rounding; if not, about how far it sticks out. One of the witnesses often
+  /// says so.
+  bool fits(const Vector& x, const Cell& cell, double edge, double& out) const {
+    const double room = kRoom * size_;
+    out = -exact::kInfinity;
+    for (const Witness& w : cell.witnesses) out = std::max(out, stick_out_.beyond(plus(w.point, x)));
+    if (out > -room) return false;
+    const UnionStickOut::Farthest stuck =
+        stick_out_.farthest(x, std::max(0.25 * edge * edge / size_, kNoise * size_), kFine);
+    out = stuck.bound;
+    return stuck.bound <= -room;
+  }
+
+  /// A place that may be in E, or else where E begins on the way to one that is.
+  void offer(const Vector& x, const Cell& cell, double edge) {
+    double out = 0;
+    if (!(objective(x) < wanted())) return;
+    if (fits(x, cell, edge, out)) return take(x);
+    if (!cell.inside) return;
+    const double deep = 2 * kRoom * size_ - cell.inside->stuck.bound;
+    double step = (out + 2 * kRoom * size_) / (out + deep);
+    for (int k = 0; k < 6 && step < 1; ++k, step *= 1.5) {
+      const Vector y = plus(x, scaled(step, cell.inside->at - x));
+      if (!(objective(y) < wanted())) return;
+      if (fits(y, cell, edge, out)) return take(y);
+    }
+  }
+
+  /// The columns of the witnesses that say something; false where one says that B fits nowhere in the cell.
+  bool told(Cell& cell, const Tetrahedron& t, double edge, std::vector<std::vector<Column>>& out) const {
+    std::vector<Witness> kept, all;
+    for (const CornerPointer& c : cell.corner) {
+      all.push_back({c->stuck.point, c->at, c->stuck.piece});
+      // As it is, too: where B has no room to spare, many points stick out, each on its own side.
+      if (!add_columns(stick_out_.holders(all.back(), t), out)) return false;
+    }
+    all.insert(all.end(), cell.witnesses.begin(), cell.witnesses.end());
+    for (Witness& w : all) {
+      if (kept.size() == kMostWitnesses) break;
+      stick_out_.follow(w, middle(t), edge);
+      const bool same = std::any_of(kept.begin(), kept.end(), [&](const Witness& other) {
+        return w.piece == other.piece && space::length(w.point - other.point) <= edge / 4;
+      });
+      if (same) continue;
+      if (!add_columns(stick_out_.holders(w, t, edge), out)) return false;
+      kept.push_back(w);
+    }
+    cell.witnesses = std::move(kept);
+    return true;
+  }
+
+  static bool add_columns(std::vector<Column> holders, std::vector<std::vector<Column>>& out) {
+    if (holders.empty()) return false;
+    double certain = exact::kInfinity;
+    for (const Column& c : holders) certain = std::min(certain, *std::max_element(c.begin(), c.end()));
+    if (certain > 0) out.push_back(std::move(holders));
+    return true;
+  }
+
+  void add(Cell cell) {
+    const Tetrahedron t = corners(cell);
+    const Column objective = objective_below(t);
+    cell.key = std::max(cell.key, *std::min_element(objective.begin(), objective.end()));
+    if (!(cell.key < wanted())) return;
+    std::size_t a = 0, b = 1;
+    const double edge = longest_edge(t, a, b);
+    for (const CornerPointer& c : cell.corner) {
+      if (c->stuck.value > edge + kNoise * size_) return;
+      if (c->stuck.bound > -kRoom * size_) continue;
+      cell.inside = c;
+      take(c->at);
+    }
+    std::vector<std::vector<Column>> witnesses;
+    if (!told(cell, t, edge, witnesses)) return;
+    std::vector<Column> better;
+    if (std::isfinite(wanted())) {
+      better.emplace_back();
+      for (std::size_t v = 0; v < 4; ++v) better.back()[v] = wanted() - objective[v];
+    }
+    const auto rows = Choice(std::move(witnesses), std::move(better), kNoise * size_).place();
+    if (!rows) return;
+    Vector x;
+    for (std::size_t v = 0; v < 4; ++v) x = plus(x, scaled((*rows)[v], t[v]));
+    offer(x, cell, edge);
+    if (cell.key < wanted()) queue_.push(std::move(cell));
+  }
+
+  void split(const Cell& cell, std::size_t a, std::size_t b, double edge) {
+    const Vector half = scaled(0.5, plus(cell.corner[a]->at, cell.corner[b]->at));
+    const CornerPointer fresh = corner(half, std::max(0.25 * edge * edge / size_, kNoise * size_));
+    for (const std::size_t moved : {a, b}) {
+      Cell part = cell;
+      part.corner[moved] = fresh, part.depth = cell.depth + 1;
+      add(std::move(part));
+    }
+  }
+
+  const UnionStickOut& stick_out_;
+  const FitWish& wish_;
+  double size_;
+  FrontPlace best_;
+  std::priority_queue<Cell> queue_;
+};
+
+}  // namespace
+
+FrontPlace best_fit(const UnionStickOut& stick_out, const Vector& low, const Vector& high, const FitWish& wish) {
+  const double size = stick_out.size(), room = 0x1p-30 * size;
+  const auto [from, to] = askew(low - Vector{room, room, room}, plus(high, {room, room, room}));
+  return Search(stick_out, wish, size).run(tetrahedra_of_box(from, to));
+}
+
+}  // namespace findspace::distance

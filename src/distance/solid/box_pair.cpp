@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/solid/box_pair.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::BoxComplex;
+using space::dot;
+using space::Interval;
+using space::IntervalBox;
+using space::Mark;
+using space::RealVector;
+
+namespace {
+
+[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
+
+BoxComplex either(const BoxComplex& a, const BoxComplex& b) {
+  return overlay(std::array<const BoxComplex*, 2>{&a, &b}, [](std::span<const Mark> m) { return Mark(m[0] || m[1]); });
+}
+
+/// -1 on `open`, 0 on the rest of `closed`, +1 elsewhere.
+BoxComplex sign_map_of(const BoxComplex& open, const BoxComplex& closed) {
+  return overlay(std::array<const BoxComplex*, 2>{&open, &closed}, [](std::span<const Mark> m) {
+    return Mark(m[0] ? -1 : m[1] ? 0 : 1);
+  });
+}
+
+BoxComplex gamma_map(const BoxComplex& b, const BoxComplex& a) {
+  const BoxComplex back = b.mirrored();
+  return sign_map_of(either(sum(a.interior(), back), sum(a, back.interior())), sum(a, back));
+}
+
+/// B + p in A, and in its interior.
+BoxComplex eta_map(const BoxComplex& b, const BoxComplex& a) {
+  const BoxComplex back = b.mirrored(), outside = a.complement();
+  return sign_map_of(sum(outside.closure(), back).complement(), sum(outside, back).complement());
+}
+
+/// The box less t on every side; nothing if that is empty. Open if `open`.
+std::optional<BoxComplex> shrunk(const IntervalBox& box, const Real& t, bool open) {
+  IntervalBox out = box;
+  for (Interval& i : out) {
+    if (i.from) *i.from += t;
+    if (i.to) *i.to -= t;
+    i.from_in = i.to_in = !open;
+    if (i.from && i.to && (*i.to < *i.from || (open && !(*i.from < *i.to)))) return std::nullopt;
+  }
+  return BoxComplex::of_boxes(std::array<IntervalBox, 1>{out});
+}
+
+bool is_open(const IntervalBox& box) {
+  return std::all_of(box.begin(), box.end(), [](const Interval& i) {
+    return !i.from_in && !i.to_in && !(i.from && i.to && !(*i.from < *i.to));
+  });
+}
+
+std::size_t slot(Which base) { return base == Which::kGamma1 ? 0 : base == Which::kEta1 ? 1 : 2; }
+
+/// max(floor, f) or max(floor, -f) at a level: the map of f at that level (or its negative), marks turned.
+struct Derived {
+  Which base;
+  bool negated;
+};
+
+std::optional<Derived> derived(Which which) {
+  switch (which) {
+    case Which::kD1:
+      return Derived{Which::kGamma1, false};
+    case Which::kPenetration:
+      return Derived{Which::kGamma1, true};
+    case Which::kH:
+      return Derived{Which::kMu, false};
+    case Which::kHBack:
+      return Derived{Which::kMuBack, false};
+    case Which::kDstar:
+      return Derived{Which::kDelta1, true};
+    case Which::kDstarBack:
+      return Derived{Which::kEta1, true};
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+BoxPair::BoxPair(BoxComplex b, BoxComplex a) : b_(std::move(b)), a_(std::move(a)) {
+  if (b_.empty() || a_.empty()) throw Error(ErrorCode::kGeometry, "a shape of the scene is empty");
+}
+
+const BoxPair::Signs& BoxPair::signs(Which base) const {
+  const std::size_t k = slot(base);
+  std::call_once(once_[k], [&] { signs_[k] = std::make_unique<Signs>(made(base)); });
+  return *signs_[k];
+}
+
+BoxPair::Signs BoxPair::made(Which base) const {
+  Signs s;
+  s.map = base == Which::kGamma1 ? gamma_map(b_, a_)
+          : base == Which::kEta1 ? eta_map(b_, a_)
+                                 : eta_map(a_, b_).mirrored();
+  s.map = s.map.simplified();
+  s.closed = s.map.remarked([](Mark m) { return Mark(m <= 0); }).boxes();
+  s.rest = s.map.remarked([](Mark m) { return Mark(m >= 0); }).boxes();
+  s.defined = !s.closed.empty();
+  const std::vector<IntervalBox> negative = s.map.remarked([](Mark m) { return Mark(m < 0); }).simplified().boxes();
+  s.has_negative = !negative.empty();
+  // Of a set that is no such union some of the boxes would be flat.
+  if (std::all_of(negative.begin(), negative.end(), is_open)) s.negative = negative;
+  return s;
+}
+
+BoxComplex BoxPair::base_map(Which base, const Real& level) const {
+  const Signs& s = signs(base);
+  if (!s.defined) return BoxComplex({}, 1);
+  if (level.sign() == 0) return s.map;
+  if (level.sign() > 0)
+    fail("at a level above 0 the positions have round edges, which the exact map of boxes does not hold");
+  if (!s.has_negative) return BoxComplex({}, 1);
+  if (s.negative.empty())
+    fail("at a level below 0 the positions have round edges, which the exact map of boxes does not hold");
+  std::optional<BoxComplex> map;
+  for (const IntervalBox& box : s.negative) {
+    const auto open = shrunk(box, -level, true), closed = shrunk(box, -level, false);
+    if (!closed) continue;
+    BoxComplex one = sign_map_of(open ? *open : BoxComplex(), *closed);
+    map = map ? overlay(std::array<const BoxComplex*, 2>{&*map, &one},
+                        [](std::span<const Mark> m) { return std::min(m[0], m[1]); })
+              : std::move(one);
+  }
+  return map ? *map : BoxComplex({}, 1);
+}
+
+BoxComplex BoxPair::sign_map(Which which, const Real& level) const {
+  if (const auto d = derived(which)) {
+    if (level.sign() < 0) return BoxComplex({}, 1);
+    const bool defined = d->base == Which::kMu || d->base == Which::kMuBack || signs(d->base).defined;
+    if (!defined) return BoxComplex({}, d->negated ? Mark(-level.sign()) : Mark(1));
+    const int turn = d->negated ? -1 : 1;
+    const bool above = level.sign() > 0;
+    return sign_map(d->base, d->negated ? -level : level).remarked([=](Mark m) {
+      return Mark(above ? turn * m : turn * m > 0);
+    });
+  }
+  switch (which) {
+    case Which::kGamma1:
+    case Which::kEta1:
+    case Which::kDelta1:
+      return base_map(which, level);
+    case Which::kMu:  // not above 0 they agree with eta1 and delta1
+    case Which::kMuBack:
+      if (level.sign() <= 0) return base_map(which == Which::kMu ? Which::kEta1 : Which::kDelta1, level);
+      break;
+    case Which::kHausdorff: {
+      if (level.sign() < 0) return BoxComplex({}, 1);
+      if (level.sign() > 0) break;
+      const BoxComplex forth = base_map(Which::kEta1, level), back = base_map(Which::kDelta1, level);
+      return overlay(std::array<const BoxComplex*, 2>{&forth, &back},
+                     [](std::span<const Mark> m) { return std::max(m[0], m[1]); });
+    }
+    default:
+      break;
+  }
+  fail("the positions have round edges, which the exact map of boxes does not hold");
+}
+
+bool BoxPair::has_value(Which which) {
+  const auto d = derived(which);
+  const Which base = d ? d->base : which;
+  return base == Which::kGamma1 || base == Which::kEta1 || base == Which::kDelta1 || base == Which::kEta2 ||
+         base == Which::kDelta2;
+}
+
+bool BoxPair::is_reach(Which which) { return which == Which::kGamma2 || which == Which::kDiameter; }
+
+std::optional<SolidValue> BoxPair::signed_value(Which base, const RealVector& p) const {
+  const Signs& s = signs(base);
+  if (!s.defined) return std::nullopt;
+  SolidValue out;
+  const Mark sign = s.map.mark(p);
+  if (sign == 0) return out;
+  const auto q = nearest(sign < 0 ? s.rest : s.closed, p);
+  if (!q) {
+    out.lowest = true;
+    return out;
+  }
+  const RealVector off = space::minus(*q, p);
+  const Real d = sqrt(dot(off, off));
+  out.value = sign < 0 ? -d : d;
+  if (d.sign() != 0) out.nearest = q;
+  return out;
+}
+
+std::optional<SolidValue> BoxPair::farthest_value(Which base, const RealVector& p) const {
+  const auto q = farthest(signs(base).closed, p);
+  if (!q) return std::nullopt;
+  SolidValue out;
+  const RealVector off = space::minus(*q, p);
+  out.value = sqrt(dot(off, off));
+  return out;
+}
+
+std::optional<SolidValue> BoxPair::value(Which which, const RealVector& p) const {
+  if (which == Which::kEta2) return farthest_value(Which::kEta1, p);
+  if (which == Which::kDelta2) return farthest_value(Which::kDelta1, p);
+  if (is_reach(which)) {
+    auto most = farthest_value(Which::kGamma1, p);
+    for (const BoxComplex* own : {&a_, &b_}) {
+      if (which != Which::kDiameter || !most) continue;
+      const auto diameter = BoxPair(*own, *own).farthest_value(Which::kGamma1, {});
+      if (!diameter || most->value < diameter->value) most = diameter;
+    }
+    return most;
+  }
+  const auto d = derived(which);
+  if (!d) return signed_value(which, p);
+  auto v = signed_value(d->base, p);
+  if (!v) return d->negated ? std::optional<SolidValue>(SolidValue{}) : std::nullopt;
+  if (v->lowest && d->negated) return std::nullopt;
+  v->lowest = false;
+  if (d->negated) v->value = -v->value;
+  if (v->value.sign() < 0) v->value = Real();
+  return v;
+}
+
+std::optional<BoxPair::Least> BoxPair::least(Which which) const {
+  if (which != Which::kGamma1 && which != Which::kEta1 && which != Which::kDelta1) return std::nullopt;
+  const Signs& s = signs(which);
+  if (!s.defined) return Least{Real(), space::BoxComplex()};
+  if (!s.has_negative) return Least{Real(), s.map.remarked([](Mark m) { return Mark(m <= 0); })};
+  if (s.negative.empty()) return std::nullopt;
+  std::optional<Real> deepest;
+  for (const IntervalBox& box : s.negative) {
+    std::optional<Real> half;
+    for (const Interval& i : box) {
+      if (!i.from || !i.to) continue;
+      const Real h = (*i.to - *i.from) / Real(2);
+      if (!half || h < *half) half = h;
+    }
+    if (!half) return std::nullopt;
+    if (!deepest || *deepest < *half) deepest = half;
+  }
+  BoxComplex at;
+  for (const IntervalBox& box : s.negative) {
+    if (const auto middle = shrunk(box, *deepest, false)) at = either(at, *middle);
+  }
+  return Least{-*deepest, std::move(at)};
+}
+
+}  // namespace findspace::distance

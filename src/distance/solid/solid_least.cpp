@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/solid/solid_least.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "distance/search/convex_distance.h"
+#include "distance/solid/convex_least.h"
+#include "space/body/cover_frontier.h"
+#include "space/body/outside_cells.h"
+#include "space/polytope/deepest.h"
+#include "space/polytope/min_ball.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body, space::ConvexRegion, space::HalfSpace, space::RealVector, space::Vector;
+
+namespace {
+
+/// Convex sets that are to be kept away from, each with its planes, the ones that can bound a ball.
+struct Obstacles {
+  std::vector<Tetrahedron> room;
+  std::vector<ConvexDistance> distances;
+  std::vector<std::vector<HalfSpace>> planes;
+};
+
+/// The planes that obstacles near `place` turn to it: the ball about the place touches their insides.
+std::vector<HalfSpace> touched_planes(const Obstacles& all, const Vector& place, double radius) {
+  const double slack = 0x1p-24 * (radius + 0x1p-20 * space::size_of(place));
+  std::vector<HalfSpace> planes;
+  for (std::size_t k = 0; k < all.distances.size(); ++k) {
+    if (all.distances[k](place) > radius + slack) continue;
+    for (const HalfSpace& h : all.planes[k]) {
+      if (std::fabs(h.shadow_value(place) - radius) <= slack) planes.push_back(h.opposite());
+    }
+  }
+  return planes;
+}
+
+/// Positions near a place that is known to rounding, of numbers that the true one may well have.
+std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place, double radius) {
+  std::vector<RealVector> out;
+  const double room = 0x1p-20 * (radius + space::size_of(place)) + 1;
+  const Vector by{room, room, room};
+  if (const auto exact = space::deepest(touched_planes(all, place, radius), space::real(place - by),
+                                        space::real(space::plus(place, by))))
+    out.push_back(exact->at);
+  RealVector even = space::real(place);
+  for (Real& c : even) {
+    for (const int parts : {8, 6, 5, 4, 3, 2, 1}) {
+      const Real rounded = Real(exact::round(c * Real(parts))) / Real(parts);
+      if (std::fabs((rounded - c).to_double()) <= 0x1p-24 * (radius + 1)) c = rounded;  // no sign: its value decides
+    }
+  }
+  out.push_back(even);
+  out.push_back(space::real(place));
+  return out;
+}
+
+/// Of a signed distance: -(peak - radius).
+std::optional<SolidLeast> deepest_place(const Obstacles& all, const Real& radius, const RealVector& somewhere,
+                                        const std::function<std::optional<SolidValue>(const RealVector&)>& value) {
+  const double size = space::size_of(space::rounded(somewhere)) + radius.to_double() + 1;
+  const SolidPeak peak = all.room.empty() ? SolidPeak{} : solid_peak(all.room, all.distances, 0x1p-42 * size);
+  const Real bound = radius - Real::from_double(peak.bound + 0x1p-42 * size);
+  std::optional<SolidLeast> best;
+  // Values are right to 2^-40, so what is less by less than that is no better than a likelier place.
+  const Real blur = Real::from_double(0x1p-38 * size);  // no sign: it chooses among positions
+  const auto offer = [&](const RealVector& p) {
+    const auto v = value(p);
+    if (!v || (best && !(v->value < best->value - blur))) return;
+    best = SolidLeast{v->value, std::min(bound, v->value), false, p};
+  };
+  if (peak.value > 0) {
+    for (const RealVector& p : likely_places(all, peak.place, peak.value)) offer(p);
+  }
+  if (!best) offer(somewhere);
+  return best;
+}
+
+class Least {
+ public:
+  Least(const Body& b, const Body& a)
+      : b_(b), a_(a), pair_(std::make_shared<const Body>(b), std::make_shared<const Body>(a)) {
+    const space::Bounds3 outer = bounds(a), inner = bounds(b);
+    low_ = space::minus(outer.low, inner.high), high_ = space::minus(outer.high, inner.low);
+  }
+
+  std::optional<SolidLeast> of(Which which) const {
+    switch (which) {
+      case Which::kGamma1:
+        return a_.round() || b_.round() ? searched(which, -exact::kInfinity) : overlap();
+      case Which::kEta1:
+        return a_.round() || radii_differ() ? searched(which, -exact::kInfinity) : containment();
+      case Which::kMu:
+        if (auto fits = a_.round() || radii_differ() ? std::nullopt : containment()) return fits;
+        return searched(which, -exact::kInfinity);
+      case Which::kGamma2:
+        return reach();
+      case Which::kDiameter:
+        return at_least(reach(), std::max(diameter(a_), diameter(b_)));
+      case Which::kEta2:
+        return farthest_fit();
+      case Which::kD1:
+      case Which::kPenetration:
+      case Which::kDstarBack:
+        return zero(which);
+      case Which::kH:
+        return at_least(of(Which::kMu), Real());
+      case Which::kHausdorff:
+        return searched(which, 0);
+      default:
+        return searched(which, -exact::kInfinity);
+    }
+  }
+
+ private:
+  bool radii_differ() const {
+    return !a_.convex() && std::any_of(b_.parts.begin(), b_.parts.end(),
+                                       [&](const space::BodyPart& part) { return part.radius != b_.parts[0].radius; });
+  }
+
+  Obstacles around_overlap() const {
+    const space::OpenCover cover = space::overlap_cover(b_, a_);
+    RealVector low = low_, high = high_;
+    for (std::size_t k = 0; k < 3; ++k) low[k] -= Real(1), high[k] += Real(1);
+    std::vector<std::vector<HalfSpace>> sets;
+    Obstacles all;
+    for (std::size_t k = 0; k < cover.size(); ++k) {
+      sets.push_back(cover.planes(k));
+      ConvexRegion body(low, high);
+      for (const HalfSpace& h : sets.back()) body.cut(h);
+      const std::vector<Tetrahedron> more = tetrahedra(body);
+      all.room.insert(all.room.end(), more.begin(), more.end());
+    }
+    for (const ConvexRegion& piece : space::cover_frontier(sets, low, high)) {
+      all.distances.push_back(distance_to_flat(piece));
+      all.planes.emplace_back();
+      for (const HalfSpace& h : piece.planes()) {
+        const ConvexRegion::Sides sides = piece.sides(h);
+        if (!sides.inside && !sides.outside) all.planes.back().push_back(h);
+      }
+    }
+    return all;
+  }
+
+  std::optional<SolidLeast> overlap() const {
+    return deepest_place(around_overlap(), Real(), low_,
+                         [&](const RealVector& p) { return pair_.value(Which::kGamma1, p); });
+  }
+
+  /// Where B can be at all: A's box less B's.
+  bool fit_box(RealVector& low, RealVector& high) const {
+    const space::Bounds3 outer = bounds(a_), inner = bounds(b_);
+    low = space::minus(outer.low, inner.low), high = space::minus(outer.high, inner.high);
+    return low[0] <= high[0] && low[1] <= high[1] && low[2] <= high[2];
+  }
+
+  std::optional<SolidLeast> containment() const {
+    RealVector low, high;
+    if (!fit_box(low, high)) return std::nullopt;
+    Body core = b_;
+    Real radius;
+    if (!a_.convex()) {
+      radius = b_.parts[0].radius;
+      for (space::BodyPart& part : core.parts) {
+        part.radius = Real();
+      }
+    }
+    const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
+    const space::OpenCover cover = space::outside_cover(core, cells);
+    const auto somewhere = space::farthest_uncovered(cover, low, high, low);
+    if (!somewhere) return std::nullopt;
+    Obstacles all;
+    for (const ConvexRegion& piece : space::uncovered_pieces(cover, low, high)) {
+      const std::vector<Tetrahedron> more = tetrahedra(piece);
+      all.room.insert(all.room.end(), more.begin(), more.end());
+    }
+    if (all.room.empty() && radius.sign() == 0) return SolidLeast{Real(), Real(), true, *somewhere};
+    for (std::size_t k = 0; k < cover.size(); ++k) {
+      all.distances.push_back(distance_to(cover.planes(k)));
+      all.planes.push_back(cover.planes(k));
+    }
+    auto found = deepest_place(all, radius, *somewhere, [&](const RealVector& p) -> std::optional<SolidValue> {
+      try {
+        return pair_.value(Which::kEta1, p);
+      } catch (const Error& e) {
+        // A round shape that does not fit there has no value.
+        if (e.code() != ErrorCode::kUnsupported || radius.sign() == 0) throw;
+        return std::nullopt;
+      }
+    });
+    // Where it fits nowhere with its radius the value says so, or that this is not decided.
+    return !found && radius.sign() > 0 ? searched(Which::kEta1, -exact::kInfinity) : found;
+  }
+
+  std::optional<SolidLeast> farthest_fit() const {
+    RealVector low, high;
+    if (a_.round() || b_.round()) return searched(Which::kEta2, 0);
+    if (!fit_box(low, high)) return std::nullopt;
+    const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
+    const space::OpenCover cover = space::outside_cover(b_, cells);
+    if (!space::farthest_uncovered(cover, low, high, low)) return std::nullopt;
+    std::vector<std::vector<HalfSpace>> sets;
+    for (std::size_t k = 0; k < cover.size(); ++k) sets.push_back(cover.planes(k));
+    for (std::size_t k = 0; k < 3; ++k) low[k] -= Real(1), high[k] += Real(1);
+    std::vector<RealVector> points;
+    for (const ConvexRegion& piece : space::cover_frontier(sets, low, high)) {
+      for (const ConvexRegion::Vertex& v : piece.vertices()) points.push_back(v.at);
+    }
+    const space::EnclosingBall ball = space::min_ball(points);
+    const Real value = sqrt(ball.square);
+    return SolidLeast{value, value, true, ball.center};
+  }
+
+  /// 0, at a place where the bodies touch or lie apart.
+  std::optional<SolidLeast> zero(Which which) const {
+    RealVector at = which == Which::kD1
+                        ? space::minus(space::real(a_.parts[0].vertices()[0]), space::real(b_.parts[0].vertices()[0]))
+                        : high_;
+    if (which != Which::kD1) at[0] += Real(1);
+    return SolidLeast{Real(), Real(), true, at};
+  }
+
+  static std::optional<SolidLeast> at_least(std::optional<SolidLeast> v, const Real& floor) {
+    if (v && v->value <= floor) return SolidLeast{floor, floor, true, v->at};
+    if (v && v->bound < floor) v->bound = floor;
+    return v;
+  }
+
+  /// The farthest points of A and B + p are vertices: the centre of the smallest ball around their differences is
+  /// nearest to all.
+  std::optional<SolidLeast> reach() const {
+    const Real round = a_.parts[0].radius + b_.parts[0].radius;
+    std::vector<RealVector> points;
+    for (const space::BodyPart& t : a_.parts) {
+      for (const space::BodyPart& s : b_.parts) {
+        if (t.radius + s.radius != round) return searched(Which::kGamma2, 0);
+        for (const space::Point& v : t.vertices()) {
+          for (const space::Point& w : s.vertices()) points.push_back(space::real(v - w));
+        }
+      }
+    }
+    const space::EnclosingBall ball = space::min_ball(points);
+    const Real value = sqrt(ball.square) + round;
+    return SolidLeast{value, value, true, ball.center};
+  }
+
+  std::optional<SolidLeast> searched(Which which, double floor) const {
+    if (!pair_.value(which, low_)) return std::nullopt;
+    const Vector low = space::rounded(low_), high = space::rounded(high_);
+    const auto value = [&](const RealVector& p) { return *pair_.value(which, p); };
+    if (a_.convex() && (which == Which::kMu || (which == Which::kHausdorff && b_.convex())))
+      if (auto v = convex_least(value, low, high)) return v;
+    return least_in_box([&](const RealVector& p) { return value(p).value; }, low, high, floor);
+  }
+
+  const Body &b_, &a_;
+  SolidPair pair_;
+  RealVector low_, high_;  // beyond this box the bodies' boxes do not meet: every distance grows
+};
+
+Which exchanged(Which which) {
+  switch (which) {
+    case Which::kDelta1:
+      return Which::kEta1;
+    case Which::kDelta2:
+      return Which::kEta2;
+    case Which::kMuBack:
+      return Which::kMu;
+    case Which::kHBack:
+      return Which::kH;
+    case Which::kDstar:
+      return Which::kDstarBack;
+    default:
+      return which;
+  }
+}
+
+}  // namespace
+
+std::optional<SolidLeast> solid_least(Which which, const Body& b, const Body& a) {
+  if (a.outside)
+    throw Error(ErrorCode::kUnsupported, "over all positions a distance to a complement has no least value");
+  const Which forth = exchanged(which);
+  if (forth == which) return Least(b, a).of(which);
+  // A in B + p is -A + p in -B.
+  const Body back_b = mirrored(a), back_a = mirrored(b);
+  return Least(back_b, back_a).of(forth);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/solid/solid_pair.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+#include "distance/search/front_room.h"
+#include "distance/search/solid_mu.h"
+#include "distance/search/solid_value.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::real;
+using space::RealVector;
+
+namespace {
+
+[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
+
+Real length(const RealVector& v) { return sqrt(space::dot(v, v)); }
+
+/// The value of a convex core with radius r around it; q is the nearest point of the core's frontier (or of the core).
+SolidValue with_radius(const RealVector& p, const RealVector& q, bool inside, const Real& r) {
+  const RealVector w = space::minus(p, q);
+  const Real d = length(w);
+  SolidValue out;
+  out.value = (inside ? -d : d) - r;
+  // The frontier lies r further out from q, on the line through p; at d = 0 the line is not known.
+  if (out.value.sign() != 0 && d.sign() != 0) out.nearest = space::along(q, (inside ? -r : r) / d, w);
+  return out;
+}
+
+SolidValue turned(SolidValue v) {
+  v.value = -v.value;
+  return v;
+}
+
+}  // namespace
+
+SolidPair::SolidPair(std::shared_ptr<const Body> b, std::shared_ptr<const Body> a)
+    : b_(std::move(b)), a_(std::move(a)), outside_(a_->outside) {
+  if (outside_) {
+    auto parts = std::make_shared<Body>(*a_);
+    parts->outside = false;
+    a_ = std::move(parts);
+  }
+  forth_.moving = b_.get(), forth_.fixed = a_.get();
+  back_.moving = a_.get(), back_.fixed = b_.get();
+}
+
+SolidValue SolidPair::gap(const RealVector& p, bool depth) const {
+  if (a_->round() || b_->round()) return round_gap(p, depth);
+  std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenCover>(overlap_cover(*b_, *a_)); });
+  if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_uncovered(p), -1);
+  return signed_value(p, *overlap_->nearest_touching(p), 1);
+}
+
+SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
+  std::optional<SolidValue> best;
+  for (const BodyPart& t : a_->parts) {
+    for (const BodyPart& s : b_->parts) {
+      const std::vector<space::HalfSpace> planes = space::difference_planes(t, s);
+      const Real r = t.radius + s.radius;
+      SolidValue v;
+      if (planes.empty()) {
+        v = with_radius(p, real(t.center - s.center), false, r);
+      } else {
+        space::OpenCover core;
+        core.add(space::everywhere(), planes);
+        const bool inside = core.covers(p);
+        v = with_radius(p, *(inside ? core.nearest_uncovered(p) : nearest_in(planes, p)), inside, r);
+      }
+      if (!best || v.value < best->value) best = std::move(v);
+    }
+  }
+  const bool one_pair = a_->parts.size() == 1 && b_->parts.size() == 1;
+  if (!depth || one_pair || best->value.sign() >= 0) return *best;
+  const auto is_ball = [](const BodyPart& part) { return part.point(); };
+  if (std::all_of(a_->parts.begin(), a_->parts.end(), is_ball) &&
+      std::all_of(b_->parts.begin(), b_->parts.end(), is_ball) &&
+      a_->parts.size() * b_->parts.size() <= space::BallMeet::kMostBalls) {
+    std::vector<space::Ball> balls;
+    for (const BodyPart& t : a_->parts) {
+      for (const BodyPart& s : b_->parts) balls.push_back({real(t.center - s.center), t.radius + s.radius});
+    }
+    return signed_value(p, nearest_outside(balls, p), -1);
+  }
+  std::call_once(round_overlap_made_, [&] {
+    const space::Bounds3 of_a = bounds(*a_), of_b = bounds(*b_);
+    std::vector<GrownSet> sets;
+    for (const BodyPart& t : a_->parts) {
+      for (const BodyPart& s : b_->parts)
+        sets.push_back({space::difference_planes(t, s), real(t.center - s.center), t.radius + s.radius});
+    }
+    round_overlap_ = std::make_shared<const FrontRoom>(
+        FrontRoom::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
+  });
+  return turned(*round_overlap_->nearest(p, true));
+}
+
+SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p, bool depth) const {
+  if (side.fixed->convex()) return stick_out_of_convex(*side.moving, side.fixed->parts[0], p);
+  if (!side.fixed->round()) {
+    if (auto inside = inside_polyhedra(side, p)) return *inside;
+  }
+  SolidValue out = stick_out_of_union(*side.moving, *side.fixed, p);
+  const bool inside = side.fixed->round() && out.value.sign() <= 0;
+  return depth && inside ? depth_inside(side, p) : out;
+}
+
+std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) const {
+  const RealVector q = space::negated(p);
+  // Exchanged roles see the position from the other side.
+  const auto seen_back = [](std::optional<SolidValue> v) {
+    if (v && v->nearest) v->nearest = space::negated(*v->nearest);
+    return v;
+  };
+  const auto points_back = [&](SolidValue v) {
+    if (v.points) v.points = {space::plus((*v.points)[1], p), space::plus((*v.points)[0], p)};
+    if (v.nearest) v.nearest = space::negated(*v.nearest);
+    return v;
+  };
+  switch (which) {
+    case Which::kGamma1:
+      return gap(p);
+    case Which::kGamma2:
+      return reach(p);
+    case Which::kEta1:
+      return contained(forth_, p);
+    case Which::kEta2:
+      return farthest_fit(forth_, p);
+    case Which::kDelta1:
+      return seen_back(contained(back_, q));
+    case Which::kDelta2:
+      return seen_back(farthest_fit(back_, q));
+    case Which::kMu:
+      return sticking_out(forth_, p);
+    case Which::kMuBack:
+      return points_back(sticking_out(back_, q));
+    case Which::kHausdorff: {
+      const SolidValue forth = sticking_out(forth_, p, false), back = points_back(sticking_out(back_, q, false));
+      return forth.value < back.value ? back : forth;
+    }
+    case Which::kD1:
+      return cut_off(gap(p, false), false);
+    case Which::kH:
+      return cut_off(sticking_out(forth_, p, false), false);
+    case Which::kHBack:
+      return cut_off(points_back(sticking_out(back_, q, false)), false);
+    case Which::kDstar:
+      return seen_back(clearance_inside(back_, q));
+    case Which::kDstarBack:
+      return clearance_inside(forth_, p);
+    case Which::kPenetration:
+      return cut_off(gap(p), true);
+    case Which::kDiameter: {
+      SolidValue most = reach(p);
+      for (const Body* body : {a_.get(), b_.get()}) {
+        const Real own = diameter(*body);
+        if (most.value < own) most = SolidValue{own, true, false, {}, {}};
+      }
+      return most;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The depth of the deepest point of B + p, which lies in the interior of A's parts.
+SolidValue SolidPair::reach_into_parts(const RealVector& p) const {
+  if (!a_->round()) return stick_out_of_cells(*b_, fit(forth_).cells, p);
+  if (!a_->convex()) fail("how far a shape sticks out of the complement of a union of round parts is not computed");
+  // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
+  const BodyPart& part = a_->parts[0];
+  SolidValue out;
+  if (!part.core) {
+    out.value = std::min(-gap(p, false).value, part.radius);
+    return out;
+  }
+  Body core = *a_;
+  core.parts[0].radius = Real();
+  core.outside = true;
+  const SolidValue v = *SolidPair(b_, std::make_shared<const Body>(std::move(core))).value(Which::kMu, p);
+  out.value = v.value + part.radius;
+  out.proven = v.proven, out.error = v.error;
+  return out;
+}
+
+/// A is the closure of the complement of its parts: the dual distances of the parts (distances.md 3.1).
+std::optional<SolidValue> SolidPair::unbounded(Which which, const RealVector& p) const {
+  const auto gamma1 = [&]() -> std::optional<SolidValue> {
+    auto v = contained(forth_, p);
+    if (!v) return SolidValue{Real(), true, true, {}, {}};
+    return turned(*v);
+  };
+  const auto eta1 = [&] { return turned(gap(p)); };
+  const auto mu = [&]() -> SolidValue {
+    const SolidValue v = turned(gap(p, false));
+    if (v.value.sign() <= 0) return v;
+    return reach_into_parts(p);
+  };
+  switch (which) {
+    case Which::kGamma1:
+      return gamma1();
+    case Which::kEta1:
+      return eta1();
+    case Which::kMu:
+      return mu();
+    case Which::kH:
+      return cut_off(mu(), false);
+    case Which::kD1:
+      return cut_off(gamma1(), false);
+    case Which::kPenetration:
+      return cut_off(gamma1(), true);
+    case Which::kDstarBack:
+      return cut_off(eta1(), true);
+    case Which::kDstar:
+      return SolidValue{};
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<SolidValue> SolidPair::value(Which which, const RealVector& p) const {
+  return outside_ ? unbounded(which, p) : bounded(which, p);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// All T-distances of a moving body B and a fixed body A of space at a position p (distances.md 3.1 to 3.4), with
+// witnesses.
+//   gamma1   sd(p; U, X): from the cover of the overlap set by differences of convex parts;
+//   eta1     sd(p; iE, E): from the cover of the complement of E by differences of cells outside A and parts of B;
+//   where A is
+//            one ball E is an intersection of balls;  delta1: eta1 with the roles exchanged, at -p;
+//   gamma2, eta2, delta2: the farthest vertex of X, E, D, flat and single pieces of E and D included;
+//   mu       the greatest signed distance to A of a point of B: at a vertex where A is convex, else by search
+//   (solid_mu.h); of a complement the depth of the deepest point of B in what that leaves.
+// Guarantee: signs exact, values right to 2^-40 relative, most of them exact numbers (`proven`). Where a distance is
+// not computed for a kind of body (see fail in the .cpp) Error(kUnsupported) says so. Lengths in the bodies' common
+// steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "distance/planar/shape_pair.h"
+#include "distance/search/solid_value.h"
+#include "space/body/ball_meet.h"
+#include "space/body/body.h"
+#include "space/body/position_covers.h"
+
+namespace findspace::distance {
+
+class FrontRoom;
+struct UnionRooms;
+
+class SolidPair {
+ public:
+  /// Both of one scale; B is not `outside`.
+  SolidPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a);
+
+  /// Nothing where the distance is undefined: +infinity.
+  std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
+
+ private:
+  /// "moving in fixed": E of a body in another, made when first needed.
+  struct Fit {
+    /// What moves without its radius, where that is taken apart from the cover.
+    struct Group {
+      space::Body core;
+      exact::Real radius;
+      space::OpenCover cover;
+    };
+    std::vector<space::OutsideCell> cells;
+    std::vector<Group> groups;  // one for each radius
+    std::optional<space::BallMeet> balls;
+    bool round = false;  // the front of E is
+    bool none = false;   // the moving one is too large
+    mutable std::once_flag front_made;
+    mutable std::shared_ptr<const FrontRoom> front;
+    std::shared_ptr<const UnionRooms> in_union;  // where the fixed one is a union of round parts
+  };
+  struct Side {  // one of the two as moving, the other as fixed
+    const space::Body* moving = nullptr;
+    const space::Body* fixed = nullptr;
+    mutable std::once_flag made;
+    mutable std::unique_ptr<Fit> fit;
+  };
+
+  const Fit& fit(const Side& side) const;
+  static std::unique_ptr<Fit> made_fit(const Side& side);
+  static const FrontRoom& front(const Side& side, const Fit& fit);
+  std::optional<SolidValue> contained(const Side& side, const space::RealVector& p) const;
+  /// Where B + p lies in A, a union of polyhedra: at most 0.
+  std::optional<SolidValue> inside_polyhedra(const Side& side, const space::RealVector& p) const;
+  std::optional<SolidValue> farthest_fit(const Side& side, const space::RealVector& p) const;
+  /// The box holds E.
+  static std::shared_ptr<const UnionRooms> union_rooms(const space::Body& b, const space::Body& a,
+                                                       const space::Bounds3& box);
+  /// `stuck`: how far the moving body sticks out at p.
+  std::optional<SolidValue> into_union(const Side& side, const Fit& fit, const space::RealVector& p,
+                                       const SolidValue& stuck) const;
+  static std::optional<SolidValue> farthest_in_union(const Fit& fit, const space::RealVector& p);
+  /// max(0, -eta1), also where eta1 is not computed.
+  std::optional<SolidValue> clearance_inside(const Side& side, const space::RealVector& p) const;
+  /// Minus the distance of the moving body, which lies in the fixed one, to what is outside that.
+  static SolidValue depth_inside(const Side& side, const space::RealVector& p);
+  /// Without `depth` a value below 0 need only be below 0; so also below.
+  SolidValue gap(const space::RealVector& p, bool depth = true) const;
+  SolidValue round_gap(const space::RealVector& p, bool depth) const;
+  SolidValue reach(const space::RealVector& p) const;
+  SolidValue sticking_out(const Side& side, const space::RealVector& p, bool depth = true) const;
+  SolidValue reach_into_parts(const space::RealVector& p) const;
+  std::optional<SolidValue> bounded(Which which, const space::RealVector& p) const;
+  std::optional<SolidValue> unbounded(Which which, const space::RealVector& p) const;
+
+  std::shared_ptr<const space::Body> b_, a_;  // a_ without its `outside`
+  bool outside_ = false;
+  Side forth_, back_;
+  mutable std::once_flag overlap_made_;
+  mutable std::unique_ptr<space::OpenCover> overlap_;
+  mutable std::once_flag round_overlap_made_;
+  mutable std::shared_ptr<const FrontRoom> round_overlap_;
+};
+
+/// max |v - w| + radii over two points of the body.
+exact::Real diameter(const space::Body& body);
+
+}  // namespace findspace::distance

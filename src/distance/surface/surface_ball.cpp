@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/surface/surface_ball.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "distance/search/front_search.h"
+#include "distance/surface/surface_ball_name.h"
+#include "distance/surface/surface_peak.h"
+#include "space/polytope/extent.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+/// As in front_room.cpp.
+constexpr double kError = 0x1p-40, kMostError = 0x1p-32;
+/// Of the size: what is better than the best by less is not looked for.
+constexpr double kBetter = 0x1p-43;
+constexpr int kMostBoxes = 200000;
+
+struct Box {
+  space::Extent of;
+  double key = 0;  // nothing in it is nearer; or minus that nothing is farther
+  bool operator<(const Box& other) const { return key > other.key; }
+};
+
+/// Triangles whose distances are searched in a box of that share of the radius.
+std::size_t few(double share) { return share > 0x1p-4 ? 64 : 400; }
+
+class Search {
+ public:
+  Search(const SurfaceBall& ball, const RealVector& x, bool farthest)
+      : ball_(ball),
+        radius_(ball.radius.to_double()),
+        x_(x),
+        near_(space::rounded(x)),
+        farthest_(farthest),
+        field_(*ball.surface, {}) {
+    const space::RayBody& body = ball.surface->sheets()[0]->body;
+    const Vector low = exact::shadow(body.low), high = exact::shadow(body.high);
+    const double room = ball.side == space::TouchSide::kOutside ? radius_ : 0;
+    const Vector by{room, room, room};
+    const auto whole = askew(low - by, space::plus(high, by));
+    size_ = std::max(space::length(whole.first), space::length(whole.second)) + space::length(near_);
+    push({whole.first, whole.second});
+  }
+
+  BallPlace run() {
+    for (int count = 0; !queue_.empty() && queue_.top().key < best_ - kBetter * size_; ++count) {
+      if (count == kMostBoxes) return {};
+      const Box top = queue_.top();
+      queue_.pop();
+      if (!settled(top)) divide(top);
+      if (lost_) return {};
+    }
+    if (!found_) return {!(bound_ < exact::kInfinity), std::nullopt};
+    const double off = std::max(best_ - bound_, 0.0);
+    if (off > kMostError * size_) return {};
+    return {true, value(off)};
+  }
+
+ private:
+  void push(const space::Extent& of) {
+    const double key = farthest_ ? -of.farthest(near_) : of.distance(near_);
+    if (key < best_ - kBetter * size_) queue_.push({of, key});
+  }
+
+  void divide(const Box& box) {
+    for (int k = 0; k < 8; ++k) push(box.of.eighth(k));
+  }
+
+  double key_of(const Vector& y) const {
+    const double d = space::length(y - near_);
+    return farthest_ ? -d : d;
+  }
+  void offer(const Vector& y) {
+    const double key = key_of(y);
+    if (key < best_) best_ = key, place_ = y, found_ = true;
+  }
+
+  /// The corner of the box, or the place in it, that is best.
+  Vector best_of(const Box& box) const {
+    const auto pick = [&](double c, double lo, double hi) {
+      return farthest_ ? (c - lo > hi - c ? lo : hi) : std::clamp(c, lo, hi);
+    };
+    return {pick(near_.x, box.of.low.x, box.of.high.x), pick(near_.y, box.of.low.y, box.of.high.y),
+            pick(near_.z, box.of.low.z, box.of.high.z)};
+  }
+
+  /// Whether nothing is left to look for in the box.
+  bool settled(const Box& box) {
+    const Vector middle = box.of.middle();
+    const double half = space::length(box.of.high - box.of.low) / 2, noise = 0x1p-44 * size_;
+    const SurfaceField::Signed at = field_.at(middle);
+    const double clear = (ball_.side == space::TouchSide::kOutside ? at.value : -at.value) - radius_;
+    const bool told = at.certain || at.distance + half < radius_;
+    if (told && clear + half < -noise) return true;
+    if (at.certain && clear - half > noise) {
+      offer(best_of(box));
+      return true;
+    }
+    if (at.certain && clear > noise) offer(middle);
+    if (!(half < radius_ / 4)) return false;
+    const auto triangles = field_.near(middle, at.distance + 2 * half + noise, few(half / radius_));
+    if (!triangles) {
+      lost_ = half < noise;
+      return false;
+    }
+    search(box, *triangles);
+    return true;
+  }
+
+  /// All of the box is on the right side.
+  void search(const Box& box, const std::vector<SurfaceField::Distance>& triangles) {
+    Rules rules;
+    for (const SurfaceField::Distance& f : triangles)
+      rules.keep_out.push_back([&f, r = radius_](const Vector& y) { return f(y) - r; });
+    const TouchingRule away = [&](const Vector& y) {
+      const double d = space::length(y - near_);
+      return Touching{d, d > 0 ? space::scaled(1 / d, y - near_) : Vector{}};
+    };
+    const double most = best_ - kBetter * size_;  // what is not better need not be looked at
+    const auto room = tetrahedra_of_box(box.of.low, box.of.high);
+    FrontPlace found;
+    if (farthest_) {
+      if (found_) rules.keep_out.push_back([&](const Vector& y) { return away(y).value + most; });
+      found = farthest_allowed(
+          room, rules, [&](const Vector& y) { return away(y).value; }, size_);
+      found.value = -found.value, found.bound = -found.bound;
+    } else {
+      if (found_)
+        rules.keep_in.push_back([&](const Vector& y) {
+          const Touching at = away(y);
+          return Touching{at.value - most, at.slope};
+        });
+      found = nearest_allowed(room, rules, away, size_, box.key);
+    }
+    if (found.found && found.value < best_) best_ = found.value, place_ = found.place, found_ = true;
+    if (found.found || found.unsure || !found.whole) bound_ = std::min(bound_, found.bound);
+  }
+
+  SolidValue value(double off) const {
+    SolidValue out;
+    if (const auto named = named_for_ball(ball_, x_, place_, farthest_, (kError * size_ + off) * 64)) {
+      const RealVector way = space::minus(*named, x_);
+      out.value = sqrt(space::dot(way, way));
+      out.nearest = *named;
+      return out;
+    }
+    out.value = Real::from_double(std::fabs(best_));
+    out.nearest = {Real::from_double(place_.x), Real::from_double(place_.y), Real::from_double(place_.z)};
+    out.proven = false, out.error = kError * size_ + off;
+    return out;
+  }
+
+  const SurfaceBall& ball_;
+  double radius_;
+  RealVector x_;
+  Vector near_;
+  bool farthest_;
+  SurfaceField field_;
+  double size_ = 0;
+  std::priority_queue<Box> queue_;
+  bool found_ = false, lost_ = false;
+  double best_ = exact::kInfinity, bound_ = exact::kInfinity;
+  Vector place_;
+};
+
+}  // namespace
+
+BallPlace nearest_for_ball(const SurfaceBall& ball, const RealVector& x) { return Search(ball, x, false).run(); }
+BallPlace farthest_for_ball(const SurfaceBall& ball, const RealVector& x) { return Search(ball, x, true).run(); }
+
+}  // namespace findspace::distance

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/surface/surface_ball_name.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "space/body/ball_meet.h"
+#include "space/body/open_cover.h"
+#include "space/surface/surface_gap.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::HalfSpace;
+using space::Point;
+using space::RealVector;
+using space::Vector;
+using Sheet = space::SurfaceSet::Sheet;
+
+namespace {
+
+/// The features that the ball touches at a place: faces by their planes, edges by their ends, corners.
+struct Touched {
+  std::vector<int> faces;
+  std::vector<std::pair<Point, Point>> edges;
+  std::vector<Point> corners;
+};
+
+/// The feature of the face on which its place nearest to y lies, as doubles see it.
+void add_feature(const Sheet& sheet, int face, const Vector& y, double blur, Touched& out) {
+  const Vector foot = space::nearest_place(sheet, face, y);
+  for (int k = 0; k < 3; ++k) {
+    const Point& v = sheet.body.corner(face, k);
+    if (space::length(exact::shadow(v) - foot) > blur) continue;
+    if (std::find(out.corners.begin(), out.corners.end(), v) == out.corners.end()) out.corners.push_back(v);
+    return;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Point &v = sheet.body.corner(face, k), &w = sheet.body.corner(face, (k + 1) % 3);
+    const Vector e = exact::shadow(w - v), f = foot - exact::shadow(v);
+    const double off = space::length(f - space::scaled(space::dot(e, f) / space::dot(e, e), e));
+    if (off > blur) continue;
+    const auto edge = std::minmax(
+        v, w, [](const Point& p, const Point& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
+    const std::pair<Point, Point> ends(edge.first, edge.second);
+    if (std::find(out.edges.begin(), out.edges.end(), ends) == out.edges.end()) out.edges.push_back(ends);
+    return;
+  }
+  out.faces.push_back(face);
+}
+
+Touched touched(const SurfaceBall& ball, const Vector& y, double blur) {
+  const Sheet& sheet = *ball.surface->sheets()[0];
+  const double reach = ball.radius.to_double() + 2 * blur + 1;
+  const auto whole = [](double c) { return static_cast<std::int64_t>(std::floor(c)); };
+  const space::GridBox about{{whole(y.x - reach), whole(y.y - reach), whole(y.z - reach)},
+                             {whole(y.x + reach) + 1, whole(y.y + reach) + 1, whole(y.z + reach) + 1}};
+  Touched out;
+  sheet.tree.any_meeting(about, [&](int face) {
+    const double d = std::sqrt(space::squared_distance(sheet, face, y));
+    if (d <= ball.radius.to_double() + 2 * blur) add_feature(sheet, face, y, 64 * blur, out);
+    return false;
+  });
+  return out;
+}
+
+/// The half space in which the ball is too near to the plane of the face, or beyond it.
+HalfSpace too_near(const SurfaceBall& ball, int face) {
+  const space::RayBody& body = ball.surface->sheets()[0]->body;
+  RealVector normal = space::real(body.normals[static_cast<std::size_t>(face)]);
+  if (ball.side == space::TouchSide::kInside) normal = space::negated(normal);
+  const Real size = sqrt(space::dot(normal, normal));
+  return HalfSpace(normal, -space::dot(normal, space::real(body.corner(face, 0))) - ball.radius * size);
+}
+
+/// At the radius from `from` on the way to x.
+std::optional<RealVector> on_sphere(const RealVector& from, const RealVector& x, const Real& radius) {
+  const RealVector way = space::minus(x, from);
+  const Real square = space::dot(way, way);
+  if (square.sign() == 0) return std::nullopt;
+  return space::along(from, radius / sqrt(square), way);
+}
+
+RealVector foot_on_line(const Point& a, const Point& b, const RealVector& x) {
+  const RealVector e = space::real(b - a), from = space::real(a);
+  return space::along(from, space::dot(space::minus(x, from), e) / space::dot(e, e), e);
+}
+
+/// Each once.
+std::vector<HalfSpace> planes_of(const SurfaceBall& ball, const std::vector<int>& faces) {
+  std::vector<HalfSpace> planes;
+  for (const int face : faces) {
+    HalfSpace plane = too_near(ball, face);
+    const bool known = std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
+      return space::is_zero(space::cross(h.normal, plane.normal));
+    });
+    if (!known) planes.push_back(std::move(plane));
+  }
+  return planes;
+}
+
+/// The place nearest to x that lies before all planes; nothing where fewer than `least` of these hold it.
+std::optional<RealVector> on_planes(const std::vector<HalfSpace>& planes, const RealVector& x, std::size_t least) {
+  space::OpenCover cover;
+  for (const HalfSpace& h : planes) cover.add(space::everywhere(), space::OpenCover::Planes{h});
+  auto found = cover.nearest_uncovered(x);
+  const auto holds = [&](const HalfSpace& h) { return h.sign(*found, space::rounded(*found)) == 0; };
+  if (!found || std::size_t(std::count_if(planes.begin(), planes.end(), holds)) < least) return std::nullopt;
+  return found;
+}
+
+/// Of the circle in which the plane meets the sphere about a corner, or the cylinder about an edge that is normal to
+/// it.
+std::optional<RealVector> on_circle(const HalfSpace& plane, const Touched& at, const RealVector& x,
+                                    const Real& radius) {
+  const Real square = space::dot(plane.normal, plane.normal);
+  const auto foot = [&](const RealVector& y) { return space::along(y, -(plane.value(y) / square), plane.normal); };
+  const RealVector from = foot(x);
+  if (at.corners.empty()) {
+    const auto& [a, b] = at.edges[0];
+    if (!space::is_zero(space::cross(space::real(b - a), plane.normal))) return std::nullopt;
+    return on_sphere(foot(space::real(a)), from, radius);
+  }
+  const RealVector middle = foot(space::real(at.corners[0])), way = space::minus(middle, space::real(at.corners[0]));
+  const Real rest = radius * radius - space::dot(way, way);
+  return rest.sign() > 0 ? on_sphere(middle, from, sqrt(rest)) : std::nullopt;
+}
+
+std::optional<RealVector> candidate(const SurfaceBall& ball, const Touched& at, const RealVector& x, bool corner) {
+  const std::vector<HalfSpace> planes = planes_of(ball, at.faces);
+  const std::size_t edges = at.edges.size(), corners = at.corners.size();
+  if (edges + corners == 0 && !planes.empty()) return on_planes(planes, x, corner ? 3 : 1);
+  if (corner || planes.size() > 1) return std::nullopt;
+  if (planes.size() == 1) return edges + corners == 1 ? on_circle(planes[0], at, x, ball.radius) : std::nullopt;
+  if (edges == 1 && corners == 0)
+    return on_sphere(foot_on_line(at.edges[0].first, at.edges[0].second, x), x, ball.radius);
+  if (edges > 0 || corners == 0 || corners > space::BallMeet::kMostBalls) return std::nullopt;
+  std::vector<space::Ball> balls;
+  for (const Point& v : at.corners) balls.push_back({space::real(v), ball.radius});
+  return nearest_outside(balls, x);
+}
+
+}  // namespace
+
+std::optional<RealVector> named_for_ball(const SurfaceBall& ball, const RealVector& x, const Vector& place,
+                                         bool farthest, double blur) {
+  const Touched at = touched(ball, place, blur);
+  // A corner of planes that is the farthest place from x is the nearest one to what lies as far beyond it.
+  RealVector from = x;
+  if (farthest) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double c = k == 0 ? place.x : k == 1 ? place.y : place.z;
+      from[k] = Real::from_double(2 * c) - x[k];
+    }
+  }
+  const auto found = candidate(ball, at, from, farthest);
+  if (!found || space::length(space::rounded(*found) - place) > blur) return std::nullopt;
+  const RealVector way = space::way_to(*ball.surface->sheets()[0], *found);
+  if (space::dot(way, way) < ball.radius * ball.radius) return std::nullopt;
+  return found;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/surface/surface_depths.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace findspace::distance {
+
+using space::Vector;
+
+namespace {
+
+/// Distances for an answer, at most: what they do not show smaller boxes do.
+constexpr int kMostLooks = 400;
+
+/// Balls in a solid, at most, and steps that shrink one.
+constexpr std::size_t kMostBalls = 300;
+constexpr int kShrinks = 12;
+
+Vector middle_of(const space::RayBody& body, int f) {
+  const auto corner = [&](int k) { return exact::shadow(body.corner(f, k)); };
+  return space::scaled(1.0 / 3, space::plus(corner(0), space::plus(corner(1), corner(2))));
+}
+
+double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+/// The largest ball within the surface that touches it at the middle of the face, more or less: its centre, and a
+/// radius that is surely not too large.
+std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, const space::RayBody& body, int f) {
+  const Vector from = middle_of(body, f), normal = body.normal_shadows[static_cast<std::size_t>(f)];
+  const Vector inward = space::scaled(-1 / space::length(normal), normal);
+  const Vector wide = exact::shadow(body.high - body.low);
+  double radius = std::min({wide.x, wide.y, wide.z}) / 2;  // none is larger
+  for (int k = 0; k < kShrinks; ++k) {
+    const Vector at = space::plus(from, space::scaled(radius, inward));
+    const SurfaceField::Signed there = field.at(at);
+    const Vector way = there.foot - from;
+    const double along = 2 * space::dot(way, inward);
+    if (there.distance >= radius * (1 - 0x1p-10) || !(along > 0)) break;
+    radius = std::min(radius, space::dot(way, way) / along);
+  }
+  const Vector at = space::plus(from, space::scaled(radius, inward));
+  const SurfaceField::Signed there = field.at(at);
+  if (!there.certain || !(there.value < 0)) return std::nullopt;
+  return std::pair(at, there.distance * (1 - 0x1p-30));
+}
+
+}  // namespace
+
+/// Corners, the middles of edges and faces, and balls if asked for.
+std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceSet& set, bool balls) {
+  const space::RayBody& body = set.sheets()[0]->body;
+  std::vector<Place> out;
+  for (const space::Point& v : body.points) out.push_back({exact::shadow(v)});
+  for (const space::RayEdge& e : body.edges) {
+    const Vector v = exact::shadow(body.points[static_cast<std::size_t>(e.from)]),
+                 w = exact::shadow(body.points[static_cast<std::size_t>(e.to)]);
+    out.push_back({space::scaled(0.5, space::plus(v, w))});
+  }
+  for (int f = 0; f < static_cast<int>(body.faces.size()); ++f) out.push_back({middle_of(body, f)});
+  if (!balls) return out;
+  const SurfaceField field(set, {});
+  for (std::size_t f = 0; f < body.faces.size(); f += body.faces.size() / kMostBalls + 1) {
+    if (const auto ball = inner_ball(field, body, static_cast<int>(f))) out.push_back({ball->first, ball->second});
+  }
+  return out;
+}
+
+SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side)
+    : trees_{Tree{{}, {a, {}}, side == space::TouchSide::kInside, false}, Tree{{}, {b, {}}, false, true}} {
+  for (Tree& tree : trees_) {
+    // Of the complement of A balls are not looked for.
+    std::vector<Place> places = places_of(tree.back ? a : b, !tree.back || side == space::TouchSide::kOutside);
+    for (const Place& p : places) size_ = std::max(size_, space::size_of(p.at));
+    tree.nodes.emplace_back();
+    build(tree, 0, places);
+  }
+}
+
+void SurfaceDepths::build(Tree& tree, int node, std::span<Place> places) {
+  Vector low = places[0].at, high = low;
+  Node made;
+  made.least = made.most = places[0].room;
+  for (const auto& [v, room] : places) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+    made.least = std::min(made.least, room), made.most = std::max(made.most, room);
+  }
+  made.middle = space::scaled(0.5, space::plus(low, high));
+  for (const Place& p : places) made.radius = std::max(made.radius, space::length(p.at - made.middle));
+  if (places.size() > 1) made.first = static_cast<int>(tree.nodes.size());
+  tree.nodes[static_cast<std::size_t>(node)] = made;
+  if (made.first < 0) return;
+  tree.nodes.resize(tree.nodes.size() + 2);
+  const Vector wide = high - low;
+  const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
+  const std::size_t half = places.size() / 2;
+  std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(half), places.end(),
+                   [axis](const Place& p, const Place& q) { return component(p.at, axis) < component(q.at, axis); });
+  build(tree, made.first, places.first(half));
+  build(tree, made.first + 1, places.subspan(half));
+}
+
+double SurfaceDepths::depth(const Tree& tree, const Node& node, const Vector& position) {
+  const Vector x = tree.back ? node.middle - position : space::plus(node.middle, position);
+  const SurfaceField::Signed at = tree.other.at(x);
+  // Next to the surface the side is not told: 0 but for roundings.
+  if (!at.certain) return -at.distance;
+  return tree.outward ? at.value : -at.value;
+}
+
+bool SurfaceDepths::deeper(const Tree& tree, const Vector& position, double than, int& likely) {
+  struct Task {
+    double depth;
+    int node;
+    bool operator<(const Task& o) const { return depth != o.depth ? depth < o.depth : node > o.node; }
+  };
+  std::priority_queue<Task> queue;
+  int looks = 0;
+  const auto look = [&](int k) {
+    const Node& node = tree.nodes[static_cast<std::size_t>(k)];
+    const double at = depth(tree, node, position);
+    ++looks;
+    if (at - node.radius + node.least > than) {
+      likely = k;
+      return true;
+    }
+    if (at + node.radius + node.most > than && node.first >= 0) queue.push({at + node.most, k});
+    return false;
+  };
+  if (look(0)) return true;
+  while (!queue.empty() && looks < kMostLooks) {
+    const int first = tree.nodes[static_cast<std::size_t>(queue.top().node)].first;
+    queue.pop();
+    if (look(first) || look(first + 1)) return true;
+  }
+  return false;
+}
+
+bool SurfaceDepths::deeper(const Vector& position, double than, int& likely) const {
+  if (likely != kNone) {
+    const Tree& tree = trees_[static_cast<std::size_t>(likely % 2)];
+    const Node& node = tree.nodes[static_cast<std::size_t>(likely / 2)];
+    if (depth(tree, node, position) - node.radius + node.least > than) return true;
+  }
+  for (int k = 0; k < 2; ++k) {
+    int found = kNone;
+    if (!deeper(trees_[static_cast<std::size_t>(k)], position, than, found)) continue;
+    likely = 2 * found + k;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Whether two solids surely overlap at all positions near one, B moved there: where a place of B lies deeper in A than
+// a position may change, the interiors meet, or less deep by the radius of a ball about it in B; so does a place of A
+// in B. The places are the corners and the middles of the edges and faces of both surfaces, and the centres of balls
+// that touch some of the faces from inside, in trees of balls. Guarantee: doubles; a depth is never told as more than
+// it is but for roundings. Cost: some dozen distances to a surface, about a microsecond each. Source: the balls as in
+// Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and the normal field". Keywords:
+// penetration depth, lower bound, bounding sphere hierarchy, shrinking ball.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "distance/surface/surface_peak.h"
+#include "space/surface/touch_facets.h"
+
+namespace findspace::distance {
+
+class SurfaceDepths {
+ public:
+  /// Of one sheet each. Inside: in the complement of A. Keeps references.
+  SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side);
+
+  /// Whether a place lies deeper than that at the position; `likely`: one that may, and the one that does.
+  bool deeper(const space::Vector& position, double than, int& likely) const;
+  static constexpr int kNone = -1;
+  /// Of the coordinates.
+  double size() const { return size_; }
+
+ private:
+  /// And a ball about it in the solid.
+  struct Place {
+    space::Vector at;
+    double room = 0;
+  };
+  /// A ball about places, and the least and the greatest of their rooms: a leaf holds one, others the two nodes from
+  /// `first` on.
+  struct Node {
+    space::Vector middle;
+    double radius = 0, least = 0, most = 0;
+    int first = -1;
+  };
+  struct Tree {
+    std::vector<Node> nodes;
+    SurfaceField other;
+    bool outward = false;  // deeper is farther out of the other one
+    bool back = false;     // these are places of A
+  };
+  static std::vector<Place> places_of(const space::SurfaceSet& set, bool balls);
+  static void build(Tree& tree, int node, std::span<Place> places);
+  /// At the middle of the node; where that is not told, nothing but what is certain.
+  static double depth(const Tree& tree, const Node& node, const space::Vector& position);
+  static bool deeper(const Tree& tree, const space::Vector& position, double than, int& likely);
+
+  std::array<Tree, 2> trees_;
+  double size_ = 0;
+};
+
+}  // namespace findspace::distance

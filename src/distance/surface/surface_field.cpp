@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include <algorithm>
+
+#include "distance/surface/surface_peak.h"
+#include "space/surface/surface_gap.h"
+
+namespace findspace::distance {
+
+using space::BoxTree;
+using space::Vector;
+using Sheet = space::SurfaceSet::Sheet;
+
+namespace {
+
+double box_gap(const space::GridBox& box, const Vector& x) {
+  const auto gap = [](std::int64_t low, std::int64_t high, double at) {
+    return std::max({static_cast<double>(low) - at, at - static_cast<double>(high), 0.0});
+  };
+  const Vector d{gap(box.low.x, box.high.x, x.x), gap(box.low.y, box.high.y, x.y), gap(box.low.z, box.high.z, x.z)};
+  return space::length(d);
+}
+
+/// visit(face, distance) of those whose boxes are not farther than `most`, which it may lower; stops where it is false.
+template <class Visit>
+void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) {
+  struct Task {
+    int node;
+    double gap;
+  };
+  std::array<Task, 128> stack;
+  std::size_t depth = 0;
+  const auto& nodes = sheet.tree.nodes();
+  stack[depth++] = {0, box_gap(nodes[0].box, x)};
+  while (depth > 0) {
+    const Task top = stack[--depth];
+    if (top.gap > most) continue;
+    const BoxTree::Node& node = nodes[std::size_t(top.node)];
+    if (node.count == 0) {
+      Task one{node.first, box_gap(nodes[std::size_t(node.first)].box, x)},
+          two{node.first + 1, box_gap(nodes[std::size_t(node.first) + 1].box, x)};
+      if (one.gap < two.gap) std::swap(one, two);
+      stack[depth++] = one, stack[depth++] = two;
+      continue;
+    }
+    for (int k = node.first; k < node.first + node.count; ++k) {
+      if (box_gap(sheet.tree.box(k), x) > most) continue;
+      const int face = sheet.tree.face(k);
+      if (!visit(face, std::sqrt(space::squared_distance(sheet, face, x)))) return;
+    }
+  }
+}
+
+/// + if p is left of the line from a to b, seen from above; 0 where doubles do not tell.
+int turn(const Vector& a, const Vector& b, const Vector& p) {
+  const double u = (b.x - a.x) * (p.y - a.y), v = (b.y - a.y) * (p.x - a.x);
+  const double bound = 0x1p-50 * (std::fabs(u) + std::fabs(v));
+  return u - v > bound ? 1 : u - v < -bound ? -1 : 0;
+}
+
+/// The sign of the volume of three ways that span a tetrahedron; 0 where doubles do not tell.
+int volume(const Vector& a, const Vector& b, const Vector& c) {
+  const double terms[] = {a.x * b.y * c.z,  a.y * b.z * c.x,  a.z * b.x * c.y,
+                          -a.z * b.y * c.x, -a.x * b.z * c.y, -a.y * b.x * c.z};
+  double sum = 0, size = 0;
+  for (const double t : terms) sum += t, size += std::fabs(t);
+  return sum > 0x1p-48 * size ? 1 : sum < -0x1p-48 * size ? -1 : 0;
+}
+
+/// Whether x lies in the solid, by the faces above it; nothing where doubles do not tell.
+std::optional<bool> seen_inside(const Sheet& sheet, const Vector& x) {
+  const auto below = [](double c) { return static_cast<std::int64_t>(std::floor(c)); };
+  const space::GridBox column{{below(x.x), below(x.y), below(x.z)},
+                              {below(x.x) + 1, below(x.y) + 1, std::int64_t{1} << 45}};
+  int sum = 0;
+  const bool unclear = sheet.tree.any_meeting(column, [&](int face) {
+    const auto corner = [&](int k) { return exact::shadow(sheet.body.corner(face, k)); };
+    const Vector a = corner(0), b = corner(1), c = corner(2);
+    const int ab = turn(a, b, x), bc = turn(b, c, x), ca = turn(c, a, x);
+    if (ab * bc < 0 || bc * ca < 0 || ca * ab < 0) return false;
+    if (ab == 0 || bc == 0 || ca == 0) return true;
+    const int side = volume(a - x, b - x, c - x);  // + below the face, where it looks up
+    if (side == ab) sum += ab;
+    return side == 0;
+  });
+  if (unclear) return std::nullopt;
+  return sum > 0;
+}
+
+/// Of a place that is so far from the surface, by one nearby on the same side.
+std::optional<bool> inside(const Sheet& sheet, const Vector& x, double away) {
+  const double limit = static_cast<double>(exact::kRayLimit);
+  if (!(space::size_of(x) < limit)) return false;
+  if (!(away > 0x1p-44 * (space::size_of(x) + space::size_of(exact::shadow(sheet.body.high - sheet.body.low)))))
+    return std::nullopt;
+  const Vector ways[] = {{0, 0, 0}, {0.31, 0.17, 0.09}, {-0.23, 0.29, -0.07}, {0.11, -0.37, 0.13}, {-0.19, -0.13, 0.3}};
+  for (const Vector& way : ways) {
+    if (const auto found = seen_inside(sheet, space::plus(x, space::scaled(away, way)))) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SurfaceField::SurfaceField(const space::SurfaceSet& set, const Vector& by) : set_(set), by_(by) {}
+
+SurfaceField::Signed SurfaceField::at(const Vector& place, double known) const {
+  const Vector x = place - by_;
+  Signed out{exact::kInfinity, exact::kInfinity, true};
+  const auto offer = [&](const Signed& next) {
+    if (next.value < out.value) out = next;
+  };
+  for (const auto& sheet : set_.sheets()) {
+    const bool alone = set_.one_sheet() && known < exact::kInfinity;
+    double least = alone ? known * (1 + 0x1p-30) + 1 : exact::kInfinity;  // a margin: it only skips boxes
+    int nearest = -1;
+    near_faces(*sheet, x, least, [&](int face, double d) {
+      if (d < least || nearest < 0) least = d, nearest = face;
+      return true;
+    });
+    const auto side = inside(*sheet, x, least);
+    const Vector foot = space::plus(space::nearest_place(*sheet, nearest, x), by_);
+    offer({side.value_or(false) ? -least : least, least, side.has_value(), foot});
+  }
+  for (const auto& ball : set_.balls()) {
+    const double d = space::length(x - exact::shadow(ball.center)) - ball.radius.to_double();
+    const Vector way = x - exact::shadow(ball.center);
+    const Vector foot = space::plus(place, space::scaled(-d / space::length(way), way));
+    offer({d, std::fabs(d), true, foot});
+  }
+  return out;
+}
+
+std::optional<std::vector<SurfaceField::Distance>> SurfaceField::near(const Vector& place, double within,
+                                                                      std::size_t most) const {
+  const Vector x = place - by_;
+  std::vector<Distance> out;
+  for (const auto& sheet : set_.sheets()) {
+    double reach = within;
+    near_faces(*sheet, x, reach, [&](int face, double d) {
+      if (d <= within)
+        out.emplace_back([&sheet = *sheet, face, by = by_](const Vector& y) {
+          return std::sqrt(space::squared_distance(sheet, face, y - by));
+        });
+      return out.size() <= most;
+    });
+    if (out.size() > most) return std::nullopt;
+  }
+  for (const auto& ball : set_.balls()) {
+    const Vector center = space::plus(exact::shadow(ball.center), by_);
+    out.emplace_back([center, r = ball.radius.to_double()](const Vector& y) { return space::length(y - center) - r; });
+  }
+  if (out.empty() || out.size() > most) return std::nullopt;
+  return out;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The signs of geometry.h, stage by stage.
+#include <algorithm>
+
+#include "exact/number/wide_int.h"
+#include "exact/planar/geometry_stages.h"
+
+namespace findspace::exact {
+namespace {
+
+Approx from_double(double v, double error) { return {v, error}; }
+
+/// Homogeneous integer coordinates of a grid point or of the crossing of two grid lines; weight > 0.
+struct FixedPoint {
+  Int256 x, y;
+  int128 weight;
+};
+
+bool is_fixed(const Geometry& g, const Point& p) {
+  if (p.kind == Point::Kind::kGrid) return true;
+  if (p.kind == Point::Kind::kReal) return false;
+  const Carrier &s = g.carriers[p.i], &t = g.carriers[p.j];
+  return !s.circle && !t.circle && s.grid && t.grid;
+}
+
+FixedPoint fixed(const Geometry& g, const Point& p) {
+  if (p.kind == Point::Kind::kGrid) return {Int256(int128(p.gx)), Int256(int128(p.gy)), 1};
+  const Carrier &s = g.carriers[p.i], &t = g.carriers[p.j];
+  int128 w = cross(s, t);
+  Int256 x = multiply(s.c, t.b) - multiply(t.c, s.b);
+  Int256 y = multiply(t.c, s.a) - multiply(s.c, t.a);
+  return w > 0 ? FixedPoint{x, y, w} : FixedPoint{-x, -y, -w};
+}
+
+bool same_definition(const Point& p, const Point& q) {
+  return p.kind == q.kind && p.kind != Point::Kind::kGrid && p.i == q.i && p.j == q.j && p.root == q.root;
+}
+
+/// 128-bit coordinates of a grid point or of the crossing of two narrow lines.
+bool narrow(const Geometry& g, const Point& p, NarrowPoint& out) {
+  if (p.kind == Point::Kind::kGrid) {
+    out = {p.gx, p.gy, 1};
+    return true;
+  }
+  const Carrier &s = g.carriers[p.i], &t = g.carriers[p.j];
+  if (!is_narrow(s) || !is_narrow(t)) return false;
+  out = narrow_crossing(s, t);
+  return true;
+}
+
+}  // namespace
+
+int Geometry::fixed_compare(const Point& p, const Point& q, bool x_axis) const {
+  NarrowPoint n, m;
+  if (narrow(*this, p, n) && narrow(*this, q, m)) {
+    auto order = multiply(x_axis ? n.x : n.y, m.weight) <=> multiply(x_axis ? m.x : m.y, n.weight);
+    return (order > 0) - (order < 0);
+  }
+  FixedPoint f = fixed(*this, p), g = fixed(*this, q);
+  auto order = multiply(x_axis ? f.x : f.y, g.weight) <=> multiply(x_axis ? g.x : g.y, f.weight);
+  return (order > 0) - (order < 0);
+}
+
+int Geometry::staged_compare(std::uint32_t p, std::uint32_t q, bool x_axis) const {
+  const Point &s = points[p], &t = points[q];
+  if (s.kind == Point::Kind::kGrid && t.kind == Point::Kind::kGrid)
+    return x_axis ? sign_of(int128(s.gx) - t.gx) : sign_of(int128(s.gy) - t.gy);
+  if (p == q || same_definition(s, t)) return 0;
+  if (is_fixed(*this, s) && is_fixed(*this, t)) return fixed_compare(s, t, x_axis);
+  return x_axis ? compare(exact_x(p), exact_x(q)) : compare(exact_y(p), exact_y(q));
+}
+
+int Geometry::compare_xy(std::uint32_t p, std::uint32_t q) const {
+  if (p == q) return 0;
+  int s = compare_x(p, q);
+  return s != 0 ? s : compare_y(p, q);
+}
+
+int Geometry::staged_side(std::uint32_t p, std::uint32_t carrier) const {
+  const Point& q = points[p];
+  const Carrier& k = carriers[carrier];
+  if (q.kind == Point::Kind::kCross && (q.i == carrier || q.j == carrier)) return 0;
+  Approx x = from_double(q.x, q.error), y = from_double(q.y, q.error);
+  if (!k.circle) {
+    Approx s = k.x * x + k.y * y - k.z;
+    if (s.sign() != 0) return s.sign();
+    if (k.grid && is_fixed(*this, q)) {
+      FixedPoint f = fixed(*this, q);
+      return (multiply(f.x, int128(k.a)) + multiply(f.y, int128(k.b)) - Int512(multiply(k.c, f.weight))).sign();
+    }
+    RealPoint e = exact(p);
+    return (Real(k.a) * e.x + Real(k.b) * e.y - k.offset()).sign();
+  }
+  Approx dx = x - k.x, dy = y - k.y;
+  Approx s = dx * dx + dy * dy - k.z * k.z;
+  if (s.sign() != 0) return s.sign();
+  RealPoint e = exact(p);
+  Real ex = e.x - k.center_x(), ey = e.y - k.center_y();
+  return compare(ex * ex + ey * ey, k.w * k.w);
+}
+
+int Geometry::above_center(std::uint32_t p, std::uint32_t circle) const {
+  const Carrier& k = carriers[circle];
+  Approx s = from_double(points[p].y, points[p].error) - k.y;
+  return s.certain() ? s.sign() : compare(exact_y(p), k.center_y());
+}
+
+int Geometry::right_of_center(std::uint32_t p, std::uint32_t circle) const {
+  const Carrier& k = carriers[circle];
+  Approx s = from_double(points[p].x, points[p].error) - k.x;
+  return s.certain() ? s.sign() : compare(exact_x(p), k.center_x());
+}
+
+std::array<Approx, 2> Geometry::tangent(std::uint32_t p, Heading h) const {
+  const Carrier& k = carriers[h.carrier];
+  Approx dx = k.y, dy = -k.x;
+  if (k.circle)
+    dx = k.y - from_double(points[p].y, points[p].error), dy = from_double(points[p].x, points[p].error) - k.x;
+  if (h.forward) return {dx, dy};
+  return {-dx, -dy};
+}
+
+std::array<Real, 2> Geometry::exact_tangent(std::uint32_t p, Heading h) const {
+  const Carrier& k = carriers[h.carrier];
+  Real dx(k.b), dy(-k.a);
+  if (k.circle) {
+    RealPoint e = exact(p);
+    dx = k.center_y() - e.y, dy = e.x - k.center_x();
+  }
+  if (h.forward) return {dx, dy};
+  return {-dx, -dy};
+}
+
+bool Geometry::touch_at(std::uint32_t p, std::uint32_t i, std::uint32_t j) const {
+  const Point& q = points[p];
+  return q.kind == Point::Kind::kCross && q.root == 0 && std::min(i, j) == q.i && std::max(i, j) == q.j &&
+         (carriers[i].circle || carriers[j].circle);
+}
+
+int Geometry::turn(std::uint32_t p, Heading h, Heading k) const {
+  const Carrier &s = carriers[h.carrier], &t = carriers[k.carrier];
+  if (!s.circle && !t.circle) {
+    int c = sign_of(cross(s, t));
+    return h.forward == k.forward ? c : -c;
+  }
+  if (h.carrier == k.carrier || touch_at(p, h.carrier, k.carrier)) return 0;
+  auto u = tangent(p, h), v = tangent(p, k);
+  Approx c = u[0] * v[1] - u[1] * v[0];
+  if (c.sign() != 0) return c.sign();
+  auto e = exact_tangent(p, h), f = exact_tangent(p, k);
+  return compare(e[0] * f[1], e[1] * f[0]);
+}
+
+int Geometry::along(std::uint32_t p, Heading h, Heading k) const {
+  const Carrier &s = carriers[h.carrier], &t = carriers[k.carrier];
+  if (!s.circle && !t.circle) {
+    int c = sign_of(int128(s.a) * t.a + int128(s.b) * t.b);
+    return h.forward == k.forward ? c : -c;
+  }
+  auto u = tangent(p, h), v = tangent(p, k);
+  Approx c = u[0] * v[0] + u[1] * v[1];
+  if (c.sign() != 0) return c.sign();
+  auto e = exact_tangent(p, h), f = exact_tangent(p, k);
+  return (e[0] * f[0] + e[1] * f[1]).sign();
+}
+
+int Geometry::compare_curvature(Heading h, Heading k) const {
+  const Carrier &s = carriers[h.carrier], &t = carriers[k.carrier];
+  int p = s.circle ? (h.forward ? 1 : -1) : 0, q = t.circle ? (k.forward ? 1 : -1) : 0;
+  if (p != q) return p > q ? 1 : -1;
+  if (p == 0) return 0;
+  Approx gap = t.z - s.z;
+  int c = gap.sign() != 0 ? gap.sign() : compare(t.w, s.w);  // smaller radius, larger curvature
+  return p > 0 ? c : -c;
+}
+
+}  // namespace findspace::exact

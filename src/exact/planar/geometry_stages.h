@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What carrier.cpp, geometry.cpp and geometry_signs.cpp share: carriers and points as doubles with error bounds and as
+// fixed-width integers, the first two stages of their predicates. Guarantee: bounds and integers are exact or certain.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "exact/planar/geometry.h"
+
+namespace findspace::exact {
+
+inline Approx from_interval(Interval r) {
+  if (r.lo == r.hi) return {r.lo, 0};
+  double v = r.lo + (r.hi - r.lo) / 2;
+  return {v, std::max(r.hi - v, v - r.lo) * Approx::kGrow};
+}
+
+inline Approx from_real(const Real& r) { return from_interval(r.interval()); }
+
+inline Approx from_int(int128 k) {
+  if (std::int64_t n = std::int64_t(k); n == k && n <= (1ll << 53) && n >= -(1ll << 53)) return {double(n), 0};
+  double v = double(k);
+  constexpr int128 kExact = int128(1) << 53;
+  return {v, k <= kExact && k >= -kExact ? 0.0 : std::abs(v) * Approx::kUnit * 2};
+}
+
+inline int sign_of(int128 k) { return (k > 0) - (k < 0); }
+
+inline int128 cross(const Carrier& p, const Carrier& q) { return int128(p.a) * q.b - int128(p.b) * q.a; }
+
+/// A grid line whose crossings with others like it have numerators below 2^126.
+inline bool is_narrow(const Carrier& l) {
+  constexpr std::int64_t kNormal = std::int64_t(1) << 42;
+  constexpr int128 kOffset = int128(1) << 83;
+  return l.grid && !l.circle && l.a < kNormal && l.b < kNormal && l.b > -kNormal && l.c < kOffset && l.c > -kOffset;
+}
+
+/// Homogeneous coordinates of the crossing of two narrow lines: |x|, |y| < 2^126, 0 < weight < 2^85.
+struct NarrowPoint {
+  int128 x, y, weight;
+};
+
+inline NarrowPoint narrow_crossing(const Carrier& s, const Carrier& t) {
+  int128 w = cross(s, t), x = s.c * t.b - t.c * s.b, y = t.c * s.a - s.c * t.a;
+  return w > 0 ? NarrowPoint{x, y, w} : NarrowPoint{-x, -y, -w};
+}
+
+/// The length of a line's normal: the sum of the two squares is off by at most 2 ulps, its root by at most 2.
+inline Approx normal_length(const Carrier& l) {
+  double a = double(l.a), b = double(l.b), n = std::sqrt(a * a + b * b);
+  return {n, n * (3 * Approx::kUnit)};
+}
+
+/// The length of (a, b) if it is an integer. Below 2^50 its root in doubles, off by at most 2 ulps, tells most others.
+inline std::optional<int128> integer_length(std::int64_t a, std::int64_t b) {
+  constexpr double kRounding = 0x1.8p52;  // added and taken away again it rounds to an integer
+  const double x = double(a), y = double(b), n = std::sqrt(x * x + y * y);
+  if (n < 0x1p50 && std::abs(n - ((n + kRounding) - kRounding)) > n * (4 * Approx::kUnit)) return std::nullopt;
+  int128 square = int128(a) * a + int128(b) * b, root = int128(std::llround(std::sqrt(double(square))));
+  return root * root == square ? std::optional(root) : std::nullopt;
+}
+
+inline Approx line_offset(const Carrier& l) {
+  if (l.real) return from_real(l.real->x);
+  return l.grid ? from_int(l.c) : from_int(l.c) + from_real(l.w) * normal_length(l);
+}
+
+/// Whether a coordinate may be held as a grid coordinate.
+inline bool fits(const std::optional<int128>& c) {
+  constexpr int128 kMost = int128(1) << 62;
+  return c && *c <= kMost && *c >= -kMost;
+}
+
+/// |a|, |b| < 2^53, so the doubles are exact. With u = 2^-53 the squared length is off by at most 2u (two roundings on
+/// each path), its root by 2u (half of that and its own rounding), the reciprocal by 3u and a product with it by 4u, of
+/// a rounded offset by 5u; 5u and 8u cover the terms of second order. An integer over a length below 2^54 does not
+/// underflow.
+void set_line_filter(Carrier& l);
+
+/// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 5u, the rounded
+/// coordinates, the products and the sum by u each.
+inline void set_distance_through(Carrier& l, std::int64_t x, std::int64_t y) {
+  const double along_x = l.x.value * double(x), along_y = l.y.value * double(y);
+  l.z = {along_x + along_y, (std::abs(along_x) + std::abs(along_y)) * (9 * Approx::kUnit)};
+}
+
+}  // namespace findspace::exact

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The frame that maps the scene (y up) to pixels (y down), and paths in it with true arcs. Arcs are given in parts of
+// less than half a circle, which no viewer can mistake. Keywords: vector graphics, elliptical arc command, viewport.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/text/write_curves.h"
+
+namespace findspace::io {
+
+/// Text fit for an XML text or attribute.
+std::string xml_escaped(std::string_view text);
+
+/// A number of pixels, to a thousandth.
+std::string pixels(double value);
+
+/// Where the scene is in the picture.
+struct Frame {
+  plane::Bounds world;       // what is shown
+  double scale = 1;          // pixels per unit
+  double left = 0, top = 0;  // of the world's upper left corner, in pixels
+  double x(double wx) const { return left + (wx - world.low[0]) * scale; }
+  double y(double wy) const { return top + (world.high[1] - wy) * scale; }
+  double width() const { return (world.high[0] - world.low[0]) * scale; }
+  double height() const { return (world.high[1] - world.low[1]) * scale; }
+};
+
+/// Path data of a net's curves, moved by `offset`, in a frame's pixels.
+class PathWriter {
+ public:
+  /// To a thousandth of a pixel, or as precise as a double is.
+  enum class Digits { kPixels, kAll };
+
+  PathWriter(const CurveNet& net, const Frame& frame, const plane::Place& offset = {}, Digits digits = Digits::kPixels)
+      : net_(net), frame_(frame), offset_(offset), digits_(digits) {}
+
+  /// All rings of a face, to be filled by the even-odd rule. Around an unbounded face that is the frame.
+  void add_face(const plane::Face& face);
+  /// All faces with a mark other than 0.
+  void add_faces();
+  /// Open: a whole circle is two arcs, so that no reader takes it for a disc.
+  void add_curve(const Curve& curve);
+  const std::string& data() const { return data_; }
+
+ private:
+  void add_ring(const Ring& ring);
+  void add_frame();
+  std::string number(double value) const;
+  void put(char command, const plane::Place& p);
+  void travel(const Curve& curve, bool forward);
+  void arc_to(const plane::Place& p, double radius, bool ccw);
+
+  const CurveNet& net_;
+  const Frame& frame_;
+  plane::Place offset_;
+  Digits digits_;
+  std::string data_;
+};
+
+}  // namespace findspace::io

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/draw/draw_labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/draw/draw_layout.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using plane::Bounds;
+using plane::Component;
+using plane::Place;
+
+constexpr int kColumns = 12, kRows = 9;  // places tried in a shape
+constexpr double kClearance = 4;         // pixels kept from lines
+constexpr double kCross = 8;             // half the width of the cross at a position, with some room
+constexpr double kStride = 7;            // pixels between the points that stand for a line
+constexpr double kMostPoints = 20000;
+
+std::array<double, 3> weight(const Component& c) { return {c.area ? 0.0 : 1.0, c.area.value_or(0), c.dangling_length}; }
+
+bool meet(const Bounds& a, const Bounds& b) {
+  return a.low[0] < b.high[0] && b.low[0] < a.high[0] && a.low[1] < b.high[1] && b.low[1] < a.high[1];
+}
+
+Place middle(const Bounds& b) { return {(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}; }
+
+}  // namespace
+
+const Component* largest(const plane::Summary& s) {
+  if (s.components.empty()) return nullptr;
+  return &*std::max_element(s.components.begin(), s.components.end(),
+                            [](const Component& a, const Component& b) { return weight(a) < weight(b); });
+}
+
+std::string label_text(double x, double y, std::string_view text) {
+  return fmt::format("<text class=\"label\" x=\"{}\" y=\"{}\">{}</text>\n", pixels(x), pixels(y + kFontSize * 0.36),
+                     xml_escaped(text));
+}
+
+Labeller::Labeller(const Frame& frame, const Real& step, std::vector<LabelledShape> shapes)
+    : frame_(frame), step_(step), shapes_(std::move(shapes)) {
+  std::erase_if(shapes_, [](const LabelledShape& s) { return s.summary.components.empty(); });
+  std::stable_sort(shapes_.begin(), shapes_.end(), [](const LabelledShape& a, const LabelledShape& b) {
+    return weight(*largest(a.summary)) < weight(*largest(b.summary));
+  });
+}
+
+void Labeller::avoid(const Place& point, double radius) {
+  const double x = frame_.x(point[0]), y = frame_.y(point[1]);
+  taken_.push_back({{x - radius, y - radius}, {x + radius, y + radius}});
+}
+
+void Labeller::avoid_text(const Place& middle, std::string_view text) {
+  taken_.push_back(box_around(middle[0], middle[1], text));
+}
+
+void Labeller::avoid_region(const CurveNet& region) {
+  region_.emplace(region.complex());
+  avoid_curves(region, {});
+}
+
+void Labeller::avoid_curves(const CurveNet& net, const Place& offset) {
+  double length = 0;
+  std::vector<double> lengths;
+  for (const Curve& k : net.curves()) {
+    const Place from = net.at(k.from), to = net.at(k.to);
+    lengths.push_back(frame_.scale * (k.arc ? k.radius * k.angle : std::hypot(to[0] - from[0], to[1] - from[1])));
+    length += lengths.back();
+  }
+  const double stride = std::max(kStride, length / kMostPoints);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const Curve& k = net.curves()[i];
+    const Place from = net.at(k.from), to = net.at(k.to);
+    const auto keep = [&](double x, double y) { avoid({x + offset[0], y + offset[1]}, kClearance); };
+    const double first = std::atan2(from[1] - k.center[1], from[0] - k.center[0]);
+    for (double t = 0; t < lengths[i]; t += stride) {
+      const double part = t / lengths[i], angle = first + k.angle * part;
+      if (k.arc)
+        keep(k.center[0] + k.radius * std::cos(angle), k.center[1] + k.radius * std::sin(angle));
+      else
+        keep(from[0] + (to[0] - from[0]) * part, from[1] + (to[1] - from[1]) * part);
+    }
+  }
+}
+
+Labeller::Box Labeller::box_around(double x, double y, std::string_view text) const {
+  const double w = text_width(text) / 2 + 3, h = kFontSize / 2 + 2;
+  return {{x - w, y - h}, {x + w, y + h}};
+}
+
+bool Labeller::is_free(const Box& b) const {
+  if (b.low[0] < frame_.left || b.high[0] > frame_.left + frame_.width()) return false;
+  if (b.low[1] < frame_.top || b.high[1] > frame_.top + frame_.height()) return false;
+  return std::none_of(taken_.begin(), taken_.end(), [&](const Box& t) { return meet(b, t); });
+}
+
+Labeller::Box Labeller::pixel_box(const LabelledShape& s, const Bounds& b) const {
+  return {{frame_.x(b.low[0] + s.offset[0]), frame_.y(b.high[1] + s.offset[1])},
+          {frame_.x(b.high[0] + s.offset[0]), frame_.y(b.low[1] + s.offset[1])}};
+}
+
+exact::RealPoint Labeller::position(double px, double py, const Place& offset) const {
+  const double x = frame_.world.low[0] + (px - frame_.left) / frame_.scale - offset[0];
+  const double y = frame_.world.high[1] - (py - frame_.top) / frame_.scale - offset[1];
+  return {Real::from_double(x) / step_, Real::from_double(y) / step_};
+}
+
+/// Whether the box's corners and the middles of its sides belong to the shape.
+bool Labeller::lies_in(const LabelledShape& s, plane::Locator& locator, const Box& b) const {
+  const Place m = middle(b);
+  for (double px : {b.low[0], m[0], b.high[0]}) {
+    for (double py : {b.low[1], m[1], b.high[1]}) {
+      if (locator.mark(position(px, py, s.offset)) == 0) return false;
+    }
+  }
+  return true;
+}
+
+/// Its lines are kept away from already, so one point decides.
+bool Labeller::is_on_region(const Box& b) {
+  const Place m = middle(b);
+  return region_ && region_->mark(position(m[0], m[1], {})) != 0;
+}
+
+bool Labeller::meets_smaller(std::size_t shape, const Box& b) const {
+  for (std::size_t i = 0; i < shape; ++i) {
+    for (const Component& c : shapes_[i].summary.components) {
+      if (c.bbox && meet(pixel_box(shapes_[i], *c.bbox), b)) return true;
+    }
+  }
+  return false;
+}
+
+/// The middle of the largest component, or else the first good place in it from the upper left on; off the region if
+/// possible.
+std::optional<Labeller::Box> Labeller::place_inside(std::size_t shape) {
+  const LabelledShape& s = shapes_[shape];
+  const Component& c = *largest(s.summary);
+  const Box room = c.bbox
+                       ? pixel_box(s, *c.bbox)
+                       : Box{{frame_.left, frame_.top}, {frame_.left + frame_.width(), frame_.top + frame_.height()}};
+  const Box own = box_around(frame_.x(c.sample[0] + s.offset[0]), frame_.y(c.sample[1] + s.offset[1]), s.name);
+  const double w = (own.high[0] - own.low[0]) / 2 + 3, h = (own.high[1] - own.low[1]) / 2 + 3;
+  std::vector<Box> boxes{own};
+  for (int j = 0; j < kRows; ++j) {
+    for (int i = 0; i < kColumns; ++i) {
+      const double x = room.low[0] + w + (room.high[0] - room.low[0] - 2 * w) * i / (kColumns - 1);
+      const double y = room.low[1] + h + (room.high[1] - room.low[1] - 2 * h) * j / (kRows - 1);
+      boxes.push_back(box_around(x, y, s.name));
+    }
+  }
+  plane::Locator locator(s.net->complex());
+  std::erase_if(boxes, [&](const Box& b) { return !is_free(b) || meets_smaller(shape, b) || !lies_in(s, locator, b); });
+  if (boxes.empty()) return std::nullopt;
+  const auto outside = std::find_if(boxes.begin(), boxes.end(), [this](const Box& b) { return !is_on_region(b); });
+  return outside == boxes.end() ? boxes.front() : *outside;
+}
+
+/// Above, below, right or left of the largest component, or at a corner of its box; in its middle if all is taken,
+/// unless another name is there.
+std::optional<Labeller::Box> Labeller::place_beside(std::size_t shape) const {
+  const LabelledShape& s = shapes_[shape];
+  const Component& c = *largest(s.summary);
+  const Place at{frame_.x(c.sample[0] + s.offset[0]), frame_.y(c.sample[1] + s.offset[1])};
+  const Box own = box_around(at[0], at[1], s.name);
+  if (!c.bbox) return own;
+  const Box box = pixel_box(s, *c.bbox);
+  const auto away = [&](int i) {  // a shape smaller than the cross at its position stands under it
+    return (own.high[i] - own.low[i]) / 2 + std::max(kClearance + 1, kCross - (box.high[i] - box.low[i]) / 2);
+  };
+  const double w = away(0), h = away(1);
+  const Place m = middle(box);
+  const double left = box.low[0] - w, right = box.high[0] + w, above = box.low[1] - h, below = box.high[1] + h;
+  const std::array<Place, 8> ways{{{m[0], above},
+                                   {m[0], below},
+                                   {right, m[1]},
+                                   {left, m[1]},
+                                   {right, above},
+                                   {left, above},
+                                   {right, below},
+                                   {left, below}}};
+  for (const Place& way : ways) {
+    const Box b = box_around(way[0], way[1], s.name);
+    if (is_free(b) && !meets_smaller(shape, b)) return b;
+  }
+  const bool named = std::any_of(names_.begin(), names_.end(), [&](const Box& n) { return meet(own, n); });
+  return named ? std::nullopt : std::optional(own);
+}
+
+std::string Labeller::labels() {
+  std::string out;
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    std::optional<Box> b = place_inside(i);
+    if (!b) b = place_beside(i);
+    if (!b) continue;
+    taken_.push_back(*b);
+    names_.push_back(*b);
+    const Place m = middle(*b);
+    out += label_text(m[0], m[1], shapes_[i].name);
+  }
+  return out;
+}
+
+}  // namespace findspace::io

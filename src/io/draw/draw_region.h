@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// How a region looks: faces that belong are filled; an edge of theirs is solid where it belongs and dashed where it
+// does not; curves and points without area stand out; a point that differs from the curves it ends is a full or a
+// hollow dot.
+#pragma once
+
+#include <string>
+
+#include "io/draw/draw_canvas.h"
+
+namespace findspace::io {
+
+/// What a picture of a region contains, for its legend.
+struct RegionParts {
+  bool faces = false, closed_edges = false, open_edges = false, curves = false, points = false;
+  bool full_dots = false, hollow_dots = false, unbounded = false;
+};
+RegionParts parts_of(const plane::Region& region);
+
+/// The filled faces, to lie below; and edges, curves and points, to lie above.
+std::string region_faces(const CurveNet& net, const Frame& frame);
+std::string region_lines(const CurveNet& net, const Frame& frame);
+
+/// A shape of the scene: fill and outline in the classes NAME and NAME-line, moved by `offset`.
+std::string outline(const CurveNet& net, const Frame& frame, std::string_view style, const plane::Place& offset = {});
+
+}  // namespace findspace::io

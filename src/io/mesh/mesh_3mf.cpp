@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/mesh/mesh_3mf.h"
+
+#include <findspace/error.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "io/mesh/zip_archive.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+
+constexpr int kMostDepth = 64;
+constexpr const char* kModel = "3D/3dmodel.model";
+constexpr const char* kModelType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+constexpr const char* kCore = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
+
+[[noreturn]] void fail(const std::string& what) { throw Error(ErrorCode::kBadValue, what); }
+
+/// x' = row . (x, 1), as nine factors and a shift.
+struct Transform {
+  std::array<std::array<Real, 3>, 4> row{
+      {{Real(1), Real(), Real()}, {Real(), Real(1), Real()}, {Real(), Real(), Real(1)}, {Real(), Real(), Real()}}};
+
+  std::array<Real, 3> apply(const std::array<Real, 3>& p, bool place = true) const {
+    std::array<Real, 3> out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      out[k] = p[0] * row[0][k] + p[1] * row[1][k] + p[2] * row[2][k];
+      if (place) out[k] += row[3][k];
+    }
+    return out;
+  }
+  /// -1: it mirrors; 0: it flattens.
+  int sense() const {
+    const auto& [a, b, c, d] = row;
+    return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+            a[2] * (b[0] * c[1] - b[1] * c[0]))
+        .sign();
+  }
+  /// First `inner`, then this.
+  Transform after(const Transform& inner) const {
+    Transform out;
+    for (std::size_t k = 0; k < 4; ++k) out.row[k] = apply(inner.row[k], k == 3);
+    return out;
+  }
+};
+
+Real decimal(const pugi::xml_node& node, const char* name) {
+  const pugi::xml_attribute value = node.attribute(name);
+  if (!value) fail(fmt::format("a <{}> has no {}", node.name(), name));
+  try {
+    return Real::parse_decimal(value.value());
+  } catch (const Error&) {
+    fail(fmt::format("a <{}> has the {} '{}', which is not a number", node.name(), name, value.value()));
+  }
+}
+
+long whole(const pugi::xml_node& node, const char* name) {
+  const std::string_view text = node.attribute(name).value();
+  long value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < 0)
+    fail(fmt::format("a <{}> has the {} '{}', which is not an index", node.name(), name, text));
+  return value;
+}
+
+Transform transform(const pugi::xml_node& node) {
+  Transform out;
+  const pugi::xml_attribute given = node.attribute("transform");
+  if (!given) return out;
+  std::istringstream words(given.value());
+  std::string word;
+  int count = 0;
+  for (; words >> word; ++count) {
+    if (count == 12) break;
+    try {
+      out.row[static_cast<std::size_t>(count / 3)][static_cast<std::size_t>(count % 3)] = Real::parse_decimal(word);
+    } catch (const Error&) {
+      fail(fmt::format("a transform has '{}', which is not a number", word));
+    }
+  }
+  if (count != 12 || words >> word) fail("a transform has twelve numbers");
+  return out;
+}
+
+class Reader {
+ public:
+  Reader(const pugi::xml_node& model, MeshBuilder& out) : out_(out) {
+    for (const pugi::xml_node& object : model.child("resources").children("object")) {
+      if (!objects_.emplace(whole(object, "id"), object).second)
+        fail(fmt::format("two objects have the id {}", object.attribute("id").value()));
+    }
+  }
+
+  void build(const pugi::xml_node& model) {
+    for (const pugi::xml_node& item : model.child("build").children("item"))
+      object(whole(item, "objectid"), transform(item), 0);
+    if (out_.mesh().faces.empty()) fail("nothing with triangles is built");
+  }
+
+ private:
+  void object(long id, const Transform& placed, int depth) {
+    const auto found = objects_.find(id);
+    if (found == objects_.end()) fail(fmt::format("there is no object {}", id));
+    if (depth > kMostDepth) fail(fmt::format("object {} is a component of itself, or of too many", id));
+    if (const pugi::xml_node mesh = found->second.child("mesh")) return triangles(mesh, placed);
+    for (const pugi::xml_node& part : found->second.child("components").children("component")) {
+      if (++components_ > kMostComponents) fail("there are more than 100,000 components");
+      object(whole(part, "objectid"), placed.after(transform(part)), depth + 1);
+    }
+  }
+
+  void triangles(const pugi::xml_node& mesh, const Transform& placed) {
+    const int sense = placed.sense();
+    if (sense == 0) fail("a transform flattens what it places");
+    const auto first = static_cast<long>(out_.size());
+    for (const pugi::xml_node& v : mesh.child("vertices").children("vertex"))
+      out_.vertex(placed.apply({decimal(v, "x"), decimal(v, "y"), decimal(v, "z")}));
+    const auto end = static_cast<long>(out_.size());
+    for (const pugi::xml_node& t : mesh.child("triangles").children("triangle")) {
+      std::vector<int> face;
+      for (const char* corner : {"v1", "v2", "v3"}) {
+        const long v = first + whole(t, corner);
+        if (v >= end) fail("a triangle refers to a vertex that is not there");
+        face.push_back(static_cast<int>(v));
+      }
+      if (sense < 0) std::reverse(face.begin(), face.end());
+      out_.face(std::move(face));
+    }
+  }
+
+  static constexpr int kMostComponents = 100000;
+  MeshBuilder& out_;
+  std::map<long, pugi::xml_node> objects_;
+  int components_ = 0;
+};
+
+pugi::xml_node root(pugi::xml_document& document, std::string_view xml) {
+  const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
+  if (!parsed) throw Error(ErrorCode::kSyntax, fmt::format("the model is not XML: {}", parsed.description()));
+  const pugi::xml_node model = document.child("model");
+  if (!model) throw Error(ErrorCode::kSyntax, "the model file has no <model>");
+  return model;
+}
+
+/// The member that the package names as its model.
+std::string model_name(const ZipArchive& archive) {
+  const auto relations = archive.member("_rels/.rels");
+  pugi::xml_document document;
+  if (!relations || !document.load_buffer(relations->data(), relations->size())) return kModel;
+  for (const pugi::xml_node& r : document.child("Relationships").children("Relationship")) {
+    if (std::string_view(r.attribute("Type").value()) != kModelType) continue;
+    std::string target = r.attribute("Target").value();
+    return target.starts_with('/') ? target.substr(1) : target;
+  }
+  return kModel;
+}
+
+Real millimetres(std::string_view unit) {
+  static const std::map<std::string_view, Real> kUnits{{"", Real(1)},
+                                                       {"millimeter", Real(1)},
+                                                       {"micron", Real::ratio(1, 1000)},
+                                                       {"centimeter", Real(10)},
+                                                       {"inch", Real::ratio(254, 10)},
+                                                       {"foot", Real::ratio(3048, 10)},
+                                                       {"meter", Real(1000)}};
+  const auto found = kUnits.find(unit);
+  if (found == kUnits.end()) fail(fmt::format("the model has the unknown unit '{}'", unit));
+  return found->second;
+}
+
+std::string bytes_3mf(const std::string& model) {
+  const std::string types =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types "
+      "xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"><Default Extension=\"rels\" "
+      "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/><Default Extension=\"model\" "
+      "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n";
+  const std::string relations = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships "
+      "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\"><Relationship Target=\"/{}\" Id=\"rel0\" "
+      "Type=\"{}\"/></Relationships>\n",
+      kModel, kModelType);
+  return zip_bytes({{"[Content_Types].xml", types}, {"_rels/.rels", relations}, {kModel, model}});
+}
+
+void put_mesh(pugi::xml_node mesh, const Surface& s, double factor) {
+  pugi::xml_node vertices = mesh.append_child("vertices"), triangles = mesh.append_child("triangles");
+  for (const auto& v : s.vertices) {
+    pugi::xml_node node = vertices.append_child("vertex");
+    const char* names[3] = {"x", "y", "z"};
+    for (std::size_t k = 0; k < 3; ++k) node.append_attribute(names[k]) = fmt::format("{}", v[k] * factor).c_str();
+  }
+  for (const auto& face : s.faces) {
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      pugi::xml_node node = triangles.append_child("triangle");
+      node.append_attribute("v1") = face[0];
+      node.append_attribute("v2") = face[i];
+      node.append_attribute("v3") = face[i + 1];
+    }
+  }
+}
+
+}  // namespace
+
+Model3mf open_3mf(std::string_view bytes) {
+  const ZipArchive archive(bytes);
+  auto xml = archive.member(model_name(archive));
+  if (!xml) throw Error(ErrorCode::kFile, "the package has no 3D model");
+  pugi::xml_document document;
+  const pugi::xml_node model = root(document, *xml);
+  const std::string_view required = model.attribute("requiredextensions").value();
+  if (!required.empty()) fail(fmt::format("the model requires the extension '{}', which is not read", required));
+  const Real unit = millimetres(model.attribute("unit").value());
+  return {std::move(*xml), unit};
+}
+
+void read_3mf(const Model3mf& model, MeshBuilder& out) {
+  pugi::xml_document document;
+  const pugi::xml_node top = root(document, model.xml);
+  Reader(top, out).build(top);
+}
+
+std::string text_3mf(const Surface& s, std::string_view title, std::string_view unit) {
+  static const std::map<std::string_view, const char*> kNames{
+      {"", "millimeter"}, {"mm", "millimeter"}, {"um", "micron"}, {"cm", "centimeter"},
+      {"m", "meter"},     {"in", "inch"},       {"mil", "inch"}};
+  const double factor = unit == "mil" ? 0.001 : 1;  // no sign: a unit
+  pugi::xml_document document;
+  pugi::xml_node model = document.append_child("model");
+  model.append_attribute("unit") = kNames.at(unit);
+  model.append_attribute("xmlns") = kCore;
+  pugi::xml_node meta = model.append_child("metadata");
+  meta.append_attribute("name") = "Title";
+  meta.text() = std::string(title).c_str();
+  pugi::xml_node object = model.append_child("resources").append_child("object");
+  object.append_attribute("id") = 1;
+  object.append_attribute("type") = "model";
+  put_mesh(object.append_child("mesh"), s, factor);
+  model.append_child("build").append_child("item").append_attribute("objectid") = 1;
+  std::ostringstream xml;
+  document.save(xml, "", pugi::format_raw);
+  return bytes_3mf(xml.str());
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/mesh/read_mesh.h"
+
+#include <findspace/error.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "io/mesh/mesh_3mf.h"
+#include "io/mesh/read_mesh_ply.h"
+#include "space/mesh/mesh.h"
+
+namespace findspace::io {
+namespace {
+
+void read_obj(const std::string& bytes, MeshBuilder& out) {
+  TextLines lines(bytes);
+  while (lines.next()) {
+    const auto& w = lines.words();
+    if (w[0] == "v") {
+      if (w.size() < 4) lines.fail("a vertex needs three coordinates");
+      out.vertex(lines, w[1], w[2], w[3]);
+    } else if (w[0] == "f") {
+      std::vector<int> face;
+      for (std::size_t i = 1; i < w.size(); ++i) {
+        const long index = lines.integer(w[i].substr(0, w[i].find('/')));
+        face.push_back(out.index(lines, index > 0 ? index - 1 : static_cast<long>(out.size()) + index));
+      }
+      out.face(std::move(face));
+    }
+  }
+}
+
+void read_off(const std::string& bytes, MeshBuilder& out) {
+  TextLines lines(bytes);
+  if (!lines.next()) lines.fail("an OFF file begins with OFF");
+  std::vector<std::string_view> counts(lines.words());
+  if (!counts[0].ends_with("OFF")) lines.fail("an OFF file begins with OFF");
+  counts.erase(counts.begin());
+  if (counts.empty() && lines.next()) counts = lines.words();
+  if (counts.size() < 2) lines.fail("the numbers of vertices and faces are missing");
+  const long vertices = lines.integer(counts[0]), faces = lines.integer(counts[1]);
+  for (long i = 0; i < vertices; ++i) {
+    if (!lines.next() || lines.words().size() < 3) lines.fail("a vertex is missing");
+    out.vertex(lines, lines.words()[0], lines.words()[1], lines.words()[2]);
+  }
+  for (long i = 0; i < faces; ++i) {
+    if (!lines.next()) lines.fail("a face is missing");
+    const auto& w = lines.words();
+    const long n = lines.integer(w[0]);
+    if (n < 0 || w.size() <= static_cast<std::size_t>(n)) lines.fail("a face has fewer vertices than it says");
+    std::vector<int> face;
+    for (long k = 1; k <= n; ++k) face.push_back(out.index(lines, lines.integer(w[static_cast<std::size_t>(k)])));
+    out.face(std::move(face));
+  }
+}
+
+void read_ascii_stl(const std::string& bytes, MeshBuilder& out) {
+  TextLines lines(bytes);
+  std::vector<int> face;
+  bool ended = false;
+  while (lines.next()) {
+    const auto& w = lines.words();
+    ended = w[0] == "endsolid";
+    if (w[0] == "outer") face.clear();
+    if (w[0] == "vertex") {
+      if (w.size() < 4) lines.fail("a vertex needs three coordinates");
+      face.push_back(static_cast<int>(out.size()));
+      out.vertex(lines, w[1], w[2], w[3]);
+    }
+    if (w[0] == "endloop") out.face(std::exchange(face, {}));
+  }
+  if (!face.empty()) lines.fail("the file ends within a facet");
+  if (!ended) lines.fail("the file does not end with endsolid: it is cut off");
+}
+
+void read_binary_stl(const std::string& bytes, MeshBuilder& out) {
+  const std::uint32_t count = little<std::uint32_t>(bytes, 80);
+  for (std::size_t t = 0; t < count; ++t) {
+    std::vector<int> face;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t at = 84 + t * 50 + 12 + k * 12;
+      face.push_back(static_cast<int>(out.size()));
+      out.vertex(little<float>(bytes, at), little<float>(bytes, at + 4), little<float>(bytes, at + 8));
+    }
+    out.face(std::move(face));
+  }
+}
+
+void read_stl(const std::string& bytes, MeshBuilder& out) {
+  // Binary files may begin with "solid" too; their length settles it.
+  const bool binary = bytes.size() >= 84 && bytes.size() == 84 + std::size_t{50} * little<std::uint32_t>(bytes, 80);
+  if (binary) return read_binary_stl(bytes, out);
+  if (bytes.find("facet") == std::string::npos)
+    throw Error(ErrorCode::kFile, "neither an ASCII nor a whole binary STL file");
+  read_ascii_stl(bytes, out);
+}
+
+}  // namespace
+
+bool TextLines::next() {
+  words_.clear();
+  while (words_.empty() && at_ < text_.size()) {
+    std::size_t end = text_.find('\n', at_);
+    if (end == std::string_view::npos) end = text_.size();
+    std::string_view line = text_.substr(at_, end - at_);
+    at_ = end + 1;
+    ++line_;
+    line = line.substr(0, line.find('#'));
+    for (std::size_t i = 0; i < line.size();) {
+      while (i < line.size() && std::isspace(static_cast<unsigned char>(line[i]))) ++i;
+      std::size_t stop = i;
+      while (stop < line.size() && !std::isspace(static_cast<unsigned char>(line[stop]))) ++stop;
+      if (stop > i) words_.push_back(line.substr(i, stop - i));
+      i = stop;
+    }
+  }
+  return !words_.empty();
+}
+
+void TextLines::fail(const std::string& message) const {
+  throw Error(ErrorCode::kSyntax, message, fmt::format("line {}", line_));
+}
+
+long TextLines::integer(std::string_view word) const {
+  long value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size()) fail(fmt::format("'{}' is not a whole number", word));
+  return value;
+}
+
+void MeshBuilder::vertex(const TextLines& lines, std::string_view x, std::string_view y, std::string_view z) {
+  std::array<exact::Real, 3> p;
+  const std::string_view words[] = {x, y, z};
+  for (int k = 0; k < 3; ++k) {
+    try {
+      p[k] = exact::Real::parse_decimal(words[k]);
+    } catch (const Error&) {
+      lines.fail(fmt::format("'{}' is not a number", words[k]));
+    }
+  }
+  vertex(p);
+}
+
+void MeshBuilder::vertex(double x, double y, double z) {
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+    throw Error(ErrorCode::kBadValue, "a coordinate is not finite");
+  vertex({exact::Real::from_double(x), exact::Real::from_double(y), exact::Real::from_double(z)});
+}
+
+void MeshBuilder::vertex(const std::array<exact::Real, 3>& p) {
+  double moved[3];
+  const auto at = [&](int k) { return context_.grid.nearest(p[k] * scale_, moved[k]); };
+  const std::int64_t x = at(0), y = at(1), z = at(2);
+  mesh_.vertices.push_back({x, y, z});
+  context_.rounding.add(moved[0], std::hypot(moved[1], moved[2]));
+}
+
+int MeshBuilder::index(const TextLines& lines, long index) const {
+  if (index < 0 || index >= static_cast<long>(size())) lines.fail("a face refers to a vertex that is not there");
+  return static_cast<int>(index);
+}
+
+space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, ReadContext& context,
+                       const MeshScale& scale) {
+  if (ending == ".3mf") {
+    const Model3mf model = open_3mf(bytes);
+    MeshBuilder builder(context, scale(model.millimetres));
+    read_3mf(model, builder);
+    return std::move(builder.mesh());
+  }
+  MeshBuilder builder(context, scale(std::nullopt));
+  if (ending == ".obj")
+    read_obj(bytes, builder);
+  else if (ending == ".off")
+    read_off(bytes, builder);
+  else if (ending == ".stl")
+    read_stl(bytes, builder);
+  else if (ending == ".ply")
+    read_ply(bytes, builder);
+  else
+    throw Error(ErrorCode::kFile, fmt::format("a mesh is read from .stl, .obj, .off, .ply or .3mf, not '{}'", ending));
+  return std::move(builder.mesh());
+}
+
+space::Mesh read_mesh(const std::filesystem::path& path, ReadContext& context, const MeshScale& scale) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file.is_open() || file.bad()) throw Error(ErrorCode::kFile, "cannot read the file", path.string());
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  try {
+    space::Mesh mesh = parse_mesh(bytes, ending, context, scale);
+    for (const std::string& note : space::clean(mesh, context.grid.step_size())) {
+      context.notes.push_back(fmt::format("{}: {}", path.filename().string(), note));
+    }
+    return mesh;
+  } catch (const Error& e) {
+    throw e.within(path.string());
+  }
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/mesh/write_mesh.h"
+
+#include <findspace/error.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "io/draw/draw_canvas.h"
+#include "io/draw/draw_view.h"
+#include "io/mesh/mesh_3mf.h"
+#include "io/mesh/write_mesh_binary.h"
+
+namespace findspace::io {
+namespace {
+
+using Vec = std::array<double, 3>;
+
+Vec minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vec face_normal(const Surface& s, const std::vector<int>& face) {
+  Vec sum{};
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    const Vec n =
+        cross(minus(s.vertices[face[i]], s.vertices[face[0]]), minus(s.vertices[face[i + 1]], s.vertices[face[0]]));
+    for (int k = 0; k < 3; ++k) sum[k] += n[k];
+  }
+  const double size = std::sqrt(dot(sum, sum));
+  if (size > 0) {
+    for (double& c : sum) c /= size;
+  }
+  return sum;
+}
+
+constexpr double kSize = 640, kMargin = 24;  // the longer side
+
+struct Picture {
+  double scale = 1, left = 0, top = 0, width = 0, height = 0;
+  std::array<double, 2> at(const Vec& p) const {
+    return {(dot(p, kRight) - left) * scale + kMargin, (top - dot(p, kUp)) * scale + kMargin};
+  }
+};
+
+Picture fit(const Surface& s) {
+  double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
+  for (const Vec& v : s.vertices) {
+    const double c[2] = {dot(v, kRight), dot(v, kUp)};
+    for (int k = 0; k < 2; ++k) low[k] = std::min(low[k], c[k]), high[k] = std::max(high[k], c[k]);
+  }
+  Picture p;
+  p.scale = (kSize - 2 * kMargin) /
+            std::max({high[0] - low[0], high[1] - low[1], 1e-300});  // no sign: keeps a picture of nothing finite
+  p.left = low[0];
+  p.top = high[1];
+  p.width = (high[0] - low[0]) * p.scale + 2 * kMargin;
+  p.height = (high[1] - low[1]) * p.scale + 2 * kMargin;
+  return p;
+}
+
+std::string one_line(std::string_view text) {
+  std::string out(text);
+  std::replace_if(
+      out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  return out;
+}
+
+}  // namespace
+
+std::string obj_text(const Surface& s, std::string_view title) {
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out), "# {}\n", one_line(title));
+  for (const Vec& v : s.vertices) fmt::format_to(std::back_inserter(out), "v {} {} {}\n", v[0], v[1], v[2]);
+  for (std::size_t f = 0; f < s.faces.size(); ++f) {
+    if (!s.labels.empty() && (f == 0 || s.labels[f] != s.labels[f - 1]))
+      fmt::format_to(std::back_inserter(out), "g {}\n", s.labels[f]);
+    fmt::format_to(std::back_inserter(out), "f");
+    for (const int v : s.faces[f]) fmt::format_to(std::back_inserter(out), " {}", v + 1);
+    out.push_back('\n');
+  }
+  return fmt::to_string(out);
+}
+
+std::string off_text(const Surface& s) {
+  fmt::memory_buffer out;
+  std::size_t corners = 0;
+  for (const auto& face : s.faces) corners += face.size();
+  fmt::format_to(std::back_inserter(out), "OFF\n{} {} {}\n", s.vertices.size(), s.faces.size(), corners / 2);
+  for (const Vec& v : s.vertices) fmt::format_to(std::back_inserter(out), "{} {} {}\n", v[0], v[1], v[2]);
+  for (const auto& face : s.faces)
+    fmt::format_to(std::back_inserter(out), "{} {}\n", face.size(), fmt::join(face, " "));
+  return fmt::to_string(out);
+}
+
+std::string stl_text(const Surface& s, std::string_view title) {
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out), "solid {}\n", one_line(title));
+  for (const auto& face : s.faces) {
+    const Vec n = face_normal(s, face);
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      fmt::format_to(std::back_inserter(out), "facet normal {} {} {}\n outer loop\n", n[0], n[1], n[2]);
+      for (const int v : {face[0], face[i], face[i + 1]}) {
+        const Vec& p = s.vertices[v];
+        fmt::format_to(std::back_inserter(out), "  vertex {} {} {}\n", p[0], p[1], p[2]);
+      }
+      fmt::format_to(std::back_inserter(out), " endloop\nendfacet\n");
+    }
+  }
+  fmt::format_to(std::back_inserter(out), "endsolid {}\n", one_line(title));
+  return fmt::to_string(out);
+}
+
+std::string svg_text(const Surface& s, std::string_view title) {
+  const Picture picture = fit(s);
+  std::map<std::pair<int, int>, bool> visible;  // an edge is visible if one of its faces is
+  for (const auto& face : s.faces) {
+    const bool front = dot(face_normal(s, face), kTowards) > 0;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      bool& edge = visible[std::minmax(face[i], face[(i + 1) % face.size()])];
+      edge = edge || front;
+    }
+  }
+  fmt::memory_buffer out;
+  fmt::format_to(
+      std::back_inserter(out),
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" fill=\"none\" stroke=\"#123\" "
+      "stroke-width=\"1.4\" stroke-linecap=\"round\">\n<title>{}</title>\n",
+      picture.width, picture.height, xml_escaped(title));
+  for (const bool front : {false, true}) {
+    fmt::format_to(std::back_inserter(out), "<path{} d=\"", front ? "" : " stroke-dasharray=\"4 4\" stroke=\"#89a\"");
+    for (const auto& [edge, seen] : visible) {
+      if (seen != front) continue;
+      const auto a = picture.at(s.vertices[edge.first]), b = picture.at(s.vertices[edge.second]);
+      fmt::format_to(std::back_inserter(out), "M{:.2f} {:.2f}L{:.2f} {:.2f}", a[0], a[1], b[0], b[1]);
+    }
+    fmt::format_to(std::back_inserter(out), "\"/>\n");
+  }
+  fmt::format_to(std::back_inserter(out), "</svg>\n");
+  return fmt::to_string(out);
+}
+
+std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending,
+                         std::string_view unit) {
+  if (ending == ".obj") return obj_text(surface, title);
+  if (ending == ".off") return off_text(surface);
+  if (ending == ".stl") return stl_text(surface, title);
+  if (ending == ".ply") return ply_text(surface, title);
+  if (ending == ".glb") return glb_text(surface, title, unit);
+  if (ending == ".3mf") return text_3mf(surface, title, unit);
+  if (ending == ".svg") return svg_text(surface, title);
+  throw Error(ErrorCode::kUnsupported,
+              fmt::format("a surface is written as {}, not '{}'", fmt::join(kSurfaceEndings, " "), ending));
+}
+
+}  // namespace findspace::io

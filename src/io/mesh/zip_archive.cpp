@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/mesh/zip_archive.h"
+
+#include <findspace/error.h>
+
+#ifdef FINDSPACE_WITH_ZIP
+#include <zip.h>
+#endif
+
+namespace findspace::io {
+
+#ifdef FINDSPACE_WITH_ZIP
+
+namespace {
+
+[[noreturn]] void fail(const std::string& what) { throw Error(ErrorCode::kFile, what); }
+
+/// What libzip says of an error.
+class ZipError {
+ public:
+  ZipError() { zip_error_init(&error_); }
+  ~ZipError() { zip_error_fini(&error_); }
+  ZipError(const ZipError&) = delete;
+  ZipError& operator=(const ZipError&) = delete;
+  zip_error_t* get() { return &error_; }
+  [[noreturn]] void raise(const char* what) { fail(std::string(what) + ": " + zip_error_strerror(&error_)); }
+
+ private:
+  zip_error_t error_{};
+};
+
+}  // namespace
+
+std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& members) {
+  ZipError error;
+  zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, error.get());
+  if (!target) error.raise("an archive cannot be made");
+  zip_source_keep(target);
+  zip_t* archive = zip_open_from_source(target, ZIP_TRUNCATE, error.get());
+  if (!archive) {
+    zip_source_free(target);
+    error.raise("an archive cannot be made");
+  }
+  for (const auto& [name, content] : members) {
+    zip_source_t* source = zip_source_buffer(archive, content.data(), content.size(), 0);
+    const zip_int64_t at = source ? zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8) : -1;
+    // The first day that the format knows.
+    if (at < 0 || zip_file_set_dostime(archive, static_cast<zip_uint64_t>(at), 0, 0x21, 0) != 0) {
+      zip_discard(archive);
+      zip_source_free(target);
+      fail("an archive cannot be made");
+    }
+  }
+  std::string bytes;
+  bool whole = zip_close(archive) == 0 && zip_source_open(target) == 0;
+  if (whole) {
+    zip_source_seek(target, 0, SEEK_END);
+    bytes.resize(static_cast<std::size_t>(zip_source_tell(target)));
+    zip_source_seek(target, 0, SEEK_SET);
+    whole = zip_source_read(target, bytes.data(), bytes.size()) == static_cast<zip_int64_t>(bytes.size());
+    zip_source_close(target);
+  }
+  zip_source_free(target);
+  if (!whole) fail("an archive cannot be made");
+  return bytes;
+}
+
+ZipArchive::ZipArchive(std::string_view bytes) {
+  if (bytes.empty()) fail("not a ZIP archive: the file is empty");  // libzip would take it for a new one
+  ZipError error;
+  zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, error.get());
+  if (!source) error.raise("not a ZIP archive");
+  archive_ = zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, error.get());
+  if (archive_) return;
+  zip_source_free(source);
+  error.raise("not a whole ZIP archive");
+}
+
+ZipArchive::~ZipArchive() { zip_discard(static_cast<zip_t*>(archive_)); }
+
+std::optional<std::string> ZipArchive::member(const std::string& name) const {
+  auto* archive = static_cast<zip_t*>(archive_);
+  const zip_int64_t at = zip_name_locate(archive, name.c_str(), ZIP_FL_NOCASE);
+  if (at < 0) return std::nullopt;
+  zip_stat_t stat;
+  if (zip_stat_index(archive, static_cast<zip_uint64_t>(at), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0)
+    fail("the archive's member " + name + " cannot be read");
+  if (stat.size > kMostMember) fail("the archive's member " + name + " is larger than a gigabyte");
+  zip_file_t* file = zip_fopen_index(archive, static_cast<zip_uint64_t>(at), 0);
+  if (!file) fail("the archive's member " + name + " cannot be read");
+  std::string content(static_cast<std::size_t>(stat.size), '\0');
+  const zip_int64_t read = zip_fread(file, content.data(), content.size());
+  const bool sound = zip_fclose(file) == 0 && read == static_cast<zip_int64_t>(content.size());
+  if (!sound) fail("the archive's member " + name + " is damaged");
+  return content;
+}
+
+#else
+
+namespace {
+
+[[noreturn]] void missing() {
+  throw Error(ErrorCode::kUnsupported, "this build has no libzip: it neither reads nor writes 3MF files");
+}
+
+}  // namespace
+
+std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>&) { missing(); }
+ZipArchive::ZipArchive(std::string_view) { missing(); }
+ZipArchive::~ZipArchive() = default;
+std::optional<std::string> ZipArchive::member(const std::string&) const { missing(); }
+
+#endif
+
+}  // namespace findspace::io

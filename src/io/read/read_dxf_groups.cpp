@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/read/read_dxf_groups.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "findspace/error.h"
+
+namespace findspace::io {
+namespace {
+
+std::string_view trim(std::string_view text) {
+  std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+class DxfParser {
+ public:
+  DxfParser(std::string_view text, const std::string& name) : text_(text) { document_.name = name; }
+
+  DxfDocument parse() {
+    if (text_.substr(0, 18) == "AutoCAD Binary DXF") {
+      throw Error(ErrorCode::kUnsupported, "this is a binary DXF file; save it as ASCII DXF", document_.name);
+    }
+    advance();
+    while (!is(0, "EOF")) {
+      if (!is(0, "SECTION")) fail("a SECTION is expected");
+      advance();
+      std::string_view section = now_.value;
+      advance();
+      if (section == "HEADER")
+        header();
+      else if (section == "BLOCKS")
+        blocks();
+      else if (section == "ENTITIES")
+        entities(document_.entities, "ENDSEC");
+      while (!is(0, "ENDSEC")) advance();
+      advance();
+    }
+    return std::move(document_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw Error(ErrorCode::kSyntax, message, fmt::format("{}:{}", document_.name, line_));
+  }
+
+  bool is(int code, std::string_view value) const { return now_.code == code && now_.value == value; }
+
+  std::string_view next_line() {
+    if (at_ >= text_.size()) {
+      throw Error(ErrorCode::kFile, "the DXF file ends before its EOF: it is cut off",
+                  fmt::format("{}:{}", document_.name, line_));
+    }
+    std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    std::string_view line = text_.substr(at_, end - at_);
+    at_ = end + 1;
+    ++line_;
+    return trim(line);
+  }
+
+  void advance() {
+    do {
+      std::string_view code = next_line();
+      int number = 0;
+      auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), number);
+      if (error != std::errc() || end != code.data() + code.size())
+        fail("this is not ASCII DXF: a group code is expected");
+      std::string_view value = next_line();
+      now_ = {number, value, line_};
+    } while (now_.code == 999);  // comments
+  }
+
+  void header() {
+    while (!is(0, "ENDSEC")) {
+      bool units = is(9, "$INSUNITS");
+      advance();
+      if (!units || now_.code != 70) continue;
+      int value = 0;
+      const char* end = now_.value.data() + now_.value.size();
+      if (const auto read = std::from_chars(now_.value.data(), end, value); read.ec != std::errc{} || read.ptr != end)
+        fail(fmt::format("'{}' is no code of $INSUNITS", now_.value));
+      document_.units = value;
+    }
+  }
+
+  /// The entity that begins here, with all its groups.
+  DxfEntity entity() {
+    if (now_.code != 0) fail("an entity is expected");
+    DxfEntity entity{now_.value, line_, {}, {}};
+    for (advance(); now_.code != 0; advance()) entity.groups.push_back(now_);
+    if (entity.type != "POLYLINE") return entity;
+    while (is(0, "VERTEX")) entity.vertices.push_back(this->entity());
+    if (!is(0, "SEQEND")) fail("a POLYLINE without SEQEND");
+    this->entity();
+    return entity;
+  }
+
+  void entities(std::vector<DxfEntity>& all, std::string_view end) {
+    while (!is(0, end)) {
+      if (is(0, "ENDSEC") || is(0, "EOF")) fail(fmt::format("{} is expected", end));
+      all.push_back(entity());
+    }
+  }
+
+  void blocks() {
+    while (is(0, "BLOCK")) {
+      DxfBlock block;
+      block.head = entity();
+      entities(block.entities, "ENDBLK");
+      entity();
+      if (const DxfGroup* name = block.head.find(2)) document_.blocks[std::string(name->value)] = std::move(block);
+    }
+  }
+
+  std::string_view text_;
+  DxfDocument document_;
+  std::size_t at_ = 0;
+  int line_ = 0;
+  DxfGroup now_;
+};
+
+}  // namespace
+
+const DxfGroup* DxfEntity::find(int code) const {
+  for (const DxfGroup& group : groups) {
+    if (group.code == code) return &group;
+  }
+  return nullptr;
+}
+
+std::string_view DxfEntity::layer() const {
+  const DxfGroup* group = find(8);
+  return group ? group->value : "0";
+}
+
+exact::Real DxfDocument::number(const DxfGroup& group) const {
+  try {
+    return exact::Real::parse_decimal(group.value);
+  } catch (const Error&) {
+    throw Error(ErrorCode::kSyntax, fmt::format("'{}' is not a number", group.value),
+                fmt::format("{}:{}", name, group.line));
+  }
+}
+
+exact::Real DxfDocument::number(const DxfEntity& entity, int code, const exact::Real& missing) const {
+  const DxfGroup* group = entity.find(code);
+  return group ? number(*group) : missing;
+}
+
+exact::Real DxfDocument::number(const DxfEntity& entity, int code) const {
+  if (const DxfGroup* group = entity.find(code)) return number(*group);
+  throw Error(ErrorCode::kSyntax, fmt::format("group {} is missing", code), place(entity));
+}
+
+int DxfDocument::flags(const DxfEntity& entity, int code) const {
+  auto value = number(entity, code, 0).integer();
+  if (!value || *value < 0 || *value > 1 << 20)
+    throw Error(ErrorCode::kBadValue, fmt::format("group {} is no set of flags", code), place(entity));
+  return static_cast<int>(*value);
+}
+
+std::string DxfDocument::place(const DxfEntity& entity) const {
+  return fmt::format("{} ({}:{})", entity.type, name, entity.line);
+}
+
+DxfDocument read_dxf_document(std::string_view text, const std::string& name) { return DxfParser(text, name).parse(); }
+
+}  // namespace findspace::io

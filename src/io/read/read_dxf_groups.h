@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// ASCII DXF as a sequence of groups (a code and a value, on two lines), and these as entities. Used by read_dxf.cpp.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/number/real.h"
+
+namespace findspace::io {
+
+struct DxfGroup {
+  int code = 0;
+  std::string_view value;  // without blanks around
+  int line = 0;            // of the value, from 1
+};
+
+struct DxfEntity {
+  std::string_view type;
+  int line = 0;
+  std::vector<DxfGroup> groups;     // without the type
+  std::vector<DxfEntity> vertices;  // of a POLYLINE
+
+  const DxfGroup* find(int code) const;
+  std::string_view layer() const;  // "0" where none is given
+};
+
+struct DxfBlock {
+  DxfEntity head;
+  std::vector<DxfEntity> entities;
+};
+
+struct DxfDocument {
+  std::string name;
+  std::optional<int> units;  // $INSUNITS
+  std::map<std::string, DxfBlock, std::less<>> blocks;
+  std::vector<DxfEntity> entities;
+
+  /// The number of a group; `missing` where there is none.
+  exact::Real number(const DxfEntity& entity, int code, const exact::Real& missing) const;
+  exact::Real number(const DxfEntity& entity, int code) const;  // required
+  exact::Real number(const DxfGroup& group) const;
+  int flags(const DxfEntity& entity, int code) const;
+  std::string place(const DxfEntity& entity) const;  // "LINE (part.dxf:120)"
+};
+
+/// Throws Error(kSyntax) at "name:line", kUnsupported for binary DXF, kFile where the end is missing.
+DxfDocument read_dxf_document(std::string_view text, const std::string& name);
+
+}  // namespace findspace::io

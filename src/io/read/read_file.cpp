@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/read/read_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "findspace/error.h"
+#include "io/text/read_cells.h"
+#include "io/text/read_outline.h"
+#include "io/text/read_text.h"
+
+namespace findspace::io {
+namespace {
+
+/// A result with its exact cells, or GeoJSON.
+plane::ShapePtr read_json(std::string_view text, const std::string& name, const FileChoice& choice,
+                          ReadContext& context) {
+  const JsonValue root = parse_json(text, name);
+  const JsonValue* exact = root.is(JsonValue::Kind::kObject) ? root.find("exact") : nullptr;
+  if (exact == nullptr) return read_geojson(text, name, choice, context);
+  refuse_choice(choice.id.has_value(), "id", "exact cells", name);
+  refuse_choice(choice.layer.has_value(), "layer", "exact cells", name);
+  refuse_choice(choice.index.has_value(), "index", "exact cells", name);
+  const bool stated = exact->find("unit") != nullptr;
+  if (stated) refuse_choice(choice.unit.has_value(), "unit", "exact cells, which state theirs", name);
+  const exact::Real scale = stated ? exact::Real(1) : file_scale(std::nullopt, name, choice, context);
+  return read_cells(SceneReader(name, context), *exact, {}, scale);
+}
+
+using Reader = plane::ShapePtr (*)(std::string_view, const std::string&, const FileChoice&, ReadContext&);
+struct Format {
+  std::string_view ending;
+  Reader read;
+};
+constexpr std::array<Format, 5> kFormats{
+    {{".svg", read_svg}, {".dxf", read_dxf}, {".wkt", read_wkt}, {".geojson", read_geojson}, {".json", read_json}}};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : char(c); });
+  return text;
+}
+
+}  // namespace
+
+plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context) {
+  std::string name = path.string();
+  if (!context.files) throw Error(ErrorCode::kUnsupported, "shapes from files are switched off here", name);
+  std::string ending = lower(path.extension().string());
+  for (const Format& format : kFormats) {
+    if (format.ending == ending) return format.read(read_text(path), name, choice, context);
+  }
+  throw Error(ErrorCode::kFile,
+              fmt::format("a file of unknown kind '{}'; 2D shapes come from .svg .dxf .wkt .geojson .json", ending),
+              name);
+}
+
+exact::Real file_scale(const std::optional<exact::Real>& millimetres, const std::string& name, const FileChoice& choice,
+                       ReadContext& context) {
+  if (choice.unit || millimetres) {
+    if (!context.unit) {
+      throw Error(ErrorCode::kBadValue, "the shape's file has a unit, so the scene needs \"unit\" too", name);
+    }
+    if (choice.unit) return situation::factor(*choice.unit, *context.unit);
+    return *millimetres * situation::factor(Unit::kMillimetre, *context.unit);
+  }
+  if (context.unit)
+    context.notes.push_back(fmt::format("{} states no unit: read as {}", name, situation::name(*context.unit)));
+  return 1;
+}
+
+plane::ShapePtr chosen(std::vector<plane::ShapePtr> parts, const std::string& name, const FileChoice& choice) {
+  if (parts.empty()) throw Error(ErrorCode::kGeometry, "there is no shape in it", name);
+  if (!choice.index) return united(std::move(parts), name, true);
+  if (*choice.index < parts.size()) return parts[*choice.index];
+  throw Error(ErrorCode::kBadValue,
+              fmt::format("\"index\" {} is too large: it has {} shapes, counted from 0", *choice.index, parts.size()),
+              name);
+}
+
+void refuse_choice(bool given, const char* key, const char* format, const std::string& name) {
+  if (given) throw Error(ErrorCode::kBadValue, fmt::format("\"{}\" has no meaning for {}", key, format), name);
+}
+
+std::string text_place(std::string_view text, std::size_t offset, const std::string& name) {
+  offset = std::min(offset, text.size());
+  std::string_view before = text.substr(0, offset);
+  auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  std::size_t start = before.rfind('\n');
+  return fmt::format("{}:{}:{}", name, line, start == std::string_view::npos ? offset + 1 : offset - start);
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Shapes from drawings and geometry files: .svg, .dxf, .wkt, .geojson (.json). What each reader takes is described in
+// docs/scene.md. All of them give trees on the context's grid, in the scene's unit, y upwards.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/text/read_context.h"
+#include "plane/contour/shape.h"
+
+namespace findspace::io {
+
+/// Which part of a file, and what its numbers mean.
+struct FileChoice {
+  std::optional<std::string> id, layer;
+  std::optional<std::size_t> index;  // of the parts left, from 0
+  std::optional<Unit> unit;          // one of the file's numbers is this long, whatever the file says
+};
+
+/// Throws Error whose place begins with the file's name; kFile where it is missing or of an unknown kind.
+plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context);
+
+/// The readers, for text in memory; `name` is what messages call it.
+plane::ShapePtr read_svg(std::string_view text, const std::string& name, const FileChoice& choice,
+                         ReadContext& context);
+plane::ShapePtr read_dxf(std::string_view text, const std::string& name, const FileChoice& choice,
+                         ReadContext& context);
+plane::ShapePtr read_wkt(std::string_view text, const std::string& name, const FileChoice& choice,
+                         ReadContext& context);
+plane::ShapePtr read_geojson(std::string_view text, const std::string& name, const FileChoice& choice,
+                             ReadContext& context);
+
+/// What the readers share.
+/// How many of the scene's unit make one of the file's numbers; `millimetres` is what the file states, if it does.
+exact::Real file_scale(const std::optional<exact::Real>& millimetres, const std::string& name, const FileChoice& choice,
+                       ReadContext& context);
+/// The part that `choice.index` wants, or all of them as a collection. Throws where there is none.
+plane::ShapePtr chosen(std::vector<plane::ShapePtr> parts, const std::string& name, const FileChoice& choice);
+/// Refuses a choice that the format has no meaning for.
+void refuse_choice(bool given, const char* key, const char* format, const std::string& name);
+/// The place of a byte of a text: "name:line:column".
+std::string text_place(std::string_view text, std::size_t offset, const std::string& name);
+
+}  // namespace findspace::io

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// SVG drawings: path, polygon, polyline, line, rect, circle, ellipse (rx = ry), in groups, with transforms. SVG's y
+// axis points down: a shape is read so that it stands as the picture shows it, (x, y) of the drawing becoming (x, -y).
+// The drawing has a unit when its width or height has one (mm cm in pt pc Q; px and none count as no unit). Each
+// element is the area it encloses (even-odd), whatever its fill; open parts are polylines.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <pugixml.hpp>
+#include <set>
+
+#include "findspace/error.h"
+#include "io/read/read_file.h"
+#include "io/read/read_svg_attributes.h"
+#include "io/text/read_transform.h"
+#include "io/text/scene_reader.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using plane::Shape;
+using plane::ShapePtr;
+
+constexpr int kMaxDepth = 200;
+
+std::string_view local_name(const pugi::xml_node& node) {
+  std::string_view name = node.name();
+  std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool hidden(const pugi::xml_node& node) {
+  std::string style = node.attribute("style").value();
+  style.erase(std::remove(style.begin(), style.end(), ' '), style.end());
+  return std::string_view(node.attribute("display").value()) == "none" ||
+         style.find("display:none") != std::string::npos;
+}
+
+class SvgReader {
+ public:
+  SvgReader(std::string_view text, const std::string& name, const FileChoice& choice, ReadContext& context)
+      : text_(text), name_(name), choice_(choice), context_(context) {}
+
+  ShapePtr read() {
+    pugi::xml_document document;
+    pugi::xml_parse_result result = document.load_buffer(text_.data(), text_.size());
+    if (!result) {
+      throw Error(ErrorCode::kSyntax, fmt::format("this is not proper XML: {}", result.description()),
+                  text_place(text_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), name_));
+    }
+    pugi::xml_node root = document.document_element();
+    if (local_name(root) != "svg") throw Error(ErrorCode::kSyntax, "its first element is not <svg>", name_);
+    scale_ = file_scale(stated_unit(root), name_, choice_, context_);
+    walk_children(root, Affine::scaling(1, -1), {!choice_.id, !choice_.layer, false}, 0);
+    check_found();
+    for (const auto& [element, count] : left_out_) {
+      context_.notes.push_back(fmt::format("{}: {} <{}> left out", name_, count, element));
+    }
+    return chosen(std::move(parts_), name_, choice_);
+  }
+
+ private:
+  /// Whether what is met lies in the chosen element and layer, or in a part that is not drawn.
+  struct Inside {
+    bool id, layer, undrawn;
+  };
+
+  std::string place(const pugi::xml_node& node) const {
+    std::string_view id = node.attribute("id").value();
+    std::string words =
+        id.empty() ? fmt::format("<{}>", local_name(node)) : fmt::format("<{} id='{}'>", local_name(node), id);
+    std::ptrdiff_t offset = node.offset_debug();
+    return offset < 0 ? fmt::format("{}: {}", name_, words)
+                      : fmt::format("{} ({})", words, text_place(text_, static_cast<std::size_t>(offset), name_));
+  }
+
+  std::optional<Real> stated_unit(const pugi::xml_node& root) const {
+    if (choice_.unit) return std::nullopt;
+    try {
+      return svg_millimetres(root);
+    } catch (const Error& e) {
+      throw e.within(place(root));
+    }
+  }
+
+  void walk_children(const pugi::xml_node& parent, const Affine& map, Inside inside, int depth) {
+    if (depth > kMaxDepth) throw Error(ErrorCode::kUnsupported, "groups nested too deeply", name_);
+    for (const pugi::xml_node& node : parent.children()) {
+      if (node.type() == pugi::node_element) walk(node, map, inside, depth);
+    }
+  }
+
+  void walk(const pugi::xml_node& node, const Affine& map, Inside inside, int depth) {
+    std::string_view kind = local_name(node);
+    std::string id = node.attribute("id").value();
+    if (!id.empty()) ids_.insert(id);
+    inside.id = inside.id || (choice_.id && id == *choice_.id);
+    inside.undrawn =
+        (inside.undrawn || hidden(node) || one_of(kind, {"defs", "symbol", "clipPath", "mask", "marker", "pattern"})) &&
+        !(choice_.id && inside.id);
+    bool group = one_of(kind, {"g", "a", "svg", "switch", "defs", "symbol", "clipPath", "mask", "marker", "pattern"});
+    bool leaf = one_of(kind, {"path", "polygon", "polyline", "line", "rect", "circle", "ellipse"});
+    if (group) see_layer(node, id, inside);
+    if (!group && !leaf) return skip(kind, inside);
+    try {
+      Affine own = map * read_svg_transform(node.attribute("transform").value());
+      if (kind == "svg") own = own * nested_origin(node);
+      if (group) return walk_children(node, own, inside, depth + 1);
+      if (inside.id && inside.layer && !inside.undrawn) add(node, own, id);
+    } catch (const Error& e) {
+      if (group || e.place().find(name_) != std::string::npos) throw;
+      throw e.within(place(node));
+    }
+  }
+
+  void see_layer(const pugi::xml_node& node, const std::string& id, Inside& inside) {
+    std::string label = node.attribute("inkscape:label").value();
+    for (const std::string& name : {label, id}) {
+      if (!name.empty()) layers_.insert(name);
+    }
+    if (choice_.layer && (label == *choice_.layer || id == *choice_.layer)) inside.layer = true;
+  }
+
+  /// Elements that draw what is not read must not vanish unnoticed.
+  void skip(std::string_view kind, Inside inside) {
+    bool drawn = inside.id && inside.layer && !inside.undrawn;
+    if (!drawn || !one_of(kind, {"use", "text", "image", "foreignObject"})) return;
+    if (kind == "use") throw Error(ErrorCode::kUnsupported, "<use> is not read; write the shape in its place", name_);
+    ++left_out_[std::string(kind)];
+  }
+
+  Affine nested_origin(const pugi::xml_node& node) const {
+    if (node.attribute("viewBox")) throw Error(ErrorCode::kUnsupported, "a nested <svg> with a viewBox", place(node));
+    return Affine::translation(svg_length(node, "x", 0), svg_length(node, "y", 0));
+  }
+
+  void add(const pugi::xml_node& node, const Affine& map, const std::string& id) {
+    Outline outline(context_, scale_);
+    draw_svg_element(node, local_name(node), map, outline);
+    Shape shape = *outline.shape(place(node));
+    shape.name = id;
+    parts_.push_back(std::make_shared<const Shape>(std::move(shape)));
+  }
+
+  void check_found() const {
+    if (!parts_.empty()) return;
+    auto refuse = [&](const char* key, const std::string& wanted, const std::set<std::string>& known) {
+      std::string hint = choice(key + std::string("s"), wanted, {known.begin(), known.end()});
+      throw Error(ErrorCode::kUnknownName, fmt::format("there is no {} '{}' with a shape in it{}", key, wanted, hint),
+                  name_);
+    };
+    if (choice_.id) refuse("id", *choice_.id, ids_);
+    if (choice_.layer) refuse("layer", *choice_.layer, layers_);
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  const FileChoice& choice_;
+  ReadContext& context_;
+  Real scale_;
+  std::vector<ShapePtr> parts_;
+  std::set<std::string> ids_, layers_;
+  std::map<std::string, int> left_out_;
+};
+
+}  // namespace
+
+ShapePtr read_svg(std::string_view text, const std::string& name, const FileChoice& choice, ReadContext& context) {
+  return SvgReader(text, name, choice, context).read();
+}
+
+}  // namespace findspace::io

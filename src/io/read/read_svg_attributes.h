@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Single elements of SVG and their attributes. Used by read_svg.cpp only.
+#pragma once
+
+#include <optional>
+#include <pugixml.hpp>
+#include <string_view>
+
+#include "io/text/read_outline.h"
+#include "io/text/read_transform.h"
+
+namespace findspace::io {
+
+/// A length attribute in user units; `missing` where it is absent. Throws Error for units and percentages.
+exact::Real svg_length(const pugi::xml_node& node, const char* name, const exact::Real& missing);
+/// `translate scale rotate matrix skewX skewY`, in any sequence.
+Affine read_svg_transform(std::string_view text);
+/// How many millimetres one user unit of the drawing is, if its width or height states a unit.
+std::optional<exact::Real> svg_millimetres(const pugi::xml_node& root);
+/// Draws a path, polygon, polyline, line, rect, circle or ellipse.
+void draw_svg_element(const pugi::xml_node& node, std::string_view kind, const Affine& map, Outline& outline);
+
+}  // namespace findspace::io

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "io/scene/scene_extras.h"
+#include "io/scene/scene_shapes.h"
+#include "io/text/read_text.h"
+
+namespace findspace::io {
+namespace {
+
+constexpr std::array<std::string_view, 13> kKeys{"findspace", "unit", "grid",   "shapes", "moving", "where", "minimize",
+                                                 "maximize",  "free", "motion", "place",  "about",  "angles"};
+
+void read_header(const JsonValue& root, const SceneReader& json, Scene& scene) {
+  json.expect(root, JsonValue::Kind::kObject, "a scene", {});
+  json.check_keys(root, kKeys, {});
+  const JsonValue& version = json.need(root, "findspace", {});
+  Label label{nullptr, "findspace"};
+  if (json.number(version, label).integer() != exact::int128(1)) {
+    json.fail(ErrorCode::kUnsupported, fmt::format("this program reads format 1, not \"findspace\": {}", version.text),
+              label, version);
+  }
+  ReadContext& context = json.context();
+  if (const JsonValue* unit = root.find("unit")) {
+    Label at{nullptr, "unit"};
+    const std::string& name = json.text(*unit, "\"unit\"", at);
+    context.unit = json.placed(at, *unit, [&] { return parse_unit(name); });
+  }
+  if (const JsonValue* grid = root.find("grid")) {
+    Label at{nullptr, "grid"};
+    exact::Real step = json.number(*grid, at);
+    if (step.sign() <= 0) json.fail(ErrorCode::kBadValue, "\"grid\" must be more than 0", at, *grid);
+    context.grid = Grid(step);
+  }
+  scene.unit = context.unit;
+  scene.grid = context.grid;
+}
+
+void read_formulas(const JsonValue& root, const SceneReader& json, Scene& scene) {
+  if (const JsonValue* value = root.find("where")) scene.where = json.formula(*value, {nullptr, "where"});
+  if (const JsonValue* value = root.find("minimize")) scene.minimize = json.formula(*value, {nullptr, "minimize"});
+  if (const JsonValue* value = root.find("maximize")) scene.maximize = json.formula(*value, {nullptr, "maximize"});
+}
+
+}  // namespace
+
+plane::ShapePtr Scene::find(std::string_view name) const {
+  auto found = std::find_if(shapes.begin(), shapes.end(), [&](const plane::ShapePtr& s) { return s->name == name; });
+  return found == shapes.end() ? nullptr : *found;
+}
+
+plane::ShapePtr Scene::shape(std::string_view name) const {
+  if (plane::ShapePtr shape = find(name)) return shape;
+  std::vector<std::string> names;
+  for (const plane::ShapePtr& s : shapes) names.push_back(s->name);
+  throw Error(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, choice("shapes", name, names)), file);
+}
+
+Scene read_scene_text(std::string_view text, const std::filesystem::path& folder, const std::string& name,
+                      const ReadOptions& options) {
+  JsonValue root = parse_json(text, name);
+  ReadContext context;
+  context.folder = folder;
+  context.files = options.files;
+  SceneReader json(name, context);
+  Scene scene;
+  scene.file = name;
+  read_header(root, json, scene);
+  ShapeReader shapes(json, json.need(root, "shapes", {}));
+  scene.shapes = shapes.all();
+  scene.dimension = shapes.dimension();
+  read_formulas(root, json, scene);
+  read_question(root, shapes, scene);
+  scene.notes = context.summary();
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) {
+  return read_scene_text(read_text(path), path.parent_path(), path.string(), options);
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A scene as its file states it: shapes on the exact grid, which of them moves, and the question. Nothing is computed
+// here: shapes are trees (plane/contour/shape.h), formulas are texts with their place, for the parser of the layer
+// `situation`. The format is described in docs/scene.md. Mistakes are findspace::Error with a place such as "shape
+// 'board', vertex 3 (scene.json:12:5)". Keywords: input file, JSON, DXF, SVG, WKT, GeoJSON.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/number/real.h"
+#include "io/text/formula_text.h"
+#include "io/text/units.h"
+#include "plane/contour/shape.h"
+
+namespace findspace::io {
+
+/// What the map ranges over.
+struct Free {
+  enum class Kind { kPosition, kLine, kAngle, kTime, kPose };
+  Kind kind = Kind::kPosition;
+  GridPosition through{};           // kLine
+  GridPosition direction{};         // kLine: integers without a common factor, not all 0
+  GridPosition about{};             // kAngle, kPose: the point the moving shape turns about
+  std::vector<exact::Real> angles;  // kPose: degrees, in the order given
+};
+
+/// The movement of one shape over the time of the scene: straight legs between way points.
+struct Movement {
+  std::string shape;
+  std::vector<GridPosition> path;   // at least one; added to where the shape is drawn
+  std::vector<exact::Real> times;   // one a way point, ascending
+  std::vector<exact::Real> angles;  // degrees, one a way point
+};
+
+struct Motion {
+  exact::Real start, end;           // start < end
+  std::vector<Movement> movements;  // in the order of the file
+  bool given() const { return !movements.empty(); }
+};
+
+/// What has one position in a placement: a shape, or several that move together.
+struct PlacedBody {
+  std::string name;  // the shape's, or "A1+A2"
+  std::vector<std::string> shapes;
+  std::vector<exact::Real> angles{exact::Real(0)};  // allowed, in degrees about the pole, in the order given
+  int count = 1;                                    // how many of it are placed
+};
+
+/// The placement of several shapes (docs/scene.md, "place").
+struct Placement {
+  enum class Method { kSequential, kSimultaneous };
+  std::vector<PlacedBody> bodies;
+  FormulaText each, pairs;
+  std::vector<FormulaText> constraints, minimize;
+  Method method = Method::kSequential;
+  bool given() const { return !bodies.empty(); }
+};
+
+struct Scene {
+  std::string file;  // as messages call it
+  int dimension = 2;
+  std::optional<Unit> unit;
+  Grid grid;
+  std::vector<plane::ShapePtr> shapes;  // named, in the order of the file
+  std::vector<std::string> moving;      // one name, or several that move together; may be empty
+  FormulaText where, minimize, maximize;
+  Free free;
+  Motion motion;
+  Placement place;
+  std::vector<std::string> notes;  // what the reader of the result should know: points rounded, rings turned
+
+  /// The shape of that name, or null.
+  plane::ShapePtr find(std::string_view name) const;
+  /// The same; throws Error(kUnknownName) that proposes the nearest name.
+  plane::ShapePtr shape(std::string_view name) const;
+};
+
+struct ReadOptions {
+  bool files = true;  // whether shapes may come from other files
+};
+
+/// Throws Error. Shapes in files are looked for beside the scene.
+Scene read_scene(const std::filesystem::path& path, const ReadOptions& options = {});
+/// A scene from memory: `folder` is where its files are, `name` what messages call it.
+Scene read_scene_text(std::string_view text, const std::filesystem::path& folder, const std::string& name,
+                      const ReadOptions& options = {});
+
+}  // namespace findspace::io

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Constructive nodes: shapes made from shapes. The trees keep them as they are; nothing is computed here.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "io/scene/scene_shapes.h"
+#include "space/shape/rotated_shape.h"
+
+namespace findspace::io {
+namespace {
+
+using plane::Shape;
+using plane::ShapePtr;
+
+constexpr std::size_t kAny = ~std::size_t{0};
+
+template <Shape::Kind kind, std::size_t least, std::size_t most>
+ShapePtr build_several(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  const SceneReader& json = reader.json();
+  json.expect(value, JsonValue::Kind::kArray, fmt::format("\"{}\"", object.keys[0]), label);
+  if (value.size() < least || value.size() > most) {
+    std::string many = least == most ? fmt::format("exactly {}", least) : fmt::format("at least {}", least);
+    json.fail(ErrorCode::kBadValue, fmt::format("\"{}\" needs {} shapes, not {}", object.keys[0], many, value.size()),
+              label, value);
+  }
+  Shape shape = reader.node(kind, label, object);
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    shape.children.push_back(reader.shape(value.items[i], label.part("operand", i)));
+  }
+  return share(std::move(shape));
+}
+
+template <Shape::Kind kind>
+ShapePtr build_one(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  Shape shape = reader.node(kind, label, object);
+  shape.children = {reader.shape(value, label.part("operand"))};
+  return share(std::move(shape));
+}
+
+ShapePtr operand(ShapeReader& reader, const JsonValue& object, const Label& label) {
+  return reader.shape(reader.json().need(object, "of", label), label.part("of"));
+}
+
+ShapePtr build_translate(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  Shape shape = reader.node(Shape::Kind::kTranslate, label, object);
+  shape.children = {operand(reader, object, label)};
+  GridPosition shift = reader.json().position(value, reader.dimension(), label.part("translate"));
+  shape.points = {{shift[0], shift[1]}};
+  shape.lift = shift[2];
+  return share(std::move(shape));
+}
+
+/// In 3D the turned tree itself: about an axis through a point.
+ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape& child, const exact::Real& degrees,
+                       const Label& label) {
+  const SceneReader& json = reader.json();
+  int axis = 2;
+  if (const JsonValue* given = object.find("axis")) {
+    const std::string_view known = "xyz";
+    const std::string& name = json.text(*given, "\"axis\"", label);
+    if (name.size() != 1 || known.find(name) == std::string_view::npos)
+      json.fail(ErrorCode::kBadValue, "\"axis\" is \"x\", \"y\" or \"z\"", label, *given);
+    axis = static_cast<int>(known.find(name));
+  }
+  const JsonValue* about = object.find("about");
+  const GridPosition center = about ? json.position(*about, 3, label.part("about")) : GridPosition{};
+  return json.placed(label, object, [&] {
+    plane::Rounding rounding;
+    const auto rotation = space::Rotation::about_axis(axis, degrees, {center[0], center[1], center[2]});
+    Shape turned = *space::rotated(child, rotation, rounding);
+    turned.name.clear();
+    turned.place = json.place(label, object);
+    if (rounding.points > 0) {
+      reader.context().notes.push_back(
+          fmt::format("{}: {} rotated points were put on the grid, moved by at most {:.2g}", label.text(),
+                      rounding.points, rounding.largest * reader.context().grid.step_size()));
+    }
+    return share(std::move(turned));
+  });
+}
+
+ShapePtr build_rotate(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  Shape shape = reader.node(Shape::Kind::kRotate, label, object);
+  shape.children = {operand(reader, object, label)};
+  shape.degrees = reader.json().number(value, label.part("rotate"));
+  if (reader.dimension() == 3) return rotated_solid(reader, object, *shape.children[0], shape.degrees, label);
+  if (const JsonValue* axis = object.find("axis"))
+    reader.json().fail(ErrorCode::kBadValue, "\"axis\" is for 3D shapes", label, *axis);
+  const JsonValue* about = object.find("about");
+  shape.points = {about ? reader.json().point(*about, label.part("about")) : plane::GridPoint{}};
+  return share(std::move(shape));
+}
+
+ShapePtr build_offset(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  Shape shape = reader.node(Shape::Kind::kOffset, label, object);
+  shape.children = {operand(reader, object, label)};
+  shape.amount = reader.json().length(value, label.part("offset"));
+  return share(std::move(shape));
+}
+
+}  // namespace
+
+std::span<const ShapeKind> node_kinds() {
+  using Kind = Shape::Kind;
+  static const std::array<ShapeKind, 15> kinds{
+      {{"union", {}, build_several<Kind::kUnion, 1, kAny>},
+       {"intersection", {}, build_several<Kind::kIntersection, 1, kAny>},
+       {"difference", {}, build_several<Kind::kDifference, 2, kAny>},
+       {"complement", {}, build_one<Kind::kComplement>},
+       {"interior", {}, build_one<Kind::kInterior>},
+       {"closure", {}, build_one<Kind::kClosure>},
+       {"boundary", {}, build_one<Kind::kBoundary>},
+       {"regularize", {}, build_one<Kind::kRegularize>},
+       {"translate", {"of"}, build_translate},
+       {"rotate", {"about", "axis", "of"}, build_rotate},
+       {"mirror", {}, build_one<Kind::kMirror>},
+       {"minkowski_sum", {}, build_several<Kind::kMinkowskiSum, 2, 2>},
+       {"minkowski_difference", {}, build_several<Kind::kMinkowskiDifference, 2, 2>},
+       {"offset", {"of"}, build_offset},
+       {"hull", {}, build_one<Kind::kHull>}}};
+  return kinds;
+}
+
+}  // namespace findspace::io

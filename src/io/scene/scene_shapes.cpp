@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/scene/scene_shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace findspace::io {
+namespace {
+
+constexpr std::size_t kMostLevels = 1000;  // of shapes made from shapes; keeps the stack bounded
+
+using plane::Shape;
+using plane::ShapePtr;
+
+std::vector<const ShapeKind*> all_kinds() {
+  std::vector<const ShapeKind*> all;
+  for (auto kinds : {primitive_kinds(), node_kinds(), space_kinds()}) {
+    for (const ShapeKind& kind : kinds) all.push_back(&kind);
+  }
+  return all;
+}
+
+const ShapeKind* kind_of(const JsonValue& object, const std::vector<const ShapeKind*>& kinds) {
+  for (const ShapeKind* kind : kinds) {
+    if (object.find(kind->key)) return kind;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+ShapePtr share(Shape shape) { return std::make_shared<const Shape>(std::move(shape)); }
+
+ShapeReader::ShapeReader(const SceneReader& json, const JsonValue& shapes) : json_(json) {
+  json_.expect(shapes, JsonValue::Kind::kObject, "\"shapes\"", {});
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::string& name = shapes.keys[i];
+    bool plain = !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
+      return static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\x7f';
+    });
+    if (!plain)
+      json_.fail(ErrorCode::kBadValue, "a shape needs a name without quotes and control characters", {},
+                 shapes.items[i]);
+    names_.push_back(name);
+    entries_[name].value = &shapes.items[i];
+  }
+}
+
+std::vector<ShapePtr> ShapeReader::all() {
+  std::vector<ShapePtr> shapes;
+  for (const std::string& name : names_) shapes.push_back(named(name, *entries_.find(name)->second.value, {}));
+  return shapes;
+}
+
+ShapePtr ShapeReader::named(const std::string& name, const JsonValue& at, const Label& label) {
+  auto found = entries_.find(name);
+  if (found == entries_.end()) {
+    json_.fail(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, choice("shapes", name, names_)),
+               label, at);
+  }
+  Entry& entry = found->second;
+  if (entry.shape) {
+    height_ = std::max(height_, entry.height);
+    return entry.shape;
+  }
+  if (entry.open) fail_cycle(name, at, label);
+  entry.open = true;
+  trail_.push_back(name);
+  Label own{nullptr, "shape", name};
+  const std::size_t outside = std::exchange(height_, 0);
+  Shape copy = *shape(*entry.value, own);
+  entry.height = height_;
+  height_ = std::max(outside, height_);
+  copy.name = name;
+  copy.place = json_.place(own, *entry.value);
+  entry.shape = share(std::move(copy));
+  trail_.pop_back();
+  entry.open = false;
+  return entry.shape;
+}
+
+ShapePtr ShapeReader::shape(const JsonValue& value, const Label& label) {
+  const std::size_t beside = std::exchange(height_, 0);
+  if (++depth_ > kMostLevels) fail_too_deep(value, label);
+  ShapePtr made;
+  switch (value.kind) {
+    case JsonValue::Kind::kString:
+      made = named(value.text, value, label);
+      break;
+    case JsonValue::Kind::kArray:
+      made = list(value, label);
+      break;
+    case JsonValue::Kind::kObject:
+      made = object(value, label);
+      break;
+    default:
+      json_.fail(ErrorCode::kBadValue, fmt::format("a shape is an object, a name or a list, not {}", value.kind_name()),
+                 label, value);
+  }
+  --depth_;
+  if (value.kind != JsonValue::Kind::kString && ++height_ > kMostLevels) fail_too_deep(value, label);
+  height_ = std::max(beside, height_);
+  return made;
+}
+
+ShapePtr ShapeReader::list(const JsonValue& value, const Label& label) {
+  if (value.size() == 0) json_.fail(ErrorCode::kBadValue, "an empty list of shapes", label, value);
+  Shape result = node(Shape::Kind::kUnion, label, value);
+  result.collection = true;
+  for (std::size_t i = 0; i < value.size(); ++i)
+    result.children.push_back(shape(value.items[i], label.part("part", i)));
+  return share(std::move(result));
+}
+
+ShapePtr ShapeReader::object(const JsonValue& value, const Label& label) {
+  static const std::vector<const ShapeKind*> kinds = all_kinds();
+  const ShapeKind* kind = kind_of(value, kinds);
+  if (!kind) fail_unknown_kind(value, label);
+  std::vector<std::string_view> allowed{kind->key};
+  allowed.insert(allowed.end(), kind->beside.begin(), kind->beside.end());
+  json_.check_keys(value, allowed, label);
+  return kind->build(*this, value, *value.find(kind->key), label);
+}
+
+void ShapeReader::fail_unknown_kind(const JsonValue& value, const Label& label) const {
+  std::vector<std::string> known;
+  for (const ShapeKind* kind : all_kinds()) known.emplace_back(kind->key);
+  for (const std::string& key : value.keys) {
+    std::string hint = suggestion(key, known);
+    if (!hint.empty())
+      json_.fail(ErrorCode::kUnknownName, fmt::format("unknown kind of shape '{}'{}", key, hint), label, value);
+  }
+  std::string what =
+      value.keys.empty() ? "an empty object is no shape" : fmt::format("unknown kind of shape '{}'", value.keys[0]);
+  json_.fail(ErrorCode::kUnknownName, fmt::format("{}; the kinds are {}", what, fmt::join(known, ", ")), label, value);
+}
+
+void ShapeReader::fail_cycle(const std::string& name, const JsonValue& at, const Label& label) const {
+  auto first = std::find(trail_.begin(), trail_.end(), name);
+  json_.fail(ErrorCode::kBadValue,
+             fmt::format("'{}' is made from itself: {} -> {}", name, fmt::join(first, trail_.end(), " -> "), name),
+             label, at);
+}
+
+void ShapeReader::fail_too_deep(const JsonValue& at, const Label& label) const {
+  json_.fail(ErrorCode::kUnsupported, fmt::format("more than {} shapes that are each made from the next", kMostLevels),
+             label, at);
+}
+
+Shape ShapeReader::node(Shape::Kind kind, const Label& label, const JsonValue& at) const {
+  Shape shape;
+  shape.kind = kind;
+  shape.place = json_.place(label, at);
+  return shape;
+}
+
+void ShapeReader::use_dimension(int dimension, const Label& label, const JsonValue& at) {
+  if (dimension_ != 0 && dimension_ != dimension) {
+    json_.fail(ErrorCode::kBadValue,
+               fmt::format("a {}D shape in a scene whose other shapes are {}D", dimension, dimension_), label, at);
+  }
+  dimension_ = dimension;
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// From the `shapes` of a scene to trees. A kind of shape is a row of a table: its key, the keys it may have beside it,
+// and the function that builds it. The tables: primitives (scene_primitives.cpp), constructive nodes
+// (scene_nodes.cpp), 3D primitives (scene_space.cpp). A new kind is one row and one function there.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/text/scene_reader.h"
+
+namespace findspace::io {
+
+class ShapeReader;
+
+struct ShapeKind {
+  std::string_view key;
+  std::vector<std::string_view> beside;  // optional keys; what is required the function asks for
+  /// `object` holds the key, `value` is what stands there.
+  plane::ShapePtr (*build)(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label);
+};
+
+std::span<const ShapeKind> primitive_kinds();
+std::span<const ShapeKind> node_kinds();
+std::span<const ShapeKind> space_kinds();
+/// A box with three coordinates.
+plane::ShapePtr build_space_box(ShapeReader& reader, const JsonValue& object, const JsonValue& value,
+                                const Label& label);
+
+class ShapeReader {
+ public:
+  /// `shapes` is the object under that key; it must outlive the reader.
+  ShapeReader(const SceneReader& json, const JsonValue& shapes);
+
+  const SceneReader& json() const { return json_; }
+  ReadContext& context() const { return json_.context(); }
+  /// 2 or 3; 2 while no shape has said.
+  int dimension() const { return dimension_ == 0 ? 2 : dimension_; }
+
+  /// All named shapes, in the order of the file.
+  std::vector<plane::ShapePtr> all();
+  /// A shape as values state it: a name, an object or a list (a collection).
+  plane::ShapePtr shape(const JsonValue& value, const Label& label);
+  /// The shape of that name; errors are placed at `at`.
+  plane::ShapePtr named(const std::string& name, const JsonValue& at, const Label& label);
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// A new node that knows its place.
+  plane::Shape node(plane::Shape::Kind kind, const Label& label, const JsonValue& at) const;
+  /// Records that the scene is 2D or 3D; refuses a mixture.
+  void use_dimension(int dimension, const Label& label, const JsonValue& at);
+
+ private:
+  struct Entry {
+    const JsonValue* value = nullptr;
+    plane::ShapePtr shape;
+    std::size_t height = 0;  // levels of its tree
+    bool open = false;       // being built: meeting it again is a cycle
+  };
+
+  plane::ShapePtr object(const JsonValue& value, const Label& label);
+  plane::ShapePtr list(const JsonValue& value, const Label& label);
+  [[noreturn]] void fail_unknown_kind(const JsonValue& value, const Label& label) const;
+  [[noreturn]] void fail_too_deep(const JsonValue& at, const Label& label) const;
+  [[noreturn]] void fail_cycle(const std::string& name, const JsonValue& at, const Label& label) const;
+
+  const SceneReader& json_;
+  std::vector<std::string> names_;
+  std::map<std::string, Entry, std::less<>> entries_;
+  std::vector<std::string> trail_;  // names being built, outermost first
+  std::size_t height_ = 0;  // levels of the highest tree among the operands read so far of the shape that is read
+  std::size_t depth_ = 0;   // shapes that are being read, each an operand of the one before
+  int dimension_ = 0;
+};
+
+plane::ShapePtr share(plane::Shape shape);
+
+}  // namespace findspace::io

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// 3D primitives: polytope, ball, prism, mesh, and the box with three coordinates.
+#include "io/scene/scene_space.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "io/mesh/read_mesh.h"
+#include "io/scene/scene_shapes.h"
+#include "plane/contour/contour.h"
+#include "space/mesh/mesh.h"
+
+namespace findspace::io {
+namespace {
+
+using plane::Shape;
+using plane::ShapePtr;
+using space::Solid;
+
+ShapePtr share_solid(ShapeReader& reader, Solid solid, const Label& label, const JsonValue& at) {
+  reader.use_dimension(3, label, at);
+  Shape shape = reader.node(Shape::Kind::kPoints, label, at);
+  shape.solid = std::make_shared<const Solid>(std::move(solid));
+  return share(std::move(shape));
+}
+
+space::Point point(const SceneReader& json, const JsonValue& value, const Label& label) {
+  const GridPosition p = json.position(value, 3, label);
+  return {p[0], p[1], p[2]};
+}
+
+std::vector<space::Point> points(const SceneReader& json, const JsonValue& value, const Label& label) {
+  json.expect(value, JsonValue::Kind::kArray, "a list of points [x, y, z]", label);
+  std::vector<space::Point> result;
+  for (std::size_t i = 0; i < value.size(); ++i) result.push_back(point(json, value.items[i], label.part("vertex", i)));
+  return result;
+}
+
+ShapePtr build_polytope(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  Solid solid;
+  solid.mesh.vertices = points(reader.json(), value, label);
+  return share_solid(reader, std::move(solid), label, object);
+}
+
+ShapePtr build_ball(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  const SceneReader& json = reader.json();
+  static constexpr std::array<std::string_view, 2> kKeys{"center", "radius"};
+  json.expect(value, JsonValue::Kind::kObject, "\"ball\"", label);
+  json.check_keys(value, kKeys, label);
+  Solid solid;
+  solid.form = Solid::Form::kBall;
+  solid.mesh.vertices = {point(json, json.need(value, "center", label), label.part("center"))};
+  const JsonValue& radius = json.need(value, "radius", label);
+  solid.radius = json.length(radius, label.part("radius"));
+  if (solid.radius.sign() <= 0)
+    json.fail(ErrorCode::kBadValue, "a radius must be more than 0", label.part("radius"), radius);
+  return share_solid(reader, std::move(solid), label, object);
+}
+
+plane::Contour ring(const SceneReader& json, const JsonValue& value, const Label& label) {
+  json.expect(value, JsonValue::Kind::kArray, "a list of points [x, y]", label);
+  plane::Contour contour;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    contour.push_back({.start = json.point(value.items[i], label.part("vertex", i))});
+  }
+  if (contour.size() > 1 && contour.front().start == contour.back().start) contour.pop_back();
+  return contour;
+}
+
+ShapePtr build_prism(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  const SceneReader& json = reader.json();
+  static constexpr std::array<std::string_view, 3> kKeys{"polygon", "holes", "z"};
+  json.expect(value, JsonValue::Kind::kObject, "\"prism\"", label);
+  json.check_keys(value, kKeys, label);
+  std::vector<plane::Contour> rings{ring(json, json.need(value, "polygon", label), label.part("polygon"))};
+  if (const JsonValue* holes = value.find("holes")) {
+    json.expect(*holes, JsonValue::Kind::kArray, "\"holes\"", label);
+    for (std::size_t i = 0; i < holes->size(); ++i) rings.push_back(ring(json, holes->items[i], label.part("hole", i)));
+  }
+  const JsonValue& z = json.need(value, "z", label);
+  json.expect(z, JsonValue::Kind::kArray, "\"z\"", label);
+  if (z.size() != 2) json.fail(ErrorCode::kBadValue, "\"z\" is [low, high]", label, z);
+  ReadContext& context = reader.context();
+  plane::RingSet set =
+      json.placed(label, value, [&] { return plane::make_rings(std::move(rings), context.grid.step_size()); });
+  context.repeated_points += set.repeated_points;
+  context.turned_rings += set.turned_rings;
+  Solid solid;
+  solid.form = Solid::Form::kPrism;
+  solid.contours = std::move(set.contours);
+  double moved[2] = {0, 0};
+  solid.low = context.grid.nearest(json.number(z.items[0], label.part("z")), moved[0]);
+  solid.high = context.grid.nearest(json.number(z.items[1], label.part("z")), moved[1]);
+  for (const double m : moved) context.rounding.add(m, 0);
+  if (solid.low >= solid.high) json.fail(ErrorCode::kGeometry, "the height of a prism must be more than 0", label, z);
+  return share_solid(reader, std::move(solid), label, object);
+}
+
+std::vector<int> face(const SceneReader& json, const JsonValue& value, std::size_t vertices, const Label& label) {
+  json.expect(value, JsonValue::Kind::kArray, "a face", label);
+  std::vector<int> circuit;
+  for (const JsonValue& item : value.items) {
+    const auto index = json.number(item, label).integer();
+    if (!index || *index < 0 || *index >= static_cast<exact::int128>(vertices)) {
+      json.fail(ErrorCode::kBadValue,
+                fmt::format("a face counts vertices from 0 to {}, not {}", vertices - 1, item.text), label, item);
+    }
+    circuit.push_back(static_cast<int>(*index));
+  }
+  return circuit;
+}
+
+ShapePtr build_mesh(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  const SceneReader& json = reader.json();
+  static constexpr std::array<std::string_view, 2> kKeys{"vertices", "faces"};
+  json.expect(value, JsonValue::Kind::kObject, "\"mesh\"", label);
+  json.check_keys(value, kKeys, label);
+  Solid solid;
+  solid.form = Solid::Form::kMesh;
+  solid.mesh.vertices = points(json, json.need(value, "vertices", label), label.part("vertices"));
+  const JsonValue& faces = json.need(value, "faces", label);
+  json.expect(faces, JsonValue::Kind::kArray, "\"faces\"", label);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    solid.mesh.faces.push_back(face(json, faces.items[i], solid.mesh.vertices.size(), label.part("face", i)));
+  }
+  json.placed(label, value, [&] {
+    for (std::string& note : space::clean(solid.mesh, reader.context().grid.step_size()))
+      reader.context().notes.push_back(label.text() + ": " + note);
+  });
+  return share_solid(reader, std::move(solid), label, object);
+}
+
+}  // namespace
+
+std::span<const ShapeKind> space_kinds() {
+  static const std::array<ShapeKind, 4> kinds{{{"polytope", {}, build_polytope},
+                                               {"ball", {}, build_ball},
+                                               {"prism", {}, build_prism},
+                                               {"mesh", {}, build_mesh}}};
+  return kinds;
+}
+
+plane::ShapePtr build_space_box(ShapeReader& reader, const JsonValue& object, const JsonValue& value,
+                                const Label& label) {
+  const SceneReader& json = reader.json();
+  const space::Point a = point(json, json.need(value, "min", label), label.part("min"));
+  const space::Point b = point(json, json.need(value, "max", label), label.part("max"));
+  if (a.x >= b.x || a.y >= b.y || a.z >= b.z) {
+    json.fail(ErrorCode::kGeometry, "\"min\" of a box must be less than \"max\" in every coordinate", label, value);
+  }
+  Solid solid;
+  for (int i = 0; i < 8; ++i) solid.mesh.vertices.push_back({i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z});
+  return share_solid(reader, std::move(solid), label, object);
+}
+
+plane::ShapePtr build_space_file(ShapeReader& reader, const std::filesystem::path& path, const FileChoice& choice,
+                                 const JsonValue& at, const Label& label) {
+  Solid solid;
+  solid.form = Solid::Form::kMesh;
+  ReadContext& context = reader.context();
+  solid.mesh = reader.json().placed(label, at, [&] {
+    const std::string name = path.string();
+    refuse_choice(choice.id.has_value(), "id", "a mesh", name);
+    refuse_choice(choice.layer.has_value(), "layer", "a mesh", name);
+    refuse_choice(choice.index.has_value(), "index", "a mesh", name);
+    return read_mesh(path, context,
+                     [&](const auto& millimetres) { return file_scale(millimetres, name, choice, context); });
+  });
+  return share_solid(reader, std::move(solid), label, at);
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// 3D shapes that come from files; the other 3D kinds are rows of the table in scene_space.cpp (see scene_shapes.h).
+#pragma once
+
+#include <filesystem>
+
+#include "io/read/read_file.h"
+#include "io/scene/scene_shapes.h"
+
+namespace findspace::io {
+
+/// The solid that the closed mesh in an .stl, .obj, .off, .ply or .3mf file encloses. For the kind "file"
+/// (scene_primitives.cpp). Of the choice only the unit has a meaning.
+plane::ShapePtr build_space_file(ShapeReader& reader, const std::filesystem::path& path, const FileChoice& choice,
+                                 const JsonValue& at, const Label& label);
+
+}  // namespace findspace::io

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The only file that includes the JSON reader (RapidJSON), and only its events: they carry no places, so the start of
+// each token is found from the end of the last.
+#include "io/text/json_tree.h"
+
+#include <rapidjson/memorystream.h>
+#include <rapidjson/reader.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "findspace/error.h"
+
+namespace findspace::io {
+namespace {
+
+constexpr std::size_t kMaxDepth = 200;
+
+/// Byte offsets to lines and columns, for offsets that only grow.
+class LineCounter {
+ public:
+  explicit LineCounter(std::string_view text) : text_(text) {}
+  void place(std::size_t offset, int& line, int& column) {
+    const std::size_t end = std::min(offset, text_.size());
+    while (at_ < end) {
+      const std::size_t found = text_.substr(at_, end - at_).find('\n');
+      if (found == std::string_view::npos) break;
+      at_ += found + 1;
+      ++line_;
+      line_start_ = at_;
+    }
+    at_ = std::max(at_, end);
+    line = line_;
+    column = static_cast<int>(offset - line_start_) + 1;
+  }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0, line_start_ = 0;
+  int line_ = 1;
+};
+
+/// What is wrong, after "this is not JSON: ".
+const char* fault(rapidjson::ParseErrorCode code) {
+  switch (code) {
+    case rapidjson::kParseErrorDocumentEmpty:
+      return "there is no value";
+    case rapidjson::kParseErrorDocumentRootNotSingular:
+      return "text stands after the end";
+    case rapidjson::kParseErrorValueInvalid:
+      return "a value is expected: a number, a text in double quotes, a list, an object, true, false or null";
+    case rapidjson::kParseErrorObjectMissName:
+      return "a name in double quotes is expected";
+    case rapidjson::kParseErrorObjectMissColon:
+      return "':' is expected after the name";
+    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+      return "',' or '}' is expected";
+    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+      return "',' or ']' is expected";
+    case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+      return "four hexadecimal digits are expected after '\\u'";
+    case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+      return "half of a surrogate pair";
+    case rapidjson::kParseErrorStringEscapeInvalid:
+      return "no such escape in a text";
+    case rapidjson::kParseErrorStringMissQuotationMark:
+      return "a text without its closing '\"'";
+    case rapidjson::kParseErrorStringInvalidEncoding:
+      return "a control character or no UTF-8 in a text";
+    case rapidjson::kParseErrorNumberTooBig:
+      return "the number is beyond 1e308";
+    case rapidjson::kParseErrorNumberMissFraction:
+      return "digits are expected after the decimal point";
+    case rapidjson::kParseErrorNumberMissExponent:
+      return "digits are expected after the exponent's letter";
+    default:
+      return "a comment without its end";
+  }
+}
+
+class TreeBuilder {
+ public:
+  TreeBuilder(std::string_view text, const std::string& name)
+      : text_(text), name_(name), stream_(text.data(), text.size()), lines_(text) {}
+
+  JsonValue run() {
+    using namespace rapidjson;
+    if (text_.starts_with(kByteOrderMark))
+      stream_ = MemoryStream(text_.data() + 3, text_.size() - 3), mark_ = 3, end_ = 3;
+    Reader reader;
+    const ParseResult result = reader.Parse<kParseCommentsFlag | kParseValidateEncodingFlag>(stream_, *this);
+    if (result.IsError()) refuse(result);
+    if (offset() < text_.size()) fail(std::string(kNotJson) + fault(kParseErrorDocumentRootNotSingular), offset());
+    return std::move(root_);
+  }
+
+  // The reader's events; the numbers it computes are not used.
+  bool Null() { return begin(JsonValue::Kind::kNull) != nullptr; }
+  bool Bool(bool value) {
+    begin(JsonValue::Kind::kBoolean)->boolean = value;
+    return true;
+  }
+  bool Int(int) { return number(); }
+  bool Uint(unsigned) { return number(); }
+  bool Int64(std::int64_t) { return number(); }
+  bool Uint64(std::uint64_t) { return number(); }
+  bool Double(double) { return number(); }
+  bool RawNumber(const char*, rapidjson::SizeType, bool) { return number(); }
+  bool String(const char* value, rapidjson::SizeType size, bool) {
+    begin(JsonValue::Kind::kString)->text.assign(value, size);
+    return true;
+  }
+  bool StartObject() { return open(JsonValue::Kind::kObject); }
+  bool StartArray() { return open(JsonValue::Kind::kArray); }
+  bool EndObject(rapidjson::SizeType) { return close(); }
+  bool EndArray(rapidjson::SizeType) { return close(); }
+  bool Key(const char* value, rapidjson::SizeType size, bool) {
+    const std::string& key = open_.back()->keys.emplace_back(value, size);
+    if (!seen_.back().insert(key).second) fail("the key '" + key + "' stands twice in one object", token_start());
+    end_ = offset();
+    return true;
+  }
+
+ private:
+  static constexpr std::string_view kNotJson = "this is not JSON: ", kByteOrderMark = "\xEF\xBB\xBF";
+
+  std::size_t offset() const { return mark_ + stream_.Tell(); }
+
+  [[noreturn]] void refuse(const rapidjson::ParseResult& result) {
+    const std::size_t at = std::min(mark_ + result.Offset(), text_.size());
+    const std::string_view sign = sign_at(at);
+    const bool in_text = result.Code() >= rapidjson::kParseErrorStringUnicodeEscapeInvalidHex &&
+                         result.Code() <= rapidjson::kParseErrorStringInvalidEncoding;
+    std::string message(kNotJson);
+    if (sign.size() > 1 && !in_text) {
+      message += "stray character '" + std::string(sign) + (sign == "−" ? "'; the minus is '-'" : "'");
+    } else {
+      message += std::string(at == text_.size() ? "the end comes too early; " : "") + fault(result.Code());
+    }
+    fail(message, at);
+  }
+
+  /// The character that begins there if it is one of several bytes and well formed, else nothing.
+  std::string_view sign_at(std::size_t start) const {
+    const auto byte = [&](std::size_t i) { return i < text_.size() ? static_cast<unsigned char>(text_[i]) : 0u; };
+    const unsigned lead = byte(start);
+    const std::size_t size = lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+    for (std::size_t k = 1; k < size; ++k) {
+      if ((byte(start + k) & 0xc0) != 0x80) return {};
+    }
+    return text_.substr(std::min(start, text_.size()), size);
+  }
+
+  /// Start of the token just read: what follows the token before but blanks, separators and comments.
+  std::size_t token_start() const {
+    std::size_t i = end_;
+    for (;; ++i) {
+      switch (i < text_.size() ? text_[i] : '\0') {
+        case ' ':
+        case '\t':
+        case '\r':
+        case '\n':
+        case ',':
+        case ':':
+          continue;
+        case '/':
+          i = comment_end(i);
+          continue;
+        default:
+          return std::min(i, text_.size());
+      }
+    }
+  }
+
+  /// The last byte of the comment that begins at `i`.
+  std::size_t comment_end(std::size_t i) const {
+    if (text_.substr(i, 2) == "//") return std::min(text_.find('\n', i), text_.size());
+    return std::min(text_.find("*/", i + 2), text_.size() - 2) + 1;
+  }
+
+  static JsonValue& item_of(JsonValue& list) {
+    if (list.items.capacity() == 0) list.items.reserve(2);  // most lists are points
+    return list.items.emplace_back();
+  }
+
+  JsonValue* begin(JsonValue::Kind kind) {
+    start_ = token_start();
+    JsonValue* value = open_.empty() ? &root_ : &item_of(*open_.back());
+    value->kind = kind;
+    lines_.place(start_, value->line, value->column);
+    end_ = offset();
+    return value;
+  }
+
+  bool number() {
+    begin(JsonValue::Kind::kNumber)->text.assign(text_.substr(start_, end_ - start_));
+    return true;
+  }
+
+  bool open(JsonValue::Kind kind) {
+    if (open_.size() >= kMaxDepth) fail("more than 200 levels of nesting", token_start());
+    open_.push_back(begin(kind));  // stays valid: a value gets no sibling while it is open
+    seen_.emplace_back();
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    seen_.pop_back();
+    end_ = offset();
+    return true;
+  }
+
+  [[noreturn]] void fail(const std::string& message, std::size_t start) {
+    int line = 0, column = 0;
+    lines_.place(start, line, column);
+    throw Error(ErrorCode::kSyntax, message, name_ + ":" + std::to_string(line) + ":" + std::to_string(column));
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  rapidjson::MemoryStream stream_;  // the one stream whose place is right at every event
+  std::size_t mark_ = 0;            // bytes before the stream
+  LineCounter lines_;
+  std::size_t start_ = 0, end_ = 0;  // of the last token
+  JsonValue root_;
+  std::vector<JsonValue*> open_;
+  std::vector<std::unordered_set<std::string>> seen_;
+};
+
+}  // namespace
+
+const JsonValue* JsonValue::find(std::string_view key) const {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i] == key) return &items[i];
+  }
+  return nullptr;
+}
+
+const char* JsonValue::kind_name() const {
+  switch (kind) {
+    case Kind::kNull:
+      return "null";
+    case Kind::kBoolean:
+      return "a truth value";
+    case Kind::kNumber:
+      return "a number";
+    case Kind::kString:
+      return "a text";
+    case Kind::kArray:
+      return "a list";
+    case Kind::kObject:
+      return "an object";
+  }
+  return "nothing";
+}
+
+namespace {
+
+/// Of texts of two or four bytes a character: they begin with a mark, or their first characters have bytes of 0.
+bool is_wide(std::string_view text) {
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || text.substr(0, 4).find('\0') < 4;
+}
+
+}  // namespace
+
+JsonValue parse_json(std::string_view text, const std::string& name) {
+  if (is_wide(text)) throw Error(ErrorCode::kSyntax, "this is not JSON in UTF-8 but looks like UTF-16 or UTF-32", name);
+  return TreeBuilder(text, name).run();
+}
+
+}  // namespace findspace::io

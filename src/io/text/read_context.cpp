@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/text/read_context.h"
+
+#include <fmt/format.h>
+
+namespace findspace::io {
+namespace {
+
+std::string count(std::int64_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+}  // namespace
+
+std::vector<std::string> ReadContext::summary() const {
+  std::vector<std::string> all = notes;
+  if (rounding.points > 0) {
+    std::string blank_unit = unit ? fmt::format(" {}", situation::name(*unit)) : "";
+    all.push_back(fmt::format("{} rounded to the grid, largest move {:.2g}{}",
+                              count(rounding.points, "point", "points"), rounding.largest * grid.step_size(),
+                              blank_unit));
+  }
+  if (grown_arcs > 0) {
+    all.push_back(fmt::format("{} enlarged to reach both ends", count(grown_arcs, "arc", "arcs")));
+  }
+  if (repeated_points > 0)
+    all.push_back(fmt::format("{} dropped", count(repeated_points, "repeated point", "repeated points")));
+  if (turned_rings > 0) {
+    all.push_back(
+        fmt::format("{} turned to run counter-clockwise", count(turned_rings, "clockwise ring", "clockwise rings")));
+  }
+  return all;
+}
+
+}  // namespace findspace::io

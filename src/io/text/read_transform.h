@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Affine maps of drawings, with exact coefficients (only the sine and cosine of an angle that is no multiple of 90
+// degrees come from doubles). Arcs go through similarities only; `Placed` passes the commands of a path on.
+#pragma once
+
+#include <optional>
+
+#include "io/text/read_outline.h"
+#include "io/text/svg_path.h"
+
+namespace findspace::io {
+
+/// (x, y) -> (a x + c y + e, b x + d y + f).
+struct Affine {
+  exact::Real a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+  /// Factor of lengths; nothing where the map is no similarity.
+  std::optional<exact::Real> scale = exact::Real(1);
+  bool mirrors = false;
+
+  static Affine translation(const exact::Real& x, const exact::Real& y);
+  static Affine scaling(const exact::Real& x, const exact::Real& y);
+  static Affine rotation(const exact::Real& degrees);
+  static Affine matrix(exact::Real a, exact::Real b, exact::Real c, exact::Real d, exact::Real e, exact::Real f);
+
+  exact::Real x_of(const exact::Real& x, const exact::Real& y) const { return a * x + c * y + e; }
+  exact::Real y_of(const exact::Real& x, const exact::Real& y) const { return b * x + d * y + f; }
+  /// The factor of lengths; throws Error(kUnsupported) where circles would become ellipses.
+  const exact::Real& similarity() const;
+};
+
+/// First `inner`, then `outer`.
+Affine operator*(const Affine& outer, const Affine& inner);
+
+/// Cosine and sine; exact for multiples of 90 degrees.
+struct Direction {
+  exact::Real cosine, sine;
+};
+Direction direction(const exact::Real& degrees);
+
+/// Commands through a map into an outline.
+class Placed : public PathSink {
+ public:
+  Placed(const Affine& map, Outline& outline) : map_(map), outline_(outline) {}
+  void move_to(const exact::Real& x, const exact::Real& y) override {
+    outline_.move_to(map_.x_of(x, y), map_.y_of(x, y));
+  }
+  void line_to(const exact::Real& x, const exact::Real& y) override {
+    outline_.line_to(map_.x_of(x, y), map_.y_of(x, y));
+  }
+  void arc_to(const exact::Real& radius, bool large, bool sweep, const exact::Real& x, const exact::Real& y) override {
+    outline_.arc_to(radius * map_.similarity(), large, sweep != map_.mirrors, map_.x_of(x, y), map_.y_of(x, y));
+  }
+  void close() override { outline_.close(); }
+  void finish() { outline_.finish(); }
+  void bulge_to(const exact::Real& bulge, const exact::Real& x, const exact::Real& y) {
+    if (bulge.sign() != 0) map_.similarity();
+    outline_.bulge_to(map_.mirrors ? -bulge : bulge, map_.x_of(x, y), map_.y_of(x, y));
+  }
+  void circle(const exact::Real& x, const exact::Real& y, const exact::Real& radius) {
+    outline_.circle(map_.x_of(x, y), map_.y_of(x, y), radius * map_.similarity());
+  }
+  void point(const exact::Real& x, const exact::Real& y) { outline_.point(map_.x_of(x, y), map_.y_of(x, y)); }
+
+ private:
+  Affine map_;
+  Outline& outline_;
+};
+
+}  // namespace findspace::io

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/text/scene_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "exact/number/decimal.h"
+#include "situation/formula/lexer.h"
+#include "situation/formula/names.h"
+
+namespace findspace::io {
+
+using exact::Real;
+
+std::string Label::text() const {
+  std::string all = outer ? outer->text() : "";
+  if (!all.empty() && !what.empty()) all += ", ";
+  all += what;
+  if (!name.empty()) all += fmt::format(" '{}'", name);
+  if (index >= 0) all += fmt::format(" {}", index);
+  return all;
+}
+
+std::string SceneReader::place(const Label& label, const JsonValue& at) const {
+  std::string words = label.text();
+  std::string line = fmt::format("{}:{}:{}", file_, at.line, at.column);
+  return words.empty() ? line : fmt::format("{} ({})", words, line);
+}
+
+void SceneReader::fail(ErrorCode code, const std::string& message, const Label& label, const JsonValue& at) const {
+  throw Error(code, message, place(label, at));
+}
+
+void SceneReader::expect(const JsonValue& value, JsonValue::Kind kind, std::string_view meaning,
+                         const Label& label) const {
+  if (value.kind == kind) return;
+  JsonValue wanted;
+  wanted.kind = kind;
+  fail(ErrorCode::kBadValue, fmt::format("{} must be {}, not {}", meaning, wanted.kind_name(), value.kind_name()),
+       label, value);
+}
+
+void SceneReader::check_keys(const JsonValue& object, std::span<const std::string_view> allowed,
+                             const Label& label) const {
+  for (std::size_t i = 0; i < object.size(); ++i) {
+    const std::string& key = object.keys[i];
+    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+    std::vector<std::string> names(allowed.begin(), allowed.end());
+    std::string hint = suggestion(key, names);
+    if (hint.empty()) hint = fmt::format("; known here: {}", fmt::join(names, ", "));
+    fail(ErrorCode::kUnknownName, fmt::format("unknown key '{}'{}", key, hint), label, object.items[i]);
+  }
+}
+
+const JsonValue& SceneReader::need(const JsonValue& object, std::string_view key, const Label& label) const {
+  if (const JsonValue* value = object.find(key)) return *value;
+  fail(ErrorCode::kBadValue, fmt::format("\"{}\" is missing", key), label, object);
+}
+
+Real SceneReader::number(const JsonValue& value, const Label& label) const {
+  expect(value, JsonValue::Kind::kNumber, "this", label);
+  return placed(label, value, [&] { return Real::parse_decimal(value.text); });
+}
+
+const std::string& SceneReader::text(const JsonValue& value, std::string_view meaning, const Label& label) const {
+  expect(value, JsonValue::Kind::kString, meaning, label);
+  if (value.text.empty()) fail(ErrorCode::kBadValue, fmt::format("{} is an empty text", meaning), label, value);
+  return value.text;
+}
+
+std::vector<std::string> SceneReader::texts(const JsonValue& value, std::string_view meaning,
+                                            const Label& label) const {
+  if (value.is(JsonValue::Kind::kString)) return {text(value, meaning, label)};
+  expect(value, JsonValue::Kind::kArray, fmt::format("{} (if it is not a text)", meaning), label);
+  if (value.size() == 0) fail(ErrorCode::kBadValue, fmt::format("{} is an empty list", meaning), label, value);
+  std::vector<std::string> all;
+  for (const JsonValue& item : value.items) all.push_back(text(item, meaning, label));
+  return all;
+}
+
+FormulaText SceneReader::formula(const JsonValue& value, const Label& label) const {
+  return {text(value, fmt::format("\"{}\"", label.what), label), file_, value.line, value.column + 1};
+}
+
+Real SceneReader::length(const JsonValue& value, const Label& label) const {
+  Real number_of_units = number(value, label);
+  return placed(label, value, [&] { return context_.grid.steps(number_of_units); });
+}
+
+plane::GridPoint SceneReader::point(const JsonValue& value, const Label& label) const {
+  GridPosition p = position(value, 2, label);
+  return {p[0], p[1]};
+}
+
+/// The usual case, without big numbers.
+std::optional<std::int64_t> SceneReader::on_grid(const JsonValue& value) const {
+  if (!value.is(JsonValue::Kind::kNumber)) return std::nullopt;
+  return exact::grid_integer(value.text, context_.grid.step());
+}
+
+GridPosition SceneReader::position(const JsonValue& value, int dimension, const Label& label) const {
+  expect(value, JsonValue::Kind::kArray, dimension == 2 ? "a point [x, y]" : "a point [x, y, z]", label);
+  if (value.size() != static_cast<std::size_t>(dimension)) {
+    fail(ErrorCode::kBadValue, fmt::format("a point needs {} coordinates, not {}", dimension, value.size()), label,
+         value);
+  }
+  GridPosition result{};
+  std::array<double, 3> moved{};
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (const auto steps = on_grid(value.items[i])) {
+      result[i] = *steps;
+      continue;
+    }
+    const Real x = number(value.items[i], label);
+    result[i] = placed(label, value.items[i], [&] { return context_.grid.nearest(x, moved[i]); });
+  }
+  context_.rounding.add(moved[0], std::hypot(moved[1], moved[2]));
+  return result;
+}
+
+std::string suggestion(std::string_view wrong, const std::vector<std::string>& names) {
+  std::string nearest = situation::nearest(wrong, names);
+  return nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest);
+}
+
+std::string choice(std::string_view what, std::string_view wrong, const std::vector<std::string>& names) {
+  const std::string near = suggestion(wrong, names);
+  if (!near.empty() || names.empty()) return near;
+  return fmt::format("; the {} are {}", what, situation::listed(names));
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What the writers of JSON share: pieces of text between the numbers and strings of write_json.h.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/write/write_json.h"
+
+namespace findspace::io {
+
+template <class... Args>
+void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
+inline const char* truth(bool value) { return value ? "true" : "false"; }
+inline std::string number(const std::optional<double>& value) { return value ? json_number(*value) : "null"; }
+
+/// The key "unit" with a comma, or nothing.
+inline std::string unit_key(std::string_view unit) {
+  return unit.empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit));
+}
+
+/// Items separated by commas, each on its own line where `lines`.
+template <class Items, class Text>
+std::string list(const Items& items, Text text, bool lines = false) {
+  std::string out = "[";
+  const char* separator = lines ? "\n      " : "";
+  for (const auto& item : items) {
+    out += separator + text(item);
+    separator = lines ? ",\n      " : ", ";
+  }
+  return out + "]";
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/write/write_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "io/write/json_answers.h"
+#include "io/write/write_cells.h"
+#include "io/write/write_witness.h"
+
+namespace findspace::io {
+namespace {
+
+using plane::Bounds;
+using plane::Index;
+using plane::kNone;
+using plane::Place;
+using plane::Twofold;
+
+std::string pair(const Place& p) { return fmt::format("[{}, {}]", json_number(p[0]), json_number(p[1])); }
+std::string box(const std::optional<Bounds>& b) {
+  return b ? fmt::format("[{}, {}]", pair(b->low), pair(b->high)) : "null";
+}
+
+Place place(const exact::RealPoint& p) { return {Twofold(p.x).value(), Twofold(p.y).value()}; }
+
+std::string component_text(const plane::Component& c) {
+  return fmt::format(R"({{"dimension": {}, "area": {}, "dangling_length": {}, "holes": {}, "sample": {}, "bbox": {}}})",
+                     c.dimension, number(c.area), json_number(c.dangling_length), c.holes, pair(c.sample), box(c.bbox));
+}
+
+void put_summary(std::string& out, const plane::Summary& s, std::string_view unit) {
+  put(out, R"(  "dimension": 2, "empty": {}, "whole": {}, "bounded": {},)", truth(s.empty), truth(s.whole),
+      truth(s.bounded));
+  put(out, "\n  \"open\": {}, \"closed\": {}, \"regular\": {},\n", truth(s.open), truth(s.closed), truth(s.regular));
+  if (!unit.empty()) put(out, "  \"unit\": {},\n", json_string(unit));
+  put(out, "  \"area\": {}, \"dangling_length\": {}, \"crack_length\": {}, \"holes\": {},\n", number(s.area),
+      json_number(s.dangling_length), json_number(s.crack_length), s.holes);
+  put(out, "  \"isolated\": {}, \"bbox\": {},\n", list(s.isolated, pair), box(s.bbox));
+  put(out, "  \"components\": {},\n", list(s.components, component_text, true));
+}
+
+std::string curve_text(const CurveNet& net, const Curve& k) {
+  std::string out =
+      fmt::format(R"({{"from": {}, "to": {}, "in": {})", net.number(k.from), net.number(k.to), truth(k.mark));
+  if (k.arc) put(out, R"(, "arc": {{"center": {}, "radius": {}, "ccw": true}})", pair(k.center), json_number(k.radius));
+  return out + "}";
+}
+
+std::string ring_text(const Ring& ring) {
+  return list(ring, [](const Side& s) { return std::to_string(s.curve); });
+}
+
+std::string face_text(const CurveNet& net, const plane::Face& f) {
+  std::string out = "{";
+  if (f.outer != kNone) put(out, "\"outer\": {}, ", ring_text(net.ring(f.outer)));
+  put(out, "\"holes\": {}, ", list(f.inner, [&](Index h) { return ring_text(net.ring(h)); }));
+  if (!f.isolated.empty()) {
+    put(out, "\"points\": {}, ", list(f.isolated, [&](Index v) { return std::to_string(net.number(v)); }));
+  }
+  put(out, "\"in\": {}}}", truth(f.mark));
+  return out;
+}
+
+void put_cells(std::string& out, const CurveNet& net) {
+  const plane::CellComplex& c = net.complex();
+  out += "  \"cells\": {\n    \"vertices\": ";
+  out += list(
+      net.vertices(),
+      [&](Index v) { return fmt::format(R"({{"at": {}, "in": {}}})", pair(net.at(v)), truth(c.vertices[v].mark)); },
+      true);
+  out += ",\n    \"edges\": ";
+  out += list(
+      net.curves(), [&](const Curve& k) { return curve_text(net, k); }, true);
+  out += ",\n    \"faces\": ";
+  out += list(
+      c.faces, [&](const plane::Face& f) { return face_text(net, f); }, true);
+  out += "\n  }";
+}
+
+/// How far values that are not exact may be from the true ones.
+std::string bounds_text(const std::vector<situation::DistanceAt>& distances) {
+  std::map<std::string, double> bounds;
+  for (const situation::DistanceAt& d : distances)
+    if (d.bound) bounds[d.text] = *d.bound;
+  std::string out;
+  for (const auto& [text, bound] : bounds)
+    put(out, "{}{}: {}", out.empty() ? ",\n  \"bounds\": {" : ", ", json_string(text), json_number(bound));
+  return out.empty() ? out : out + "}";
+}
+
+}  // namespace
+
+std::string json_number(double value) {
+  if (std::isinf(value) && value < 0) return "\"-inf\"";
+  if (!std::isfinite(value)) return "null";
+  return value == 0 ? "0" : fmt::format("{}", value);
+}
+
+std::string json_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      put(out, "\\u{:04x}", int(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
+                        std::string_view unit, const ExtremeValue* extreme, bool exact) {
+  std::string out = "{\n";
+  put_summary(out, summary, unit);
+  if (extreme != nullptr) put_extreme(out, *extreme);
+  put_cells(out, CurveNet(region, step));
+  if (exact) out += ",\n  \"exact\": " + cells_json(region, step, unit);
+  return out + "\n}\n";
+}
+
+std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
+                           std::string_view unit, const ExtremeValue* extreme, std::string_view side) {
+  const Twofold factor(step);
+  auto end = [&](const std::optional<exact::Real>& t) {
+    return t ? json_number((Twofold(*t) * factor).value()) : "null";
+  };
+  auto text = [&](const plane::LineInterval& i) {
+    return fmt::format(R"({{"from": {}, "to": {}, "from_in": {}, "to_in": {}}})", end(i.from), end(i.to),
+                       truth(i.from_in), truth(i.to_in));
+  };
+  std::string best;
+  if (extreme != nullptr) put_extreme(best, *extreme);
+  const std::string bound = side.empty() ? "" : fmt::format(" \"side\": {},", json_string(side));
+  return fmt::format("{{{}\"empty\": {},{}{} \"intervals\": {}}}\n", unit_key(unit), truth(intervals.empty()), bound,
+                     best, list(intervals, text));
+}
+
+std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+                       std::string_view unit, std::optional<double> angle, const situation::NearestFeasible* nearest) {
+  const Twofold factor(step);
+  std::string out = fmt::format("{{{}\"at\": {}, {}\"true\": {},\n", unit_key(unit), pair(place(at)),
+                                angle ? fmt::format("\"angle\": {}, ", json_number(*angle)) : "", truth(check.holds));
+  put_atoms(out, check.atoms, [&](const situation::DistanceAt& d) { return witness_members(d, factor); });
+  if (nearest != nullptr) put_nearest(out, *nearest, json_point(nearest->at, factor));
+  std::vector<situation::DistanceAt> all;
+  for (const situation::AtomAt& a : check.atoms) all.push_back(a.distance);
+  return out + bounds_text(all) + "\n}\n";
+}
+
+std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
+                         const exact::Real& step, std::string_view unit, std::optional<double> angle) {
+  const Twofold factor(step);
+  std::string out = fmt::format("{{{}\"at\": {},{}\n", unit_key(unit), pair(place(at)),
+                                angle ? fmt::format(" \"angle\": {},", json_number(*angle)) : "");
+  put_distances(out, distances, [&](const situation::DistanceAt& d) { return witness_members(d, factor); });
+  return out + bounds_text(distances) + "\n}\n";
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/write/write_json_space.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "io/mesh/space_surface.h"
+#include "io/write/json_answers.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using space::Place3;
+using space::PlaceBox;
+
+std::string triple(const Place3& p) {
+  return fmt::format("[{}, {}, {}]", json_number(p[0]), json_number(p[1]), json_number(p[2]));
+}
+std::string box(const std::optional<PlaceBox>& b) {
+  return b ? fmt::format("[{}, {}]", triple(b->low), triple(b->high)) : "null";
+}
+Place3 place(const space::RealVector& p) { return {p[0].to_double(), p[1].to_double(), p[2].to_double()}; }
+
+std::string component_text(const space::SpaceComponent& c) {
+  return fmt::format(
+      R"({{"dimension": {}, "volume": {}, "dangling_area": {}, "dangling_length": {}, "holes": {}, "sample": {}, "bbox": {}}})",
+      c.dimension, number(c.volume), json_number(c.dangling_area), json_number(c.dangling_length), c.holes,
+      triple(c.sample), box(c.bbox));
+}
+
+std::string box_text(const space::IntervalBox& b, const Real& step) {
+  std::array<std::string, 4> rows;
+  for (const space::Interval& i : b) {
+    const char* separator = rows[0].empty() ? "" : ", ";
+    put(rows[0], "{}{}", separator, i.from ? json_number((*i.from * step).to_double()) : "null");
+    put(rows[1], "{}{}", separator, i.to ? json_number((*i.to * step).to_double()) : "null");
+    put(rows[2], "{}{}", separator, truth(i.from_in));
+    put(rows[3], "{}{}", separator, truth(i.to_in));
+  }
+  return fmt::format(R"({{"from": [{}], "to": [{}], "from_in": [{}], "to_in": [{}]}})", rows[0], rows[1], rows[2],
+                     rows[3]);
+}
+
+/// "nearest": [..], "points": [[..], [..]], as far as known.
+std::string witness_text(const situation::SpaceDistanceAt& d) {
+  std::string out;
+  if (d.nearest) put(out, "\"nearest\": {}", triple(*d.nearest));
+  if (d.points)
+    put(out, "{}\"points\": [{}, {}]", out.empty() ? "" : ", ", triple((*d.points)[0]), triple((*d.points)[1]));
+  return out;
+}
+
+void put_summary(std::string& out, const space::SpaceSummary& s, std::string_view unit) {
+  put(out, R"(  "dimension": 3, "empty": {}, "whole": {}, "bounded": {},)", truth(s.empty), truth(s.whole),
+      truth(s.bounded));
+  put(out, "\n  \"open\": {}, \"closed\": {}, \"regular\": {},\n", truth(s.open), truth(s.closed), truth(s.regular));
+  if (!unit.empty()) put(out, "  \"unit\": {},\n", json_string(unit));
+  put(out, "  \"volume\": {}, \"dangling_area\": {}, \"dangling_length\": {},\n", number(s.volume),
+      json_number(s.dangling_area), json_number(s.dangling_length));
+  put(out, "  \"crack_area\": {}, \"crack_length\": {}, \"holes\": {},\n", json_number(s.crack_area),
+      json_number(s.crack_length), s.holes);
+  put(out, "  \"isolated\": {}, \"bbox\": {},\n", list(s.isolated, triple), box(s.bbox));
+  put(out, "  \"components\": {},\n", list(s.components, component_text, true));
+}
+
+}  // namespace
+
+std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& s, const Real& step,
+                       std::string_view unit, const ExtremeValue* extreme) {
+  std::string out = "{\n";
+  put_summary(out, s, unit);
+  if (extreme != nullptr) put_extreme(out, *extreme);
+  put(out, "  \"boxes\": {}\n",
+      list(
+          set.boxes(), [&](const space::IntervalBox& b) { return box_text(b, step); }, true));
+  return out + "}\n";
+}
+
+std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s, const Real& step,
+                       std::string_view unit, const ExtremeValue* extreme) {
+  std::string out = "{\n";
+  put_summary(out, s, unit);
+  if (extreme != nullptr) put_extreme(out, *extreme);
+  const Surface surface = convex_surface(set, step);
+  const auto corners = [](const std::vector<int>& face) { return fmt::format("[{}]", fmt::join(face, ", ")); };
+  put(out, "  \"polytope\": {{\"inside\": {}, \"frontier\": {}, \"outside\": {},\n    \"vertices\": {},\n",
+      truth(set.inside), truth(set.frontier), truth(set.outside), list(surface.vertices, triple, true));
+  if (set.radius.sign() > 0) put(out, "    \"radius\": {},\n", number((set.radius * step).to_double()));
+  put(out, "    \"facets\": {}}}\n", list(surface.faces, corners));
+  return out + "}\n";
+}
+
+std::string space_check_json(const situation::SpaceSolver::Check& check, const space::RealVector& at,
+                             std::string_view unit, const situation::SpaceNearest* nearest) {
+  std::string out =
+      fmt::format("{{{}\"at\": {}, \"true\": {},\n", unit_key(unit), triple(place(at)), truth(check.holds));
+  put_atoms(out, check.atoms, witness_text);
+  if (nearest != nullptr) put_nearest(out, *nearest, triple(place(nearest->at)));
+  return out + "\n}\n";
+}
+
+std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,
+                               std::string_view unit) {
+  std::string out = fmt::format("{{{}\"at\": {},\n", unit_key(unit), triple(place(at)));
+  put_distances(out, distances, witness_text);
+  return out + "\n}\n";
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Results of 3D scenes as JSON (docs/results.md): the same keys as in the plane, places with three coordinates. An
+// exact map of boxes lists the set as disjoint boxes, each with open and closed ends. Keywords: serialisation.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/write/write_json.h"
+#include "situation/solid/solve_space.h"
+#include "space/box/box_summary.h"
+
+namespace findspace::io {
+
+/// `extreme` may be null.
+std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& summary, const exact::Real& step,
+                       std::string_view unit, const ExtremeValue* extreme = nullptr);
+/// The polytope with its facets instead of boxes.
+std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& summary, const exact::Real& step,
+                       std::string_view unit, const ExtremeValue* extreme = nullptr);
+/// `nearest` may be null.
+std::string space_check_json(const situation::SpaceSolver::Check& check, const space::RealVector& at,
+                             std::string_view unit, const situation::SpaceNearest* nearest = nullptr);
+std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,
+                               std::string_view unit);
+
+}  // namespace findspace::io

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/write/write_wkt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "findspace/error.h"
+#include "io/text/write_curves.h"
+#include "plane/query/topology.h"
+
+namespace findspace::io {
+namespace {
+
+using plane::Index;
+using plane::kNone;
+using plane::Place;
+using plane::Region;
+
+std::string text(const Place& p) {
+  auto number = [](double v) { return fmt::format("{}", v == 0 ? 0.0 : v); };
+  return number(p[0]) + " " + number(p[1]);
+}
+
+class WktWriter {
+ public:
+  explicit WktWriter(const CurveNet& net) : net_(net), s_(net.complex()) {}
+
+  std::vector<std::string> geometries() const {
+    std::vector<std::string> out;
+    for (const plane::Face& f : s_.faces) {
+      if (f.mark != 0) out.push_back(polygon(f));
+    }
+    for (const Curve& k : net_.curves()) {
+      const Index h = k.half_edges.front();
+      if (k.mark != 0 && !is_filled(h) && !is_filled(h ^ 1u))
+        out.push_back(string(k, k.arc ? "CIRCULARSTRING" : "LINESTRING"));
+    }
+    for (Index v = 0; v < s_.vertices.size(); ++v) {
+      if (s_.vertices[v].mark != 0 && s_.vertices[v].out == kNone) out.push_back("POINT (" + text(net_.at(v)) + ")");
+    }
+    return out;
+  }
+
+ private:
+  bool is_filled(Index half_edge) const { return s_.faces[s_.face(half_edge)].mark != 0; }
+
+  /// The points of a side after its first. An arc goes through its leftmost, rightmost, highest and lowest points,
+  /// which may be decimals; a further point makes the number odd.
+  void add_points(const Side& side, std::vector<std::string>& out) const {
+    const Curve& k = net_.curves()[side.curve];
+    std::vector<Place> all;
+    if (k.arc) {
+      all = net_.extremes(k);
+      if (all.size() % 2 == 0) all.push_back(middle(k, all.empty() ? net_.at(k.from) : all.back(), net_.at(k.to)));
+    }
+    all.push_back(net_.at(k.to));
+    if (!side.forward) {
+      all.pop_back();
+      std::reverse(all.begin(), all.end());
+      all.push_back(net_.at(k.from));
+    }
+    for (const Place& p : all) out.push_back(text(p));
+  }
+
+  /// Of the counter-clockwise arc from a to b, less than a half circle.
+  static Place middle(const Curve& k, const Place& a, const Place& b) {
+    const double x = a[0] + b[0] - 2 * k.center[0], y = a[1] + b[1] - 2 * k.center[1], length = std::hypot(x, y);
+    return {k.center[0] + x / length * k.radius, k.center[1] + y / length * k.radius};
+  }
+
+  std::vector<std::string> points(const Side& side) const {
+    const Curve& k = net_.curves()[side.curve];
+    std::vector<std::string> out{text(net_.at(side.forward ? k.from : k.to))};
+    add_points(side, out);
+    return out;
+  }
+
+  std::string string(const Curve& k, const char* kind) const {
+    return fmt::format("{} ({})", kind, fmt::join(points({Index(&k - net_.curves().data()), true}), ", "));
+  }
+
+  /// Cracks have the face on both sides: a polygon does not know them.
+  bool is_crack(Index h) const { return s_.face(h) == s_.face(h ^ 1u); }
+  Index next_on_boundary(Index h) const {
+    Index next = s_.next(h);
+    while (is_crack(next)) next = s_.clockwise(next);
+    return next;
+  }
+
+  /// The boundary of a face without its cracks, cut into loops that pass no vertex twice.
+  std::vector<std::vector<Index>> simple_loops(const plane::Face& f) const {
+    std::vector<std::vector<Index>> loops;
+    std::set<Index> open;
+    for (Index start : all_cycles(f)) {
+      Index h = start;
+      do {
+        if (!is_crack(h)) open.insert(h);
+        h = s_.next(h);
+      } while (h != start);
+    }
+    while (!open.empty()) {
+      std::vector<Index> path;
+      std::map<Index, std::size_t> place;  // of a vertex: the half-edge of the path that starts there
+      for (Index h = *open.begin(); open.erase(h) == 1; h = next_on_boundary(h)) {
+        place[s_.origin(h)] = path.size();
+        path.push_back(h);
+        const auto back = place.find(s_.target(h));
+        if (back == place.end()) continue;
+        loops.emplace_back(path.begin() + std::ptrdiff_t(back->second), path.end());
+        for (Index k : loops.back()) place.erase(s_.origin(k));
+        path.resize(path.size() - loops.back().size());
+      }
+    }
+    return loops;
+  }
+
+  static std::vector<Index> all_cycles(const plane::Face& f) {
+    std::vector<Index> starts = f.inner;
+    starts.insert(starts.begin(), f.outer);
+    return starts;
+  }
+
+  /// The same ring, beginning at its lexicographically smallest vertex.
+  Ring from_the_left(Ring ring) const {
+    const auto start = [this](const Side& side) {
+      const Curve& k = net_.curves()[side.curve];
+      return s_.vertices[side.forward ? k.from : k.to].point;
+    };
+    const auto first = std::min_element(ring.begin(), ring.end(), [&](const Side& a, const Side& b) {
+      return s_.geometry.compare_xy(start(a), start(b)) < 0;
+    });
+    std::rotate(ring.begin(), first, ring.end());
+    return ring;
+  }
+
+  double size(const Ring& ring) const {
+    std::optional<plane::Bounds> b;
+    for (const Side& side : ring) {
+      const plane::Bounds k = net_.bounds(net_.curves()[side.curve]);
+      if (!b) b = k;
+      for (int i : {0, 1}) b->low[i] = std::min(b->low[i], k.low[i]), b->high[i] = std::max(b->high[i], k.high[i]);
+    }
+    return b->high[0] - b->low[0] + b->high[1] - b->low[1];
+  }
+
+  std::string ring(const Ring& sides) const {
+    const bool curved =
+        std::any_of(sides.begin(), sides.end(), [&](const Side& s) { return net_.curves()[s.curve].arc; });
+    if (!curved) {
+      std::vector<std::string> all = points(sides.front());
+      for (std::size_t i = 1; i < sides.size(); ++i) add_points(sides[i], all);
+      return fmt::format("({})", fmt::join(all, ", "));
+    }
+    std::vector<std::string> parts;
+    for (const Side& s : sides) {
+      parts.push_back(
+          fmt::format("{}({})", net_.curves()[s.curve].arc ? "CIRCULARSTRING " : "", fmt::join(points(s), ", ")));
+    }
+    return parts.size() == 1 ? parts[0] : fmt::format("COMPOUNDCURVE ({})", fmt::join(parts, ", "));
+  }
+
+  std::string polygon(const plane::Face& f) const {
+    std::vector<Ring> loops;
+    for (const auto& loop : simple_loops(f)) loops.push_back(from_the_left(net_.ring(loop)));
+    // The outer ring is the one that has all others in its box.
+    const auto larger = [this](const Ring& a, const Ring& b) { return size(a) < size(b); };
+    std::iter_swap(loops.begin(), std::max_element(loops.begin(), loops.end(), larger));
+    std::vector<std::string> rings;
+    for (const Ring& loop : loops) rings.push_back(ring(loop));
+    const bool curved = std::any_of(rings.begin(), rings.end(), [](const std::string& r) { return r[0] == 'C'; });
+    return fmt::format("{} ({})", curved ? "CURVEPOLYGON" : "POLYGON", fmt::join(rings, ", "));
+  }
+
+  const CurveNet& net_;
+  const Region& s_;
+};
+
+}  // namespace
+
+WktText region_wkt(const Region& region, const exact::Real& step) {
+  if (!plane::is_bounded(region)) throw Error(ErrorCode::kUnsupported, "WKT cannot hold an unbounded region");
+  const CurveNet net(region, step);
+  const std::vector<std::string> all = WktWriter(net).geometries();
+  WktText out;
+  if (all.empty())
+    out.text = "GEOMETRYCOLLECTION EMPTY\n";
+  else if (all.size() == 1)
+    out.text = all[0] + "\n";
+  else
+    out.text = fmt::format("GEOMETRYCOLLECTION ({})\n", fmt::join(all, ", "));
+  if (!plane::is_closed(region)) out.lost = "WKT knows closed sets only: which edges and points do not belong is lost";
+  return out;
+}
+
+}  // namespace findspace::io

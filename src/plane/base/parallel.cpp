@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/base/parallel.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+namespace findspace::plane {
+
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
+  if (count == 1) return task(0);
+  tbb::parallel_for(
+      std::size_t{0}, count, [&](std::size_t k) { task(k); }, tbb::simple_partitioner());
+}
+
+struct ThreadLimit::Control {
+  tbb::global_control limit;
+};
+
+ThreadLimit::ThreadLimit(unsigned threads) {
+  if (threads > 0) control_.reset(new Control{{tbb::global_control::max_allowed_parallelism, threads}});
+}
+
+ThreadLimit::~ThreadLimit() = default;
+
+}  // namespace findspace::plane

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/build/build.h"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "findspace/error.h"
+#include "plane/build/hull.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/complex/side_by_side.h"
+#include "plane/offset/plain_sum.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
+
+namespace findspace::plane {
+namespace {
+
+using Kind = Shape::Kind;
+using RegionPtr = std::shared_ptr<const Region>;
+
+bool is_boolean(Kind kind) {
+  return kind == Kind::kUnion || kind == Kind::kIntersection || kind == Kind::kDifference || kind == Kind::kComplement;
+}
+
+/// Operands of one overlay at most: an overlay keeps a mark of every operand for every cell.
+constexpr std::size_t kOperands = 32;
+
+/// A Boolean tree over the regions it was compiled with.
+struct Expression {
+  Kind kind = Kind::kUnion;
+  Index leaf = kNone;  // not kNone: the mark of this operand
+  std::vector<Expression> children;
+
+  bool holds(std::span<const Mark> marks) const {
+    if (leaf != kNone) return marks[leaf] > 0;
+    auto inside = [&](const Expression& e) { return e.holds(marks); };
+    switch (kind) {
+      case Kind::kUnion:
+        return std::any_of(children.begin(), children.end(), inside);
+      case Kind::kIntersection:
+        return std::all_of(children.begin(), children.end(), inside);
+      case Kind::kDifference:
+        return inside(children[0]) && std::none_of(children.begin() + 1, children.end(), inside);
+      default:
+        return !inside(children[0]);
+    }
+  }
+};
+
+class Builder {
+ public:
+  Builder(const Shape& root, double step) : step_(step) { count_uses(root); }
+
+  Region make(const Shape& shape) {
+    try {
+      return is_boolean(shape.kind) ? combine(shape) : leaf(shape);
+    } catch (const Error& e) {
+      if (!e.place().empty()) throw;
+      throw e.within(shape.place.empty() ? shape.name : shape.place);
+    }
+  }
+
+  Rounding rounding;
+
+ private:
+  void count_uses(const Shape& shape) {
+    for (const ShapePtr& child : shape.children) {
+      if (uses_[child.get()]++ == 0) count_uses(*child);
+    }
+  }
+
+  RegionPtr region(const ShapePtr& shape) {
+    if (auto known = built_.find(shape.get()); known != built_.end()) return known->second;
+    auto made = std::make_shared<const Region>(make(*shape));
+    return built_[shape.get()] = std::move(made);
+  }
+
+  Region combine(const Shape& shape) {
+    if (shape.children.size() > kOperands) return of_many(shape);
+    std::vector<RegionPtr> leaves;
+    Expression expression = compile(shape, leaves);
+    return evaluate(expression, leaves);
+  }
+
+  static Region evaluate(const Expression& expression, const std::vector<RegionPtr>& leaves) {
+    std::vector<const Region*> operands;
+    for (const RegionPtr& leaf : leaves) operands.push_back(leaf.get());
+    return overlay(operands, [&](std::span<const Mark> marks) { return Mark(expression.holds(marks)); });
+  }
+
+  static Expression operand(RegionPtr region, std::vector<RegionPtr>& leaves) {
+    auto place = std::find(leaves.begin(), leaves.end(), region);
+    Index leaf = Index(place - leaves.begin());
+    if (place == leaves.end()) leaves.push_back(std::move(region));
+    return {.kind = Kind::kUnion, .leaf = leaf, .children = {}};
+  }
+
+  /// Operands the shape adds to an overlay when its Boolean nodes are evaluated there: those that occur once, and few
+  /// enough.
+  std::size_t width(const Shape& shape) {
+    if (!is_boolean(shape.kind) || uses_[&shape] > 1 || shape.children.size() > kOperands) return 1;
+    std::size_t known = width_[&shape];
+    if (known > 0) return known;
+    std::size_t sum = 0;
+    for (const ShapePtr& child : shape.children) sum += width(*child);
+    return width_[&shape] = sum > kOperands ? 1 : sum;
+  }
+
+  Expression compile(const Shape& shape, std::vector<RegionPtr>& leaves) {
+    Expression node{.kind = shape.kind, .leaf = kNone, .children = {}};
+    for (const ShapePtr& child : shape.children) {
+      bool inlined = width(*child) > 1 && leaves.size() + width(*child) <= kOperands;
+      node.children.push_back(inlined ? compile(*child, leaves) : operand(region(child), leaves));
+    }
+    return node;
+  }
+
+  /// A union, intersection or difference of many operands. What is subtracted from the first operand of a difference
+  /// is the union of the others.
+  Region of_many(const Shape& shape) {
+    const bool difference = shape.kind == Kind::kDifference;
+    std::vector<RegionPtr> all;
+    for (auto k = shape.children.begin() + difference; k != shape.children.end(); ++k) all.push_back(region(*k));
+    if (shape.kind == Kind::kIntersection) return *in_groups(std::move(all), intersect);
+    const Region united = united_apart(all);
+    if (!difference) return united;
+    RegionPtr first = region(shape.children[0]);
+    return subtract(std::vector<const Region*>{first.get(), &united});
+  }
+
+  /// Only operands whose boxes meet are united by arranging them.
+  static Region united_apart(const std::vector<RegionPtr>& all) {
+    std::vector<const Region*> operands, parts;
+    for (const RegionPtr& r : all) operands.push_back(r.get());
+    std::vector<RegionPtr> kept;
+    for (const std::vector<Index>& group : groups_apart(operands)) {
+      std::vector<RegionPtr> members;
+      for (const Index k : group) members.push_back(all[k]);
+      kept.push_back(in_groups(std::move(members), unite));
+      parts.push_back(kept.back().get());
+    }
+    return parts.size() == 1 ? *parts[0] : side_by_side(parts);
+  }
+
+  static RegionPtr in_groups(std::vector<RegionPtr> level, Region (*join)(std::span<const Region* const>)) {
+    while (level.size() > 1) {
+      std::vector<RegionPtr> next;
+      for (std::size_t k = 0; k < level.size(); k += kOperands) {
+        std::vector<const Region*> group;
+        for (std::size_t i = k; i < std::min(k + kOperands, level.size()); ++i) group.push_back(level[i].get());
+        next.push_back(std::make_shared<const Region>(join(group)));
+      }
+      level = std::move(next);
+    }
+    return level[0];
+  }
+
+  Region leaf(const Shape& s) {
+    switch (s.kind) {
+      case Kind::kRings:
+        return region_of_rings(s.contours);
+      case Kind::kDisc:
+        return region_of_disc(s.points[0].x, s.points[0].y, s.amount);
+      case Kind::kPoints:
+        return region_of_points(s.points);
+      case Kind::kPolyline:
+        return region_of_chain(s.contours[0]);
+      case Kind::kCells:
+        return *s.cells;
+      case Kind::kInterior:
+        return interior(*child(s, 0));
+      case Kind::kClosure:
+        return closure(*child(s, 0));
+      case Kind::kBoundary:
+        return boundary(*child(s, 0));
+      case Kind::kRegularize:
+        return regularize(*child(s, 0));
+      case Kind::kTranslate:
+        return translated(*child(s, 0), s.points[0]);
+      case Kind::kRotate:
+        return rotated(*child(s, 0), s.points[0], s.degrees, step_, rounding);
+      case Kind::kMirror:
+        return mirrored(*child(s, 0));
+      case Kind::kMinkowskiSum:
+        return plain_sum(*child(s, 0), *child(s, 1));
+      case Kind::kMinkowskiDifference:
+        return plain_difference(*child(s, 0), *child(s, 1));
+      case Kind::kOffset:
+        return plain_offset(*child(s, 0), s.amount);
+      case Kind::kHull:
+        return hull_of(s);
+      default:
+        return combine(s);
+    }
+  }
+
+  /// Of all operands together.
+  Region hull_of(const Shape& s) {
+    if (s.children.size() == 1) return hull(*child(s, 0), step_);
+    std::vector<RegionPtr> operands;
+    std::vector<const Region*> all;
+    for (std::size_t k = 0; k < s.children.size(); ++k) all.push_back(operands.emplace_back(child(s, k)).get());
+    return hull(unite(all), step_);
+  }
+
+  RegionPtr child(const Shape& s, std::size_t k) { return region(s.children[k]); }
+
+  double step_;
+  std::unordered_map<const Shape*, std::size_t> uses_;  // as a child, under this root
+  std::unordered_map<const Shape*, std::size_t> width_;
+  std::unordered_map<const Shape*, RegionPtr> built_;
+};
+
+}  // namespace
+
+BuildResult build(const Shape& shape, double step) {
+  Builder builder(shape, step);
+  BuildResult result;
+  result.region = builder.make(shape);
+  result.rounding = builder.rounding;
+  return result;
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/arrangement.h"
+
+#include <algorithm>
+
+#include "plane/base/small_sort.h"
+#include "plane/base/union_find.h"
+#include "plane/complex/around_vertex.h"
+#include "plane/complex/broad_phase.h"
+#include "plane/complex/nesting.h"
+#include "plane/complex/piece_meet.h"
+
+namespace findspace::plane {
+namespace {
+
+using exact::Geometry;
+
+struct Chains {
+  std::pmr::vector<Index> start, point;  // piece -> its points from p0 to p1, ties dropped
+
+  explicit Chains(Memory memory) : start(memory), point(memory) {}
+};
+
+/// Sorts the split points of every piece along it; equal points are united and kept once.
+Chains sort_along(const Geometry& g, std::span<const Piece> pieces, const PieceMeetings& found, UnionFind& same,
+                  Memory memory) {
+  std::pmr::vector<Index> start(pieces.size() + 1, 0, memory);
+  for (auto& s : found.splits) ++start[s.piece + 1];
+  for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
+  std::pmr::vector<Index> sorted(found.splits.size(), memory), at(start.begin(), start.end() - 1, memory);
+  for (auto& s : found.splits) sorted[at[s.piece]++] = s.point;
+  Chains chains(memory);
+  chains.start.reserve(pieces.size() + 1);
+  chains.point.reserve(found.splits.size() + 2 * pieces.size());
+  for (Index i = 0; i < pieces.size(); ++i) {
+    const Piece& p = pieces[i];
+    chains.start.push_back(Index(chains.point.size()));
+    chains.point.push_back(p.p0);
+    auto first = sorted.begin() + start[i], last = sorted.begin() + start[i + 1];
+    small_sort(first, last, [&](Index a, Index b) { return a != b && compare_along(g, p, a, b) < 0; });
+    for (auto k = first; k != last; ++k) {
+      if (k != first && (*k == *(k - 1) || compare_along(g, p, *k, *(k - 1)) == 0))
+        same.unite(*k, *(k - 1));
+      else
+        chains.point.push_back(*k);
+    }
+    chains.point.push_back(p.p1);
+  }
+  chains.start.push_back(Index(chains.point.size()));
+  return chains;
+}
+
+/// Isolated points that coincide with each other become one point.
+void unite_isolated(const Geometry& g, std::span<const Index> isolated, UnionFind& same) {
+  std::vector<Index> sorted(isolated.begin(), isolated.end());
+  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) { return g.compare_xy(a, b) < 0; });
+  for (std::size_t k = 1; k < sorted.size(); ++k)
+    if (g.compare_xy(sorted[k], sorted[k - 1]) == 0) same.unite(sorted[k], sorted[k - 1]);
+}
+
+/// Numbers the vertices in order of their leading point; grid points represent their vertex where there is one.
+void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index> isolated, UnionFind& same,
+                     Memory memory) {
+  const auto& points = a.geometry.points;
+  std::pmr::vector<char> used(points.size(), 0, memory);
+  for (Index p : chains.point) used[same.find(p)] = 1;
+  for (Index p : isolated) used[same.find(p)] = 1;
+  std::pmr::vector<Index> vertex(points.size(), kNone, memory);
+  a.vertex_point.reserve(points.size());
+  for (Index p = 0; p < points.size(); ++p)
+    if (used[p]) vertex[p] = Index(a.vertex_point.size()), a.vertex_point.push_back(p);
+  a.point_vertex.assign(points.size(), kNone);
+  for (Index p = 0; p < points.size(); ++p) {
+    Index v = vertex[same.find(p)];
+    a.point_vertex[p] = v;
+    if (v != kNone && points[p].kind == exact::Point::Kind::kGrid &&
+        points[a.vertex_point[v]].kind != exact::Point::Kind::kGrid)
+      a.vertex_point[v] = p;
+  }
+}
+
+/// A part of a piece between neighbouring points on it, at its first vertex.
+struct Part {
+  Index v1, piece, slot;
+};
+
+struct Parts {
+  std::pmr::vector<Index> start;  // of each vertex
+  std::pmr::vector<Part> parts;
+};
+
+Parts parts_by_vertex(Arrangement& a, const Chains& chains, Memory memory) {
+  Index n = a.vertex_count();
+  std::pmr::vector<Index> start(n + 1, 0, memory);
+  a.chain_start.reserve(a.pieces.size() + 1);
+  a.chain_start.push_back(0);
+  for (Index i = 0; i < a.pieces.size(); ++i) {
+    for (Index k = chains.start[i]; k + 1 < chains.start[i + 1]; ++k) ++start[a.point_vertex[chains.point[k]] + 1];
+    a.chain_start.push_back(a.chain_start.back() + (chains.start[i + 1] - chains.start[i] - 1));
+  }
+  for (Index v = 0; v < n; ++v) start[v + 1] += start[v];
+  std::pmr::vector<Part> parts(start.back(), memory);
+  std::pmr::vector<Index> at(start.begin(), start.end() - 1, memory);
+  for (Index i = 0; i < a.pieces.size(); ++i)
+    for (Index k = chains.start[i]; k + 1 < chains.start[i + 1]; ++k) {
+      Index v0 = a.point_vertex[chains.point[k]], v1 = a.point_vertex[chains.point[k + 1]];
+      parts[at[v0]++] = {v1, i, a.chain_start[i] + (k - chains.start[i])};
+    }
+  return {std::move(start), std::move(parts)};
+}
+
+bool same_curve(const Arrangement& a, const Arrangement::Edge& e, const Piece& p) {
+  return e.half == p.half && (p.half == 0 || e.carrier == p.carrier ||
+                              same_carrier(a.geometry.carriers[e.carrier], a.geometry.carriers[p.carrier]));
+}
+
+/// Which pieces each edge lies on, given how many.
+void make_covers(Arrangement& a, const std::pmr::vector<Index>& cover_count, Memory memory) {
+  a.cover_start.reserve(cover_count.size() + 1);
+  a.cover_start.push_back(0);
+  for (Index c : cover_count) a.cover_start.push_back(a.cover_start.back() + c);
+  a.cover.resize(a.chain.size());
+  std::pmr::vector<Index> fill(a.cover_start.begin(), a.cover_start.end() - 1, memory);
+  for (Index i = 0; i < a.pieces.size(); ++i)
+    for (Index k = a.chain_start[i]; k < a.chain_start[i + 1]; ++k) a.cover[fill[a.chain[k]]++] = i;
+}
+
+/// Cuts the pieces into edges; edges that are the same curve between the same vertices become one.
+void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
+  a.edges.reserve(chains.point.size() - a.pieces.size());
+  Parts all = parts_by_vertex(a, chains, memory);
+  a.chain.resize(a.chain_start.back());
+  std::pmr::vector<Index> cover_count(memory);
+  cover_count.reserve(all.parts.size());
+  for (Index v = 0; v < a.vertex_count(); ++v) {
+    auto first = all.parts.begin() + all.start[v], last = all.parts.begin() + all.start[v + 1];
+    small_sort(first, last,
+               [](const Part& p, const Part& q) { return p.v1 != q.v1 ? p.v1 < q.v1 : p.piece < q.piece; });
+    Index group = Index(a.edges.size());
+    for (auto k = first; k != last; ++k) {
+      if (k != first && k->v1 != (k - 1)->v1) group = Index(a.edges.size());
+      const Piece& p = a.pieces[k->piece];
+      Index e = group;
+      while (e < a.edges.size() && !same_curve(a, a.edges[e], p)) ++e;
+      if (e == a.edges.size()) a.edges.push_back({v, k->v1, p.carrier, p.half}), cover_count.push_back(0);
+      ++cover_count[e];
+      a.chain[k->slot] = e;
+    }
+  }
+  make_covers(a, cover_count, memory);
+}
+
+}  // namespace
+
+Arrangement arrange(Geometry geometry, std::vector<Piece> pieces, std::span<const Index> isolated, Memory memory) {
+  Scratch scratch(pieces.size());
+  Memory working = scratch.memory();
+  Arrangement a(memory);
+  a.geometry = std::move(geometry);
+  a.pieces = std::move(pieces);
+  CellGrid grid(a.geometry, a.pieces, isolated, working);
+  PieceMeetings found(a.geometry, a.pieces, working);
+  grid.pairs([&](Index i, Index j) { found.add_pair(i, j); });
+  for (Index p : isolated) {
+    const exact::Point q = a.geometry.points[p];
+    for (Index i : grid.cell(grid.column(q.x), grid.row(q.y))) found.add_point(p, i);
+  }
+  UnionFind same(a.geometry.points.size(), working);
+  for (auto& t : found.ties) same.unite(t.p, t.q);
+  Chains chains = sort_along(a.geometry, a.pieces, found, same, working);
+  unite_isolated(a.geometry, isolated, same);
+  number_vertices(a, chains, isolated, same, working);
+  make_edges(a, chains, working);
+  sort_around_vertices(a);
+  nest(a, grid, working);
+  return a;
+}
+
+}  // namespace findspace::plane

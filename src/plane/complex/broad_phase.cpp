@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/broad_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plane/base/small_sort.h"
+
+namespace findspace::plane {
+namespace {
+
+/// Relative width that covers the rounding of the box arithmetic itself, far above 2^-53.
+constexpr double kRelativeSlack = 0x1p-44;
+
+/// Up to here a sweep along x costs less than the cells.
+constexpr std::size_t kFewPieces = 256;
+
+/// y of the carrier at x, clamped into the piece's box by the caller.
+double y_at(const exact::Geometry& g, const Piece& p, double x) {
+  const exact::Carrier& k = g.carriers[p.carrier];
+  if (!k.circle) {
+    const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
+    double w = b.x - a.x;
+    return w > 0 ? a.y + (b.y - a.y) * ((x - a.x) / w) : a.y;
+  }
+  double dx = x - k.x.value, h = k.z.value * k.z.value - dx * dx;
+  double s = h > 0 ? std::sqrt(h) : 0;
+  return k.y.value + (p.half > 0 ? s : -s);
+}
+
+}  // namespace
+
+double box_slack(double error, double largest) { return error * 2 + largest * kRelativeSlack; }
+
+PieceBox box_of(const exact::Geometry& g, const Piece& p, double slack) {
+  const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
+  PieceBox box = segment_box(a, b, slack);
+  if (p.half == 0) return box;
+  const exact::Carrier& k = g.carriers[p.carrier];
+  if (k.x.value > box.x1 || k.x.value < box.x0) return box;  // monotone on this part: the ends bound it
+  double e = slack + k.z.error + k.y.error + std::abs(k.z.value) * kRelativeSlack;
+  if (p.half > 0)
+    box.y1 = std::max(box.y1, k.y.value + k.z.value + e);
+  else
+    box.y0 = std::min(box.y0, k.y.value - k.z.value - e);
+  return box;
+}
+
+CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra, Memory memory)
+    : boxes_(memory), first_column_(memory), rows_start_(memory), piece_rows_(memory), start_(memory), items_(memory) {
+  set_boxes(g, pieces, extra);
+  if (pieces.size() <= kFewPieces) {
+    enter_sorted();
+  } else {
+    set_resolution(pieces.size());
+    enter(g, pieces);
+  }
+}
+
+void CellGrid::enter_sorted() {
+  column_scale_ = 1 / std::max(box_.x1 - box_.x0, 1e-300);  // no sign: keeps the scale of a flat box finite
+  row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);     // no sign: keeps the scale of a flat box finite
+  struct Left {
+    double x0;
+    Index piece;
+  };
+  std::pmr::vector<Left> order(boxes_.get_allocator());
+  order.reserve(boxes_.size());
+  for (Index i = 0; i < boxes_.size(); ++i) order.push_back({boxes_[i].x0, i});
+  small_sort(order.begin(), order.end(),
+             [](const Left& p, const Left& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.piece < q.piece; });
+  items_.reserve(order.size());
+  for (const Left& left : order) items_.push_back(left.piece);
+  start_.assign({0, Index(items_.size())});
+}
+
+void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
+  const double inf = std::numeric_limits<double>::infinity();
+  double error = 0, largest_x = 0, largest_y = 0;
+  auto take = [&](const exact::Point& p) {
+    error = std::max(error, p.error);
+    largest_x = std::max(largest_x, std::abs(p.x)), largest_y = std::max(largest_y, std::abs(p.y));
+  };
+  for (const Piece& p : pieces) take(g.points[p.p0]), take(g.points[p.p1]);
+  for (Index p : extra) take(g.points[p]);
+  slack_ = box_slack(error, std::max(largest_x, largest_y));
+  PieceBox all{inf, inf, -inf, -inf};
+  boxes_.reserve(pieces.size());
+  for (const Piece& p : pieces) {
+    const PieceBox box = p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack_) : box_of(g, p, slack_);
+    boxes_.push_back(box);
+    all = joined(all, box);
+  }
+  for (Index p : extra) {
+    const exact::Point& q = g.points[p];
+    all = joined(all, {q.x - slack_, q.y - slack_, q.x + slack_, q.y + slack_});
+  }
+  if (all.x0 <= all.x1) box_ = all;
+}
+
+void CellGrid::set_resolution(std::size_t pieces) {
+  constexpr double kFlat = 1e-300;  // no sign: keeps the scale of a flat box finite
+  double w = std::max(box_.x1 - box_.x0, kFlat), h = std::max(box_.y1 - box_.y0, kFlat);
+  double cells = std::clamp(double(pieces), 1.0, 4.0e6), aspect = std::sqrt(w / h);
+  double side = std::sqrt(cells);
+  columns_ = Index(std::clamp(side * aspect, 1.0, cells));
+  rows_ = Index(std::clamp(side / aspect, 1.0, cells));
+  column_scale_ = columns_ / w;
+  row_scale_ = rows_ / h;
+}
+
+CellGrid::Rows CellGrid::rows_in(Index c, const exact::Geometry& g, const Piece& piece, const PieceBox& b) const {
+  const exact::Carrier& k = g.carriers[piece.carrier];
+  const double xa = std::clamp(box_.x0 + c / column_scale_ - 2 * slack_, b.x0, b.x1);
+  const double xb = std::clamp(box_.x0 + (c + 1) / column_scale_ + 2 * slack_, b.x0, b.x1);
+  if (piece.half != 0 && xa <= k.x.value && k.x.value <= xb) return {row(b.y0), row(b.y1)};
+  const double ya = y_at(g, piece, xa), yb = y_at(g, piece, xb), lo = std::min(ya, yb), hi = std::max(ya, yb);
+  const double room = 4 * slack_ + (piece.half == 0 ? 0 : k.z.error + k.y.error);
+  return {row(std::max(lo - room, b.y0)), row(std::min(hi + room, b.y1))};
+}
+
+void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
+  start_.assign(std::size_t(columns_) * rows_ + 1, 0);
+  rows_start_.reserve(pieces.size() + 1);
+  first_column_.reserve(pieces.size());
+  piece_rows_.reserve(2 * pieces.size());
+  rows_start_.assign(1, 0);
+  for (Index i = 0; i < pieces.size(); ++i) {
+    const PieceBox& b = boxes_[i];
+    Index c0 = column(b.x0), c1 = column(b.x1);
+    first_column_.push_back(c0);
+    const bool thin = c0 == c1 || b.x1 - b.x0 < 8 * slack_;
+    for (Index c = c0; c <= c1; ++c) {
+      const Rows r = thin ? Rows{row(b.y0), row(b.y1)} : rows_in(c, g, pieces[i], b);
+      piece_rows_.push_back(r);
+      for (Index y = r.lo; y <= r.hi; ++y) ++start_[std::size_t(c) * rows_ + y + 1];
+    }
+    rows_start_.push_back(Index(piece_rows_.size()));
+  }
+  for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
+  items_.resize(start_.back());
+  std::pmr::vector<Index> at(start_.begin(), start_.end() - 1, start_.get_allocator());
+  for (Index i = 0; i < pieces.size(); ++i)
+    for (Index k = rows_start_[i]; k < rows_start_[i + 1]; ++k) {
+      std::size_t column_base = std::size_t(first_column_[i] + (k - rows_start_[i])) * rows_;
+      for (Index y = piece_rows_[k].lo; y <= piece_rows_[k].hi; ++y) items_[at[column_base + y]++] = i;
+    }
+}
+
+bool CellGrid::first_common_cell(Index i, Index j, Index column, Index row) const {
+  const Rows& a = piece_rows_[rows_start_[i] + column - first_column_[i]];
+  const Rows& b = piece_rows_[rows_start_[j] + column - first_column_[j]];
+  if (row != std::max(a.lo, b.lo)) return false;
+  if (column == first_column_[i] || column == first_column_[j]) return true;
+  const Rows& p = piece_rows_[rows_start_[i] + column - 1 - first_column_[i]];
+  const Rows& q = piece_rows_[rows_start_[j] + column - 1 - first_column_[j]];
+  return std::max(p.lo, q.lo) > std::min(p.hi, q.hi);
+}
+
+}  // namespace findspace::plane

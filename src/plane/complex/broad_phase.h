@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Which pieces may meet: a uniform grid of cells, every piece entered in the cells it may cross, column by column. Few
+// pieces share a single cell, sorted by their left ends and swept. Guarantee: two pieces with a common point share a
+// cell; a pair may be reported although the pieces do not meet, and (rarely) twice. Everything here is conservative
+// double arithmetic; no sign is decided. Cost: O(cells crossed + pairs). Keywords: uniform grid, broad phase, spatial
+// hashing.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "plane/base/scratch.h"
+#include "plane/complex/arrangement.h"
+
+namespace findspace::plane {
+
+struct PieceBox {
+  double x0, y0, x1, y1;
+  bool meets(const PieceBox& o) const { return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1; }
+};
+
+inline PieceBox joined(const PieceBox& a, const PieceBox& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+class CellGrid {
+ public:
+  /// All points that will ever be asked about must be ends of the pieces or `extra`.
+  CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra, Memory memory);
+
+  /// Calls f(i, j), i < j, for every pair of pieces whose boxes meet in a common cell.
+  template <class F>
+  void pairs(F&& f) const;
+
+  Index column(double x) const { return clamp(x, box_.x0, column_scale_, columns_); }
+  Index row(double y) const { return clamp(y, box_.y0, row_scale_, rows_); }
+  double row_top(Index r) const { return box_.y0 + (r + 1) / row_scale_; }
+  std::span<const Index> cell(Index column, Index row) const {
+    std::size_t k = std::size_t(column) * rows_ + row;
+    return {items_.data() + start_[k], start_[k + 1] - start_[k]};
+  }
+  const PieceBox& box(Index piece) const { return boxes_[piece]; }
+  /// No coordinate of a known point is off by more than this.
+  double slack() const { return slack_; }
+
+ private:
+  struct Rows {
+    Index lo, hi;
+  };
+  static Index clamp(double v, double origin, double scale, Index count) {
+    double k = (v - origin) * scale;
+    return k <= 0 ? 0 : k >= double(count - 1) ? count - 1 : Index(k);
+  }
+  void set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra);
+  void set_resolution(std::size_t pieces);
+  void enter_sorted();
+  void enter(const exact::Geometry& g, std::span<const Piece> pieces);
+  /// Of one column, those that a piece may cross.
+  Rows rows_in(Index column, const exact::Geometry& g, const Piece& piece, const PieceBox& box) const;
+  bool first_common_cell(Index i, Index j, Index column, Index row) const;
+
+  std::pmr::vector<PieceBox> boxes_;
+  PieceBox box_{0, 0, 1, 1};
+  double slack_ = 0, column_scale_ = 1, row_scale_ = 1;
+  Index columns_ = 1, rows_ = 1;
+  std::pmr::vector<Index> first_column_, rows_start_;  // per piece
+  std::pmr::vector<Rows> piece_rows_;                  // per piece and column
+  std::pmr::vector<Index> start_, items_;              // cell -> pieces
+};
+
+/// How far off a box of pieces may be, from the largest error and the largest coordinate of their ends.
+double box_slack(double error, double largest);
+inline PieceBox segment_box(const exact::Point& a, const exact::Point& b, double slack) {
+  return {a.x - slack, std::min(a.y, b.y) - slack, b.x + slack, std::max(a.y, b.y) + slack};
+}
+/// Holds the piece.
+PieceBox box_of(const exact::Geometry& g, const Piece& piece, double slack);
+
+template <class F>
+void CellGrid::pairs(F&& f) const {
+  if (columns_ * rows_ == 1) {
+    for (std::size_t s = 0; s < items_.size(); ++s) {
+      const PieceBox& b = boxes_[items_[s]];
+      for (std::size_t t = s + 1; t < items_.size() && boxes_[items_[t]].x0 <= b.x1; ++t)
+        if (b.meets(boxes_[items_[t]])) f(std::min(items_[s], items_[t]), std::max(items_[s], items_[t]));
+    }
+    return;
+  }
+  for (Index c = 0; c < columns_; ++c)
+    for (Index r = 0; r < rows_; ++r) {
+      auto in = cell(c, r);
+      for (std::size_t s = 0; s + 1 < in.size(); ++s) {
+        const PieceBox& b = boxes_[in[s]];
+        for (std::size_t t = s + 1; t < in.size(); ++t)
+          if (b.meets(boxes_[in[t]]) && first_common_cell(in[s], in[t], c, r)) f(in[s], in[t]);
+      }
+    }
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/extent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace findspace::plane {
+namespace {
+
+constexpr double kRelative = 0x1p-50;  // more than the rounding of the few operations below
+
+void grow(std::optional<PieceBox>& box, double x, double y, double room) {
+  const double dx = room + std::abs(x) * kRelative, dy = room + std::abs(y) * kRelative;
+  if (!box) box = PieceBox{x - dx, y - dy, x + dx, y + dy};
+  box->x0 = std::min(box->x0, x - dx), box->x1 = std::max(box->x1, x + dx);
+  box->y0 = std::min(box->y0, y - dy), box->y1 = std::max(box->y1, y + dy);
+}
+
+/// Ends are vertices; what an arc adds is its highest or lowest point.
+void grow_by_arc(std::optional<PieceBox>& box, const CellComplex& c, const Edge& arc) {
+  const exact::Carrier& k = c.geometry.carriers[arc.carrier];
+  const double x = std::clamp(k.x.value, box->x0, box->x1);
+  grow(box, x, k.y.value + arc.half * k.z.value, k.y.error + k.z.error + std::abs(k.z.value) * kRelative);
+}
+
+}  // namespace
+
+std::optional<PieceBox> extent(const CellComplex& c) {
+  std::optional<PieceBox> box;
+  for (const Vertex& v : c.vertices) {
+    const exact::Point& p = c.geometry.points[v.point];
+    grow(box, p.x, p.y, p.error);
+  }
+  for (const Edge& e : c.edges)
+    if (e.half != 0) grow_by_arc(box, c, e);
+  return box;
+}
+
+PieceBox edge_box(const CellComplex& c, Index edge) {
+  std::optional<PieceBox> box;
+  const Edge& e = c.edges[edge];
+  for (const Index v : {e.v0, e.v1}) grow(box, c.point(v).x, c.point(v).y, c.point(v).error);
+  if (e.half != 0) grow_by_arc(box, c, e);
+  return *box;
+}
+
+PieceBox moved(const PieceBox& box, const exact::RealPoint& by) {
+  std::optional<PieceBox> out;
+  const exact::Interval x = by.x.interval(), y = by.y.interval();
+  grow(out, box.x0 + x.lo, box.y0 + y.lo, 0);
+  grow(out, box.x1 + x.hi, box.y1 + y.hi, 0);
+  return *out;
+}
+
+}  // namespace findspace::plane

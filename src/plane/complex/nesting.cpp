@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/nesting.h"
+
+#include <algorithm>
+
+#include "plane/base/union_find.h"
+#include "plane/complex/piece_meet.h"
+
+namespace findspace::plane {
+namespace {
+
+using exact::Geometry;
+
+/// The vertical ray downwards from just left of a vertex.
+class DownwardRay {
+ public:
+  DownwardRay(const Arrangement& a, const CellGrid& grid) : a_(a), g_(a.geometry), grid_(grid) {}
+
+  /// A half-edge whose left face is the face just left of the vertex, which has nothing to its left; kNone: unbounded.
+  Index face_side(Index vertex) {
+    from_ = a_.vertex_point[vertex];
+    const exact::Point& p = g_.points[from_];
+    best_ = kNone;
+    Index top = grid_.row(p.y + 2 * grid_.slack());
+    for (Index c = grid_.column(p.x - 2 * grid_.slack()), last = grid_.column(p.x + 2 * grid_.slack()); c <= last; ++c)
+      for (Index r = top + 1; r-- > 0;) {
+        if (best_ != kNone && best_y_.value - best_y_.error > grid_.row_top(r) + 2 * grid_.slack()) break;
+        for (Index i : grid_.cell(c, r)) consider(i);
+      }
+    return best_ == kNone ? kNone : side_of_hit();
+  }
+
+ private:
+  void consider(Index i) {
+    const Piece& p = a_.pieces[i];
+    if (i == best_ || (p.half == 0 && g_.carriers[p.carrier].b == 0)) return;  // vertical: never left of the vertex
+    if (g_.compare_x(p.p0, from_) >= 0 || g_.compare_x(p.p1, from_) < 0) return;
+    if (height(g_, p, from_) <= 0) return;
+    if (best_ != kNone && compare_heights(g_, p, a_.pieces[best_], from_) <= 0) return;
+    best_ = i;
+    best_y_ = approx_y_at(g_, p, from_);
+  }
+
+  Index side_of_hit() const {
+    auto first = a_.chain.begin() + a_.chain_start[best_], last = a_.chain.begin() + a_.chain_start[best_ + 1];
+    auto hit = std::partition_point(first, last,
+                                    [&](Index e) { return g_.compare_x(a_.vertex_point[a_.edges[e].v1], from_) < 0; });
+    Index w = a_.edges[*hit].v1;
+    if (g_.compare_x(a_.vertex_point[w], from_) != 0) return 2 * *hit;
+    // The ray ends in a vertex: the sector that looks up and a little to the left.
+    auto begin = a_.out.begin() + a_.out_start[w], end = a_.out.begin() + a_.out_start[w + 1];
+    auto left = std::find_if(begin, end, [](Index h) { return h & 1u; });
+    return left == begin ? *(end - 1) : *(left - 1);
+  }
+
+  const Arrangement& a_;
+  const Geometry& g_;
+  const CellGrid& grid_;
+  Index from_ = 0, best_ = kNone;
+  exact::Approx best_y_;
+};
+
+struct Components {
+  UnionFind connected;
+  std::pmr::vector<Index> first;  // leading vertex -> its lexicographically smallest vertex
+  Components(const Arrangement& a, Memory memory)
+      : connected(a.vertex_count(), memory), first(a.vertex_count(), kNone, memory) {
+    for (const auto& e : a.edges) connected.unite(e.v0, e.v1);
+    for (Index v = 0; v < a.vertex_count(); ++v) {
+      // A smallest vertex has nothing to its left, so all its half-edges go right.
+      if (a.degree(v) && (a.out[a.out_start[v + 1] - 1] & 1u)) continue;
+      Index& f = first[connected.find(v)];
+      if (f == kNone || a.geometry.compare_xy(a.vertex_point[v], a.vertex_point[f]) < 0) f = v;
+    }
+  }
+};
+
+}  // namespace
+
+void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
+  std::pmr::vector<Index> cycle(a.next.size(), kNone, memory);
+  Index cycles = 0;
+  for (Index h = 0; h < a.next.size(); ++h) {
+    if (cycle[h] != kNone) continue;
+    for (Index k = h; cycle[k] == kNone; k = a.next[k]) cycle[k] = cycles;
+    ++cycles;
+  }
+  Components parts(a, memory);
+  std::pmr::vector<Index> order(memory);
+  for (Index v = 0; v < a.vertex_count(); ++v)
+    if (parts.first[v] != kNone) order.push_back(parts.first[v]);
+  // From left to right, so that the component a ray hits is known before.
+  std::sort(order.begin(), order.end(),
+            [&](Index v, Index w) { return a.geometry.compare_xy(a.vertex_point[v], a.vertex_point[w]) < 0; });
+  std::pmr::vector<Index> face_of(cycles, kNone, memory);
+  std::pmr::vector<char> outside(cycles, 0, memory);
+  for (Index v : order)
+    if (a.degree(v)) outside[cycle[a.out[a.out_start[v + 1] - 1]]] = 1;
+  a.face_count = 1;
+  for (Index c = 0; c < cycles; ++c)
+    if (!outside[c]) face_of[c] = a.face_count++;
+  a.isolated_face.assign(a.vertex_count(), kNone);
+  DownwardRay ray(a, grid);
+  for (Index v : order) {
+    Index h = order.front() == v ? kNone : ray.face_side(v);
+    Index f = h == kNone ? 0 : face_of[cycle[h]];
+    if (a.degree(v))
+      face_of[cycle[a.out[a.out_start[v + 1] - 1]]] = f;
+    else
+      a.isolated_face[v] = f;
+  }
+  a.face.resize(a.next.size());
+  for (Index h = 0; h < a.next.size(); ++h) a.face[h] = face_of[cycle[h]];
+}
+
+}  // namespace findspace::plane

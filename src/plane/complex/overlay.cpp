@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "plane/base/scratch.h"
+#include "plane/complex/arrangement.h"
+#include "plane/complex/face_walk.h"
+#include "plane/complex/side_by_side.h"
+#include "plane/complex/simplify.h"
+
+namespace findspace::plane {
+namespace {
+
+using exact::Geometry;
+
+/// Where a piece of the overlay comes from.
+struct Source {
+  Index operand, edge;
+};
+
+struct Input {
+  Geometry geometry;
+  std::vector<Piece> pieces;
+  std::vector<Source> source;
+  std::vector<Index> point_offset;  // operand -> its first point
+  std::vector<Index> isolated;
+};
+
+void make_room(Input& in, std::span<const CellComplex* const> operands) {
+  std::size_t carriers = 0, points = 0, edges = 0;
+  for (const CellComplex* c : operands)
+    carriers += c->geometry.carriers.size(), points += c->geometry.points.size(), edges += c->edges.size();
+  in.geometry.carriers.reserve(carriers);
+  in.geometry.points.reserve(points + points / 4);  // and some crossings
+  in.pieces.reserve(edges);
+  in.source.reserve(edges);
+  in.point_offset.reserve(operands.size());
+}
+
+Input gather(std::span<const CellComplex* const> operands) {
+  Input in;
+  make_room(in, operands);
+  for (Index k = 0; k < operands.size(); ++k) {
+    const CellComplex& c = *operands[k];
+    Index carrier = Index(in.geometry.carriers.size()), point = append(in.geometry, c.geometry);
+    in.point_offset.push_back(point);
+    for (Index e = 0; e < c.edges.size(); ++e) {
+      const Edge& d = c.edges[e];
+      in.pieces.push_back({.carrier = d.carrier + carrier,
+                           .p0 = c.vertices[d.v0].point + point,
+                           .p1 = c.vertices[d.v1].point + point,
+                           .half = d.half,
+                           .group = k});
+      in.source.push_back({k, e});
+    }
+    for (const Vertex& v : c.vertices)
+      if (v.out == kNone) in.isolated.push_back(v.point + point);
+  }
+  return in;
+}
+
+/// The marks of all operands on all cells of the common refinement.
+class Labels {
+ public:
+  Labels(const Arrangement& a, const Input& in, std::span<const CellComplex* const> operands)
+      : a_(a), in_(in), operands_(operands), width_(operands.size()) {
+    label_faces();
+    label_edges();
+    label_vertices();
+  }
+
+  Marks evaluate(const std::function<Mark(std::span<const Mark>)>& rule) const {
+    auto apply = [&](const std::vector<Mark>& rows, std::size_t count) {
+      std::vector<Mark> out(count);
+      for (std::size_t k = 0; k < count; ++k) out[k] = rule({rows.data() + k * width_, width_});
+      return out;
+    };
+    return {apply(faces_, a_.face_count), apply(edges_, a_.edge_count()), apply(vertices_, a_.vertex_count())};
+  }
+
+ private:
+  std::span<Mark> row(std::vector<Mark>& rows, Index k) { return {rows.data() + k * width_, width_}; }
+
+  /// Copies face f's row to `to` and changes it to the row on the other side of half-edge h.
+  void cross(Index h, std::span<const Mark> from, std::span<Mark> to) {
+    std::copy(from.begin(), from.end(), to.begin());
+    for (Index k = a_.cover_start[h / 2]; k < a_.cover_start[h / 2 + 1]; ++k) {
+      const Source& s = in_.source[a_.cover[k]];
+      const CellComplex& c = *operands_[s.operand];
+      // Pieces and operand edges both run from the smaller to the larger end, so sides correspond.
+      to[s.operand] = c.faces[c.face(2 * s.edge + (h & 1u ? 0 : 1))].mark;
+    }
+  }
+
+  void label_faces() {
+    faces_.resize(std::size_t(a_.face_count) * width_);
+    for (Index k = 0; k < width_; ++k) faces_[k] = operands_[k]->faces[0].mark;
+    walk_faces(a_, [&](Index h) { cross(h, row(faces_, a_.face[h]), row(faces_, a_.face[h ^ 1u])); });
+  }
+
+  void label_edges() {
+    edges_.resize(std::size_t(a_.edge_count()) * width_);
+    for (Index e = 0; e < a_.edge_count(); ++e) {
+      auto from = row(faces_, a_.face[2 * e]), to = row(edges_, e);
+      std::copy(from.begin(), from.end(), to.begin());
+      for (Index k = a_.cover_start[e]; k < a_.cover_start[e + 1]; ++k) {
+        const Source& s = in_.source[a_.cover[k]];
+        to[s.operand] = operands_[s.operand]->edges[s.edge].mark;
+      }
+    }
+  }
+
+  void label_vertices() {
+    vertices_.resize(std::size_t(a_.vertex_count()) * width_);
+    for (Index v = 0; v < a_.vertex_count(); ++v) {
+      auto from = row(faces_, a_.some_face(v)), to = row(vertices_, v);
+      std::copy(from.begin(), from.end(), to.begin());
+    }
+    for (Index i = 0; i < a_.pieces.size(); ++i) {
+      const Source& s = in_.source[i];
+      for (Index k = a_.chain_start[i] + 1; k < a_.chain_start[i + 1]; ++k)
+        row(vertices_, a_.edges[a_.chain[k]].v0)[s.operand] = operands_[s.operand]->edges[s.edge].mark;
+    }
+    for (Index k = 0; k < width_; ++k)
+      for (const Vertex& v : operands_[k]->vertices)
+        row(vertices_, a_.point_vertex[v.point + in_.point_offset[k]])[k] = v.mark;
+  }
+
+  const Arrangement& a_;
+  const Input& in_;
+  std::span<const CellComplex* const> operands_;
+  std::size_t width_;
+  std::vector<Mark> faces_, edges_, vertices_;
+};
+
+/// On every cell the sum of the weights of the operands (of marks 0 and 1) that contain it.
+class Weights {
+ public:
+  Weights(const Arrangement& a, const Input& in, std::span<const Region* const> operands,
+          std::span<const std::int32_t> weight)
+      : a_(a), in_(in), operands_(operands), weight_(weight) {
+    weigh_faces();
+    weigh_edges();
+    weigh_vertices();
+  }
+
+  template <class Rule>
+  Marks evaluate(Rule&& rule) const {
+    auto apply = [&](const std::vector<std::int32_t>& sums) {
+      std::vector<Mark> out(sums.size());
+      for (std::size_t k = 0; k < sums.size(); ++k) out[k] = rule(sums[k]);
+      return out;
+    };
+    return {apply(faces_), apply(edges_), apply(vertices_)};
+  }
+
+ private:
+  std::int32_t weight(Index operand, Mark mark) const { return mark > 0 ? weight_[operand] : 0; }
+  Mark face_mark(const Source& s, Index side) const {
+    const Region& c = *operands_[s.operand];
+    return c.faces[c.face(2 * s.edge + side)].mark;
+  }
+
+  void weigh_faces() {
+    faces_.resize(a_.face_count);
+    for (Index k = 0; k < operands_.size(); ++k) faces_[0] += weight(k, operands_[k]->faces[0].mark);
+    walk_faces(a_, [&](Index h) {
+      std::int32_t sum = faces_[a_.face[h]];
+      // Pieces and operand edges both run from the smaller to the larger end, so sides correspond.
+      for (Index k = a_.cover_start[h / 2]; k < a_.cover_start[h / 2 + 1]; ++k) {
+        const Source& s = in_.source[a_.cover[k]];
+        sum += weight(s.operand, face_mark(s, ~h & 1u)) - weight(s.operand, face_mark(s, h & 1u));
+      }
+      faces_[a_.face[h ^ 1u]] = sum;
+    });
+  }
+
+  void weigh_edges() {
+    edges_.resize(a_.edge_count());
+    for (Index e = 0; e < a_.edge_count(); ++e) {
+      edges_[e] = faces_[a_.face[2 * e]];
+      for (Index k = a_.cover_start[e]; k < a_.cover_start[e + 1]; ++k) {
+        const Source& s = in_.source[a_.cover[k]];
+        edges_[e] += weight(s.operand, operands_[s.operand]->edges[s.edge].mark) - weight(s.operand, face_mark(s, 0));
+      }
+    }
+  }
+
+  /// Starts from the face in the sector after the first half-edge; an operand with something at the vertex counts there
+  /// with the mark of that instead of the mark of its face in that sector.
+  void weigh_vertices() {
+    vertices_.resize(a_.vertex_count());
+    for (Index v = 0; v < a_.vertex_count(); ++v) vertices_[v] = faces_[a_.some_face(v)];
+    for (Index i = 0; i < a_.pieces.size(); ++i) {
+      const Source& s = in_.source[i];
+      for (Index k = a_.chain_start[i] + 1; k < a_.chain_start[i + 1]; ++k) {
+        bool left = passes(0, a_.rank[2 * a_.chain[k]], a_.rank[2 * a_.chain[k - 1] + 1]);
+        vertices_[a_.edges[a_.chain[k]].v0] +=
+            weight(s.operand, operands_[s.operand]->edges[s.edge].mark) - weight(s.operand, face_mark(s, left ? 0 : 1));
+      }
+    }
+    Index piece = 0;
+    for (Index k = 0; k < operands_.size(); ++k) {
+      const Region& c = *operands_[k];
+      for (const Vertex& v : c.vertices)
+        vertices_[a_.point_vertex[v.point + in_.point_offset[k]]] +=
+            weight(k, v.mark) - weight(k, c.faces[v.out == kNone ? v.face : c.face(face_before(c, v.out, piece))].mark);
+      piece += Index(c.edges.size());
+    }
+  }
+
+  /// Of the operand's half-edges around the origin of `out`, the last one before or at the first of the arrangement's,
+  /// going counter-clockwise; `piece` is the operand's first.
+  Index face_before(const Region& c, Index out, Index piece) const {
+    Index best = kNone, best_rank = 0, h = out;
+    do {
+      Index i = piece + h / 2;
+      Index rank = a_.rank[h & 1u ? 2 * a_.chain[a_.chain_start[i + 1] - 1] + 1 : 2 * a_.chain[a_.chain_start[i]]];
+      if (rank == 0) return h;
+      if (best == kNone || rank > best_rank) best = h, best_rank = rank;
+      h = c.clockwise(h);
+    } while (h != out);
+    return best;
+  }
+
+  const Arrangement& a_;
+  const Input& in_;
+  std::span<const Region* const> operands_;
+  std::span<const std::int32_t> weight_;
+  std::vector<std::int32_t> faces_, edges_, vertices_;
+};
+
+/// Where the sum of weights satisfies the rule. Cost: one arrangement, whatever the number of operands.
+template <class Rule>
+Region combine(std::span<const Region* const> regions, std::span<const std::int32_t> weight, Rule&& rule) {
+  Input in = gather(regions);
+  Scratch scratch(in.pieces.size());
+  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, scratch.memory());
+  return extract(a, Weights(a, in, regions, weight).evaluate(rule));
+}
+
+}  // namespace
+
+CellComplex overlay(std::span<const CellComplex* const> operands,
+                    const std::function<Mark(std::span<const Mark>)>& rule) {
+  Input in = gather(operands);
+  Scratch scratch(in.pieces.size());
+  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, scratch.memory());
+  return extract(a, Labels(a, in, operands).evaluate(rule));
+}
+
+Region unite(std::span<const Region* const> regions) {
+  std::vector<std::int32_t> ones(regions.size(), 1);
+  return combine(regions, ones, [](std::int32_t sum) { return Mark(sum > 0); });
+}
+
+Region intersect(std::span<const Region* const> regions) {
+  std::vector<std::int32_t> ones(regions.size(), 1);
+  return combine(regions, ones, [all = std::int32_t(regions.size())](std::int32_t sum) { return Mark(sum == all); });
+}
+
+Region subtract(std::span<const Region* const> regions) {
+  std::vector<std::int32_t> weight(regions.size(), -1);
+  weight[0] = 1;
+  return combine(regions, weight, [](std::int32_t sum) { return Mark(sum == 1); });
+}
+
+CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule) {
+  std::array<std::optional<Mark>, 256> made;  // by mark + 128
+  std::array<bool, 256> taken{};
+  bool all_differ = true;
+  auto change = [&](Mark& m) {
+    auto& to = made[std::size_t(m + 128)];
+    if (!to) {
+      to = rule(m);
+      bool& used = taken[std::size_t(*to + 128)];
+      all_differ &= !used;
+      used = true;
+    }
+    m = *to;
+  };
+  for (Vertex& v : complex.vertices) change(v.mark);
+  for (Edge& e : complex.edges) change(e.mark);
+  for (Face& f : complex.faces) change(f.mark);
+  if (all_differ) return complex;  // what differed still differs
+  return simplify(complex);
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/piece_builder.h"
+
+namespace findspace::plane {
+
+using exact::Carrier;
+using exact::int128;
+
+Index PieceBuilder::line(const GridPoint& p, const GridPoint& q) {
+  std::int64_t a = q.y - p.y, b = p.x - q.x;
+  exact::make_primitive(a, b);
+  return geometry.add_line(a, b, int128(a) * p.x + int128(b) * p.y);
+}
+
+void PieceBuilder::segment(Index carrier, Index from, Index to, bool right) {
+  pieces.push_back({.carrier = carrier, .p0 = right ? from : to, .p1 = right ? to : from});
+  forward.push_back(right);
+}
+
+void PieceBuilder::segment(const GridPoint& p, const GridPoint& q) {
+  Index from = geometry.add_grid_point(p.x, p.y), to = geometry.add_grid_point(q.x, q.y);
+  segment(line(p, q), from, to, p < q);
+}
+
+Index PieceBuilder::extreme(Index circle, int side) {
+  const Carrier k = geometry.carriers[circle];
+  exact::Real x = side > 0 ? k.center_x() + k.w : k.center_x() - k.w;
+  return geometry.add_real_point(x, k.center_y());
+}
+
+void PieceBuilder::arc(Index circle, Index from, Index to, bool ccw) {
+  int up = geometry.above_center(from, circle);
+  if (up == 0) up = (geometry.right_of_center(from, circle) > 0) == ccw ? 1 : -1;
+  int end_up = geometry.above_center(to, circle);
+  Index at = from;
+  for (bool first = true;; first = false, up = -up) {
+    bool right = (up < 0) == ccw;
+    // Is the end ahead on this half? Never at once when the whole circle is meant.
+    bool here = end_up == up || (end_up == 0 && (geometry.right_of_center(to, circle) > 0) == right);
+    if (here && first) {
+      int order = geometry.compare_x(to, at);
+      here = right ? order > 0 : order < 0;
+    }
+    Index next = here ? to : extreme(circle, right ? 1 : -1);
+    pieces.push_back({.carrier = circle, .p0 = right ? at : next, .p1 = right ? next : at, .half = std::int8_t(up)});
+    forward.push_back(right);
+    if (here) return;
+    at = next;
+  }
+}
+
+void PieceBuilder::edge(const ContourEdge& e, const GridPoint& to) {
+  if (!e.arc) return segment(e.start, to);
+  Index from = geometry.add_grid_point(e.start.x, e.start.y);
+  Index end = e.start == to ? from : geometry.add_grid_point(to.x, to.y);
+  arc(geometry.add(Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, end, e.ccw);
+}
+
+void PieceBuilder::circle(Index circle) {
+  Index start = extreme(circle, -1);
+  arc(circle, start, start, true);
+}
+
+}  // namespace findspace::plane

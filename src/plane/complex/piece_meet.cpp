@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/piece_meet.h"
+
+#include <cmath>
+
+namespace findspace::plane {
+
+using exact::Geometry;
+using exact::Real;
+
+namespace {
+
+/// Exact y of a non-vertical piece at the x of a point.
+Real exact_y_at(const Geometry& g, const Piece& p, Index point) {
+  const exact::Carrier& k = g.carriers[p.carrier];
+  Real x = g.exact_x(point);
+  if (!k.circle) return (k.offset() - Real(k.a) * x) / Real(k.b);
+  Real dx = x - k.center_x(), root = sqrt(k.w * k.w - dx * dx);
+  return p.half > 0 ? k.center_y() + root : k.center_y() - root;
+}
+
+}  // namespace
+
+exact::Approx approx_y_at(const Geometry& g, const Piece& p, Index point) {
+  const exact::Carrier& k = g.carriers[p.carrier];
+  exact::Approx x{g.points[point].x, g.points[point].error};
+  if (!k.circle) return (k.z - k.x * x) / k.y;
+  exact::Approx dx = x - k.x, root = sqrt((k.z - dx) * (k.z + dx));
+  return p.half > 0 ? k.y + root : k.y - root;
+}
+
+int compare_heights(const Geometry& g, const Piece& p, const Piece& q, Index point) {
+  const int s = (approx_y_at(g, p, point) - approx_y_at(g, q, point)).sign();
+  return s != 0 ? s : compare(exact_y_at(g, p, point), exact_y_at(g, q, point));
+}
+
+int compare_along(const Geometry& g, const Piece& piece, Index p, Index q) {
+  if (piece.half != 0) return g.compare_x(p, q);
+  // Along the longer axis the filter decides more often. A line of slope -a/b (a >= 0) rises for b <= 0.
+  const exact::Carrier& k = g.carriers[piece.carrier];
+  if (k.a <= std::abs(k.b)) return g.compare_x(p, q);
+  return k.b > 0 ? g.compare_y(q, p) : g.compare_y(p, q);
+}
+
+Within within(const Geometry& g, const Piece& piece, Index point) {
+  if (point == piece.p0) return Within::kAtStart;
+  if (point == piece.p1) return Within::kAtEnd;
+  int from = compare_along(g, piece, point, piece.p0);
+  if (from < 0) return Within::kOutside;
+  int to = compare_along(g, piece, point, piece.p1);
+  if (to > 0) return Within::kOutside;
+  if (piece.half != 0) {
+    int up = g.above_center(point, piece.carrier);
+    if (up != 0 && up != piece.half) return Within::kOutside;
+  }
+  return from == 0 ? Within::kAtStart : to == 0 ? Within::kAtEnd : Within::kInside;
+}
+
+int height(const Geometry& g, const Piece& piece, Index point) {
+  int s = g.side(point, piece.carrier);
+  if (piece.half == 0) return g.carriers[piece.carrier].b > 0 ? s : -s;
+  if (s < 0) return -piece.half;  // inside the circle: below the upper half, above the lower one
+  int up = g.above_center(point, piece.carrier);
+  if (s > 0) return up != 0 ? up : piece.half;
+  return up == 0 || up == piece.half ? 0 : up;
+}
+
+void PieceMeetings::add_pair(Index i, Index j) {
+  const Piece &p = pieces_[i], &q = pieces_[j];
+  if (p.group == q.group && p.group != kNone) return;
+  if (p.half == 0 && q.half == 0) return lines(i, j);
+  if ((p.carrier == q.carrier || same_carrier(g_.carriers[p.carrier], g_.carriers[q.carrier])) && p.half != 0 &&
+      q.half != 0)
+    return overlap(i, j);
+  curves(i, j);
+}
+
+void PieceMeetings::add_point(Index point, Index piece) {
+  const Piece& p = pieces_[piece];
+  if (!g_.lies_on(point, p.carrier)) return;
+  place(piece, point, within(g_, p, point));
+}
+
+void PieceMeetings::place(Index piece, Index point, Within where) {
+  const Piece& p = pieces_[piece];
+  if (where == Within::kInside) splits.push_back({piece, point});
+  if (where == Within::kAtStart && p.p0 != point) ties.push_back({p.p0, point});
+  if (where == Within::kAtEnd && p.p1 != point) ties.push_back({p.p1, point});
+}
+
+void PieceMeetings::lines(Index i, Index j) {
+  const Piece &p = pieces_[i], &q = pieces_[j];
+  const exact::Carrier &k = g_.carriers[p.carrier], &l = g_.carriers[q.carrier];
+  if (k.a == l.a && k.b == l.b) {  // primitive normals: parallel
+    if (p.carrier == q.carrier || same_carrier(k, l)) overlap(i, j);
+    return;
+  }
+  if (shared_end(p, q) != kNone) return;  // the one common point
+  int s0 = g_.side(q.p0, p.carrier), s1 = g_.side(q.p1, p.carrier);
+  if (s0 * s1 > 0) return;
+  int t0 = g_.side(p.p0, q.carrier), t1 = g_.side(p.p1, q.carrier);
+  if (t0 * t1 > 0) return;
+  if (s0 != 0 && s1 != 0 && t0 != 0 && t1 != 0) {
+    Index point = g_.add_crossing(p.carrier, q.carrier, 0);
+    splits.push_back({i, point});
+    splits.push_back({j, point});
+    return;
+  }
+  // The one common point is an end of at least one of the two.
+  Index end = s0 == 0 ? q.p0 : s1 == 0 ? q.p1 : t0 == 0 ? p.p0 : p.p1;
+  place(i, end, t0 == 0 ? Within::kAtStart : t1 == 0 ? Within::kAtEnd : Within::kInside);
+  place(j, end, s0 == 0 ? Within::kAtStart : s1 == 0 ? Within::kAtEnd : Within::kInside);
+}
+
+void PieceMeetings::overlap(Index i, Index j) {
+  const Piece &p = pieces_[i], &q = pieces_[j];
+  for (Index end : {q.p0, q.p1}) place(i, end, within(g_, p, end));
+  for (Index end : {p.p0, p.p1}) place(j, end, within(g_, q, end));
+}
+
+Index PieceMeetings::shared_end(const Piece& p, const Piece& q) const {
+  if (p.p0 == q.p0 || p.p0 == q.p1) return p.p0;
+  if (p.p1 == q.p0 || p.p1 == q.p1) return p.p1;
+  return kNone;
+}
+
+/// Of two different roots, is `end` (known to be one of them) the first?
+bool PieceMeetings::is_root(Index end, Index root_point, Index other_root_point) const {
+  const exact::Point &e = g_.points[end], &r = g_.points[root_point], &o = g_.points[other_root_point];
+  auto apart = [](const exact::Point& a, const exact::Point& b) {
+    double room = (a.error + b.error) * exact::Approx::kGrow;
+    return std::abs(a.x - b.x) > room || std::abs(a.y - b.y) > room;
+  };
+  if (apart(e, r)) return false;
+  if (apart(e, o)) return true;
+  return g_.compare_xy(end, root_point) == 0;
+}
+
+void PieceMeetings::meet_at(Index i, Index j, Index point) {
+  const Piece &p = pieces_[i], &q = pieces_[j];
+  Within wp = within(g_, p, point);
+  if (wp == Within::kOutside) return;
+  Within wq = within(g_, q, point);
+  if (wq == Within::kOutside) return;
+  // Prefer the id of an end, so that known points keep one id.
+  Index id = wp == Within::kAtStart   ? p.p0
+             : wp == Within::kAtEnd   ? p.p1
+             : wq == Within::kAtStart ? q.p0
+             : wq == Within::kAtEnd   ? q.p1
+                                      : point;
+  place(i, id, wp);
+  place(j, id, wq);
+}
+
+void PieceMeetings::curves(Index i, Index j) {
+  const Piece &p = pieces_[i], &q = pieces_[j];
+  Index shared = shared_end(p, q);
+  if (shared != kNone) {
+    bool smooth_p = shared == p.p0 ? p.smooth0 : p.smooth1, smooth_q = shared == q.p0 ? q.smooth0 : q.smooth1;
+    if (smooth_p && smooth_q) return;  // tangent there: a double root, no further meeting
+  }
+  for (Index end : {p.p0, p.p1, q.p0, q.p1})
+    if (g_.touch_at(end, p.carrier, q.carrier)) return end == shared ? void() : meet_at(i, j, end);
+  auto m = g_.meet(p.carrier, q.carrier);
+  if (m.count == 0 || (m.count == 1 && shared != kNone)) return;
+  std::size_t before = g_.points.size();
+  Index roots[2];
+  for (int k = 0; k < m.count; ++k) roots[k] = g_.add_crossing(p.carrier, q.carrier, m.root[k]);
+  int skip = shared == kNone ? -1 : is_root(shared, roots[0], roots[1]) ? 0 : 1;
+  std::size_t known = splits.size();
+  for (int k = 0; k < m.count; ++k)
+    if (k != skip) meet_at(i, j, roots[k]);
+  bool used = false;
+  for (std::size_t s = known; s < splits.size(); ++s) used |= splits[s].point >= before;
+  if (!used) g_.points.resize(before);
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Where pieces meet: the exact narrow phase of the arrangement. Guarantee: after all pairs that share a cell have been
+// given, every common point of two pieces is an end of them or recorded as a split, under point ids that either are the
+// same or are united by `ties` or by the later sort along a piece. Cost: two to four orientation tests for two
+// segments.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plane/base/scratch.h"
+#include "plane/complex/arrangement.h"
+
+namespace findspace::plane {
+
+/// Where a point of the carrier lies with regard to a piece.
+enum class Within { kOutside, kAtStart, kInside, kAtEnd };
+Within within(const exact::Geometry& g, const Piece& piece, Index point_on_carrier);
+
+/// Order of two points of one piece, from p0 to p1.
+int compare_along(const exact::Geometry& g, const Piece& piece, Index p, Index q);
+
+/// Sign of the point's height over the piece (a non-vertical one whose x-range contains the point): +1 above, 0 on it.
+int height(const exact::Geometry& g, const Piece& piece, Index point);
+
+/// y of a non-vertical piece at the x of a point, which is in its range; the order of two there.
+exact::Approx approx_y_at(const exact::Geometry& g, const Piece& piece, Index point);
+int compare_heights(const exact::Geometry& g, const Piece& p, const Piece& q, Index point);
+
+class PieceMeetings {
+ public:
+  struct Split {
+    Index piece, point;
+  };
+  struct Tie {
+    Index p, q;
+  };
+
+  PieceMeetings(exact::Geometry& g, std::span<const Piece> pieces, Memory memory)
+      : splits(memory), ties(memory), g_(g), pieces_(pieces) {}
+  void add_pair(Index i, Index j);
+  /// Records an isolated point if it lies on the piece.
+  void add_point(Index point, Index piece);
+
+  std::pmr::vector<Split> splits;
+  std::pmr::vector<Tie> ties;
+
+ private:
+  void lines(Index i, Index j);
+  void overlap(Index i, Index j);
+  void curves(Index i, Index j);
+  void place(Index piece, Index point, Within where);
+  void meet_at(Index i, Index j, Index point);
+  Index shared_end(const Piece& p, const Piece& q) const;
+  bool is_root(Index end, Index root_point, Index other_root_point) const;
+
+  exact::Geometry& g_;
+  std::span<const Piece> pieces_;
+};
+
+}  // namespace findspace::plane

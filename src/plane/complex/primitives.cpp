@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/primitives.h"
+
+#include "exact/number/primitive.h"
+#include "plane/base/scratch.h"
+#include "plane/complex/piece_builder.h"
+#include "plane/complex/ring_map.h"
+#include "plane/complex/simplify.h"
+#include "plane/complex/winding.h"
+
+namespace findspace::plane {
+namespace {
+
+/// Valid rings need no arrangement: their edges, cut into x-monotone curves, are those of the region, in order.
+class RingBuilder {
+ public:
+  RingBuilder(std::span<const Contour> rings, Memory memory) : edges_(memory), starts_(memory), normals_(memory) {
+    std::size_t count = 0;
+    for (const Contour& ring : rings) count += ring.size();
+    curves_.geometry.carriers.reserve(count);
+    curves_.geometry.points.reserve(count);
+    edges_.reserve(count);
+    normals_.reserve(count);
+    for (const Contour& ring : rings) add(ring);
+  }
+
+  Region build() && {
+    Region region = ring_complex(std::move(curves_.geometry), edges_, rings_of_one_face(starts_), {1, 1, 0});
+    if (could_merge_) return simplify(region);
+    return region;
+  }
+
+ private:
+  void add(const Contour& ring) {
+    const Index first = Index(edges_.size()), corner = Index(curves_.geometry.points.size()), n = Index(ring.size());
+    starts_.push_back(first);
+    normals_.clear();
+    for (Index k = 0; k < n; ++k) {
+      const GridPoint &p = ring[k].start, &q = ring[k + 1 == n ? 0 : k + 1].start;
+      curves_.geometry.add_grid_point(p.x, p.y);
+      normals_.push_back(ring[k].arc ? exact::Normal{1, 0} : exact::Normal{q.y - p.y, p.x - q.x});
+    }
+    exact::make_primitive(normals_);
+    for (Index k = 0; k < n; ++k) {
+      const Index next = k + 1 == n ? 0 : k + 1, at = Index(edges_.size());
+      if (ring[k].arc)
+        add_arc(ring[k], corner + k, corner + next);
+      else
+        add_segment(normals_[k], corner + k, ring[k].start, ring[next].start);
+      if (at > first) could_merge_ |= could_continue(edges_[at - 1], edges_[at]);
+    }
+    could_merge_ |= could_continue(edges_.back(), edges_[first]);
+  }
+
+  void add_segment(const exact::Normal& n, Index from, const GridPoint& p, const GridPoint& q) {
+    const Index line = curves_.geometry.add_line(n.a, n.b, exact::int128(n.a) * p.x + exact::int128(n.b) * p.y);
+    edges_.push_back({from, line, p < q});
+  }
+
+  void add_arc(const ContourEdge& e, Index from, Index to) {
+    curves_.pieces.clear(), curves_.forward.clear();
+    curves_.arc(curves_.geometry.add(exact::Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, to, e.ccw);
+    for (std::size_t i = 0; i < curves_.pieces.size(); ++i) {
+      const Piece& p = curves_.pieces[i];
+      edges_.push_back({curves_.forward[i] ? p.p0 : p.p1, p.carrier, bool(curves_.forward[i]), p.half});
+    }
+  }
+
+  /// Parallel lines or halves of the same kind: only such neighbours can be one edge.
+  bool could_continue(const RingEdge& p, const RingEdge& q) const {
+    if (p.half != q.half) return false;
+    const exact::Carrier &k = curves_.geometry.carriers[p.carrier], &l = curves_.geometry.carriers[q.carrier];
+    return p.half != 0 || (k.a == l.a && k.b == l.b);
+  }
+
+  PieceBuilder curves_;
+  std::pmr::vector<RingEdge> edges_;
+  std::pmr::vector<Index> starts_;
+  std::pmr::vector<exact::Normal> normals_;  // of the segments of one ring
+  bool could_merge_ = false;
+};
+
+/// Faces with a positive winding number, and everything on their boundary.
+Region closed_inside(PieceBuilder b) {
+  std::vector<char> forward = std::move(b.forward);
+  Arrangement a = arrange(std::move(b.geometry), std::move(b.pieces));
+  auto number = face_windings(a, forward, 0);
+  Marks m;
+  for (auto k : number) m.faces.push_back(k > 0);
+  m.vertices.assign(a.vertex_count(), 0);
+  for (Index e = 0; e < a.edge_count(); ++e) {
+    bool in = m.faces[a.face[2 * e]] || m.faces[a.face[2 * e + 1]];
+    m.edges.push_back(in);
+    if (in) m.vertices[a.edges[e].v0] = m.vertices[a.edges[e].v1] = 1;
+  }
+  return extract(a, m);
+}
+
+Region all_cells(PieceBuilder b, std::span<const Index> isolated) {
+  Arrangement a = arrange(std::move(b.geometry), std::move(b.pieces), isolated);
+  Marks m;
+  m.faces.assign(a.face_count, 0);
+  m.edges.assign(a.edge_count(), 1);
+  m.vertices.assign(a.vertex_count(), 1);
+  return extract(a, m);
+}
+
+}  // namespace
+
+Region region_of_rings(std::span<const Contour> rings) {
+  Scratch scratch(rings.empty() ? 0 : rings[0].size());
+  return RingBuilder(rings, scratch.memory()).build();
+}
+
+Region region_of_disc(const exact::Real& cx, const exact::Real& cy, const exact::Real& radius) {
+  PieceBuilder b;
+  b.circle(b.geometry.add(exact::Carrier::circle_at(cx, cy, radius)));
+  return closed_inside(std::move(b));
+}
+
+Region region_of_points(std::span<const GridPoint> points) {
+  PieceBuilder b;
+  std::vector<Index> isolated;
+  for (const GridPoint& p : points) isolated.push_back(b.geometry.add_grid_point(p.x, p.y));
+  return all_cells(std::move(b), isolated);
+}
+
+Region region_of_chain(const Contour& chain) {
+  PieceBuilder b;
+  for (std::size_t k = 0; k + 1 < chain.size(); ++k) b.edge(chain[k], chain[k + 1].start);
+  return all_cells(std::move(b), {});
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/ring_map.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plane/base/scratch.h"
+#include "plane/complex/around_vertex.h"
+
+namespace findspace::plane {
+namespace {
+
+constexpr std::size_t kLittle = 8192;  // bytes that may lie idle
+
+/// Numbers what is used (not 0) in its order, the rest kNone, and drops the rest of the things.
+template <class Thing>
+void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
+  Index count = 0;
+  for (Index k = 0; k < used.size(); ++k) {
+    if (used[k] == 0) {
+      used[k] = kNone;
+      continue;
+    }
+    if (count != k) things[count] = std::move(things[k]);
+    used[k] = count++;
+  }
+  things.erase(things.begin() + std::ptrdiff_t(count), things.end());
+  if (2 * count < things.capacity() && things.capacity() * sizeof(Thing) > kLittle) things.shrink_to_fit();
+}
+
+/// What the rings use of a geometry; carriers keep their order, as crossings need.
+class UsedGeometry {
+ public:
+  UsedGeometry(exact::Geometry& g, std::span<const RingEdge> edges, Memory memory)
+      : carrier_(g.carriers.size(), 0, memory), point_(g.points.size(), 0, memory), real_(g.reals.size(), 0, memory) {
+    for (const RingEdge& e : edges) {
+      carrier_[e.carrier] = point_[e.point] = 1;
+      const exact::Point& p = g.points[e.point];
+      if (p.kind == exact::Point::Kind::kCross) carrier_[p.i] = carrier_[p.j] = 1;
+      if (p.kind == exact::Point::Kind::kReal) real_[p.i] = 1;
+    }
+    if ((all_ = all_used(carrier_) && all_used(point_) && all_used(real_))) return;
+    keep_used(carrier_, g.carriers);
+    keep_used(point_, g.points);
+    keep_used(real_, g.reals);
+    for (exact::Point& p : g.points) {
+      if (p.kind == exact::Point::Kind::kCross) p.i = carrier_[p.i], p.j = carrier_[p.j];
+      if (p.kind == exact::Point::Kind::kReal) p.i = real_[p.i];
+    }
+  }
+
+  Index carrier(Index old) const { return all_ ? old : carrier_[old]; }
+  Index point(Index old) const { return all_ ? old : point_[old]; }
+
+ private:
+  static bool all_used(const std::pmr::vector<Index>& used) {
+    return std::find(used.begin(), used.end(), 0u) == used.end();
+  }
+
+  std::pmr::vector<Index> carrier_, point_, real_;
+  bool all_ = false;
+};
+
+/// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.
+bool is_first(const SignMap& map, Index vertex, Index h, Index k) {
+  if ((h & 1u) != (k & 1u)) return !(h & 1u);
+  const Edge &e = map.edges[h / 2], &f = map.edges[k / 2];
+  if (e.half == 0 && f.half == 0)
+    return line_comes_before(map.geometry.carriers[e.carrier], map.geometry.carriers[f.carrier]);
+  return comes_before(map.geometry, map.vertices[vertex].point, h & 1u, map.heading(h), e.half, map.heading(k));
+}
+
+Index face_count(std::span<const NestedRing> rings) {
+  Index last = 0;
+  for (const NestedRing& r : rings) last = std::max({last, r.inside, r.outside});
+  return last + 1;
+}
+
+/// Joins the edges, which have their carriers, to rings and faces. `point`: of a ring edge.
+template <class PointOf>
+void join_rings(CellComplex& c, std::span<const RingEdge> edges, std::span<const NestedRing> rings, RingMarks marks,
+                bool unbounded, PointOf point) {
+  const Index n = Index(edges.size());
+  c.vertices.resize(n);
+  c.half_edges.resize(2 * n);
+  c.faces.resize(face_count(rings));
+  for (Face& f : c.faces) f.mark = marks.outside;
+  if (unbounded) c.faces[0].mark = marks.inside;
+  auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const NestedRing& ring = rings[r];
+    const Index first = ring.start, end = r + 1 < rings.size() ? rings[r + 1].start : n;
+    for (Index k = first; k < end; ++k) {
+      const Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
+      c.edges[k].v0 = edges[k].right ? k : next;
+      c.edges[k].v1 = edges[k].right ? next : k;
+      c.half_edges[h] = {.next = g, .face = ring.inside};
+      c.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
+      c.vertices[next] = {.point = point(edges[next]), .mark = marks.on};
+      c.vertices[next].out = is_first(c, next, g, back) ? g : back;
+    }
+    c.faces[ring.inside].mark = marks.inside;
+    const Index within = along(first), without = within ^ 1u;
+    c.faces[ring.outer ? ring.inside : ring.outside].outer = ring.outer ? within : without;
+    c.faces[ring.outer ? ring.outside : ring.inside].inner.push_back(ring.outer ? without : within);
+  }
+}
+
+}  // namespace
+
+std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts, bool unbounded) {
+  std::vector<NestedRing> rings;
+  rings.reserve(starts.size());
+  for (Index r = 0; r < starts.size(); ++r) {
+    const bool outer = r == 0 && !unbounded;
+    rings.push_back({starts[r], unbounded ? 0u : 1u, outer ? 0 : r + 1, outer});
+  }
+  return rings;
+}
+
+CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+                         RingMarks marks, bool unbounded) {
+  CellComplex c;
+  c.geometry = std::move(geometry);
+  c.edges.reserve(edges.size());
+  for (const RingEdge& e : edges) c.edges.push_back({.carrier = e.carrier, .half = e.half, .mark = marks.on});
+  join_rings(c, edges, rings, marks, unbounded, [](const RingEdge& e) { return e.point; });
+  return c;
+}
+
+SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+                 bool unbounded) {
+  Scratch scratch(geometry.carriers.size() / 4);
+  SignMap map;
+  const UsedGeometry used(geometry, edges, scratch.memory());
+  map.geometry = std::move(geometry);
+  map.edges.reserve(edges.size());
+  for (const RingEdge& e : edges) map.edges.push_back({.carrier = used.carrier(e.carrier), .half = e.half, .mark = 0});
+  join_rings(map, edges, rings, {-1, 0, 1}, unbounded, [&](const RingEdge& e) { return used.point(e.point); });
+  return map;
+}
+
+}  // namespace findspace::plane

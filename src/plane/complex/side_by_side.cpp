@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/side_by_side.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "plane/base/union_find.h"
+#include "plane/complex/extent.h"
+
+namespace findspace::plane {
+namespace {
+
+/// Calls f(i, k) for all pairs of boxes that meet; by ascending starts along the axis on which they spread farther.
+template <class F>
+void meeting_boxes(const std::vector<PieceBox>& boxes, F&& f) {
+  PieceBox all = boxes[0];
+  for (const PieceBox& b : boxes) all = joined(all, b);
+  const bool wide = all.x1 - all.x0 >= all.y1 - all.y0;
+  const auto from = [&](Index k) { return wide ? boxes[k].x0 : boxes[k].y0; };
+  std::vector<Index> order(boxes.size()), open;
+  std::iota(order.begin(), order.end(), Index(0));
+  std::sort(order.begin(), order.end(), [&](Index i, Index k) { return from(i) < from(k); });
+  for (const Index k : order) {
+    std::erase_if(open, [&](Index i) { return (wide ? boxes[i].x1 : boxes[i].y1) < from(k); });
+    for (const Index i : open)
+      if (boxes[i].meets(boxes[k])) f(i, k);
+    open.push_back(k);
+  }
+}
+
+Index shifted(Index k, Index by) { return k == kNone ? kNone : k + by; }
+
+}  // namespace
+
+std::vector<std::vector<Index>> groups_apart(std::span<const Region* const> regions) {
+  std::vector<Index> all(regions.size());
+  std::iota(all.begin(), all.end(), Index(0));
+  std::vector<PieceBox> boxes;
+  for (const Region* r : regions) {
+    const auto box = r->faces[0].mark == 0 ? extent(*r) : std::nullopt;
+    if (!box) return {all};
+    boxes.push_back(*box);
+  }
+  UnionFind same(regions.size());
+  meeting_boxes(boxes, [&](Index i, Index k) { same.unite(i, k); });
+  std::vector<std::vector<Index>> groups;
+  std::vector<Index> group_of(regions.size(), kNone);
+  for (const Index k : all) {
+    Index& group = group_of[same.find(k)];
+    if (group == kNone) group = Index(groups.size()), groups.emplace_back();
+    groups[group].push_back(k);
+  }
+  return groups;
+}
+
+Index append(exact::Geometry& to, const exact::Geometry& from) {
+  const Index carriers = Index(to.carriers.size()), points = Index(to.points.size()), reals = Index(to.reals.size());
+  to.carriers.insert(to.carriers.end(), from.carriers.begin(), from.carriers.end());
+  to.reals.insert(to.reals.end(), from.reals.begin(), from.reals.end());
+  for (exact::Point p : from.points) {
+    if (p.kind == exact::Point::Kind::kCross) p.i += carriers, p.j += carriers;
+    if (p.kind == exact::Point::Kind::kReal) p.i += reals;
+    to.points.push_back(p);
+  }
+  return points;
+}
+
+Region side_by_side(std::span<const Region* const> regions) {
+  Region out = Region::uniform(0);
+  std::size_t points = 0, carriers = 0, vertices = 0, edges = 0, faces = 1;
+  for (const Region* r : regions) {
+    points += r->geometry.points.size(), carriers += r->geometry.carriers.size();
+    vertices += r->vertices.size(), edges += r->edges.size(), faces += r->faces.size() - 1;
+  }
+  out.geometry.points.reserve(points), out.geometry.carriers.reserve(carriers);
+  out.vertices.reserve(vertices), out.edges.reserve(edges), out.half_edges.reserve(2 * edges), out.faces.reserve(faces);
+  for (const Region* r : regions) {
+    const Index carrier = Index(out.geometry.carriers.size()), point = append(out.geometry, r->geometry),
+                vertex = Index(out.vertices.size()), half = Index(out.half_edges.size()),
+                face = Index(out.faces.size()) - 1;
+    const auto new_face = [face](Index f) { return f == 0 || f == kNone ? f : f + face; };
+    for (const Vertex& v : r->vertices)
+      out.vertices.push_back({v.point + point, v.mark, shifted(v.out, half), new_face(v.face)});
+    for (const Edge& e : r->edges)
+      out.edges.push_back({e.v0 + vertex, e.v1 + vertex, e.carrier + carrier, e.half, e.mark});
+    for (const HalfEdge& h : r->half_edges) out.half_edges.push_back({shifted(h.next, half), new_face(h.face)});
+    for (std::size_t f = 0; f < r->faces.size(); ++f) {
+      const Face& was = r->faces[f];
+      if (f > 0) out.faces.push_back({was.mark, shifted(was.outer, half), {}, {}});
+      Face& now = f > 0 ? out.faces.back() : out.faces[0];
+      for (const Index h : was.inner) now.inner.push_back(h + half);
+      for (const Index v : was.isolated) now.isolated.push_back(v + vertex);
+    }
+  }
+  return out;
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Unions of sets that lie apart: nothing has to be arranged then, their cells are written one after the other.
+// Guarantee: exact; boxes only choose, and sets whose boxes meet are not taken for apart. Cost: linear, and pairs of
+// boxes that overlap in one coordinate. Keywords: disjoint union, collection, locality.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plane/complex/cell_complex.h"
+
+namespace findspace::plane {
+
+/// The operands in groups, no box of one meeting a box of another; in the order of their first members. All in one
+/// where some operand is not bounded.
+std::vector<std::vector<Index>> groups_apart(std::span<const Region* const> regions);
+
+/// The union of bounded sets whose boxes are apart.
+Region side_by_side(std::span<const Region* const> regions);
+
+/// Appends a geometry; returns the offset of its points. Carriers keep their order, so crossings keep their roots.
+Index append(exact::Geometry& to, const exact::Geometry& from);
+
+}  // namespace findspace::plane

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/complex/winding.h"
+
+#include <span>
+
+#include "plane/complex/face_walk.h"
+
+namespace findspace::plane {
+namespace {
+
+std::span<const Index> cover(const Arrangement& a, Index e) {
+  return {a.cover.data() + a.cover_start[e], a.cover_start[e + 1] - a.cover_start[e]};
+}
+
+/// Spreads the numbers over the faces; `jump(e)` is number(left of v0 -> v1) - number(right).
+template <class Jump>
+std::vector<std::int32_t> spread(const Arrangement& a, std::int32_t base, Jump&& jump) {
+  std::vector<std::int32_t> number(a.face_count, 0);
+  number[0] = base;
+  walk_faces(a, [&](Index h) {
+    std::int32_t f = number[a.face[h]];
+    number[a.face[h ^ 1u]] = h & 1u ? f + jump(h / 2) : f - jump(h / 2);
+  });
+  return number;
+}
+
+class VertexNumbers {
+ public:
+  VertexNumbers(const Arrangement& a, const std::vector<Strand>& strands, Windings& w)
+      : a_(a), strands_(strands), w_(w) {}
+
+  /// Starts from the face in the sector after the vertex's first half-edge.
+  void prepare(VertexScope scope) {
+    w_.vertices.assign(a_.vertex_count(), kUnwanted);
+    for (Index v = 0; v < a_.vertex_count(); ++v) {
+      bool inside = scope == VertexScope::kAll || w_.faces[a_.some_face(v)] > 0;
+      for (Index k = a_.out_start[v]; inside && scope != VertexScope::kAll && k < a_.out_start[v + 1]; ++k)
+        inside = w_.faces[a_.face[a_.out[k]]] > 0 && w_.edges[a_.out[k] / 2] > 0;
+      if (inside) w_.vertices[v] = w_.faces[a_.some_face(v)];
+    }
+  }
+
+  void add_through() {
+    for (Index i = 0; i < a_.pieces.size(); ++i)
+      for (Index k = a_.chain_start[i] + 1; k < a_.chain_start[i + 1]; ++k) {
+        Index v = a_.edges[a_.chain[k]].v0;
+        if (w_.vertices[v] == kUnwanted) continue;
+        Index ahead = a_.rank[2 * a_.chain[k]], back = a_.rank[2 * a_.chain[k - 1] + 1];
+        // Left of p0 -> p1 are the sectors from `ahead` counter-clockwise to `back`.
+        bool face_left = passes(0, ahead, back);
+        bool displaced_left = strands_[i].forward == strands_[i].displaced_left;
+        if (face_left != displaced_left) continue;
+        // The strand passes between the vertex and the face.
+        int left_minus_right = strands_[i].forward ? strands_[i].weight : -strands_[i].weight;
+        w_.vertices[v] -= face_left ? left_minus_right : -left_minus_right;
+      }
+  }
+
+  void add(const Corner& c) {
+    Index in_back = back_half_edge(c.in), out_ahead = ahead_half_edge(c.out);
+    Index v = a_.origin(in_back);
+    if (w_.vertices[v] == kUnwanted) return;
+    const std::int32_t weight = strands_[c.in].weight;
+    w_.vertices[v] += c.extra * weight;
+    bool left = strands_[c.in].displaced_left, both = left == strands_[c.out].displaced_left;
+    int rotation = both ? (left ? -1 : 1) : c.rotation;
+    Index from = a_.rank[in_back], to = a_.rank[out_ahead];
+    if (rotation == 0) return;
+    if (from == to) {  // back on the same curve: around its tip, or inside it
+      if (both && c.rotation == rotation) w_.vertices[v] += rotation * weight;
+      return;
+    }
+    // Counter-clockwise around the vertex: the vertex lies to the path's left, the face to its right.
+    if (rotation > 0 && passes(0, from, to)) w_.vertices[v] += weight;
+    if (rotation < 0 && passes(0, to, from)) w_.vertices[v] -= weight;
+  }
+
+ private:
+  Index back_half_edge(Index piece) const {
+    return strands_[piece].forward ? 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1
+                                   : 2 * a_.chain[a_.chain_start[piece]];
+  }
+  Index ahead_half_edge(Index piece) const {
+    return strands_[piece].forward ? 2 * a_.chain[a_.chain_start[piece]]
+                                   : 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1;
+  }
+
+  const Arrangement& a_;
+  const std::vector<Strand>& strands_;
+  Windings& w_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> face_windings(const Arrangement& a, const std::vector<char>& forward, std::int32_t base) {
+  return spread(a, base, [&](Index e) {
+    std::int32_t jump = 0;
+    for (Index i : cover(a, e)) jump += forward[i] ? 1 : -1;
+    return jump;
+  });
+}
+
+Windings windings(const Arrangement& a, const std::vector<Strand>& strands, const std::vector<Corner>& corners,
+                  std::int32_t base, VertexScope scope) {
+  std::vector<std::int32_t> jump(a.edge_count(), 0),
+      on(a.edge_count(), 0);  // on: number of the edge - number on its right
+  for (Index e = 0; e < a.edge_count(); ++e)
+    for (Index i : cover(a, e)) {
+      const Strand& s = strands[i];
+      std::int32_t j = s.forward ? s.weight : -s.weight;
+      jump[e] += j;
+      // Displaced to the left of v0 -> v1: the edge is on the right-hand side of the strand.
+      if (s.forward != s.displaced_left) on[e] += j;
+    }
+  Windings w;
+  w.faces = spread(a, base, [&](Index e) { return jump[e]; });
+  w.edges.resize(a.edge_count());
+  for (Index e = 0; e < a.edge_count(); ++e) w.edges[e] = w.faces[a.face[2 * e + 1]] + on[e];
+  VertexNumbers numbers(a, strands, w);
+  numbers.prepare(scope);
+  numbers.add_through();
+  for (const Corner& c : corners) numbers.add(c);
+  return w;
+}
+
+}  // namespace findspace::plane

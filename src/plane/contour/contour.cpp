@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Checking and normalising rings. A single ring that is seen whole from the mean of its corners is simple. Else pairs
+// of edges whose boxes meet are found by a tree of boxes over all edges (contour_boxes.h); each pair is then decided
+// exactly in contour_meet.cpp.
+#include "plane/contour/contour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "findspace/error.h"
+#include "plane/base/scratch.h"
+#include "plane/contour/contour_boxes.h"
+#include "plane/contour/contour_meet.h"
+#include "plane/contour/star_shaped.h"
+
+namespace findspace::plane {
+namespace {
+
+/// How messages call a ring by its number.
+using Label = std::string (*)(std::size_t);
+
+std::string outer_or_hole(std::size_t i) { return i == 0 ? "the ring" : fmt::format("hole {}", i - 1); }
+std::string any_ring(std::size_t i) { return fmt::format("ring {}", i); }
+
+/// A ring without its repeated points, and where its edges stood in the input.
+struct Ring {
+  Contour edges;
+  std::size_t number;
+  Label name;
+  std::vector<std::size_t> source{};  // empty where nothing was dropped
+  int way = 0;                        // its orientation where the check has shown it
+
+  std::string label() const { return name(number); }
+  GridPoint end(std::size_t i) const { return edges[i + 1 == edges.size() ? 0 : i + 1].start; }
+  Span span(std::size_t i) const { return span_of(edges, i); }
+  std::size_t given(std::size_t i) const { return source.empty() ? i : source[i]; }
+};
+
+[[noreturn]] void fail(const std::string& message, double x, double y, double step) {
+  throw Error(ErrorCode::kGeometry, message).at(x * step, y * step);
+}
+
+std::string show(double x, double y, double step) { return fmt::format("({:.10g}, {:.10g})", x * step, y * step); }
+
+void drop_repeated(Ring& ring) {
+  Contour kept;
+  kept.reserve(ring.edges.size());
+  for (std::size_t i = 0; i < ring.edges.size(); ++i) {
+    if (ring.edges[i].start == ring.end(i)) continue;
+    kept.push_back(ring.edges[i]);
+    ring.source.push_back(i);
+  }
+  ring.edges = std::move(kept);
+}
+
+Ring clean(Contour input, std::size_t number, Label name, std::int64_t& repeated, double step) {
+  const GridPoint first = input.empty() ? GridPoint{} : input[0].start;
+  Ring ring{std::move(input), number, name};
+  std::int64_t same = 0;
+  bool arcs = false;
+  for (std::size_t i = 0; i < ring.edges.size(); ++i) {
+    if (ring.edges[i].start == ring.end(i)) {
+      ++same;
+    } else {
+      arcs |= bool(ring.edges[i].arc);
+    }
+  }
+  if (same > 0) drop_repeated(ring);
+  repeated += same;
+  if (ring.edges.size() < (arcs ? 2u : 3u)) {
+    fail(fmt::format("{} has no area: fewer than three different points", ring.label()), double(first.x),
+         double(first.y), step);
+  }
+  return ring;
+}
+
+/// A ring of segments that all lie on one line: told apart from self-intersection for the sake of the message.
+bool flat(const Ring& ring) {
+  GridPoint o = ring.edges[0].start, a = ring.end(0);
+  return std::all_of(ring.edges.begin(), ring.edges.end(),
+                     [&](const ContourEdge& e) { return !e.arc && cross(o, a, e.start) == 0; });
+}
+
+std::string edge_label(const Ring& ring, std::size_t i, double step) {
+  GridPoint p = ring.edges[i].start, q = ring.end(i);
+  return fmt::format("{} {} from {} to {}", ring.edges[i].arc ? "arc" : "edge", ring.given(i),
+                     show(double(p.x), double(p.y), step), show(double(q.x), double(q.y), step));
+}
+
+struct EdgeId {
+  std::uint32_t ring, edge;
+};
+
+[[noreturn]] void fail_meeting(const Ring& a, std::size_t i, const Ring& b, std::size_t j, const Meeting& m,
+                               double step) {
+  const char* how = m.along ? "run along each other" : "meet";
+  std::string what = &a == &b ? fmt::format("{} touches or crosses itself", a.label())
+                              : fmt::format("{} touches or crosses {}", b.label(), a.label());
+  std::string first = edge_label(a, i, step), second = edge_label(b, j, step);
+  if (&a != &b) {
+    first = a.label() + ", " + first;
+    second = b.label() + ", " + second;
+  }
+  fail(fmt::format("{}: {} and {} {} at {}", what, first, second, how, show(m.x, m.y, step)), m.x, m.y, step);
+}
+
+void check_pair(const std::vector<Ring>& rings, EdgeId f, EdgeId g, double step) {
+  if (f.ring > g.ring || (f.ring == g.ring && f.edge > g.edge)) std::swap(f, g);
+  const Ring &a = rings[f.ring], &b = rings[g.ring];
+  Span s = a.span(f.edge), t = b.span(g.edge);
+  bool same = f.ring == g.ring;
+  bool next = same && f.edge + 1 == g.edge;
+  bool wrap = same && f.edge == 0 && g.edge + 1 == a.edges.size();
+  const GridPoint* joined = next ? &s.to : wrap ? &s.from : nullptr;
+  if (auto m = meet(s, t, joined, next && wrap)) fail_meeting(a, f.edge, b, g.edge, *m, step);
+}
+
+Box box_of(const ContourEdge& edge, GridPoint to) {
+  const GridPoint from = edge.start;
+  Box box{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x), std::max(from.y, to.y)};
+  if (!edge.arc) return box;
+  // Near a half circle the apothem is the root of a difference of rounded squares: off by up to sqrt(2^-51) * r.
+  constexpr double kSlack = 0x1p-24;
+  auto reach = std::int64_t(sagitta(edge, to) + edge.arc->r.to_double() * kSlack) + 2;
+  return {box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
+}
+
+/// Edges i and i + 1 of a ring share a vertex: of segments only folding back onto each other is a fault.
+void check_neighbours(const std::vector<Ring>& rings, std::uint32_t r, double step) {
+  const Contour& edges = rings[r].edges;
+  const std::size_t n = edges.size();
+  for (std::size_t i = 0, before = n - 1; i < n; before = i++) {
+    const bool segments = !edges[before].arc && !edges[i].arc;
+    if (segments && cross(edges[before].start, edges[i].start, rings[r].end(i)) != 0) continue;
+    check_pair(rings, {r, std::uint32_t(before)}, {r, std::uint32_t(i)}, step);
+  }
+}
+
+/// Its orientation, if it is seen whole from the mean of its corners.
+int star_orientation(const Contour& ring) {
+  return straight(ring) ? star_shaped(ring.size(), [&](std::size_t k) { return ring[k].start; }) : 0;
+}
+
+void check_edges(std::vector<Ring>& rings, double step) {
+  if (rings.size() == 1 && (rings[0].way = star_orientation(rings[0].edges)) != 0) return;
+  std::size_t count = 0;
+  for (const Ring& ring : rings) count += ring.edges.size();
+  Scratch scratch(count);
+  std::pmr::vector<Box> boxes(scratch.memory());
+  boxes.reserve(count);
+  std::pmr::vector<std::size_t> first(scratch.memory());  // of each ring
+  for (std::uint32_t r = 0; r < rings.size(); ++r) {
+    const Ring& ring = rings[r];
+    first.push_back(boxes.size());
+    check_neighbours(rings, r, step);
+    for (std::size_t e = 0; e < ring.edges.size(); ++e) boxes.push_back(box_of(ring.edges[e], ring.end(e)));
+  }
+  auto ring_of = [&](std::size_t i) {
+    if (first.size() == 1) return std::uint32_t(0);
+    return std::uint32_t(std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1);
+  };
+  for_meeting_boxes(boxes, [&](std::size_t i, std::size_t j) {
+    const std::uint32_t r = ring_of(i), s = ring_of(j);
+    const std::size_t apart = i < j ? j - i : i - j;
+    if (r == s && (apart == 1 || apart + 1 == rings[r].edges.size())) return;  // neighbours
+    check_pair(rings, {r, std::uint32_t(i - first[r])}, {s, std::uint32_t(j - first[s])}, step);
+  });
+}
+
+Box box_of(const Ring& ring) {
+  Box all = box_of(ring.edges[0], ring.end(0));
+  for (std::size_t i = 1; i < ring.edges.size(); ++i) all = all.joined(box_of(ring.edges[i], ring.end(i)));
+  return all;
+}
+
+std::vector<Ring> clean_and_check(std::vector<Contour> rings, Label name, std::int64_t& repeated, double step) {
+  std::vector<Ring> clean_rings;
+  clean_rings.reserve(rings.size());
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    clean_rings.push_back(clean(std::move(rings[i]), i, name, repeated, step));
+    const Ring& ring = clean_rings.back();
+    GridPoint p = ring.edges[0].start;
+    if (flat(ring)) {
+      fail(fmt::format("{} has no area: all its points are on one line", ring.label()), double(p.x), double(p.y), step);
+    }
+  }
+  check_edges(clean_rings, step);
+  return clean_rings;
+}
+
+Contour directed(Ring ring, int wanted, std::int64_t& turned) {
+  if ((ring.way != 0 ? ring.way : orientation(ring.edges)) == wanted) return std::move(ring.edges);
+  ++turned;
+  return reversed(ring.edges);
+}
+
+void check_holes(const std::vector<Ring>& rings, double step) {
+  if (rings.size() == 1) return;
+  std::vector<Box> boxes;
+  for (const Ring& ring : rings) boxes.push_back(box_of(ring));
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    GridPoint p = rings[i].edges[0].start;
+    if (!encloses(rings[0].edges, p)) {
+      fail(fmt::format("{} is not inside {}: its vertex {} is outside", rings[i].label(), rings[0].label(),
+                       show(double(p.x), double(p.y), step)),
+           double(p.x), double(p.y), step);
+    }
+    for (std::size_t j = 1; j < rings.size(); ++j) {
+      if (i == j || !boxes[j].holds(p.x, p.y) || !encloses(rings[j].edges, p)) continue;
+      fail(fmt::format("{} is inside {}", rings[i].label(), rings[j].label()), double(p.x), double(p.y), step);
+    }
+  }
+}
+
+}  // namespace
+
+RingSet make_rings(std::vector<Contour> input, double step) {
+  RingSet set;
+  std::vector<Ring> rings = clean_and_check(std::move(input), outer_or_hole, set.repeated_points, step);
+  check_holes(rings, step);
+  set.contours.reserve(rings.size());
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    std::int64_t ignored = 0;  // either direction of a hole is usual
+    set.contours.push_back(directed(std::move(rings[i]), i == 0 ? 1 : -1, i == 0 ? set.turned_rings : ignored));
+  }
+  return set;
+}
+
+std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
+  std::int64_t repeated = 0, ignored = 0;
+  std::vector<Ring> rings = clean_and_check(std::move(input), any_ring, repeated, step);
+  std::vector<Box> boxes;
+  for (const Ring& ring : rings) boxes.push_back(box_of(ring));
+  std::vector<std::vector<std::size_t>> around(rings.size());
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    GridPoint p = rings[i].edges[0].start;
+    for (std::size_t j = 0; j < rings.size(); ++j) {
+      if (i != j && boxes[j].holds(p.x, p.y) && encloses(rings[j].edges, p)) around[i].push_back(j);
+    }
+  }
+  std::vector<RingSet> sets;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    if (around[i].size() % 2 != 0) continue;
+    RingSet& set = sets.emplace_back();
+    set.contours.push_back(directed(rings[i], 1, ignored));
+    for (std::size_t h = 0; h < rings.size(); ++h) {
+      bool mine = around[h].size() == around[i].size() + 1 &&
+                  std::find(around[h].begin(), around[h].end(), i) != around[h].end();
+      if (mine) set.contours.push_back(directed(rings[h], -1, ignored));
+    }
+  }
+  if (!sets.empty()) sets[0].repeated_points = repeated;
+  return sets;
+}
+
+Contour make_chain(Contour chain, std::int64_t& repeated) {
+  Contour result;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (i + 1 < chain.size() && chain[i].start == chain[i + 1].start) {
+      ++repeated;
+    } else {
+      result.push_back(std::move(chain[i]));
+    }
+  }
+  if (result.size() < 2) throw Error(ErrorCode::kGeometry, "a polyline needs two different points");
+  return result;
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid/convex_sum.h"
+
+#include "plane/base/scratch.h"
+#include "plane/complex/ring_map.h"
+
+namespace findspace::plane {
+namespace {
+
+bool upper(const GridCorner& c) { return c.dy > 0 || (c.dy == 0 && c.dx > 0); }
+
+/// The corners in order from the first whose edge has an angle in [0, 180).
+class Ring {
+ public:
+  explicit Ring(const ConvexOperand& o) : corners_(o.face.corners), geometry_(o.geometry) {
+    while (upper(corners_[at_]) == upper(corners_[corners_[at_].before]) || !upper(corners_[at_])) ++at_;
+  }
+
+  bool ended() const { return taken_ == corners_.size(); }
+  const GridCorner& corner() const { return corners_[at_]; }
+  const exact::Carrier& carrier() const { return geometry_.carriers[corner().carrier]; }
+  void advance() { ++taken_, at_ = corner().next; }
+
+ private:
+  const std::vector<GridCorner>& corners_;
+  const exact::Geometry& geometry_;
+  std::size_t at_ = 0, taken_ = 0;
+};
+
+/// Order of the directions of the next edges, both rings begun at their first.
+int order(const Ring& p, const Ring& q) {
+  if (p.ended() || q.ended()) return p.ended() ? 1 : -1;
+  const GridCorner &c = p.corner(), &d = q.corner();
+  if (upper(c) != upper(d)) return upper(c) ? -1 : 1;
+  exact::int128 cross = exact::int128(c.dx) * d.dy - exact::int128(c.dy) * d.dx;
+  return (cross < 0) - (cross > 0);
+}
+
+}  // namespace
+
+SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
+  Ring p(a), q(b);
+  std::size_t most = a.face.corners.size() + b.face.corners.size();
+  exact::Geometry geometry;
+  geometry.carriers.reserve(most);
+  geometry.points.reserve(most);
+  Scratch scratch(most);
+  std::pmr::vector<RingEdge> edges(scratch.memory());
+  edges.reserve(most);
+  while (!p.ended() || !q.ended()) {
+    // An edge of one ring starts at the sum of its start and of the corner where the other ring stands.
+    GridPoint u = p.corner().at, v = q.corner().at;
+    int o = order(p, q);
+    const Ring& side = o <= 0 ? p : q;
+    const GridCorner& c = side.corner();
+    Index carrier = geometry.add_parallel(side.carrier(), u.x + v.x, u.y + v.y);
+    edges.push_back({geometry.add_grid_point(u.x + v.x, u.y + v.y), carrier, c.dx > 0 || (c.dx == 0 && c.dy > 0)});
+    if (o <= 0) p.advance();
+    if (o >= 0) q.advance();
+  }
+  Index start = 0;
+  return ring_map(std::move(geometry), edges, rings_of_one_face(std::span(&start, 1)));
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The edges of a face in the order of their directions, and their places among the edges of another face: which edges
+// of the other a corner meets in a convolution (convolution.h) are those whose directions its turn sweeps. Guarantee:
+// exact; of equal directions those of the first face come first, as if the second were turned by an infinitesimal.
+// Cost: O(n log n + m log m). Keywords: circular order of directions.
+#pragma once
+
+#include <vector>
+
+#include "plane/base/scratch.h"
+#include "plane/grid/grid_faces.h"
+
+namespace findspace::plane {
+
+class EdgeFan {
+ public:
+  /// Keeps a reference to the corners.
+  EdgeFan(const GridFace& face, Memory memory);
+
+  /// Gives the edges of both faces their ranks.
+  static void place(EdgeFan& first, EdgeFan& other);
+
+  struct Ray {
+    double angle;
+    Index corner;  // whose edge it is
+  };
+  const std::vector<GridCorner>& corners;
+  std::pmr::vector<Ray> rays;    // by angle in [0, 360)
+  std::pmr::vector<Index> rank;  // corner -> rays of the other fan before its own
+
+  /// Places among the rays of the other fan: first, first + 1, ..., end - 1, past the last one round to 0 if `wraps`.
+  struct Sweep {
+    Index first = 0, end = 0;
+    bool wraps = false;
+    std::size_t size(std::size_t all) const { return wraps ? all - first + end : end - first; }
+    bool holds(Index place) const { return wraps ? place >= first || place < end : place >= first && place < end; }
+  };
+  /// The directions between the two edges of a corner, counter-clockwise whichever way it turns.
+  Sweep sweep(Index corner) const {
+    const GridCorner& c = corners[corner];
+    if (c.turn == 0) return {};
+    const Index from = c.turn > 0 ? c.before : corner, to = c.turn > 0 ? corner : c.before;
+    // A turn that sweeps the direction 0 ends below where it starts; so does none else.
+    return {rank[from], rank[to], lower(corners[from]) && !lower(corners[to])};
+  }
+
+ private:
+  static bool lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
+};
+
+}  // namespace findspace::plane

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid/grid_faces.h"
+
+#include <span>
+
+#include "plane/base/scratch.h"
+
+namespace findspace::plane {
+namespace {
+
+using exact::int128;
+
+int sign(int128 v) { return (v > 0) - (v < 0); }
+
+bool is_lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
+
+class Walk {
+ public:
+  Walk(const CellComplex& c, bool mirrored) : c_(c), mirrored_(mirrored) {}
+
+  void ring(Index start, std::vector<GridCorner>& out) const {
+    Index first = Index(out.size()), k = first, h = start;
+    do {
+      GridCorner& g = out.emplace_back(corner(h));
+      g.before = k - 1, g.next = ++k;
+      h = c_.next(h);
+    } while (h != start);
+    out[k - 1].next = first, out[first].before = k - 1;
+    const GridCorner* in = &out[k - 1];
+    for (GridCorner& g : std::span(out).subspan(first)) {
+      g.turn = std::int8_t(sign(int128(in->dx) * g.dy - int128(in->dy) * g.dx));
+      in = &g;
+    }
+  }
+
+ private:
+  GridCorner corner(Index h) const {
+    const Edge& e = c_.edges[h / 2];
+    const exact::Carrier& k = c_.geometry.carriers[e.carrier];
+    const exact::Point& p = c_.geometry.points[c_.vertices[c_.origin(h)].point];
+    // To the right along a*x + b*y = c: (b, -a) or its opposite.
+    bool flipped = (k.b > 0) == bool(h & 1u);
+    GridCorner g{.at = {p.gx, p.gy}, .dx = k.b, .dy = -k.a, .carrier = e.carrier, .next = 0, .before = 0};
+    if (flipped != mirrored_) g.dx = -g.dx, g.dy = -g.dy;
+    if (mirrored_) g.at = {-g.at.x, -g.at.y};
+    return g;
+  }
+
+  const CellComplex& c_;
+  bool mirrored_;
+};
+
+bool on_grid(const CellComplex& c, Index e) {
+  const Edge& d = c.edges[e];
+  return d.half == 0 && c.geometry.carriers[d.carrier].grid && c.point(d.v0).kind == exact::Point::Kind::kGrid &&
+         c.point(d.v1).kind == exact::Point::Kind::kGrid;
+}
+
+}  // namespace
+
+bool GridFace::is_convex() const {
+  if (unbounded) return false;
+  int rounds = 0;
+  for (const GridCorner& k : corners) {
+    if (k.turn <= 0 || (&k != corners.data() && k.before + 1 != Index(&k - corners.data()))) return false;
+    rounds += is_lower(corners[k.before]) && !is_lower(k);
+  }
+  return rounds == 1;
+}
+
+std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
+  Scratch scratch(c.edges.size() / 4);
+  std::pmr::vector<char> in(c.faces.size(), 0, scratch.memory()), near(c.vertices.size(), 0, scratch.memory());
+  for (Index f = 0; f < c.faces.size(); ++f) in[f] = wanted(c.faces[f].mark);
+  for (Index e = 0; e < c.edges.size(); ++e) {
+    Index left = c.face(2 * e), right = c.face(2 * e + 1);
+    const bool beside = in[left] || in[right];
+    if (beside ? left == right || !on_grid(c, e) : wanted(c.edges[e].mark)) return std::nullopt;
+    if (beside) near[c.edges[e].v0] = near[c.edges[e].v1] = 1;
+  }
+  for (Index v = 0; v < c.vertices.size(); ++v)
+    if (!near[v] && wanted(c.vertices[v].mark)) return std::nullopt;
+  std::vector<GridFace> faces;
+  const Walk walk(c, mirrored);
+  for (Index f = 0; f < c.faces.size(); ++f) {
+    if (!in[f]) continue;
+    for (Index v : c.faces[f].isolated)
+      if (!wanted(c.vertices[v].mark)) return std::nullopt;
+    GridFace& face = faces.emplace_back();
+    face.unbounded = f == 0;
+    if (c.faces.size() == 2) face.corners.reserve(c.edges.size());
+    if (c.faces[f].outer != kNone) walk.ring(c.faces[f].outer, face.corners);
+    for (Index h : c.faces[f].inner) walk.ring(h, face.corners);
+  }
+  return faces;
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid/grid_sum.h"
+
+#include "plane/grid/convex_sum.h"
+#include "plane/grid/prune_inside.h"
+#include "plane/grid/star_sum.h"
+#include "plane/grid/transversal_sum.h"
+
+namespace findspace::plane {
+SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& inside) {
+  if (a.faces.empty() || b.faces.empty()) return CellComplex::uniform(1);
+  if (a.faces.size() == 1 && b.faces.size() == 1 && a.faces[0].is_convex() && b.faces[0].is_convex())
+    return convex_sum({a.faces[0], a.geometry}, {b.faces[0], b.geometry});
+  const bool unbounded = has_unbounded(a.faces) || has_unbounded(b.faces);
+  std::optional<GridBox> within;  // where what is not in the sum lies
+  if (unbounded && !(within = boundary_box(a.faces, b.faces))) return CellComplex::uniform(-1);
+  ReducedConvolution curves = reduced_convolution(a, b, within);
+  const bool bounded_pair = a.faces.size() == 1 && b.faces.size() == 1 && !unbounded;
+  if (bounded_pair)
+    if (auto sum = star_sum(curves)) return *std::move(sum);
+  if (pruning_pays(curves)) curves = prune_inside(std::move(curves), a, b);
+  if (bounded_pair)
+    if (auto sum = transversal_sum(curves, inside)) return *std::move(sum);
+  Scratch scratch(curves.pieces.size());
+  Arrangement arrangement = arrange(std::move(curves.geometry), std::move(curves.pieces), {}, scratch.memory());
+  return labelled_sum(std::move(arrangement), curves.sides, unbounded, inside);
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Square cells of a lattice that certainly lie inside an open Minkowski sum: a cell inside int A, moved by a lattice
+// point of B, is one, and so is a cell inside int B moved by a point of A. Points find what is thinner than a cell.
+// What lies in such a cell cannot be boundary, so it need not be arranged. Guarantee: every marked cell, closed, lies
+// in the open sum; cells may be missing. Only conservative double arithmetic; no sign is decided. Cost: that of
+// lattice_runs.h and lattice_sum.h, capped, and the cells. Keywords: bitmap Minkowski sum, pruning, chessboard distance
+// transform.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plane/base/bitmap.h"
+#include "plane/base/lattice_runs.h"
+
+namespace findspace::plane {
+
+class InnerMask {
+ public:
+  struct Pair {
+    const Outline* a;
+    const Outline* b;
+  };
+  /// For the union of the sums of the pairs; `side` is a number of grid steps above 2, `effort` about how many words to
+  /// work on.
+  InnerMask(std::span<const Pair> pairs, std::int64_t side, double effort);
+
+  /// Lattice column and row of a coordinate; column c covers [border(c), border(c + 1)].
+  std::int64_t line_of(double v) const { return std::int64_t(std::floor(v * scale_)); }
+  std::int64_t border(std::int64_t line) const { return line * side_; }
+  /// All cells less than so many columns and rows away are marked; 0 where the cell itself is not.
+  std::int64_t depth(std::int64_t column, std::int64_t row) const {
+    std::int64_t c = column - column0_, r = row - row0_;
+    return c >= 0 && r >= 0 && c < columns_ && r < rows_ ? depth_[std::size_t(r * columns_ + c)] : 0;
+  }
+
+ private:
+  void find_depths(const Bitmap& cells);
+
+  std::int64_t side_, column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
+  double scale_;
+  std::vector<std::uint8_t> depth_;
+};
+
+}  // namespace findspace::plane

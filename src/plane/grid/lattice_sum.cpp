@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid/lattice_sum.h"
+
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+namespace findspace::plane {
+namespace {
+
+using Two [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = std::uint64_t;
+
+/// Words first to last of to |= from << up.
+inline void or_shifted(std::uint64_t* to, const std::uint64_t* from, std::int64_t first, std::int64_t last,
+                       unsigned up) {
+  const unsigned down = 63 - up;  // by one more, in two steps, so that it may be by 64
+  std::int64_t k = first;
+  for (; k < last; k += 2) {
+    Two low = *reinterpret_cast<const Two*>(from + k - 1), high = *reinterpret_cast<const Two*>(from + k);
+    *reinterpret_cast<Two*>(to + k) |= high << up | low >> down >> 1;
+  }
+  if (k == last) to[k] |= from[k] << up | from[k - 1] >> down >> 1;
+}
+
+std::int64_t longest(std::span<const LatticeRun> runs) {
+  std::int64_t most = 0;
+  for (const LatticeRun& r : runs) most = std::max(most, r.last - r.first + 1);
+  return most;
+}
+
+/// Cells and, for every power of two up to a length, as many cells less one more to the right of each.
+class WidenedCells {
+ public:
+  WidenedCells(std::span<const LatticeRun> cells, std::int64_t length)
+      : box_(LatticeBox::around(cells)), used_(std::size_t(box_.row1 - box_.row0 + 1)) {
+    Bitmap narrow(box_);
+    for (const LatticeRun& c : cells) {
+      narrow.add(c);
+      Columns& used = used_[std::size_t(c.row - box_.row0)];
+      used = {std::min(used.first, c.first), std::max(used.last, c.last)};
+    }
+    widened_.push_back(std::move(narrow));
+    for (std::int64_t width = 1; 2 * width <= length; width *= 2) widen(width);
+  }
+
+  struct Columns {
+    std::int64_t first = INT64_MAX, last = INT64_MIN;
+  };
+  const LatticeBox& box() const { return box_; }
+  /// Of a row; none if its last is below its first.
+  const Columns& used(std::int64_t row) const { return used_[std::size_t(row - box_.row0)]; }
+  /// And 2^k - 1 more to the right of each.
+  const Bitmap& widened(int k) const { return widened_[std::size_t(k)]; }
+
+ private:
+  void widen(std::int64_t width) {
+    const Bitmap& from = widened_.back();
+    LatticeBox box = from.box();
+    box.column1 += width;
+    Bitmap next(box);
+    for (std::int64_t r = box.row0; r <= box.row1; ++r) {
+      or_shifted(next.line(r), from.line(r), 0, from.words() - 1, 0);
+      or_shifted(next.line(r) + width / 64, from.line(r), 0, from.words() - 1, unsigned(width % 64));
+    }
+    widened_.push_back(std::move(next));
+  }
+
+  LatticeBox box_;
+  std::vector<Columns> used_;
+  std::vector<Bitmap> widened_;
+};
+
+/// A run of points as two of a power of two, maybe the same, and the cells widened by it.
+struct Step {
+  std::int64_t first, last, second;  // columns; the second of the two starts at `second`
+  std::int64_t grown;                // by so much
+  const Bitmap* cells;
+};
+
+/// One row of the sum.
+class RowOfSums {
+ public:
+  RowOfSums(const WidenedCells& cells, Bitmap& to, std::int64_t row)
+      : cells_(cells), to_(to.line(row)), words_(to.words()), column0_(to.box().column0) {
+    note_full();
+  }
+
+  /// Adds a row of cells, moved by a row of points.
+  void add(std::span<const Step> points, std::int64_t row) {
+    const auto& used = cells_.used(row);
+    if (used.last < used.first) return;
+    auto from = points.end(), till = from;  // those between add nothing
+    if (full_.first < full_.end) {
+      const std::int64_t low = full_.first * 64 + column0_ - used.first, high = full_.end * 64 + column0_ - used.last;
+      from = std::partition_point(points.begin(), points.end(), [&](const Step& p) { return p.first < low; });
+      till = std::partition_point(from, points.end(), [&](const Step& p) { return p.last < high; });
+    }
+    for (auto p = points.begin(); p != from; ++p) add(*p, row, used);
+    for (auto p = till; p != points.end(); ++p) add(*p, row, used);
+    if (done_ > kRowsOfWork * words_) note_full();
+  }
+
+ private:
+  struct Words {
+    std::int64_t first, end;
+  };
+  static constexpr std::int64_t kRowsOfWork = 4;  // before the words that are all ones are looked for again
+
+  void add(const Step& p, std::int64_t row, const WidenedCells::Columns& used) {
+    const std::int64_t column0 = cells_.box().column0;
+    const Words of_cells{(used.first - column0) >> 6, ((used.last + p.grown - column0) >> 6) + 2};
+    const std::uint64_t* from = p.cells->line(row);
+    add(from, of_cells, column0 + p.first - column0_);
+    if (p.second != p.first) add(from, of_cells, column0 + p.second - column0_);
+  }
+
+  void add(const std::uint64_t* from, const Words& words, std::int64_t shift) {
+    const std::int64_t base = shift >> 6, first = std::max(words.first, full_.end - base);
+    const unsigned up = unsigned(shift & 63);
+    or_shifted(to_ + base, from, first, words.end - 1, up);
+    if (first > words.first) or_shifted(to_ + base, from, words.first, std::min(words.end, full_.first - base) - 1, up);
+    done_ += words.end - words.first;
+  }
+
+  /// The longest stretch.
+  void note_full() {
+    full_ = {0, 0}, done_ = 0;
+    for (std::int64_t k = 0, first = 0; k < words_; ++k) {
+      if (~to_[k] != 0) first = k + 1;
+      if (k + 1 - first > full_.end - full_.first) full_ = {first, k + 1};
+    }
+  }
+
+  const WidenedCells& cells_;
+  std::uint64_t* to_;
+  const std::int64_t words_, column0_;
+  Words full_{0, 0};       // all ones
+  std::int64_t done_ = 0;  // words, since these were looked for
+};
+
+struct RowOfPoints {
+  std::int64_t row;
+  std::span<const Step> steps;
+};
+
+std::vector<Step> steps(std::span<const LatticeRun> points, const WidenedCells& cells) {
+  std::vector<Step> out;
+  out.reserve(points.size());
+  for (const LatticeRun& p : points) {
+    const int k = std::bit_width(std::uint64_t(p.last - p.first + 1)) - 1;
+    const std::int64_t width = std::int64_t(1) << k;
+    out.push_back({p.first, p.last, p.last + 1 - width, width - 1, &cells.widened(k)});
+  }
+  return out;
+}
+
+/// Those of all parts of the set early, so that the middle of the sum fills early.
+std::vector<RowOfPoints> scattered_rows(std::span<const LatticeRun> points, std::span<const Step> steps) {
+  constexpr std::size_t kStride = 16;
+  std::vector<RowOfPoints> rows, out;
+  for (std::size_t k = 0, first = 0; k < points.size(); ++k) {
+    if (k + 1 < points.size() && points[k + 1].row == points[first].row) continue;
+    rows.push_back({points[first].row, steps.subspan(first, k + 1 - first)});
+    first = k + 1;
+  }
+  out.reserve(rows.size());
+  for (std::size_t start = 0; start < kStride; ++start)
+    for (std::size_t k = start; k < rows.size(); k += kStride) out.push_back(rows[k]);
+  return out;
+}
+
+}  // namespace
+
+void add_sums(std::span<const LatticeRun> points, std::span<const LatticeRun> cells, Bitmap& to) {
+  const WidenedCells widened(cells, longest(points));
+  const LatticeBox& box = widened.box();
+  const auto all = steps(points, widened);
+  const auto rows = scattered_rows(points, all);
+  for (std::int64_t row = to.box().row0; row <= to.box().row1; ++row) {
+    RowOfSums sums(widened, to, row);
+    for (const RowOfPoints& p : rows)
+      if (box.row0 <= row - p.row && row - p.row <= box.row1) sums.add(p.steps, row - p.row);
+  }
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid/reduced_convolution.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "plane/grid/edge_fan.h"
+
+namespace findspace::plane {
+namespace {
+
+/// Sums of two corners, each a point once. An open-addressing table of pairs.
+class CornerSums {
+ public:
+  CornerSums(std::size_t most, Memory memory) : slots_(std::bit_ceil(2 * most + 2), memory) {}
+
+  Index point(exact::Geometry& g, const EdgeFan& a, Index i, const EdgeFan& b, Index j) {
+    std::uint64_t key = (std::uint64_t(i) << 32 | j) + 1, mask = slots_.size() - 1;
+    std::uint64_t at = (key * 0x9e3779b97f4a7c15u) >> 32 & mask;
+    while (slots_[at].key != 0 && slots_[at].key != key) at = (at + 1) & mask;
+    Slot& slot = slots_[at];
+    if (slot.key == 0) {
+      GridPoint p = a.corners[i].at, q = b.corners[j].at;
+      slot = {key, g.add_grid_point(p.x + q.x, p.y + q.y)};
+    }
+    return slot.point;
+  }
+
+ private:
+  struct Slot {
+    std::uint64_t key = 0;
+    Index point = kNone;
+  };
+  std::pmr::vector<Slot> slots_;
+};
+
+class FacePair {
+ public:
+  FacePair(ReducedConvolution& out, EdgeFan& a, EdgeFan& b, const std::optional<GridBox>& within, Memory memory)
+      : out_(out), a_(a), b_(b), within_(within), sums_(place_and_count(), memory) {}
+
+  void add(const exact::Geometry& a, const exact::Geometry& b) {
+    add_edges(b_, b, a_, false);
+    add_edges(a_, a, b_, true);
+  }
+
+ private:
+  /// The edges of `moved` whose directions the convex corners of `fan` sweep.
+  template <class Visit>
+  static void each(const EdgeFan& moved, const EdgeFan& fan, Visit&& visit) {
+    Index n = Index(moved.rays.size());
+    for (Index v = 0; v < fan.corners.size(); ++v) {
+      if (fan.corners[v].turn <= 0) continue;
+      EdgeFan::Sweep s = fan.sweep(v);
+      for (Index k = s.first; k < (s.wraps ? n : s.end); ++k) visit(moved.rays[k].corner, v);
+      for (Index k = 0; s.wraps && k < s.end; ++k) visit(moved.rays[k].corner, v);
+    }
+  }
+
+  bool reaches(const EdgeFan& moved, Index e, const EdgeFan& fan, Index v) const {
+    if (!within_) return true;
+    const GridPoint by = fan.corners[v].at, p = moved.corners[e].at, q = moved.corners[moved.corners[e].next].at;
+    return std::max(p.x, q.x) + by.x >= within_->x0 && std::min(p.x, q.x) + by.x <= within_->x1 &&
+           std::max(p.y, q.y) + by.y >= within_->y0 && std::min(p.y, q.y) + by.y <= within_->y1;
+  }
+
+  std::size_t count_edges(const EdgeFan& moved, const EdgeFan& fan) const {
+    std::size_t count = 0;
+    if (within_) each(moved, fan, [&](Index e, Index v) { count += reaches(moved, e, fan, v); });
+    for (Index v = 0; !within_ && v < fan.corners.size(); ++v)
+      if (fan.corners[v].turn > 0) count += fan.sweep(v).size(moved.rays.size());
+    return count;
+  }
+
+  std::size_t place_and_count() {
+    EdgeFan::place(a_, b_);
+    const std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
+    auto& g = out_.geometry;
+    g.carriers.reserve(g.carriers.size() + count);
+    g.points.reserve(g.points.size() + 2 * count);
+    out_.pieces.reserve(out_.pieces.size() + count);
+    out_.sides.reserve(out_.sides.size() + count);
+    return count;
+  }
+
+  void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first) {
+    auto& g = out_.geometry;
+    each(moved, fan, [&](Index e, Index v) {
+      if (!reaches(moved, e, fan, v)) return;
+      const GridCorner& edge = moved.corners[e];
+      Index from = moved_first ? sums_.point(g, moved, e, fan, v) : sums_.point(g, fan, v, moved, e);
+      Index to = moved_first ? sums_.point(g, moved, edge.next, fan, v) : sums_.point(g, fan, v, moved, edge.next);
+      bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
+      Index carrier = g.add_parallel(geometry.carriers[edge.carrier], g.points[from].gx, g.points[from].gy);
+      out_.pieces.push_back({.carrier = carrier, .p0 = right ? from : to, .p1 = right ? to : from});
+      out_.sides.push_back({.left = right, .hides_at_p0 = !right || hides, .hides_at_p1 = right || hides});
+    });
+  }
+
+  ReducedConvolution& out_;
+  EdgeFan &a_, &b_;
+  const std::optional<GridBox>& within_;
+  CornerSums sums_;
+};
+
+std::pmr::vector<EdgeFan> fans(const GridOperand& o, Memory memory) {
+  std::pmr::vector<EdgeFan> out(memory);
+  out.reserve(o.faces.size());
+  for (const GridFace& f : o.faces) out.emplace_back(f, memory);
+  return out;
+}
+
+std::size_t corner_count(const GridOperand& o) {
+  std::size_t n = 0;
+  for (const GridFace& f : o.faces) n += f.corners.size();
+  return n;
+}
+
+}  // namespace
+
+ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b,
+                                       const std::optional<GridBox>& within) {
+  ReducedConvolution out;
+  Scratch scratch(corner_count(a) + corner_count(b));
+  std::pmr::vector<EdgeFan> p = fans(a, scratch.memory()), q = fans(b, scratch.memory());
+  for (EdgeFan& f : p)
+    for (EdgeFan& g : q) FacePair(out, f, g, within, scratch.memory()).add(a.geometry, b.geometry);
+  return out;
+}
+
+}  // namespace findspace::plane

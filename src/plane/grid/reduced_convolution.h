@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The curves of a convolution (convolution.h) of grid polygons that arise at convex corners. Curves at reflex corners
+// lie inside the open sum, so these hold its boundary; each has the sum on its left, its inner side, for a little way.
+// Guarantee: exact; equal directions are told apart by turning B by an infinitesimal, as in the whole convolution.
+// Cost: O(n log n + m log m + curves). Source: Behar & Lien 2011. Keywords: reduced convolution.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "plane/complex/arrangement.h"
+#include "plane/grid/boundary_box.h"
+#include "plane/grid/grid_faces.h"
+
+namespace findspace::plane {
+
+/// What a curve says about the sectors at its ends.
+struct InnerSide {
+  bool left = false;  // its inner side is to the left of p0 -> p1
+  /// Whether the displaced curve passes between its end and the directions on its inner side: not at a corner that
+  /// turns round the other way.
+  bool hides_at_p0 = true, hides_at_p1 = true;
+};
+
+struct ReducedConvolution {
+  exact::Geometry geometry;
+  std::vector<Piece> pieces;
+  std::vector<InnerSide> sides;  // per piece
+};
+
+/// A set: its faces and the geometry of their carriers.
+struct GridOperand {
+  const std::vector<GridFace>& faces;
+  const exact::Geometry& geometry;
+};
+
+/// Of all pairs of faces; without curves that miss the box, if there is one.
+ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b,
+                                       const std::optional<GridBox>& within = std::nullopt);
+
+}  // namespace findspace::plane

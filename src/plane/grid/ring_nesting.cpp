@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// How rings lie in each other: from the leftmost corner of each a ray goes straight down, a little to the left of the
+// corner; what it meets first tells the face about the ring. From left to right, so that this is known.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "plane/complex/around_vertex.h"
+#include "plane/complex/piece_meet.h"
+#include "plane/complex/ring_map.h"
+#include "plane/complex/sequence_boxes.h"
+
+namespace findspace::plane {
+namespace {
+
+using exact::Geometry;
+
+class RingNesting {
+ public:
+  RingNesting(const Geometry& g, std::span<const RingEdge> edges, std::span<const Index> starts)
+      : g_(g), edges_(edges), starts_(starts) {}
+
+  std::vector<NestedRing> run() {
+    std::vector<NestedRing> rings;
+    Index faces = 1;
+    for (Index r = 0; r < starts_.size(); ++r) {
+      leftmost_.push_back(leftmost(r));
+      // The ring goes round its left side if it leaves its leftmost corner below the way it comes.
+      rings.push_back({starts_[r], 0, 0, leaves_below(leftmost_.back(), r)});
+      (rings[r].outer ? rings[r].inside : rings[r].outside) = faces++;
+    }
+    if (starts_.size() == 1) return rings;
+    make_pieces();
+    std::vector<Index> order(starts_.size());
+    for (Index r = 0; r < order.size(); ++r) order[r] = r;
+    std::sort(order.begin(), order.end(), [&](Index r, Index s) {
+      return r != s && g_.compare_xy(edges_[leftmost_[r]].point, edges_[leftmost_[s]].point) < 0;
+    });
+    for (Index r : order) {
+      const Index below = edge_below(edges_[leftmost_[r]].point);
+      Index around = 0;
+      if (below != kNone) {
+        const NestedRing& ring = rings[ring_of_[below]];
+        around = edges_[below].right ? ring.inside : ring.outside;
+      }
+      (rings[r].outer ? rings[r].outside : rings[r].inside) = around;
+    }
+    return rings;
+  }
+
+ private:
+  Index end(Index r) const { return r + 1 < starts_.size() ? starts_[r + 1] : Index(edges_.size()); }
+  Index next(Index k, Index r) const { return k + 1 == end(r) ? starts_[r] : k + 1; }
+  Index before(Index k, Index r) const { return k == starts_[r] ? end(r) - 1 : k - 1; }
+
+  Index leftmost(Index r) const {
+    Index best = starts_[r];
+    for (Index k = starts_[r] + 1; k < end(r); ++k)
+      if (g_.compare_xy(edges_[k].point, edges_[best].point) < 0) best = k;
+    return best;
+  }
+
+  /// Of an edge, travelled from left to right or the other way.
+  Geometry::Heading heading(const RingEdge& e, bool right) const {
+    return {e.carrier, e.half != 0 ? (e.half < 0) == right : (g_.carriers[e.carrier].b > 0) == right};
+  }
+
+  bool leaves_below(Index k, Index r) const {
+    const RingEdge &out = edges_[k], &in = edges_[before(k, r)];
+    return comes_before(g_, out.point, false, heading(out, true), out.half, heading(in, true));
+  }
+
+  void make_pieces() {
+    double error = 0, largest = 0;
+    for (Index r = 0; r < starts_.size(); ++r)
+      for (Index k = starts_[r]; k < end(r); ++k) {
+        const RingEdge& e = edges_[k];
+        const Index to = edges_[next(k, r)].point;
+        pieces_.push_back(
+            {.carrier = e.carrier, .p0 = e.right ? e.point : to, .p1 = e.right ? to : e.point, .half = e.half});
+        ring_of_.push_back(r);
+        const exact::Point& p = g_.points[e.point];
+        error = std::max(error, p.error);
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+      }
+    slack_ = box_slack(error, largest);
+    std::vector<PieceBox> boxes;
+    boxes.reserve(pieces_.size());
+    for (const Piece& p : pieces_) boxes.push_back(box_of(g_, p, slack_));
+    boxes_.emplace(std::move(boxes));
+  }
+
+  /// The edge that a ray straight down from a little to the left of the point meets first; kNone: none.
+  Index edge_below(Index from) const {
+    const exact::Point& p = g_.points[from];
+    Index best = kNone;
+    boxes_->any_meeting({p.x - slack_, -exact::kInfinity, p.x + slack_, p.y + slack_}, [&](Index k) {
+      const Piece& piece = pieces_[k];
+      const bool vertical = piece.half == 0 && g_.carriers[piece.carrier].b == 0;
+      if (!vertical && g_.compare_x(piece.p0, from) < 0 && g_.compare_x(piece.p1, from) >= 0 &&
+          height(g_, piece, from) > 0 && (best == kNone || is_higher(k, best, from)))
+        best = k;
+      return false;
+    });
+    return best;
+  }
+
+  bool is_higher(Index k, Index l, Index at) const {
+    if (const int s = compare_heights(g_, pieces_[k], pieces_[l], at); s != 0) return s > 0;
+    return comes_before(g_, pieces_[k].p1, true, heading(edges_[k], false), pieces_[k].half, heading(edges_[l], false));
+  }
+
+  const Geometry& g_;
+  std::span<const RingEdge> edges_;
+  std::span<const Index> starts_;
+  std::vector<Index> leftmost_;  // ring -> the edge that leaves its leftmost corner
+  std::vector<Piece> pieces_;    // of the edges
+  std::vector<Index> ring_of_;   // edge -> ring
+  double slack_ = 0;
+  std::optional<SequenceBoxes> boxes_;
+};
+
+}  // namespace
+
+std::vector<NestedRing> nested_rings(const Geometry& geometry, std::span<const RingEdge> edges,
+                                     std::span<const Index> starts) {
+  return RingNesting(geometry, edges, starts).run();
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid/transversal_sum.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plane/complex/ring_map.h"
+#include "plane/grid/meeting_curves.h"
+
+namespace findspace::plane {
+namespace {
+
+/// The closed walks along outer sides, against the way of the curves.
+class OuterWalks {
+ public:
+  OuterWalks(const MeetingCurves& curves, Memory memory)
+      : curves_(curves), state_(curves.part_count(), kNew, memory), parts_(memory) {
+    parts_.reserve(curves.size());
+  }
+
+  /// The walk from a part of a curve, if it is closed and new.
+  std::span<const CurvePart> walk(CurvePart from) {
+    parts_.clear();
+    CurvePart at = from;
+    for (;;) {
+      char& state = state_[curves_.part(at)];
+      if (state == kDone || state == kInner) return leave(kInner);
+      if (state == kOpen) break;
+      state = kOpen;
+      parts_.push_back(at);
+      if (!advance(at)) return leave(kInner);
+    }
+    // A walk may start on a curve that runs along another one: then it comes back to a later part.
+    auto start = std::find_if(parts_.begin(), parts_.end(),
+                              [&](const CurvePart& p) { return p.curve == at.curve && p.slot == at.slot; });
+    leave(kDone);
+    return std::span(start, parts_.end());
+  }
+
+  bool is_new(CurvePart p) const { return state_[curves_.part(p)] == kNew; }
+
+ private:
+  enum State : char { kNew, kOpen, kInner, kDone };
+
+  /// To the part before; false where the walk would pass an inner side.
+  bool advance(CurvePart& at) const {
+    if (Index knot = curves_.knot_before(at); knot != kNone) {
+      const Arm& arm = curves_.knots().clockwise(knot, at.curve, at.slot);
+      if (arm.starts) return false;
+      at = {arm.curve, arm.slot};
+      return true;
+    }
+    if (at.slot == 0) {
+      Index before = curves_.before(at.curve);
+      if (before == kNone) return false;
+      at = {before, curves_.stop_count(before)};
+      return true;
+    }
+    const Stop& stop = curves_.stop(at.curve, at.slot - 1);
+    if (!stop.from_right) return false;
+    at = {stop.other, stop.twin};
+    return true;
+  }
+
+  std::span<const CurvePart> leave(State state) {
+    for (const CurvePart& p : parts_) state_[curves_.part(p)] = state;
+    return {};
+  }
+
+  const MeetingCurves& curves_;
+  std::pmr::vector<char> state_;
+  std::pmr::vector<CurvePart> parts_;
+};
+
+class TransversalSum {
+ public:
+  TransversalSum(ReducedConvolution& c, const InsideTest& inside, Memory memory)
+      : c_(c),
+        inside_(inside),
+        curves_(c, memory),
+        rings_(memory),
+        starts_(memory),
+        passed_(curves_.knots().count(), 0, memory),
+        memory_(memory) {}
+
+  std::optional<SignMap> run() {
+    if (!find_rings() || has_slot() || has_lonely_point()) return std::nullopt;
+    return ring_map(std::move(c_.geometry), rings_, rings_of_one_face(starts_));
+  }
+
+ private:
+  bool find_rings() {
+    OuterWalks walks(curves_, memory_);
+    Index first = leftmost();
+    if (first == kNone) return false;
+    auto outer = walks.walk({first, 0});
+    if (outer.empty() || !add_ring(outer)) return false;
+    for (Index i = 0; i < curves_.size(); ++i)
+      for (Index k = 0; k <= curves_.stop_count(i); ++k) {
+        if (!walks.is_new({i, k})) continue;
+        auto walk = walks.walk({i, k});
+        if (!walk.empty() && !is_inside(walk.front()) && !add_ring(walk)) return false;
+      }
+    return true;
+  }
+
+  /// The curve that starts at the leftmost corner of the sum: it is part of the outer ring. Ends made by pruning lie
+  /// inside.
+  Index leftmost() const {
+    const auto& points = c_.geometry.points;
+    Index best = kNone;
+    for (Index i = 0; i < curves_.size(); ++i) {
+      const exact::Point& p = points[curves_.start(i)];
+      if (p.kind != exact::Point::Kind::kGrid) continue;
+      if (best == kNone) best = i;
+      const exact::Point& q = points[curves_.start(best)];
+      if (p.gx < q.gx || (p.gx == q.gx && p.gy < q.gy)) best = i;
+    }
+    return best;
+  }
+
+  /// Is a part of a curve in the sum? If the face on its outer side is, or both its sides are inner sides, it may be.
+  bool is_inside(CurvePart p) {
+    return inside_(c_.geometry, point_between(c_.geometry, curves_.carrier(p.curve), curves_.start(p), curves_.end(p)));
+  }
+
+  /// Between two curves with opposite inner sides.
+  bool has_slot() {
+    const auto parts = curves_.parts_with_two_inner_sides();
+    return std::any_of(parts.begin(), parts.end(), [&](CurvePart p) { return !is_inside(p); });
+  }
+
+  /// With nothing but the sum all round.
+  bool has_lonely_point() {
+    const Knots& knots = curves_.knots();
+    for (Index k = 0; k < knots.count(); ++k)
+      if (passed_[k] == 0 && knots.is_surrounded(k) && !inside_(c_.geometry, knots.point(k))) return true;
+    return false;
+  }
+
+  /// False where the ring passes a knot that a ring has passed before.
+  bool add_ring(std::span<const CurvePart> walk) {
+    starts_.push_back(Index(rings_.size()));
+    if (rings_.empty()) rings_.reserve(walk.size());
+    for (std::size_t k = walk.size(); k-- > 0;) {
+      CurvePart p = walk[k], before = walk[k + 1 == walk.size() ? 0 : k + 1];
+      if (Index knot = curves_.knot_before(p); knot != kNone && passed_[knot]++ > 0) return false;
+      if (straight(before.curve, p.curve)) continue;
+      rings_.push_back({curves_.start(p), curves_.carrier(p.curve), curves_.right(p.curve)});
+    }
+    return true;
+  }
+
+  bool straight(Index i, Index j) const {
+    const auto &k = c_.geometry.carriers[curves_.carrier(i)], &l = c_.geometry.carriers[curves_.carrier(j)];
+    return k.a == l.a && k.b == l.b;
+  }
+
+  ReducedConvolution& c_;
+  const InsideTest& inside_;
+  MeetingCurves curves_;
+  std::pmr::vector<RingEdge> rings_;
+  std::pmr::vector<Index> starts_;
+  std::pmr::vector<int> passed_;  // knot -> times a ring passed it
+  Memory memory_;
+};
+
+}  // namespace
+
+std::optional<SignMap> transversal_sum(ReducedConvolution& convolution, const InsideTest& inside) {
+  if (convolution.pieces.empty()) return std::nullopt;
+  Scratch scratch(convolution.pieces.size());
+  return TransversalSum(convolution, inside, scratch.memory()).run();
+}
+
+}  // namespace findspace::plane

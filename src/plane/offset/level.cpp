@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/offset/level.h"
+
+#include <algorithm>
+
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+#include "plane/offset/grid_offset.h"
+#include "plane/sum/minkowski.h"
+
+namespace findspace::plane {
+namespace {
+
+/// By arranging the whole convolution with a disc: {d < r} = C (+) int rK, {d <= r} = C (+) rK.
+SignMap disc_contact(const Region& closed, const exact::Real& radius) {
+  if (closed.edges.empty() && closed.vertices.empty()) return CellComplex::uniform(closed.faces[0].mark > 0 ? -1 : 1);
+  return contact_map(closed, region_of_disc(0, 0, radius));
+}
+
+SignMap opposite(SignMap map) {
+  return remark(std::move(map), [](Mark m) { return Mark(-m); });
+}
+
+}  // namespace
+
+SignMap distance_map(const Region& closed, const exact::Real& radius) {
+  if (auto map = grid_offset(
+          closed, [](Mark m) { return m > 0; }, radius))
+    return *std::move(map);
+  return disc_contact(closed, radius);
+}
+
+SignMap level_map(const SignMap& base, const exact::Real& level) {
+  int side = level.sign();
+  if (side == 0) return base;
+  if (side > 0) {
+    if (auto map = grid_offset(
+            base, [](Mark m) { return m <= 0; }, level))
+      return *std::move(map);
+    return distance_map(remark(base, [](Mark m) { return Mark(m <= 0); }), level);
+  }
+  if (auto map = grid_offset(
+          base, [](Mark m) { return m >= 0; }, -level))
+    return opposite(*std::move(map));
+  return opposite(distance_map(remark(base, [](Mark m) { return Mark(m >= 0); }), -level));
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/offset/offset_meetings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plane/base/small_sort.h"
+#include "plane/complex/sequence_boxes.h"
+
+namespace findspace::plane {
+
+bool OffsetMeetings::is_inside(Index point, std::initializer_list<Index> pieces) {
+  std::array<Index, 8> own;
+  std::size_t n = 0;
+  for (Index i : pieces) {
+    const OffsetTrack& t = c_.tracks[i];
+    own[n++] = t.corner;
+    if (t.arc) own[n++] = edges_.before(t.corner);
+  }
+  return edges_.holds(c_.geometry, point, std::span(own.data(), n));
+}
+
+std::vector<PieceBox> OffsetMeetings::boxes() const {
+  const exact::Geometry& g = c_.geometry;
+  double error = 0, largest_x = 0, largest_y = 0;
+  for (const exact::Point& p : g.points) {
+    error = std::max(error, p.error);
+    largest_x = std::max(largest_x, std::abs(p.x)), largest_y = std::max(largest_y, std::abs(p.y));
+  }
+  const double slack = box_slack(error, std::max(largest_x, largest_y));
+  std::vector<PieceBox> boxes;
+  boxes.reserve(c_.pieces.size());
+  for (const Piece& p : c_.pieces)
+    boxes.push_back(p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack) : box_of(g, p, slack));
+  return boxes;
+}
+
+bool OffsetMeetings::find() {
+  PieceMeetings found(c_.geometry, c_.pieces, std::pmr::new_delete_resource());
+  SequenceBoxes(boxes()).meeting_pairs([&](Index i, Index j) {
+    if (!good_ || c_.tracks[i].next == j || c_.tracks[j].next == i) return;
+    const Index known = Index(c_.geometry.points.size());
+    found.add_pair(i, j);
+    if (found.splits.empty() && found.ties.empty()) return;
+    note(found, known, i, j);
+    found.splits.clear(), found.ties.clear();
+  });
+  return good_ && sort_stops();
+}
+
+void OffsetMeetings::note(const PieceMeetings& found, Index known, Index i, Index j) {
+  const exact::Geometry& g = c_.geometry;
+  if (same_carrier(g.carriers[c_.pieces[i].carrier], g.carriers[c_.pieces[j].carrier])) good_ = false;
+  for (const PieceMeetings::Tie& tie : found.ties) give_up_unless_inside(tie.p, i, j);
+  for (std::size_t k = 0; k < found.splits.size(); ++k) {
+    const Index point = found.splits[k].point;
+    const bool crossing = point >= known && !g.touch_at(point, c_.pieces[i].carrier, c_.pieces[j].carrier) &&
+                          k + 1 < found.splits.size() && found.splits[k + 1].point == point;
+    if (!crossing) {
+      give_up_unless_inside(point, i, j);
+      continue;
+    }
+    const Index first = Index(stops_.size());
+    stops_.push_back({i, point, j, first + 1});
+    stops_.push_back({j, point, i, first});
+    ++k;
+  }
+}
+
+bool OffsetMeetings::sort_stops() {
+  const Index n = Index(c_.pieces.size());
+  first_.assign(n + 1, 0);
+  for (const Stop& s : stops_) ++first_[s.piece + 1];
+  for (Index i = 0; i < n; ++i) first_[i + 1] += first_[i];
+  std::vector<Index> order(stops_.size()), at(first_.begin(), first_.end() - 1), place(stops_.size());
+  for (Index s = 0; s < stops_.size(); ++s) order[at[stops_[s].piece]++] = s;
+  for (Index i = 0; i < n; ++i) {
+    if (first_[i] == first_[i + 1]) continue;
+    const auto along = [&](Index s, Index t) {
+      return s == t ? 0 : compare_along(c_.geometry, c_.pieces[i], stops_[s].point, stops_[t].point);
+    };
+    const auto from = order.begin() + first_[i], to = order.begin() + first_[i + 1];
+    small_sort(from, to, [&](Index s, Index t) { return c_.tracks[i].right ? along(s, t) < 0 : along(s, t) > 0; });
+    for (auto k = from; k != to && k + 1 != to; ++k)
+      if (along(*k, *(k + 1)) == 0 && !is_inside(stops_[*k].point, {i, stops_[*k].other, stops_[*(k + 1)].other}))
+        return false;
+    for (auto k = from; k != to; ++k) place[*k] = Index(k - from);
+  }
+  std::vector<Stop> sorted;
+  sorted.reserve(stops_.size());
+  for (Index s : order) {
+    sorted.push_back(stops_[s]);
+    sorted.back().twin = place[stops_[s].twin];
+  }
+  stops_ = std::move(sorted);
+  return true;
+}
+
+}  // namespace findspace::plane

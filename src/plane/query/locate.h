@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The cell that contains a point: vertex, edge or face. Guarantee: exact for every real point.
+// Method: a vertical ray upwards from a little to the right of the point (the lowest edge above it has the face below
+// it), through a table of columns; the order of two edges above the point is decided at the later of their left ends.
+// Cost: building O(n) and O(n) memory; a query looks at the edges over its column, a few of them exactly. Keywords:
+// point location, point in polygon.
+#pragma once
+
+#include <vector>
+
+#include "plane/complex/cell_complex.h"
+
+namespace findspace::plane {
+
+struct Cell {
+  int dimension = 2;
+  Index index = 0;  // in vertices, edges or faces
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+inline Mark mark_of(const CellComplex& c, Cell cell) {
+  return cell.dimension == 2   ? c.faces[cell.index].mark
+         : cell.dimension == 1 ? c.edges[cell.index].mark
+                               : c.vertices[cell.index].mark;
+}
+
+/// Prepared for many points. Keeps a reference to the complex; one thread at a time.
+class Locator {
+ public:
+  explicit Locator(const CellComplex& c);
+  Cell locate(const exact::RealPoint& p);
+  Mark mark(const exact::RealPoint& p) { return mark_of(c_, locate(p)); }
+
+ private:
+  struct Box {
+    double x0, x1, y0, y1;  // encloses the edge or the point
+    Index cell;             // edge, or edge count + isolated vertex
+  };
+  struct Span {
+    Index first, last;
+  };
+  Index column(double x) const;
+  Span columns(const Box& b) const { return {column(b.x0), column(b.x1)}; }
+  Box box(Index cell) const;
+  void build_columns(const std::vector<Box>& boxes);
+  bool is_found(Index cell, Cell& found) const;
+  bool is_vertical(Index edge) const;
+  int compare_x(Index vertex) const;
+  int compare_xy(Index vertex) const;
+  int height(Index edge, Index point) const;
+  bool is_under(Index edge) const;
+  bool lies_below(Index e, Index f) const;
+  Cell search() const;
+
+  const CellComplex& c_;
+  exact::Geometry geometry_;  // the complex's, and the point asked for at the end
+  Index query_ = 0;
+  double left_ = 0, per_width_ = 0;
+  std::vector<Index> column_start_;
+  std::vector<Box> entries_;  // column after column
+};
+
+/// For one point.
+Cell locate(const CellComplex& c, const exact::RealPoint& p);
+
+}  // namespace findspace::plane

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/query/measure_cells_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace findspace::plane {
+namespace {
+
+using exact::Real;
+using Number = BoundedTwofold;
+
+constexpr double kUnit = 0x1p-102;     // no sign: of the relative error of one operation of Twofold, twice that proved
+constexpr double kGrow = 1 + 0x1p-40;  // no sign: what rounding takes from a sum of errors
+constexpr double kEnough = 0x1p-94;    // no sign: the error of a place that will do
+constexpr double kNear = 0x1p-42;      // no sign: of a double from which the rest is taken
+
+Number rounded(const Twofold& value, double error) { return {value, (error + kUnit * std::fabs(value.hi)) * kGrow}; }
+Number operator+(const Number& p, const Number& q) { return rounded(p.value + q.value, p.error + q.error); }
+Number operator-(const Number& p, const Number& q) { return rounded(p.value - q.value, p.error + q.error); }
+Number operator*(const Number& p, const Number& q) {
+  return rounded(p.value * q.value,
+                 std::fabs(p.value.hi) * q.error + std::fabs(q.value.hi) * p.error + p.error * q.error);
+}
+Number operator/(const Number& p, const Number& q) {
+  const Twofold ratio = p.value / q.value;
+  const double least = std::fabs(q.value.hi) - q.error;
+  if (!(least > 0)) return {ratio, std::numeric_limits<double>::infinity()};
+  return rounded(ratio, (p.error + std::fabs(ratio.hi) * q.error) / least * kGrow);
+}
+Number root(const Number& p) {
+  const Twofold r = sqrt(p.value);
+  if (!(p.value.hi > 4 * p.error)) return {r, std::numeric_limits<double>::infinity()};
+  return rounded(r, p.error / r.hi);
+}
+
+Number number(exact::int128 n) {
+  const double high = static_cast<double>(n);
+  const exact::int128 rest = n - static_cast<exact::int128>(high);
+  return rounded(Twofold(high) + Twofold(static_cast<double>(rest)), 0);
+}
+
+Number number(const Real& value) {
+  if (const auto parts = value.fraction()) {
+    const Number above = number((*parts)[0]);
+    return (*parts)[1] == 1 ? above : above / number((*parts)[1]);
+  }
+  return rounded(Twofold(value), 0);
+}
+
+}  // namespace
+
+VertexPlaces::VertexPlaces(const exact::Geometry& geometry)
+    : geometry_(geometry), of_carrier_(geometry.carriers.size()) {}
+
+const VertexPlaces::Numbers& VertexPlaces::numbers(Index carrier) {
+  std::optional<Numbers>& known = of_carrier_[carrier];
+  if (!known) known = computed(geometry_.carriers[carrier]);
+  return *known;
+}
+
+VertexPlaces::Numbers VertexPlaces::computed(const exact::Carrier& k) const {
+  if (k.circle && k.grid) return {number(k.a), number(k.b), number(k.w)};
+  if (k.circle) return {number(k.real->x), number(k.real->y), number(k.w)};
+  const Number a = number(k.a), b = number(k.b);
+  if (k.real) return {a, b, number(k.real->x)};
+  if (k.grid) return {a, b, number(k.c)};
+  return {a, b, number(k.c) + number(k.w) * root(number(exact::int128(k.a) * k.a + exact::int128(k.b) * k.b))};
+}
+
+VertexPlaces::Crossing VertexPlaces::crossing(const exact::Point& p) {
+  const bool swap = geometry_.carriers[p.i].circle && !geometry_.carriers[p.j].circle;
+  const Index i = swap ? p.j : p.i, j = swap ? p.i : p.j;
+  const Numbers s = numbers(i), t = numbers(j);
+  const bool line = !geometry_.carriers[i].circle;
+  if (line && !geometry_.carriers[j].circle) {
+    const Number det = s.a * t.b - s.b * t.a;
+    return {(s.c * t.b - t.c * s.b) / det, (s.a * t.c - t.a * s.c) / det};
+  }
+  const auto along = [&](const Number& square) {
+    return p.root == 0 ? Number{} : Number{Twofold(double(p.root)), 0} * root(square);
+  };
+  if (line) {
+    const Number n2 = s.a * s.a + s.b * s.b, h = s.a * t.a + s.b * t.b - s.c;
+    const Number half = along(t.c * t.c * n2 - h * h);
+    return {t.a + (s.b * half - s.a * h) / n2, t.b - (s.a * half + s.b * h) / n2};
+  }
+  const Number dx = t.a - s.a, dy = t.b - s.b, l2 = dx * dx + dy * dy, r2 = s.c * s.c;
+  const Number k = (l2 + r2 - t.c * t.c) / Number{Twofold(2), 0}, half = along(r2 * l2 - k * k);
+  return {s.a + (dx * k + dy * half) / l2, s.b + (dy * k - dx * half) / l2};
+}
+
+std::array<Twofold, 2> VertexPlaces::at(Index point) {
+  const exact::Point& p = geometry_.points[point];
+  if (p.kind == exact::Point::Kind::kGrid) return {double(p.gx), double(p.gy)};  // at most 2^40 and sums of such: exact
+  if (p.kind == exact::Point::Kind::kCross) {
+    const Crossing c = crossing(p);
+    const auto good = [](const Number& v) { return v.error <= kEnough * std::max(std::fabs(v.value.hi), 1.0); };
+    if (good(c[0]) && good(c[1])) return {c[0].value, c[1].value};
+  }
+  const exact::RealPoint q = geometry_.exact(point);
+  const auto exactly = [&](const Real& value, double near) {
+    return p.error <= kNear * std::max(std::fabs(near), 1.0) ? Twofold(value, near) : Twofold(value);
+  };
+  return {exactly(q.x, p.x), exactly(q.y, p.y)};
+}
+
+}  // namespace findspace::plane

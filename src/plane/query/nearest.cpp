@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/query/nearest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace findspace::plane {
+namespace {
+
+using exact::Real;
+using exact::RealPoint;
+
+double middle(const Real& r) {
+  auto i = r.interval();
+  return i.lo + (i.hi - i.lo) / 2;
+}
+
+struct Candidate {
+  double distance;
+  Cell cell;
+};
+
+/// The foot of the perpendicular is inside the edge.
+bool foot_inside(const CellComplex& c, Index edge, double x, double y) {
+  const Edge& e = c.edges[edge];
+  const exact::Point &p = c.point(e.v0), &q = c.point(e.v1);
+  if (e.half == 0) {
+    double dx = q.x - p.x, dy = q.y - p.y, t = (x - p.x) * dx + (y - p.y) * dy;
+    return t > 0 && t < dx * dx + dy * dy;
+  }
+  const exact::Carrier& k = c.carrier(edge);
+  double dx = x - k.x.value, dy = y - k.y.value, length = std::hypot(dx, dy);
+  if (length == 0) return true;
+  double fx = k.x.value + dx / length * k.z.value;
+  return (dy >= 0) == (e.half > 0) && fx > p.x && fx < q.x;
+}
+
+double edge_distance(const CellComplex& c, Index edge, double x, double y) {
+  const exact::Carrier& k = c.carrier(edge);
+  if (c.edges[edge].half == 0) {
+    const exact::Point& p = c.point(c.edges[edge].v0);
+    return std::abs(k.x.value * (x - p.x) + k.y.value * (y - p.y));
+  }
+  return std::abs(std::hypot(x - k.x.value, y - k.y.value) - k.z.value);
+}
+
+Nearest exact_vertex(const CellComplex& c, Index v, const RealPoint& from) {
+  RealPoint at = c.geometry.exact(c.vertices[v].point);
+  Real dx = at.x - from.x, dy = at.y - from.y;
+  return {sqrt(dx * dx + dy * dy), at, {0, v}};
+}
+
+Nearest exact_edge(const CellComplex& c, Index edge, const RealPoint& from) {
+  const exact::Carrier& k = c.carrier(edge);
+  if (!k.circle) {
+    Real a(k.a), b(k.b), n2 = a * a + b * b, h = a * from.x + b * from.y - k.offset();
+    Real d = h / sqrt(n2);
+    return {d.sign() < 0 ? -d : d, {from.x - a * h / n2, from.y - b * h / n2}, {1, edge}};
+  }
+  Real dx = from.x - k.center_x(), dy = from.y - k.center_y(), length = sqrt(dx * dx + dy * dy), d = length - k.w;
+  RealPoint at = length.sign() == 0 ? c.geometry.exact(c.vertices[c.edges[edge].v0].point)
+                                    : RealPoint{k.center_x() + dx * k.w / length, k.center_y() + dy * k.w / length};
+  return {d.sign() < 0 ? -d : d, at, {1, edge}};
+}
+
+}  // namespace
+
+std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Mark)>& wanted, const RealPoint& from) {
+  double x = middle(from.x), y = middle(from.y), least = std::numeric_limits<double>::infinity(), scale = 0;
+  std::vector<Candidate> all;
+  auto take = [&](double d, Cell cell) {
+    all.push_back({d, cell});
+    least = std::min(least, d);
+  };
+  for (Index v = 0; v < c.vertices.size(); ++v) {
+    const exact::Point& p = c.point(v);
+    scale = std::max({scale, std::abs(p.x), std::abs(p.y)});
+    if (wanted(c.vertices[v].mark)) take(std::hypot(p.x - x, p.y - y), {0, v});
+  }
+  for (Index e = 0; e < c.edges.size(); ++e)
+    if (wanted(c.edges[e].mark) && foot_inside(c, e, x, y)) take(edge_distance(c, e, x, y), {1, e});
+  // Rounding can only exchange candidates within this of the least; they are compared exactly.
+  double room = (scale + std::abs(x) + std::abs(y) + least) * 0x1p-44;
+  std::optional<Nearest> best;
+  for (const Candidate& k : all) {
+    if (k.distance > least + room) continue;
+    Nearest n = k.cell.dimension == 0 ? exact_vertex(c, k.cell.index, from) : exact_edge(c, k.cell.index, from);
+    if (!best || n.distance.to_double() < best->distance.to_double()) best = std::move(n);
+  }
+  return best;
+}
+
+}  // namespace findspace::plane

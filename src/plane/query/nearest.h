@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The point of a set's edges and vertices that is nearest to a position. Guarantee: the distance is that of an exact
+// point of the cell found, computed exactly and rounded once; cells whose distances agree to about 1e-12 relative may
+// be exchanged. Cost: linear in the cells, a few of them exactly. Keywords: closest point, distance query.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "plane/complex/cell_complex.h"
+#include "plane/query/locate.h"
+
+namespace findspace::plane {
+
+struct Nearest {
+  exact::Real distance;  // in grid steps
+  exact::RealPoint at;
+  Cell cell;  // a vertex or an edge
+};
+
+/// Among edges and vertices whose mark is wanted; nothing if there are none.
+std::optional<Nearest> nearest(const CellComplex& complex, const std::function<bool(Mark)>& wanted,
+                               const exact::RealPoint& from);
+
+}  // namespace findspace::plane

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/query/summary_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace findspace::plane {
+namespace {
+
+constexpr int kLines = 24;            // vertical lines tried
+constexpr double kBudget = 2e6;       // distances computed for one face, about
+constexpr double kEmptyFrame = 1000;  // half width of the frame where there is nothing to go by
+
+double distance_to_segment(double px, double py, double x0, double y0, double x1, double y1) {
+  double dx = x1 - x0, dy = y1 - y0, l2 = dx * dx + dy * dy;
+  double t = l2 > 0 ? std::clamp(((px - x0) * dx + (py - y0) * dy) / l2, 0.0, 1.0) : 0;
+  return std::hypot(px - x0 - t * dx, py - y0 - t * dy);
+}
+
+}  // namespace
+
+FaceOutline::FaceOutline(const CellComplex& c, const CellMeasures& measures, Index face,
+                         std::span<const Index> half_edges)
+    : unbounded_(face == 0) {
+  for (Index h : half_edges) {
+    // An edge with the face on both sides comes twice.
+    if ((h & 1u) && c.face(h ^ 1u) == face) continue;
+    add(c, measures, h / 2, face);
+  }
+  for (Index v : c.faces[face].isolated) points_.push_back({measures.x(v).hi, measures.y(v).hi});
+  set_frame();
+}
+
+void FaceOutline::add(const CellComplex& c, const CellMeasures& measures, Index edge, Index face) {
+  const Edge& e = c.edges[edge];
+  Curve k{
+      measures.x(e.v0).hi,      measures.y(e.v0).hi,         measures.x(e.v1).hi, measures.y(e.v1).hi, 0, 0, -1, e.half,
+      c.face(2 * edge) == face, c.face(2 * edge + 1) == face};
+  if (c.is_arc(edge)) {
+    const CellMeasures::Circle& circle = measures.circle(edge);
+    k.cx = circle.x.hi, k.cy = circle.y.hi, k.r = circle.radius.hi;
+  }
+  curves_.push_back(k);
+}
+
+void FaceOutline::set_frame() {
+  if (curves_.empty() && points_.empty()) {
+    x0_ = y0_ = -kEmptyFrame, x1_ = y1_ = kEmptyFrame;
+    return;
+  }
+  x0_ = y0_ = HUGE_VAL, x1_ = y1_ = -HUGE_VAL;
+  auto see = [this](double x, double y) {
+    x0_ = std::min(x0_, x), x1_ = std::max(x1_, x), y0_ = std::min(y0_, y), y1_ = std::max(y1_, y);
+  };
+  for (const Curve& k : curves_) {
+    see(k.x0, k.y0);
+    see(k.x1, k.y1);
+    if (k.half != 0) see(std::clamp(k.cx, k.x0, k.x1), k.cy + k.half * k.r);
+  }
+  for (const auto& p : points_) see(p[0], p[1]);
+  if (!unbounded_) return;
+  double room = std::max({(x1_ - x0_) / 2, (y1_ - y0_) / 2, 1.0});
+  x0_ -= room, x1_ += room, y0_ -= room, y1_ += room;
+}
+
+double FaceOutline::clearance(double x, double y) const {
+  double least = std::min({x - x0_, x1_ - x, y - y0_, y1_ - y});
+  for (const Curve& k : curves_) {
+    double d;
+    if (k.r < 0) {
+      d = distance_to_segment(x, y, k.x0, k.y0, k.x1, k.y1);
+    } else {
+      double dx = x - k.cx, dy = y - k.cy, length = std::hypot(dx, dy), foot = k.cx + dx / length * k.r;
+      bool on_arc = foot >= k.x0 && foot <= k.x1 && dy * k.half >= 0;
+      d = on_arc ? std::abs(length - k.r) : std::min(std::hypot(x - k.x0, y - k.y0), std::hypot(x - k.x1, y - k.y1));
+    }
+    least = std::min(least, d);
+  }
+  for (const auto& p : points_) least = std::min(least, std::hypot(x - p[0], y - p[1]));
+  return least;
+}
+
+/// The middle of the longest part of the vertical line at x that lies in the face.
+FaceOutline::Spot FaceOutline::widest_gap(double x) const {
+  std::vector<Crossing> crossings;
+  if (unbounded_) crossings = {{y0_, true, false}, {y1_, false, true}};
+  for (const Curve& k : curves_) {
+    if (!(k.x0 <= x && x < k.x1)) continue;
+    double y = k.half == 0 ? k.y0 + (k.y1 - k.y0) * ((x - k.x0) / (k.x1 - k.x0))
+                           : k.cy + k.half * std::sqrt(std::max(0.0, (k.r - (x - k.cx)) * (k.r + (x - k.cx))));
+    crossings.push_back({y, k.face_above, k.face_below});
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.y < b.y; });
+  Spot spot;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    double gap = crossings[i + 1].y - crossings[i].y;
+    if (!crossings[i].face_above || !crossings[i + 1].face_below || gap <= 2 * spot.clearance) continue;
+    spot = {x, crossings[i].y + gap / 2, gap / 2};
+  }
+  if (spot.clearance >= 0) spot.clearance = clearance(spot.x, spot.y);
+  return spot;
+}
+
+FaceOutline::Spot FaceOutline::climb(Spot best, int steps) const {
+  static constexpr std::array<std::array<int, 2>, 8> kWays{
+      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+  // Moves are never longer than the clearance, so the path stays in the face.
+  double step = best.clearance;
+  while (steps > 0 && step > best.clearance / 64) {
+    Spot next = best;
+    for (const auto& way : kWays) {
+      Spot s{best.x + way[0] * step / 2, best.y + way[1] * step / 2, 0};
+      s.clearance = clearance(s.x, s.y);
+      if (s.clearance > next.clearance) next = s;
+    }
+    steps -= int(kWays.size());
+    if (next.clearance > best.clearance)
+      best = next;
+    else
+      step /= 2;
+  }
+  return best;
+}
+
+FaceOutline::Spot FaceOutline::roomiest() const {
+  const double n = double(curves_.size() + points_.size()) + 1;
+  const int budget = int(std::clamp(kBudget / n, 8.0, 400.0)), lines = std::min(kLines, budget);
+  Spot best;
+  // Never at the ends nor in the very middle, where vertices like to be.
+  for (int i = 0; i < lines; ++i) {
+    Spot s = widest_gap(x0_ + (x1_ - x0_) * ((i + 0.5) / lines));
+    if (s.clearance > best.clearance) best = s;
+  }
+  if (best.clearance > 0) return climb(best, budget - lines);
+  return best;
+}
+
+}  // namespace findspace::plane

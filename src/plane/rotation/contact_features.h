@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What of the boundary of a set M ("material") can touch another set from outside: its straight edges, each with the
+// normal that points out of M, and its round parts, arcs and corners, each a centre, a signed radius (0: a corner, less
+// than 0: M lies outside the circle) and the range of its outward normals. A part of M and a part of another set that
+// touch have opposite normals, so pairs of features with opposite normals give all positions in which two sets touch
+// without overlapping: the reduced convolution. Curves without area have normals to both sides. Guarantee: no feature
+// is missing; there may be some too many (normals in doubles, with room). Cost: linear. Source: Guibas, Ramshaw,
+// Stolfi, A kinetic framework for computational geometry (1983). Keywords: normal cone, convolution, contact curve.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "plane/rotation/turned_edges.h"
+
+namespace findspace::plane {
+
+/// A range of directions in radians, counter-clockwise.
+struct Cone {
+  double from = 0, width = 0;
+};
+
+/// The part of a circle (or a corner, or a single point) around `center`.
+struct RoundFeature {
+  RealVector center;
+  exact::Real radius;  // signed
+  double x = 0, y = 0, r = 0;
+  Cone normals;
+};
+
+/// The segment from p to q; its normal points to the left of that way (side +1) or to the right (-1).
+struct EdgeFeature {
+  RealVector p, q;
+  int side = 1;
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0, nx = 0, ny = 0, normal = 0;  // unit normal, and its direction in radians
+};
+
+struct ContactFeatures {
+  std::vector<RoundFeature> rounds;
+  std::vector<EdgeFeature> edges;
+};
+
+/// Of the set of faces with a wanted mark and all edges and vertices. Relative to `about`.
+ContactFeatures contact_features(const CellComplex& complex, const exact::RealPoint& about,
+                                 const std::function<bool(Mark)>& material);
+
+/// Two ranges of directions have one in common, up to `room`.
+bool cones_meet(const Cone& a, const Cone& b, double room);
+
+}  // namespace findspace::plane

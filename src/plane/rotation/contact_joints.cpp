@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/rotation/contact_joints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace findspace::plane {
+namespace {
+
+using exact::Real;
+using Kind = ContactPair::Kind;
+
+constexpr double kNear = 1e-9;  // no sign: of the sizes; what is nearer is decided exactly
+
+/// Of lengths that sum up from such numbers.
+bool near(double x, double y, const RoundFeature& a, const RoundFeature& b) {
+  const double size = std::abs(a.x) + std::abs(a.y) + std::abs(a.r) + std::abs(b.x) + std::abs(b.y) + std::abs(b.r);
+  return std::abs(x - y) <= kNear * size;
+}
+
+bool one_circle(const RoundFeature& a, const RoundFeature& b) {
+  return near(a.x, b.x, a, b) && near(a.y, b.y, a, b) && near(a.r, b.r, a, b) && a.radius == b.radius &&
+         a.center == b.center;
+}
+
+/// The same point of both has the same normal: one circle lies in the other, radii being signed.
+bool circles_touch(const RoundFeature& a, const RoundFeature& b) {
+  if (!near(std::hypot(a.x - b.x, a.y - b.y), std::abs(a.r - b.r), a, b)) return false;
+  const RealVector way = b.center - a.center;
+  const Real radii = b.radius - a.radius;
+  return plane::dot(way, way) == radii * radii;
+}
+
+bool touches(const EdgeFeature& e, const RoundFeature& a) {
+  const double off = e.nx * (a.x - e.x0) + e.ny * (a.y - e.y0);
+  const double size = std::abs(e.x0) + std::abs(e.y0) + std::abs(a.x) + std::abs(a.y) + std::abs(a.r);
+  if (std::abs(off + a.r) > kNear * size) return false;
+  const RealVector n = exact_normal(e);
+  return (plane::dot(n, a.center - e.p) + times_length(a.radius, n)).sign() == 0;
+}
+
+}  // namespace
+
+ContactJoints::ContactJoints(const ContactFeatures& f) {
+  const Index n = static_cast<Index>(f.rounds.size());
+  for (Index a = 0; a < n; ++a) {
+    Index same = 0;
+    while (same < a && !(circle_[same] == same && one_circle(f.rounds[same], f.rounds[a]))) ++same;
+    circle_.push_back(same);
+    if (same != a) continue;
+    for (Index b = 0; b < a; ++b) {
+      if (circle_[b] == b && circles_touch(f.rounds[b], f.rounds[a])) touching_.insert({b, a});
+    }
+    for (Index e = 0; e < f.edges.size(); ++e) {
+      if (touches(f.edges[e], f.rounds[a])) edges_.insert({e, a});
+    }
+  }
+}
+
+bool ContactJoints::rounds(Index a, Index b) const {
+  const auto [low, high] = std::minmax({circle(a), circle(b)});
+  return low == high || touching_.contains({low, high});
+}
+
+bool ContactTies::alike(const ContactPair& k, const ContactPair& m) const {
+  const auto fixed = [&](const ContactPair& c) {
+    return c.kind == Kind::kFixedEdge ? c.fixed : fixed_.circle(c.fixed);
+  };
+  const auto turning = [&](const ContactPair& c) {
+    return c.kind == Kind::kTurningEdge ? c.turning : turning_.circle(c.turning);
+  };
+  return k.kind == m.kind && fixed(k) == fixed(m) && turning(k) == turning(m);
+}
+
+bool ContactTies::never_cross(const ContactPair& k, const ContactPair& m) const {
+  if (k.kind != Kind::kRounds && m.kind == Kind::kRounds) return never_cross(m, k);
+  if (k.kind != Kind::kRounds)  // of one edge
+    return k.kind == m.kind && (k.kind == Kind::kFixedEdge ? k.fixed == m.fixed : k.turning == m.turning);
+  return joined(k, m) && !is_point(k) && !is_point(m);
+}
+
+bool ContactTies::joined(const ContactPair& k, const ContactPair& m) const {
+  const bool one_fixed = m.kind != Kind::kFixedEdge && fixed_.circle(k.fixed) == fixed_.circle(m.fixed);
+  const bool one_turning = m.kind != Kind::kTurningEdge && turning_.circle(k.turning) == turning_.circle(m.turning);
+  if (m.kind == Kind::kFixedEdge) return one_turning && fixed_.edge(m.fixed, k.fixed);
+  if (m.kind == Kind::kTurningEdge) return one_fixed && turning_.edge(m.turning, k.turning);
+  return (one_fixed && turning_.rounds(k.turning, m.turning)) || (one_turning && fixed_.rounds(k.fixed, m.fixed));
+}
+
+/// A circle without radius, which has many normals.
+bool ContactTies::is_point(const ContactPair& k) const {
+  return k.kind == Kind::kRounds &&
+         (curves_.fixed().rounds[k.fixed].radius + curves_.turning().rounds[k.turning].radius).sign() == 0;
+}
+
+}  // namespace findspace::plane

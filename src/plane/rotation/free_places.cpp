@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/rotation/free_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plane/query/topology.h"
+#include "plane/rotation/curve_meetings.h"
+
+namespace findspace::plane {
+
+using exact::Real;
+using exact::RealPoint;
+using exact::Turn;
+
+namespace {
+
+constexpr double kRoom = 1e-9;   // no sign: of the sizes; what is nearer is decided exactly
+constexpr double kError = 1e-4;  // no sign: of the room; more than rough curves are off
+
+constexpr double kBeside = 64;    // rooms: how far beside a point a position is tried
+constexpr double kOpposed = 0.1;  // no sign: curves that leave less room between them are left to exact numbers
+
+double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
+bool is_in(Mark m) { return m > 0; }
+bool is_out(Mark m) { return m <= 0; }
+
+ContactCurves contact_curves(const Region& a, const Region& b, FreePlaces::Keep keep, const RealPoint& p) {
+  return {contact_features(b, {}, is_in), contact_features(a, p, keep == FreePlaces::Keep::kApart ? is_in : is_out)};
+}
+
+/// Around the curve; of a part of a circle, around the whole circle or, if that is less, its ends and extreme points.
+RoughBox box_of(const RoughCurve& c, double room) {
+  RoughPoint low = c.line ? c.p : c.center, high = low;
+  const auto add = [&](RoughPoint p) {
+    low = {std::min(low.real(), p.real()), std::min(low.imag(), p.imag())};
+    high = {std::max(high.real(), p.real()), std::max(high.imag(), p.imag())};
+  };
+  if (c.line) {
+    add(c.q);
+  } else {
+    const double r = std::abs(c.radius);
+    add(c.center - RoughPoint(r, r)), add(c.center + RoughPoint(r, r));
+  }
+  return {low.real() - room, low.imag() - room, high.real() + room, high.imag() + room};
+}
+
+/// The sign of a point's distance to a regular set.
+SignMap signs(Region r) {
+  for (Face& f : r.faces) f.mark = f.mark > 0 ? -1 : 1;
+  for (Edge& e : r.edges) e.mark = 0;
+  for (Vertex& v : r.vertices) v.mark = 0;
+  return r;
+}
+
+double size_of(const Region& r) {
+  double size = 1;
+  for (const Vertex& v : r.vertices) {
+    const exact::Point& p = r.geometry.points[v.point];
+    size = std::max({size, std::abs(p.x), std::abs(p.y)});
+  }
+  return size;
+}
+
+}  // namespace
+
+std::shared_ptr<const FreePlaces> FreePlaces::make(const Region& a, const Region& b, Keep keep) {
+  if (!is_bounded(b) || !is_regular(a) || !is_regular(b)) return nullptr;
+  return std::shared_ptr<const FreePlaces>(new FreePlaces(a, b, keep));
+}
+
+FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
+    : a_(a),
+      b_(b),
+      keep_(keep),
+      around_(signs(a)),
+
+      room_(kRoom * (size_of(a) + size_of(b))) {
+  const ContactCurves all = contact_curves(a, b, keep, {});
+  RoughBox whole{1, 0, 0, 0};
+  for (const ContactPair& k : all.pairs(0, 0)) {
+    const RoughBox box = box_of(all.rough(k, 0), room_);
+    const bool first = curves_.empty();
+    whole = first ? box
+                  : RoughBox{std::min(whole.x0, box.x0), std::min(whole.y0, box.y0), std::max(whole.x1, box.x1),
+                             std::max(whole.y1, box.y1)};
+    curves_.push_back({k, box});
+  }
+  if (curves_.empty()) return;
+  bounds_ = GridBox{std::llround(whole.x0) - 1, std::llround(whole.y0) - 1, std::llround(whole.x1) + 1,
+                    std::llround(whole.y1) + 1};
+}
+
+bool FreePlaces::is_free(const RealPoint& s) const {
+  const std::lock_guard lock(guard_);
+  if (!contact_) contact_.emplace(TurnedContact::Pair{b_, around_, {}, {}});
+  const MarkSet held = keep_ == Keep::kApart ? kNegative : kPositive;
+  return (contact_->marks_met(Turn{}, held, s) & held) == 0;
+}
+
+FreePlaces::Curves FreePlaces::curves_in(const GridBox& w, std::size_t most) const {
+  const RoughBox box{double(w.x0), double(w.y0), double(w.x1), double(w.y1)};
+  Curves out;
+  for (Index k = 0; k < curves_.size() && out.size() < most; ++k)
+    if (!box.apart(curves_[k].box)) out.push_back(k);
+  return out;
+}
+
+FreePlaces::Curves FreePlaces::curves_in(const RoughBox& box) const {
+  Curves out;
+  for (Index k = 0; k < curves_.size(); ++k)
+    if (!box.apart(curves_[k].box)) out.push_back(k);
+  return out;
+}
+
+FreePlaces::Curves FreePlaces::curves_in(const GridBox& w, const Curves& among) const {
+  const RoughBox box{double(w.x0), double(w.y0), double(w.x1), double(w.y1)};
+  Curves out;
+  for (Index k : among)
+    if (!box.apart(curves_[k].box)) out.push_back(k);
+  return out;
+}
+
+FreePlaces::From::From(const FreePlaces& places, const RealPoint& p)
+    : places_(places), p_(p), contacts_(contact_curves(places.a_, places.b_, places.keep_, p)) {}
+
+/// Everything relative to p.
+class FreePlaces::From::Search {
+ public:
+  Search(const From& from, const GridBox& w, const Curves& which, bool far, const Certain& certain)
+      : f_(from.places_),
+        p_(from.p_),
+        x_(rough(p_.x)),
+        y_(rough(p_.y)),
+        far_(far),
+        certain_(certain),
+        curves_(from.contacts_) {
+    window_ = {double(w.x0) - x_, double(w.y0) - y_, double(w.x1) - x_, double(w.y1) - y_};
+    for (Index k : which) pairs_.push_back(f_.curves_[k].pair), names_.push_back(k);
+    for (const ContactPair& k : pairs_) rough_.push_back(curves_.rough(k, 0));
+    for (std::size_t i = 0; i < rough_.size(); ++i) {
+      for (RoughPoint s : rough_feet(rough_[i], f_.room_)) add(s, 0, i, i);
+      for (std::size_t k = i + 1; k < rough_.size(); ++k) add_meetings(i, k);
+    }
+    std::sort(candidates_.begin(), candidates_.end(), [&](const Candidate& c, const Candidate& d) {
+      return far_ ? c.distance > d.distance : c.distance < d.distance;
+    });
+  }
+
+  std::optional<Nearest> run() const {
+    std::optional<Nearest> best;
+    Real least;  // the best one's square
+    double reached = 0;
+    for (const Candidate& c : candidates_) {
+      const double off = f_.room_ + c.off;
+      if (best && (far_ ? c.distance < reached - off : c.distance > reached + off)) continue;
+      if (certain_.held(c.at.real() + x_, c.at.imag() + y_, off)) continue;
+      const std::optional<bool> free = is_free(c);
+      if (free && !*free) continue;
+      const std::optional<RealVector> s = exact_point(c);
+      if (!s) continue;
+      // Many may be equally far, on one circle about p: of squares that is mostly seen at once.
+      Real square = plane::dot(*s, *s);
+      if (best && (far_ ? square <= least : square >= least)) continue;
+      const RealVector at = *s + p_;
+      if (!free && !f_.is_free(at)) continue;
+      least = square;
+      best = Nearest{sqrt(square), at, {}};
+      reached = best->distance.to_double();
+    }
+    return best;
+  }
+
+ private:
+  struct Candidate {
+    RoughPoint at;
+    double distance, off;       // off: how far `at` may be off
+    std::size_t first, second;  // of the curves; equal for a foot
+  };
+
+  void add(RoughPoint at, double off, std::size_t first, std::size_t second) {
+    const double room = f_.room_ + off;
+    if (RoughBox{at.real() - room, at.imag() - room, at.real() + room, at.imag() + room}.apart(window_)) return;
+    candidates_.push_back({at, length(at), off, first, second});
+  }
+
+  void add_meetings(std::size_t i, std::size_t k) {
+    for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], kError * f_.room_)) {
+      const double room = f_.room_ + m.off;
+      if (rough_[i].holds(m.at, room) && rough_[k].holds(m.at, room)) add(m.at, m.off, i, k);
+    }
+  }
+
+  /// By a position beside it, if numbers tell.
+  std::optional<bool> is_free(const Candidate& c) const {
+    const double step = kBeside * (f_.room_ + c.off), reach = 2 * step;
+    const RoughPoint u = rough_[c.first].normal_at(c.at), v = rough_[c.second].normal_at(c.at);
+    const double along = length(u + v) / 2;  // the cosine of half the angle between them
+    if (along < kOpposed || std::min(bend(c.first), bend(c.second)) < 8 * reach / along) return std::nullopt;
+    const RoughPoint way = (u + v) / (2 * along);
+    const double x = c.at.real() + x_, y = c.at.imag() + y_;
+    for (Index k : f_.curves_in({x - reach, y - reach, x + reach, y + reach}))
+      if (k != names_[c.first] && k != names_[c.second] && !leaves_alone(k, c, way, reach)) return std::nullopt;
+    const double bx = x + step * way.real(), by = y + step * way.imag(), margin = step * along / 4;
+    if (certain_.free(bx, by, margin)) return true;
+    if (certain_.held(bx, by, margin)) return false;
+    return std::nullopt;
+  }
+
+  /// Another curve does not pass within reach, or the candidate lies on its free side, and the way leads away from it.
+  bool leaves_alone(Index k, const Candidate& c, RoughPoint way, double reach) const {
+    const RoughCurve r = curves_.rough(f_.curves_[k].pair, 0);
+    const double round = length(c.at - r.center) - std::abs(r.radius);
+    const double over = r.line ? dot(r.normal, c.at) - r.offset() : r.radius > 0 ? round : -round;
+    if (std::abs(over) > reach || !r.holds(c.at, reach)) return true;
+    return over > 2 * (f_.room_ + c.off) && (r.line || std::abs(r.radius) > 8 * reach) &&
+           dot(r.normal_at(c.at), way) > kOpposed;
+  }
+
+  double bend(std::size_t i) const {
+    return rough_[i].line ? std::numeric_limits<double>::infinity() : std::abs(rough_[i].radius);
+  }
+
+  /// Nothing where the curves do not meet after all.
+  std::optional<RealVector> exact_point(const Candidate& c) const {
+    const ExactCurve e = curves_.exact(pairs_[c.first], Turn{});
+    if (c.first == c.second) return exact_foot(e, c.at);
+    return exact_meeting(e, curves_.exact(pairs_[c.second], Turn{}), c.at);
+  }
+
+  const FreePlaces& f_;
+  const RealPoint& p_;
+  double x_, y_;
+  bool far_;
+  const Certain& certain_;
+  const ContactCurves& curves_;
+  RoughBox window_;
+  std::vector<ContactPair> pairs_;
+  Curves names_;  // among all curves
+  std::vector<RoughCurve> rough_;
+  std::vector<Candidate> candidates_;
+};
+
+std::optional<Nearest> FreePlaces::From::best(const GridBox& window, const Curves& curves, bool far,
+                                              const Certain& certain) const {
+  return Search(*this, window, curves, far, certain).run();
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/rotation/rough_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace findspace::plane {
+namespace {
+
+constexpr double kRoom = 0x1p-40;  // no sign: of the sizes; a turned point is off by less than 2^-50 of them
+
+double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
+double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
+RoughPoint rough(const RealVector& v) { return {v.x.to_double(), v.y.to_double()}; }
+
+double square_away(RoughPoint at, RoughPoint p, RoughPoint q) {
+  const RoughPoint way = q - p;
+  const double whole = std::norm(way), part = whole > 0 ? std::clamp(dot(at - p, way) / whole, 0.0, 1.0) : 0.0;
+  return std::norm(at - p - part * way);
+}
+
+}  // namespace
+
+RoughContact::RoughContact(const TurnedNet& turning, const TurnedNet& fixed) {
+  for (const RealVector& v : turning.vertices) vertices_.push_back(rough(v));
+  std::vector<char> on_edge(fixed.vertices.size(), 0);
+  for (const RoughPoint& v : vertices_) reach_ = std::max(reach_, length(v));
+  for (const TurnedEdge& e : fixed.edges) {
+    lines_.push_back({rough(e.p), rough(e.q), box_of(e), e.arc});
+    reach_ = std::max({reach_, length(lines_.back().p), length(lines_.back().q)});
+    on_edge[e.v0] = on_edge[e.v1] = 1;
+  }
+  for (Index v = 0; v < fixed.vertices.size(); ++v) {
+    if (on_edge[v]) continue;
+    alone_.push_back(rough(fixed.vertices[v]));
+    reach_ = std::max(reach_, length(alone_.back()));
+  }
+}
+
+void RoughContact::set(const exact::Turn& angle, const RealVector& shift) {
+  const RoughPoint by = rough(shift), turn(angle.cos.to_double(), angle.sin.to_double());
+  room_ = kRoom * (reach_ + length(by));
+  now_.clear();
+  for (const RoughPoint& v : vertices_) now_.push_back(turn * v + by);
+}
+
+bool RoughContact::is_near(const Line& f, RoughPoint at) const {
+  const RoughBox& b = f.box;
+  if (at.real() < b.x0 - room_ || at.real() > b.x1 + room_ || at.imag() < b.y0 - room_ || at.imag() > b.y1 + room_)
+    return false;
+  return f.arc || square_away(at, f.p, f.q) <= room_ * room_;
+}
+
+std::optional<RoughPoint> RoughContact::clear(Index vertex) const {
+  const RoughPoint at = now_[vertex];
+  for (const Line& f : lines_)
+    if (is_near(f, at)) return std::nullopt;
+  for (const RoughPoint& p : alone_)
+    if (std::norm(at - p) <= room_ * room_) return std::nullopt;
+  return at;
+}
+
+std::optional<std::vector<Index>> RoughContact::crossed(const TurnedEdge& e) const {
+  if (e.arc) return std::nullopt;
+  const RoughPoint p = now_[e.v0], q = now_[e.v1], d = q - p;
+  const RoughBox box{std::min(p.real(), q.real()) - room_, std::min(p.imag(), q.imag()) - room_,
+                     std::max(p.real(), q.real()) + room_, std::max(p.imag(), q.imag()) + room_};
+  for (const RoughPoint& a : alone_)
+    if (square_away(a, p, q) <= room_ * room_) return std::nullopt;
+  const double r = room_ * length(d);
+  std::vector<Index> out;
+  for (Index k = 0; k < lines_.size(); ++k) {
+    const Line& f = lines_[k];
+    if (box.apart(f.box)) continue;
+    if (f.arc) return std::nullopt;
+    const double a = cross(d, f.p - p), b = cross(d, f.q - p);
+    if ((a > r && b > r) || (a < -r && b < -r)) continue;
+    const RoughPoint g = f.q - f.p;
+    const double s = room_ * length(g), u = cross(g, p - f.p), v = cross(g, q - f.p);
+    if ((u > s && v > s) || (u < -s && v < -s)) continue;
+    if (std::abs(a) <= r || std::abs(b) <= r || std::abs(u) <= s || std::abs(v) <= s) return std::nullopt;
+    out.push_back(k);
+  }
+  return out;
+}
+
+}  // namespace findspace::plane

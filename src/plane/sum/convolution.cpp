@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/sum/convolution.h"
+
+#include <algorithm>
+
+#include "plane/sum/convolution_nodes.h"
+
+namespace findspace::plane {
+
+using exact::Carrier;
+using exact::int128;
+using exact::Real;
+
+namespace {
+
+Index add_position(exact::Geometry& g, const Position& p) {
+  return p.grid() ? g.add_grid_point(p.x, p.y) : g.add_real_point(p.real->x, p.real->y);
+}
+
+/// Room for `more` items without giving up growth by doubling.
+template <class T>
+void make_room(std::vector<T>& v, std::size_t more) {
+  if (v.size() + more > v.capacity()) v.reserve(std::max(v.size() + more, 2 * v.capacity()));
+}
+
+}  // namespace
+
+/// Gives the convolution of one path of a with one path of b its coordinates.
+class PathPair {
+ public:
+  PathPair(ConvolutionBuilder& out, const TurningPath& a, const TurningPath& b, Index keys)
+      : out_(out), walks_(a, b, keys) {}
+
+  void run() {
+    auto& nodes = walks_.nodes;
+    reserve(nodes.size());
+    for (const auto& still : walks_.stills) {
+      Position at = *walks_.turn(0, still.at[0]).center + *walks_.turn(1, still.at[1]).center;
+      out_.circled.push_back({add_position(out_.curves.geometry, at), still.rounds});
+    }
+    for (Index k = 0; k < nodes.size(); ++k) {
+      Node& n = nodes[k];
+      if (n.kind == Kind::kLine)
+        n.carrier = add_line(walks_.line_of(n), walks_.turn_of(n));
+      else
+        n.carrier = k > 0 && on_one_circle(nodes[k - 1], n) ? nodes[k - 1].carrier : add_circle(n);
+    }
+    for (Node& n : nodes) n.end = nodes[n.next].start = add_end(n, nodes[n.next]);
+    for (Node& n : nodes) finish(n);
+    for (const Node& n : nodes) out_.corners.push_back({n.piece, nodes[n.next].piece, n.rotation, n.extra});
+  }
+
+ private:
+  using Node = ConvolutionNodes::Node;
+  using Kind = ConvolutionNodes::Kind;
+  using Line = ConvolutionNodes::Line;
+  using Turn = ConvolutionNodes::Turn;
+
+  /// centre + radius * normal of a turn in the direction of a line.
+  static Position place(const Turn& t, const Direction& d) {
+    if (!t.arc) return *t.center;
+    Position n = d.right_normal();
+    Real r = t.radius();
+    return Position::of(t.center->real_x() + r * n.real_x(), t.center->real_y() + r * n.real_y());
+  }
+
+  /// Where node n ends and m, the next one, starts.
+  Index add_end(const Node& n, const Node& m) {
+    auto& g = out_.curves.geometry;
+    if (n.kind == Kind::kLine) {
+      const Line& l = walks_.line_of(n);
+      const Turn& t = walks_.turn_of(n);
+      const Position &p = n.forward ? *l.to : *l.from, &q = *t.center;
+      if (!t.arc && p.grid() && q.grid()) return g.add_grid_point(p.x + q.x, p.y + q.y);
+      if (n.smooth_end && touch_obliquely(n, m)) return g.add_crossing(n.carrier, m.carrier, 0);
+      return add_position(g, p + place(t, *l.direction));
+    }
+    if (n.smooth_end && touch_obliquely(m, n)) return g.add_crossing(m.carrier, n.carrier, 0);
+    const Direction& d = walks_.direction_at(n, n.key_out);
+    return add_position(g, place(walks_.turn(0, n.at[0]), d) + place(walks_.turn(1, n.at[1]), d));
+  }
+
+  /// Smooth neighbours, a line and a circle: their common point needs no coordinates; but where the line is parallel to
+  /// an axis these are simple.
+  bool touch_obliquely(const Node& line, const Node& arc) const {
+    if (line.kind != Kind::kLine || arc.kind != Kind::kArc) return false;
+    const Direction& d = *walks_.line_of(line).direction;
+    return d.grid() && d.x != 0 && d.y != 0;
+  }
+
+  void reserve(std::size_t more) {
+    make_room(out_.curves.geometry.carriers, more);
+    make_room(out_.curves.pieces, more);
+    make_room(out_.curves.forward, more);
+    make_room(out_.strands, more);
+    make_room(out_.corners, more);
+  }
+
+  void finish(Node& n) {
+    std::int8_t half = 0;
+    bool right;
+    if (n.kind == Kind::kLine) {
+      const Direction& d = *walks_.line_of(n).direction;
+      right = (d.x > 0 || (d.x == 0 && d.y > 0)) == n.forward;
+    } else {
+      const Turn &p = walks_.turn(0, n.at[0]), &q = walks_.turn(1, n.at[1]);
+      half = std::int8_t((p.radius() + q.radius()).sign() * (p.arc ? p.normal_up() : q.normal_up()));
+      right = (half < 0) == n.turns_left;
+    }
+    n.piece = Index(out_.curves.pieces.size());
+    out_.curves.pieces.push_back({.carrier = n.carrier,
+                                  .p0 = right ? n.start : n.end,
+                                  .p1 = right ? n.end : n.start,
+                                  .half = half,
+                                  .smooth0 = right ? n.smooth_start : n.smooth_end,
+                                  .smooth1 = right ? n.smooth_end : n.smooth_start});
+    out_.curves.forward.push_back(right);
+    out_.strands.push_back({.forward = right, .displaced_left = n.forward == out_.inward_});
+  }
+
+  /// Two arcs of one circle about one vertex, as far as that shows at once.
+  bool on_one_circle(const Node& n, const Node& m) const {
+    if (n.kind != Kind::kArc || m.kind != Kind::kArc || n.at[0] != m.at[0]) return false;
+    const Turn &p = walks_.turn(1, n.at[1]), &q = walks_.turn(1, m.at[1]);
+    if (!p.arc || !q.arc || p.sign != q.sign) return false;
+    return p.center->grid() && q.center->grid() && p.center->x == q.center->x && p.center->y == q.center->y &&
+           p.radius() == q.radius();
+  }
+
+  Index add_circle(const Node& n) {
+    const Turn &p = walks_.turn(0, n.at[0]), &q = walks_.turn(1, n.at[1]);
+    Position c = *p.center + *q.center;
+    Real r = abs(p.radius() + q.radius());
+    return out_.curves.geometry.add(c.grid() ? Carrier::circle_at(c.x, c.y, r)
+                                             : Carrier::circle_at(c.real->x, c.real->y, r));
+  }
+
+  Index add_line(const Line& l, const Turn& t) {
+    // Directions are primitive: the canonical normal needs no division.
+    std::int64_t a = l.direction->y, b = -l.direction->x;
+    bool flipped = a < 0 || (a == 0 && b < 0);
+    if (flipped) a = -a, b = -b;
+    auto& g = out_.curves.geometry;
+    const Position &p = *l.from, &q = *t.center;
+    if (!t.arc && p.grid() && q.grid()) return g.add_line(a, b, int128(a) * (p.x + q.x) + int128(b) * (p.y + q.y));
+    // The place on an arc is the centre plus the radius times the unit normal, which is (a, b) / |(a, b)| or its
+    // opposite.
+    Real shift = flipped ? -t.radius() : t.radius();
+    Position sum = p + q;
+    if (sum.grid()) return g.add(Carrier::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, shift));
+    Real c = Real(a) * sum.real_x() + Real(b) * sum.real_y();
+    if (t.arc) c += shift * sqrt(Real(int128(a) * a + int128(b) * b));
+    return g.add(Carrier::line(a, b, c));
+  }
+
+  ConvolutionBuilder& out_;
+  ConvolutionNodes walks_;
+};
+
+void ConvolutionBuilder::add(const Part& a, const Part& b) {
+  std::vector<TurningPath> p, q;
+  p.reserve(a.paths.size()), q.reserve(b.paths.size());
+  for (const Path& path : a.paths) p.push_back(TurningPath::from(path, a.flat));
+  for (const Path& path : b.paths) q.push_back(TurningPath::from(path, b.flat));
+  Index keys = assign_keys(p, q);
+  for (const Path& path : a.paths)
+    for (const Path& other : b.paths)
+      if (path.lonely && other.lonely) {
+        Position at = *path.lonely + *other.lonely;
+        points.push_back(add_position(curves.geometry, at));
+      }
+  for (const TurningPath& x : p)
+    for (const TurningPath& y : q) PathPair(*this, x, y, keys).run();
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/sum/minkowski.h"
+
+#include <array>
+#include <optional>
+
+#include "plane/complex/overlay.h"
+#include "plane/grid/grid_sum.h"
+#include "plane/sum/pair_sums.h"
+
+namespace findspace::plane {
+namespace {
+
+bool in(Mark m) { return m > 0; }
+bool out(Mark m) { return m <= 0; }
+
+/// The open sum of two sets bounded by grid segments, without parts that have no interior.
+std::optional<SignMap> open_grid_sum(const Operand& a, const Operand& b) {
+  auto p = a.grid();
+  if (!p) return std::nullopt;
+  auto q = b.grid();
+  if (!q) return std::nullopt;
+  const GridOperand x{*p, a.cells.geometry}, y{*q, b.cells.geometry};
+  std::optional<ConvolutionIndex> index;
+  std::optional<SolidSum> solid;
+  return grid_sum(x, y, [&](exact::Geometry& g, Index point) {
+    if (!solid) solid.emplace(a, b, index.emplace(x, y));
+    return solid->holds(g, point);
+  });
+}
+
+/// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.
+SignMap open_sum(const Operand& a, const Operand& b) {
+  SumOfPairs sum(true);
+  std::vector<Part> p = a.solid_parts(), q = b.solid_parts(), p_flat = a.flat_parts(), q_flat = b.flat_parts();
+  for (const Part& x : p) {
+    for (const Part& y : q) sum.add(x, y);
+    for (const Part& y : q_flat) sum.add(x, y);
+  }
+  for (const Part& x : p_flat)
+    for (const Part& y : q) sum.add(x, y);
+  return std::move(sum).open_sum();
+}
+
+bool unbounded(const Operand& a) { return a.wanted(a.cells.faces[0].mark); }
+
+/// {a + b} for a in A, b in B: -1 on the open part U, 0 on the rest of the sum, +1 elsewhere.
+SignMap sum_map(const Operand& a, const Operand& b) {
+  if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : sum_map(b, a);
+  if (auto map = open_grid_sum(a, b)) return *std::move(map);
+  SignMap open = open_sum(a, b);
+  std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
+  if (q.empty()) return open;
+  SumOfPairs flat(false);
+  for (const Part& x : p)
+    for (const Part& y : q) flat.add(x, y);
+  Region closed = std::move(flat).closed_sum();
+  std::array<const CellComplex*, 2> both{&open, &closed};
+  return overlay(both, [](std::span<const Mark> m) { return Mark(m[0] <= 0 ? m[0] : m[1] > 0 ? 0 : 1); });
+}
+
+}  // namespace
+
+SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, in}, {b, in, true}); }
+
+SignMap containment_map(const Region& a, const Region& b) {
+  // B + p leaves A where it meets the open complement; it leaves int A where it meets the closure of that.
+  Operand outside{a, out, false, false}, moving{b, in, true};
+  return remark(sum_map(outside, moving), [](Mark m) { return Mark(-m); });
+}
+
+Region minkowski_sum(const Region& a, const Region& b) {
+  return remark(sum_map({a, in}, {b, in}), [](Mark m) { return Mark(m <= 0); });
+}
+
+Region minkowski_difference(const Region& a, const Region& b) {
+  return remark(containment_map(a, mirrored(b)), [](Mark m) { return Mark(m <= 0); });
+}
+
+namespace {
+
+void mirror_geometry(exact::Geometry& g) {
+  using exact::Carrier;
+  // A crossing with a line keeps its root only if the line's direction is mirrored too, and that stays canonical.
+  for (exact::Point& p : g.points) {
+    p.gx = -p.gx, p.gy = -p.gy, p.x = -p.x, p.y = -p.y;
+    if (p.kind == exact::Point::Kind::kCross && g.carriers[p.i].circle != g.carriers[p.j].circle)
+      p.root = std::int8_t(-p.root);
+  }
+  for (Carrier& k : g.carriers) {
+    if (k.circle)
+      k = k.grid ? Carrier::circle_at(-k.a, -k.b, k.w) : Carrier::circle_at(-k.real->x, -k.real->y, k.w);
+    else
+      k = k.real ? Carrier::line(k.a, k.b, -k.real->x) : Carrier::displaced_line(k.a, k.b, -k.c, -k.w);
+  }
+  for (exact::RealPoint& p : g.reals) p = {-p.x, -p.y};
+}
+
+}  // namespace
+
+CellComplex mirrored(const CellComplex& c) {
+  CellComplex m = c;
+  mirror_geometry(m.geometry);
+  // What ran to the right runs to the left: half-edges 2e and 2e + 1 change places.
+  auto flip = [](Index h) { return h == kNone ? kNone : h ^ 1u; };
+  for (Edge& e : m.edges) {
+    std::swap(e.v0, e.v1);
+    e.half = std::int8_t(-e.half);
+  }
+  for (Index h = 0; h < c.half_edges.size(); ++h)
+    m.half_edges[flip(h)] = {flip(c.half_edges[h].next), c.half_edges[h].face};
+  for (Face& f : m.faces) {
+    f.outer = flip(f.outer);
+    for (Index& h : f.inner) h = flip(h);
+  }
+  for (Index v = 0; v < c.vertices.size(); ++v) {
+    // Counter-clockwise from straight down now means from straight up before: the first of those that went left, if
+    // there are others.
+    Index first = c.vertices[v].out;
+    if (first != kNone && !(first & 1u)) {
+      Index h = c.clockwise(first);
+      for (; h & 1u; h = c.clockwise(h)) first = h;
+    }
+    m.vertices[v].out = flip(first);
+  }
+  return m;
+}
+
+}  // namespace findspace::plane

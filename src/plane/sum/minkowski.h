@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Minkowski sums and differences of plane sets in any shape: holes, several components, arcs, curves and points without
+// interior; with the true sign on every vertex, edge and face (distances.md 1.3, 1.4, 3.9).
+//
+// For closed sets A, B, each bounded or with a bounded complement, and positions p, with X = A (+) -B and
+// U = (int A (+) -B) u (A (+) -int B):
+//   contact_map(A, B):     - on U (interiors meet), 0 on X \ U (touching), + elsewhere: sign of gamma1 at level 0;
+//   containment_map(A, B): - where B + p lies in int A, 0 where it lies in A but not in int A, + elsewhere: sign of
+//   eta1.
+// Guarantee: exact, including zero-width slots (segments of 0 inside -) and exact fits (single points of 0). Cost: one
+// arrangement of the signed convolution (convolution.h). Source: docs/decisions/0002-displaced-winding-numbers.md; Wein
+// 2006. Keywords: Minkowski sum, no-fit polygon, inner-fit polygon, configuration-space obstacle, erosion, dilation.
+#pragma once
+
+#include "plane/complex/cell_complex.h"
+
+namespace findspace::plane {
+
+SignMap contact_map(const Region& a, const Region& b);
+SignMap containment_map(const Region& a, const Region& b);
+
+/// A (+) B = {a + b} of closed sets, closed.
+Region minkowski_sum(const Region& a, const Region& b);
+/// A (-) B = AND_{q in B} (A + q) = {p : p - B in A}, closed; everything if B is empty. (Not {p : p + B in A}.)
+Region minkowski_difference(const Region& a, const Region& b);
+
+/// The set reflected through the origin.
+CellComplex mirrored(const CellComplex& complex);
+
+}  // namespace findspace::plane

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/sum/pair_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plane/complex/arrangement.h"
+
+namespace findspace::plane {
+namespace {
+
+/// Could a set as large as `around` go round one as large as `inner`?
+bool fits(const Extent& inner, const Extent& around) {
+  return inner.x1 - inner.x0 - 4 <= around.x1 - around.x0 && inner.y1 - inner.y0 - 4 <= around.y1 - around.y0;
+}
+
+bool can_enclose(const Part& ring, const Part& other) {
+  return std::any_of(ring.holes.begin(), ring.holes.end(),
+                     [&](const Extent& hole) { return other.unbounded || fits(hole, other.filled); });
+}
+
+exact::Real reach_of(const Part& p) {
+  return exact::Real::from_double(std::ceil(std::hypot(p.filled.x1 - p.filled.x0, p.filled.y1 - p.filled.y0))) +
+         exact::Real(2);
+}
+
+}  // namespace
+
+std::vector<Part> Operand::turned(std::vector<Part> parts) const {
+  if (mirrored)
+    for (Part& p : parts) p = plane::mirrored(std::move(p));
+  return parts;
+}
+
+SumOfPairs::SumOfPairs(bool open, exact::Geometry geometry) : builder_(open) {
+  builder_.curves.geometry = std::move(geometry);
+}
+
+void SumOfPairs::add(const Part& a, const Part& b) {
+  const Part* p = &a;
+  const Part* q = &b;
+  Part a_bridged, b_bridged;
+  // A curve goes round nothing, and it could lie in a bridge.
+  if (!b.flat && can_enclose(a, b)) p = &(a_bridged = bridged(a, reach_of(b)));
+  if (!a.flat && can_enclose(b, a)) q = &(b_bridged = bridged(b, reach_of(a)));
+  if (p->unbounded) base_ += q->euler;
+  builder_.add(*p, *q);
+}
+
+SignMap SumOfPairs::open_sum() && {
+  Arrangement a = arranged();
+  Windings w = windings(a, strands_, corners_, base_);
+  add_circled(a, w);
+  for (Index p : lonely_)
+    w.vertices[a.point_vertex[p]] -= w.vertices[a.point_vertex[p]] != kUnwanted;  // a missing point
+  Marks m;
+  for (auto k : w.faces) m.faces.push_back(k > 0 ? -1 : 1);
+  for (Index e = 0; e < a.edge_count(); ++e) {
+    bool beside = w.faces[a.face[2 * e]] > 0 || w.faces[a.face[2 * e + 1]] > 0;
+    m.edges.push_back(w.edges[e] > 0 ? -1 : beside ? 0 : 1);
+  }
+  for (Index v = 0; v < a.vertex_count(); ++v) {
+    bool beside = w.faces[a.some_face(v)] > 0;
+    for (Index k = a.out_start[v]; !beside && k < a.out_start[v + 1]; ++k) beside = w.faces[a.face[a.out[k]]] > 0;
+    m.vertices.push_back(w.vertices[v] != kUnwanted && w.vertices[v] > 0 ? -1 : beside ? 0 : 1);
+  }
+  return extract(a, m);
+}
+
+Region SumOfPairs::closed_sum() && {
+  Arrangement a = arranged();
+  Windings w = windings(a, strands_, corners_, base_, VertexScope::kAll);
+  add_circled(a, w);
+  for (Index p : lonely_) w.vertices[a.point_vertex[p]] = 1;
+  Marks m;
+  for (auto k : w.faces) m.faces.push_back(k > 0);
+  for (auto k : w.edges) m.edges.push_back(k > 0);
+  for (auto k : w.vertices) m.vertices.push_back(k > 0);
+  return extract(a, m);
+}
+
+Arrangement SumOfPairs::arranged() {
+  strands_ = std::move(builder_.strands);
+  corners_ = std::move(builder_.corners);
+  lonely_ = std::move(builder_.points);
+  circled_ = std::move(builder_.circled);
+  std::vector<Index> isolated = lonely_;
+  for (const auto& c : circled_) isolated.push_back(c.point);
+  return arrange(std::move(builder_.curves.geometry), std::move(builder_.curves.pieces), isolated);
+}
+
+void SumOfPairs::add_circled(const Arrangement& a, Windings& w) const {
+  for (const auto& c : circled_) {
+    std::int32_t& number = w.vertices[a.point_vertex[c.point]];
+    if (number != kUnwanted) number += c.rounds;
+  }
+}
+
+bool SolidSum::holds(exact::Geometry& g, Index point) {
+  bool unsure = false;
+  if (index_.holds(g, point, unsure)) return true;
+  if (!unsure) return false;
+  if (!numbers_) build(g);
+  return numbers_->at(g, point) > 0;
+}
+
+void SolidSum::build(exact::Geometry& g) {
+  SumOfPairs sum(true, std::move(g));
+  std::vector<Part> q = b_.solid_parts();
+  for (const Part& x : a_.solid_parts())
+    for (const Part& y : q) sum.add(x, y);
+  numbers_ = std::move(sum).numbers();
+  g = numbers_->take_geometry();
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "planning/order/choose.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "distance/planar_least/coordinate.h"
+#include "findspace/error.h"
+#include "plane/query/locate.h"
+#include "plane/query/moved.h"
+#include "plane/query/summary.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
+#include "situation/planar/optimize.h"
+
+namespace findspace::planning {
+
+using distance::Sense;
+using exact::Real;
+using exact::RealPoint;
+using plane::Region;
+using situation::Goal;
+using situation::Objective;
+
+namespace {
+
+constexpr int kGridSteps = 8, kMostDecimals = 12;
+constexpr std::int64_t kLargestCoefficient = std::int64_t{1} << 40;
+
+RealPoint opposite(const RealPoint& p) { return {-p.x, -p.y}; }
+
+/// A form with primitive coefficients, and the factor before it.
+struct ScaledForm {
+  distance::LinearForm form;
+  Real factor;
+};
+
+ScaledForm scaled(const std::array<Real, 3>& form) {
+  // Decimals: a power of ten makes both whole.
+  Real scale(1), a = form[0], b = form[1];
+  for (int digits = 0; !a.integer() || !b.integer(); ++digits) {
+    if (digits > kMostDecimals)
+      throw Error(ErrorCode::kOutOfRange, "a linear form has a coefficient with more than 12 decimals");
+    a = a * Real(10), b = b * Real(10), scale = scale * Real(10);
+  }
+  if (exact::abs(a) > Real(kLargestCoefficient) || exact::abs(b) > Real(kLargestCoefficient))
+    throw Error(ErrorCode::kOutOfRange, "the coefficients of a linear form must be in a ratio of integers up to 2^40");
+  std::int64_t p = std::int64_t(*a.integer()), q = std::int64_t(*b.integer());
+  const std::int64_t factor = exact::make_primitive(p, q);
+  return {{p, q}, Real(factor) / scale};
+}
+
+/// What a goal is at best over some positions, and where.
+struct Best {
+  std::optional<Real> value;  // none: no finite one
+  bool unbounded = false, attained = false;
+  Region at;
+};
+
+/// Goals over the positions of one body.
+class Goals {
+ public:
+  Goals(const Relations& relations, std::size_t body, const Poses& poses)
+      : relations_(relations), body_(body), poses_(poses) {
+    roles_ = relations.problem().names;
+    roles_["self"] = {body, std::nullopt};
+  }
+
+  /// Nothing: the goal says nothing about this body now.
+  std::optional<Best> least(const Goal& goal, const AtAngle& at) const {
+    if (goal.form) return of_form(scaled(*goal.form), at.region);
+    if (goal.objective->kind != Objective::Kind::kDistance) return of_objective(goal, *goal.objective, at.region);
+    Poses poses = poses_;
+    poses[body_] = Pose{at.angle, {}};
+    const situation::Distance& wanted = goal.objective->distance;
+    for (const auto* names : {&wanted.first, &wanted.second}) {
+      auto role = roles_.find(names->front());
+      if (role != roles_.end() && !poses[role->second.body]) return std::nullopt;
+    }
+    const Relations::Bound found = relations_.bind(wanted, roles_, poses);
+    if (found.first == found.second || (found.first != body_ && found.second != body_)) return std::nullopt;
+    Objective bound = *goal.objective;
+    bound.distance = found.distance;
+    if (!found.first || !found.second) return of_objective(goal, bound, at.region);
+    return *found.first == body_ ? relative(goal, bound, at.region, poses[*found.second]->at)
+                                 : relative_back(goal, bound, at.region, poses[*found.first]->at);
+  }
+
+ private:
+  Best of_form(const ScaledForm& f, const Region& region) const {
+    distance::Extremum e =
+        distance::linear_extremum(region, f.form, f.factor.sign() > 0 ? Sense::kMinimum : Sense::kMaximum);
+    Best out{std::nullopt, e.unbounded, e.attained, std::move(e.at)};
+    if (e.exists) out.value = e.level * f.factor * relations_.problem().world.step;
+    return out;
+  }
+
+  Best of_objective(const Goal& goal, const Objective& objective, const Region& region) const {
+    situation::Optimum o =
+        situation::optimize(region, objective, goal.negated ? Sense::kMaximum : Sense::kMinimum, relations_.solver());
+    Best out{o.value, o.unbounded, o.attained, std::move(o.at)};
+    if (out.value && goal.negated) out.value = -*out.value;
+    return out;
+  }
+
+  /// The distance depends on p - other.
+  Best relative(const Goal& goal, const Objective& objective, const Region& region, const RealPoint& other) const {
+    Best b = of_objective(goal, objective, plane::moved(region, opposite(other)));
+    b.at = plane::moved(std::move(b.at), other);
+    return b;
+  }
+  /// The distance depends on other - p.
+  Best relative_back(const Goal& goal, const Objective& objective, const Region& region, const RealPoint& other) const {
+    Best b = of_objective(goal, objective, plane::moved(plane::mirrored(region), other));
+    b.at = plane::mirrored(plane::moved(std::move(b.at), opposite(other)));
+    return b;
+  }
+
+  const Relations& relations_;
+  std::size_t body_;
+  const Poses& poses_;
+  Roles roles_;
+};
+
+void keep_on_line(const Goal& condition, const Real& step, std::vector<AtAngle>& positions) {
+  const ScaledForm f = scaled(*condition.form);
+  for (AtAngle& p : positions) {
+    if (!plane::is_bounded(p.region))
+      throw Error(ErrorCode::kUnsupported, "a condition on coordinates needs a bounded set of positions");
+    p.region = distance::on_line(p.region, f.form, *condition.equals / (step * f.factor));
+  }
+}
+
+/// Keeps the positions with the least value of all; false where none takes it.
+bool keep_least(std::vector<AtAngle>& positions, std::vector<Best> found, Chosen& out) {
+  const Best* best = nullptr;
+  for (const Best& o : found) {
+    if (o.unbounded) {
+      out.unbounded = true, out.values.push_back(std::nullopt);
+      return false;
+    }
+    if (o.value && (best == nullptr || *o.value < *best->value)) best = &o;
+  }
+  if (best == nullptr) {
+    out.values.push_back(std::nullopt);
+    return true;
+  }
+  const Real least = *best->value;
+  out.values.push_back(least);
+  std::vector<AtAngle> kept;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    Best& o = found[k];
+    if (o.attained && o.value && *o.value == least) kept.push_back({positions[k].angle, std::move(o.at)});
+  }
+  if (kept.empty()) return false;
+  positions = std::move(kept);
+  return true;
+}
+
+std::optional<RealPoint> lowest_leftmost(const Region& positions) {
+  auto low = distance::linear_extremum(positions, distance::kY, Sense::kMinimum);
+  if (!low.attained) return std::nullopt;
+  auto left = distance::linear_extremum(low.at, distance::kX, Sense::kMinimum);
+  if (!left.attained) return std::nullopt;
+  return left.at.geometry.exact(left.at.vertices.front().point);
+}
+
+/// A grid point of the set within a few steps of p, or p itself.
+RealPoint near_grid(const Region& positions, const RealPoint& p) {
+  if (p.x.integer() && p.y.integer()) return p;
+  const Real x(exact::floor(p.x)), y(exact::floor(p.y));
+  plane::Locator locator(positions);
+  for (int ring = 1; ring <= kGridSteps; ++ring)
+    for (int j = 1 - ring; j <= ring; ++j)
+      for (int i = 1 - ring; i <= ring; ++i) {
+        const bool inner = i > 1 - ring && i < ring && j > 1 - ring && j < ring;
+        const RealPoint q{x + Real(i), y + Real(j)};
+        if (!inner && locator.mark(q) > 0) return q;
+      }
+  return p;
+}
+
+Pose first_of_all(const std::vector<AtAngle>& positions) {
+  std::optional<Pose> best, other;
+  for (const AtAngle& p : positions) {
+    if (auto at = lowest_leftmost(p.region)) {
+      const int order = best ? compare(at->y, best->at.y) : -1;
+      if (order < 0 || (order == 0 && at->x < best->at.x)) best = Pose{p.angle, *at};
+    } else if (!other) {
+      other = Pose{p.angle, plane::summarize(p.region, Real(1)).components.front().sample_point};
+    }
+  }
+  return best ? *best : *other;
+}
+
+}  // namespace
+
+std::optional<RealPoint> representative(const Region& positions) {
+  if (plane::is_empty(positions)) return std::nullopt;
+  return first_of_all({{0, positions}}).at;
+}
+
+Chosen choose(const Relations& relations, std::size_t body, const std::vector<AtAngle>& all, const Poses& poses) {
+  std::vector<AtAngle> positions = all;
+  const auto drop_empty = [&] { std::erase_if(positions, [](const AtAngle& p) { return plane::is_empty(p.region); }); };
+  Chosen out;
+  const Goals goals(relations, body, poses);
+  drop_empty();
+  bool on_grid = false;
+  for (const Goal& goal : relations.problem().goals) {
+    if (positions.empty()) return out;
+    if (goal.grid) {
+      on_grid = true;
+      continue;
+    }
+    if (goal.equals) {
+      keep_on_line(goal, relations.problem().world.step, positions);
+      drop_empty();
+      out.values.push_back(std::nullopt);
+      continue;
+    }
+    std::vector<Best> found;
+    for (const AtAngle& p : positions) {
+      if (auto o = goals.least(goal, p)) found.push_back(std::move(*o));
+    }
+    if (found.size() < positions.size()) {
+      out.values.push_back(std::nullopt);
+    } else if (!keep_least(positions, std::move(found), out)) {
+      out.attained = false;
+      return out;
+    }
+  }
+  if (positions.empty()) return out;
+  out.pose = first_of_all(positions);
+  if (on_grid) {
+    const auto& whole =
+        *std::find_if(all.begin(), all.end(), [&](const AtAngle& p) { return p.angle == out.pose->angle; });
+    out.pose->at = near_grid(whole.region, out.pose->at);
+  }
+  return out;
+}
+
+}  // namespace findspace::planning

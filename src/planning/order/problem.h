@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The placement of several bodies (distances.md 6): body i at angle a_i, translated by p_i, such that every condition
+// holds. A condition is a formula whose distances are between two bodies, or a body and something that stands still;
+// the first kind depends on p_i - p_j only. Values, made by the caller (io has the scene, apps the command). Keywords:
+// nesting, layout, arrangement.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "situation/formula/formula.h"
+#include "situation/formula/parse_goal.h"
+#include "situation/planar/solve.h"
+
+namespace findspace::planning {
+
+/// What has one position: a shape of the scene, or several that move together, at one of its allowed angles.
+struct Body {
+  std::string name;                 // for reports: "A1", "A1+A2"
+  int copy = 0;                     // from 1 where the same body is placed several times
+  std::vector<std::string> shapes;  // as formulas name them
+  std::vector<exact::Real> angles;  // degrees about the pole, at least one
+  /// variants[a][k]: the name in the world of shapes[k] turned by angles[a].
+  std::vector<std::vector<std::string>> variants;
+};
+
+/// A name in a formula: a whole body, or one shape of it.
+struct Role {
+  std::size_t body = 0;
+  std::optional<std::size_t> shape;
+};
+using Roles = std::map<std::string, Role, std::less<>>;
+
+struct Condition {
+  std::shared_ptr<const situation::Formula> formula;
+  Roles roles;  // every name that is not here stands still
+};
+
+/// What is asked for, in the plane or in space.
+struct Demands {
+  std::vector<Body> bodies;
+  std::vector<Condition> conditions;
+  std::vector<situation::Goal> goals;  // the first first; "self" is the body at hand
+  Roles names;                         // bodies and shapes as goals name them
+};
+
+struct Problem : Demands {
+  situation::World world;  // every shape, and every turned one; all variants of all bodies are `moving`
+};
+
+/// Where a body stands.
+struct Pose {
+  std::size_t angle = 0;  // index into Body::angles
+  exact::RealPoint at{};  // in grid steps
+};
+using Poses = std::vector<std::optional<Pose>>;  // by body
+
+/// When to stop and give what there is.
+class Limit {
+ public:
+  Limit() = default;
+  /// `seconds` <= 0: none.
+  explicit Limit(double seconds) {
+    if (seconds > 0)
+      end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  }
+  bool over() const { return end_ && Clock::now() >= *end_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> end_;
+};
+
+}  // namespace findspace::planning

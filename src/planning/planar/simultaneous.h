@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// All bodies placed at once (distances.md 6.3): for every body and allowed angle the set P of all positions for which
+// the others can still be placed, and one complete placement as witness: body after body, each at its lexicographic
+// minimiser (choose.h) over what the bodies before it leave. Angles and alternatives of `or` are enumerated; each
+// combination is a pair system. Guarantee: as pair_system.h; without `unproven` the regions are exact, and empty means
+// that there is no placement. Cost: a pair system for each combination, and again for each body of the witness.
+// Keywords: configuration space.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planning/order/choose.h"
+
+namespace findspace::planning {
+
+struct SimultaneousPlacement {
+  std::vector<std::vector<AtAngle>> positions;  // by body: P at each allowed angle
+  Poses witness;                                // complete, or all empty
+  std::optional<std::string> unproven;
+};
+
+SimultaneousPlacement place_simultaneously(const Relations& relations, const Limit& limit);
+
+}  // namespace findspace::planning

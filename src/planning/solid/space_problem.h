@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The placement of several bodies in space: as problem.h in the plane, with solids. Bodies turn about the z axis
+// through their poles.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planning/order/problem.h"
+#include "situation/solid/solve_space.h"
+
+namespace findspace::planning {
+
+struct SpaceProblem : Demands {
+  /// Every shape, and every turned one, by its name; and the same as sets and bodies.
+  std::map<std::string, plane::ShapePtr> shapes;
+  std::map<std::string, situation::SpaceShape> built;
+  exact::Real step;  // one grid step in the scene's unit
+  int lines = 128;   // each way, where positions are taken on lines
+};
+
+/// Where a body stands.
+struct SpacePose {
+  std::size_t angle = 0;   // index into Body::angles
+  space::RealVector at{};  // in grid steps
+};
+using SpacePoses = std::vector<std::optional<SpacePose>>;  // by body
+
+}  // namespace findspace::planning

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "planning/solid/space_sequence.h"
+
+#include <algorithm>
+
+#include "findspace/error.h"
+#include "planning/solid/space_on_boxes.h"
+#include "planning/solid/space_on_lines.h"
+#include "space/body/lowest_uncovered.h"
+
+namespace findspace::planning {
+
+using exact::Real;
+using space::RealVector;
+
+namespace {
+
+constexpr int kGridSteps = 2;
+
+/// What `make` gives; nothing where that is refused.
+template <class Make>
+auto unless_refused(Make make) -> std::optional<decltype(make())> {
+  try {
+    return make();
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return std::nullopt;
+  }
+}
+
+/// Whether a condition holds nowhere by itself, which one convex set tells.
+bool one_fails(const SpaceStage& stage) {
+  const situation::Formula& formula = stage.formula();
+  if (formula.root().op != situation::Node::Op::kAnd && formula.root().op != situation::Node::Op::kAtom) return false;
+  const situation::SpaceSolver solver(stage.world());
+  const auto is_atom = [](const situation::Node& n) { return n.op == situation::Node::Op::kAtom; };
+  std::vector<situation::Node> operands = formula.root().operands;
+  if (operands.empty()) operands = {formula.root()};
+  return std::any_of(operands.begin(), operands.end(), [&](const situation::Node& n) {
+    if (!is_atom(n)) return false;
+    const auto set =
+        unless_refused([&] { return solver.feasible_convex(situation::Formula(formula.atoms()[n.atom])); });
+    return set && *set && space::summarize((*set)->set, (*set)->step).empty;
+  });
+}
+
+SpacePositions positions_of(const SpaceStage& stage, std::size_t angle) {
+  SpacePositions out;
+  out.angle = angle;
+  out.formula = std::make_shared<const situation::Formula>(stage.formula());
+  out.boxes = unless_refused([&] { return situation::SpaceSolver(stage.world()).feasible(stage.formula()); });
+  if (out.boxes) return out;
+  if (auto flat = flat_positions(stage)) {
+    out.flat = std::make_shared<const FlatPositions>(std::move(*flat));
+    return out;
+  }
+  out.rays = std::make_shared<const situation::RayWorld>(stage.rays());
+  out.none = one_fails(stage);
+  return out;
+}
+
+std::optional<SpaceBest> best_in_flat(const FlatPositions& flat, const SpaceGoals& goals, const Real& step) {
+  const auto forms = goals.forms();
+  if (!forms) return std::nullopt;
+  SpaceBest out;
+  if (flat.empty_box()) return out;
+  space::ConvexRegion within(flat.low, flat.high);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!goals.fixed[k]) continue;
+    RealVector up;
+    up[k] = Real(1);
+    const space::HalfSpace below(up, -*goals.fixed[k]);
+    within.cut(below);
+    within.cut(below.opposite());
+    out.values.push_back(std::nullopt);
+  }
+  out.at = lowest_uncovered(flat.covered, within, *forms);
+  for (std::size_t k = 0; out.at && k < goals.all.size(); ++k)
+    out.values.push_back(space::dot((*forms)[k], *out.at) * step);
+  return out;
+}
+
+/// A grid point of the set within a few steps of p, the nearest by rows of z, y, x; or p itself.
+template <class Holds>
+RealVector near_grid(const RealVector& p, const Holds& holds) {
+  if (p[0].integer() && p[1].integer() && p[2].integer()) return p;
+  const RealVector base{Real(exact::floor(p[0])), Real(exact::floor(p[1])), Real(exact::floor(p[2]))};
+  for (int ring = 1; ring <= kGridSteps; ++ring)
+    for (int z = 1 - ring; z <= ring; ++z)
+      for (int y = 1 - ring; y <= ring; ++y)
+        for (int x = 1 - ring; x <= ring; ++x) {
+          const RealVector q = space::plus(base, RealVector{Real(x), Real(y), Real(z)});
+          if (holds(q)) return q;
+        }
+  return p;
+}
+
+SpaceBest best_in(const SpacePositions& positions, const SpaceGoals& goals, const SpaceProblem& problem) {
+  if (positions.boxes) {
+    SpaceBest best = best_on_boxes(*positions.boxes, goals, problem.step);
+    if (goals.grid && best.at)
+      best.at = near_grid(*best.at, [&](const RealVector& q) { return positions.boxes->mark(q) != 0; });
+    return best;
+  }
+  if (positions.flat) {
+    if (auto best = best_in_flat(*positions.flat, goals, problem.step)) {
+      if (goals.grid && best->at)
+        best->at = near_grid(*best->at, [&](const RealVector& q) { return positions.flat->holds(q); });
+      return *best;
+    }
+  }
+  if (positions.none) return {};
+  const situation::RayWindow box = positions.window();
+  const LinesAsked lines{[&](const space::RayGrid& grid) { return positions.lines(grid); }, box.low, box.high,
+                         problem.lines};
+  return best_on_lines(lines, goals);
+}
+
+/// The goals and the rule for ties at a position.
+std::vector<Real> key(const RealVector& p, const SpaceGoals& goals) {
+  std::vector<Real> out;
+  for (const SpaceGoal& g : goals.all) {
+    const RealVector off = g.point ? space::minus(p, *g.point) : RealVector{};
+    out.push_back(g.point ? space::dot(off, off) : space::dot(g.form, p));
+  }
+  for (const RealVector& tie : tie_forms()) out.push_back(space::dot(tie, p));
+  return out;
+}
+
+/// Of two angles: whether the first is better. One whose least value is not taken counts for what it has.
+bool better(const SpaceBest& a, const SpaceBest& b, const SpaceGoals& goals) {
+  if (a.unbounded != b.unbounded) return a.unbounded;
+  if (a.at && b.at) return key(*a.at, goals) < key(*b.at, goals);
+  for (std::size_t k = 0; k < std::min(a.values.size(), b.values.size()); ++k) {
+    if (!a.values[k] || !b.values[k]) continue;
+    if (const int order = compare(*a.values[k], *b.values[k]); order != 0) return order < 0;
+  }
+  return a.at.has_value() && !b.at.has_value();
+}
+
+SpaceStep place(const SpaceProblem& problem, const SpaceGoals& goals, const SpacePoses& poses, std::size_t body) {
+  SpaceStep step;
+  bool lines = false, any = false;
+  for (std::size_t a = 0; a < problem.bodies[body].angles.size(); ++a) {
+    step.positions.push_back(positions_of(SpaceStage(problem, poses, body, a), a));
+    SpaceBest best = best_in(step.positions.back(), goals, problem);
+    lines = lines || best.on_lines;
+    if (!best.at && best.attained) continue;  // no room at this angle
+    if (any && !better(best, step.best, goals)) continue;
+    any = true;
+    step.pose.reset();
+    if (best.at) step.pose = SpacePose{a, *best.at};
+    step.best = std::move(best);
+  }
+  step.best.on_lines = lines;
+  return step;
+}
+
+}  // namespace
+
+situation::RayWindow SpacePositions::window() const {
+  if (!flat) return situation::window(*rays, *formula);
+  const auto corner = [](const RealVector& p, const Real& up) {
+    std::array<std::int64_t, 3> c{};
+    for (std::size_t k = 0; k < 3; ++k) c[k] = static_cast<std::int64_t>(exact::floor(p[k] + up));
+    return space::Point{c[0], c[1], c[2]};
+  };
+  return {corner(flat->low, Real()), corner(flat->high, Real(1))};
+}
+
+space::RaySourcePointer SpacePositions::lines(const space::RayGrid& grid) const {
+  return flat ? flat->rays(grid) : situation::ray_region(*rays, *formula, grid);
+}
+
+SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit) {
+  const SpaceGoals goals = space_goals(problem);
+  SpacePlacement out;
+  out.poses.resize(problem.bodies.size());
+  for (std::size_t body = 0; body < problem.bodies.size(); ++body) {
+    if (limit.over()) {
+      out.limit_reached = true;
+      break;
+    }
+    out.steps.push_back(place(problem, goals, out.poses, body));
+    out.poses[body] = out.steps.back().pose;
+  }
+  return out;
+}
+
+}  // namespace findspace::planning

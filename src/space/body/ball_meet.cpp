@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/ball_meet.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+namespace findspace::space {
+
+using exact::Real;
+
+namespace {
+
+/// Points of the spheres of the balls (one, two or three) where the distance to p is least or greatest among their
+/// common points.
+std::vector<RealVector> extreme_points(std::span<const Ball* const> on, const RealVector& p) {
+  std::vector<RealVector> out;
+  const RealVector& c = on[0]->center;
+  const Real& r = on[0]->radius;
+  if (on.size() == 1) {
+    const RealVector w = minus(p, c);
+    const Real square = dot(w, w);
+    if (square.sign() == 0) return {{c[0] + r, c[1], c[2]}};
+    const Real t = r / sqrt(square);
+    return {along(c, t, w), along(c, -t, w)};
+  }
+  const RealVector u = minus(on[1]->center, c);
+  const Real length = dot(u, u);
+  if (length.sign() == 0) return out;
+  // |x - c|^2 = r^2 and |x - c - u|^2 = s^2: the plane u . (x - c) = f.
+  const Real f = (length + r * r - on[1]->radius * on[1]->radius) / Real(2);
+  const RealVector m = along(c, f / length, u);
+  const Real rest = r * r - f * f / length;
+  if (rest.sign() < 0) return out;
+  if (on.size() == 2) {
+    const RealVector w = minus(p, m), flat = along(w, -(dot(w, u) / length), u);
+    const Real square = dot(flat, flat);
+    if (square.sign() == 0) {
+      // Every point of the circle is as far: one of them will do.
+      const RealVector a = cross(u, {Real(1), Real(0), Real(0)}), b = cross(u, {Real(0), Real(1), Real(0)});
+      const RealVector& side = is_zero(a) ? b : a;
+      return {along(m, sqrt(rest / dot(side, side)), side)};
+    }
+    const Real t = sqrt(rest / square);
+    return {along(m, t, flat), along(m, -t, flat)};
+  }
+  const RealVector v = minus(on[2]->center, c);
+  const Real g = (dot(v, v) + r * r - on[2]->radius * on[2]->radius) / Real(2);
+  const RealVector axis = cross(u, v);
+  const Real size = dot(axis, axis);
+  if (size.sign() == 0) return out;
+  const RealVector s = cross(v, axis), t = cross(axis, u);
+  const RealVector base = plus(scaled(f / size, s), scaled(g / size, t));
+  const Real height = r * r - dot(base, base);
+  if (height.sign() < 0) return out;
+  const Real h = sqrt(height / size);
+  return {plus(c, along(base, h, axis)), plus(c, along(base, -h, axis))};
+}
+
+double distance(const RealVector& a, const RealVector& b) {
+  const RealVector off = minus(a, b);
+  return std::sqrt(dot(off, off).to_double());
+}
+
+}  // namespace
+
+bool BallMeet::holds(int ball, const RealVector& p) const {
+  const RealVector off = minus(p, balls_[ball].center);
+  return balls_[ball].radius.sign() >= 0 && !(balls_[ball].radius * balls_[ball].radius < dot(off, off));
+}
+
+bool BallMeet::holds(const RealVector& p) const {
+  for (int i = 0; i < static_cast<int>(balls_.size()); ++i) {
+    if (!holds(i, p)) return false;
+  }
+  return true;
+}
+
+/// Of at most four balls: the nearest common point, and the spheres it was found on.
+std::optional<RealVector> BallMeet::nearest_of(const std::vector<int>& few, const RealVector& p,
+                                               std::vector<int>& basis) const {
+  std::optional<RealVector> best;
+  double least = exact::kInfinity;
+  const int n = static_cast<int>(few.size());
+  for (int set = 0; set < (1 << n); ++set) {
+    std::vector<const Ball*> on;
+    std::vector<int> ids;
+    for (int i = 0; i < n; ++i) {
+      if (set >> i & 1) on.push_back(&balls_[few[i]]), ids.push_back(few[i]);
+    }
+    if (on.size() > 3) continue;
+    for (const RealVector& q : on.empty() ? std::vector<RealVector>{p} : extreme_points(on, p)) {
+      const double d = distance(q, p);
+      if (d >= least) continue;
+      const bool common = std::all_of(few.begin(), few.end(), [&](int i) {
+        return std::find(ids.begin(), ids.end(), i) != ids.end() ? balls_[i].radius.sign() >= 0 : holds(i, q);
+      });
+      if (!common) continue;
+      least = d;
+      best = q;
+      basis = ids;
+    }
+  }
+  return best;
+}
+
+std::optional<RealVector> BallMeet::nearest(const RealVector& p) const {
+  std::vector<int> basis;
+  std::optional<RealVector> q = p;
+  while (true) {
+    // The ball out of which q sticks most. Those q was found on hold it.
+    int worst = -1;
+    double most = 0;
+    for (int i = 0; i < static_cast<int>(balls_.size()); ++i) {
+      if (std::find(basis.begin(), basis.end(), i) != basis.end() || holds(i, *q)) continue;
+      const double out = distance(*q, balls_[i].center) - balls_[i].radius.to_double();
+      if (worst < 0 || out > most) most = out, worst = i;
+    }
+    if (worst < 0) return q;
+    std::vector<int> few = basis;
+    few.push_back(worst);
+    q = nearest_of(few, p, basis);
+    if (!q) return std::nullopt;
+  }
+}
+
+namespace {
+
+/// A point on up to three spheres, given by their numbers.
+struct Candidate {
+  double distance = 0;
+  RealVector at;
+  std::vector<int> on;
+  bool is_on(int ball) const { return std::find(on.begin(), on.end(), ball) != on.end(); }
+};
+
+/// Where the distance from p is extreme on one, two or three of the spheres, the least first.
+std::vector<Candidate> candidates(const std::vector<Ball>& balls, const RealVector& p) {
+  if (balls.size() > BallMeet::kMostBalls) {
+    throw Error(ErrorCode::kUnsupported, "more than " + std::to_string(BallMeet::kMostBalls) +
+                                             " balls (or vertices of a polytope in a ball) are not computed");
+  }
+  std::vector<Candidate> found;
+  const auto look = [&](const std::vector<int>& ids) {
+    std::vector<const Ball*> on;
+    for (const int i : ids) on.push_back(&balls[std::size_t(i)]);
+    for (RealVector& q : extreme_points(on, p)) found.push_back({distance(q, p), std::move(q), ids});
+  };
+  const int n = static_cast<int>(balls.size());
+  for (int i = 0; i < n; ++i) {
+    look({i});
+    for (int j = i + 1; j < n; ++j) {
+      look({i, j});
+      for (int k = j + 1; k < n; ++k) look({i, j, k});
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  return found;
+}
+
+}  // namespace
+
+std::optional<RealVector> BallMeet::farthest(const RealVector& p) const {
+  const std::vector<Candidate> found = candidates(balls_, p);
+  for (auto c = found.rbegin(); c != found.rend(); ++c) {
+    bool common = true;
+    for (int i = 0; common && i < static_cast<int>(balls_.size()); ++i)
+      common = c->is_on(i) ? balls_[std::size_t(i)].radius.sign() >= 0 : holds(i, c->at);
+    if (common) return c->at;
+  }
+  return std::nullopt;
+}
+
+RealVector nearest_outside(const std::vector<Ball>& balls, const RealVector& p) {
+  const auto free = [&](const RealVector& q, const Candidate* c) {
+    for (int i = 0; i < static_cast<int>(balls.size()); ++i) {
+      if (c != nullptr && c->is_on(i)) continue;
+      const RealVector off = minus(q, balls[std::size_t(i)].center);
+      if (dot(off, off) < balls[std::size_t(i)].radius * balls[std::size_t(i)].radius) return false;
+    }
+    return true;
+  };
+  if (free(p, nullptr)) return p;
+  for (const Candidate& c : candidates(balls, p)) {
+    if (free(c.at, &c)) return c.at;
+  }
+  throw Error(ErrorCode::kUnsupported, "the way out of the balls is not found");
+}
+
+}  // namespace findspace::space

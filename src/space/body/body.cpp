@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/body.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "space/body/erosion.h"
+#include "space/body/flat_core.h"
+
+namespace findspace::space {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::kUnsupported, what); }
+
+void append(Body& sum, const Body& more) {
+  const std::int64_t scale = std::lcm(sum.scale, more.scale);
+  Body a = at_scale(sum, scale), b = at_scale(more, scale);
+  append(a.around, std::move(b.around), a.parts.size());
+  a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
+  a.rounded += b.rounded;
+  a.moved = std::max(a.moved, b.moved);
+  sum = std::move(a);
+}
+
+std::int64_t in_range(int128 c) {
+  if (c > kCoordinateLimit || c < -kCoordinateLimit)
+    throw Error(ErrorCode::kOutOfRange, "a coordinate exceeds 2^40 grid steps");
+  return static_cast<std::int64_t>(c);
+}
+
+/// Of parts of one radius: the hull of the cores, grown by it.
+Body hull_of(Body body) {
+  std::vector<Point> points;
+  for (const BodyPart& part : body.parts) {
+    if (part.radius != body.parts[0].radius) refuse("the hull of parts of different radii is not computed in 3D");
+    points.insert(points.end(), part.vertices().begin(), part.vertices().end());
+  }
+  body.parts = {part_of(points, body.parts[0].radius)};
+  body.around.clear();
+  return body;
+}
+
+/// Of a complement what is outside moves the other way.
+Body offset(Body body, const Real& by) {
+  const int sign = body.outside ? -by.sign() : by.sign();
+  if (sign < 0) {
+    const bool outside = std::exchange(body.outside, false);
+    body = eroded(body, ball(abs(by)));
+    body.outside = outside;
+  } else if (sign > 0) {
+    for (BodyPart& part : body.parts) part.radius += abs(by) * Real(body.scale);
+    body.around.clear();
+  }
+  return body;
+}
+
+bool holds_ball(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) return solid->form == Solid::Form::kBall;
+  return shape.kind == Kind::kOffset || shape.kind == Kind::kComplement ||
+         std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return holds_ball(*c); });
+}
+
+Body all_children(const plane::Shape& shape) {
+  Body sum;
+  for (const plane::ShapePtr& c : shape.children) {
+    const Body part = body(*c);
+    if (part.outside) refuse("a union or hull with a complement is not computed in 3D for slanted or round shapes");
+    append(sum, part);
+  }
+  return sum;
+}
+
+/// The node, where it is not one of polytopes alone.
+Body mixed(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) {
+    Body ball;
+    ball.parts.push_back({std::nullopt, solid->mesh.vertices[0], solid->radius});
+    return ball;
+  }
+  const auto child = [&] { return body(*shape.children[0]); };
+  switch (shape.kind) {
+    case Kind::kUnion:
+      return all_children(shape);
+    case Kind::kHull:
+      return hull_of(all_children(shape));
+    case Kind::kMinkowskiSum: {
+      const Body a = child(), b = body(*shape.children[1]);
+      if (a.outside || b.outside) refuse("a Minkowski sum with a complement is not computed in 3D");
+      return minkowski_sum(a, b);
+    }
+    case Kind::kMinkowskiDifference:
+      return eroded(child(), body(*shape.children[1]));
+    case Kind::kComplement: {
+      Body b = child();
+      b.outside = !b.outside;
+      return b;
+    }
+    case Kind::kInterior:
+    case Kind::kClosure:
+    case Kind::kRegularize:
+      return child();
+    case Kind::kTranslate:
+      return translated(child(), {shape.points[0].x, shape.points[0].y, shape.lift});
+    case Kind::kMirror:
+      return mirrored(child());
+    case Kind::kOffset:
+      return offset(child(), shape.amount);
+    default:
+      break;
+  }
+  refuse("this kind of shape with round parts is no union of convex parts; state it as one");
+}
+
+}  // namespace
+
+std::vector<HalfSpace> BodyPart::planes() const {
+  std::vector<HalfSpace> out;
+  if (!core) return flat.empty() ? out : flat_planes(flat);
+  for (const Plane& p : core->planes()) out.emplace_back(p);
+  return out;
+}
+
+BodyPart part_of(std::span<const Point> points, Real radius) {
+  BodyPart part{std::nullopt, points[0], std::move(radius)};
+  auto corners = flat_corners(points);
+  if (!corners || (corners->size() > 1 && part.radius.sign() == 0))
+    part.core = Polytope::hull(points);
+  else if (corners->size() > 1)
+    part.flat = *std::move(corners);
+  return part;
+}
+
+bool Body::round() const {
+  return std::any_of(parts.begin(), parts.end(), [](const BodyPart& p) { return p.radius.sign() > 0; });
+}
+
+Body body_of(ConvexParts parts) {
+  Body body;
+  body.scale = parts.scale;
+  body.rounded = parts.rounded;
+  body.moved = parts.moved;
+  body.around = std::move(parts.around);
+  for (Polytope& p : parts.parts) body.parts.push_back({std::move(p), {}, Real()});
+  return body;
+}
+
+Body body(const plane::Shape& shape) {
+  try {
+    return holds_ball(shape) ? mixed(shape) : body_of(convex_parts(shape));
+  } catch (const Error& e) {
+    if (shape.place.empty() || !e.place().empty()) throw;
+    throw e.within(shape.place);
+  }
+}
+
+Body translated(Body body, const Point& t) {
+  const auto by = [&](std::int64_t c, std::int64_t d) { return in_range(c + int128(d) * body.scale); };
+  displace(body.around, {t.x * body.scale, t.y * body.scale, t.z * body.scale});
+  for (BodyPart& part : body.parts) {
+    const auto moved = [&](const Point& p) { return Point{by(p.x, t.x), by(p.y, t.y), by(p.z, t.z)}; };
+    part.center = moved(part.center);
+    for (Point& v : part.flat) v = moved(v);
+    if (!part.core) continue;
+    for (const Point& v : part.core->vertices()) by(v.x, t.x), by(v.y, t.y), by(v.z, t.z);
+    part.core = part.core->translated({t.x * body.scale, t.y * body.scale, t.z * body.scale});
+  }
+  return body;
+}
+
+Body at_scale(const Body& body, std::int64_t scale) {
+  const std::int64_t factor = scale / body.scale;
+  if (factor == 1) return body;
+  Body out = body;
+  out.scale = scale;
+  enlarge(out.around, factor);
+  const auto times = [&](const Point& p) {
+    return Point{in_range(int128(p.x) * factor), in_range(int128(p.y) * factor), in_range(int128(p.z) * factor)};
+  };
+  for (BodyPart& part : out.parts) {
+    part.center = times(part.center);
+    part.radius *= Real(factor);
+    for (Point& v : part.flat) v = times(v);
+    if (!part.core) continue;
+    std::vector<Point> points;
+    for (const Point& v : part.core->vertices()) points.push_back(times(v));
+    part.core = Polytope::hull(points);
+  }
+  return out;
+}
+
+Body united(const std::vector<const Body*>& bodies) {
+  Body sum = *bodies[0];
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    if (sum.outside || bodies[i]->outside)
+      refuse("a list with a complement is not computed in 3D for slanted or round shapes");
+    append(sum, *bodies[i]);
+  }
+  return sum;
+}
+
+Body minkowski_sum(const Body& a, const Body& b) {
+  Body sum;
+  sum.scale = std::lcm(a.scale, b.scale);
+  sum.rounded = a.rounded + b.rounded;
+  sum.moved = std::max(a.moved, b.moved);
+  const Body p = at_scale(a, sum.scale), q = at_scale(b, sum.scale);
+  for (const BodyPart& x : p.parts) {
+    for (const BodyPart& y : q.parts) {
+      std::vector<Point> points;
+      for (const Point& v : x.vertices())
+        for (const Point& w : y.vertices()) points.push_back(v + w);
+      sum.parts.push_back(part_of(points, x.radius + y.radius));
+    }
+  }
+  return sum;
+}
+
+Body mirrored(Body body) {
+  for (BodyPart& part : body.parts) {
+    part.center = -part.center;
+    for (Point& v : part.flat) v = -v;
+    if (part.core) part.core = part.core->mirrored();
+  }
+  enlarge(body.around, -1);
+  return body;
+}
+
+Real support(const BodyPart& part, const RealVector& n) {
+  const Vector near = space::rounded(n);
+  double highest = -exact::kInfinity, size = 0;
+  for (const Point& v : part.vertices()) {
+    const Vector at = exact::shadow(v);
+    highest = std::max(highest, dot(near, at));
+    size = std::max(size, std::fabs(near.x * at.x) + std::fabs(near.y * at.y) + std::fabs(near.z * at.z));
+  }
+  std::optional<Real> best;
+  for (const Point& v : part.vertices()) {
+    if (dot(near, exact::shadow(v)) < highest - 0x1p-48 * size) continue;
+    const Real value = dot(n, real(v));
+    if (!best || *best < value) best = value;
+  }
+  return part.radius.sign() > 0 ? *best + part.radius * sqrt(dot(n, n)) : *best;
+}
+
+Real support(const Body& body, const RealVector& n) {
+  std::optional<Real> best;
+  for (const BodyPart& part : body.parts) {
+    const Real value = support(part, n);
+    if (!best || *best < value) best = value;
+  }
+  return *best;
+}
+
+Bounds3 bounds(const Body& body) {
+  Bounds3 box;
+  for (int k = 0; k < 3; ++k) {
+    RealVector n;
+    n[k] = Real(1);
+    box.high[k] = support(body, n);
+    n[k] = Real(-1);
+    box.low[k] = -support(body, n);
+  }
+  return box;
+}
+
+}  // namespace findspace::space

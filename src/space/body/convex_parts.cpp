@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/convex_parts.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string>
+
+#include "space/body/cell_parts.h"
+#include "space/body/erosion.h"
+#include "space/mesh/mesh.h"
+#include "space/polytope/partition.h"
+#include "space/polytope/polytope_sets.h"
+#include "space/polytope/triangulate.h"
+
+namespace findspace::space {
+namespace {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+constexpr std::size_t kMostFaces = 100000;
+
+/// The parts of a surface that does not meet itself have exactly its volume; else it encloses some space twice, or not.
+/// Where vertices were rounded the volume may change by the surface times the longest move, here taken twice.
+void check_volume(const ConvexParts& parts, const Real& six_enclosed) {
+  Real sum;
+  double slack = 0;
+  for (const Polytope& p : parts.parts) {
+    sum += six_volumes(p);
+    if (parts.rounded > 0) slack += 6 * 2 * parts.moved * surface_area(p);
+  }
+  const Real enclosed = six_enclosed * Real(parts.scale) * Real(parts.scale) * Real(parts.scale);
+  if (abs(sum - enclosed) <= Real::from_double(slack)) return;
+  throw Error(ErrorCode::kGeometry, "the mesh meets or crosses itself: its convex parts have " +
+                                        std::to_string(sum.to_double() / enclosed.to_double()) +
+                                        " times the volume that it encloses");
+}
+
+/// The box about the mesh: without it a surface that crosses itself could leave cells unbounded.
+ConvexRegion bounding_box(const Mesh& mesh) {
+  Point low = mesh.vertices[0], high = low;
+  for (const Point& p : mesh.vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return {real(low), real(high)};
+}
+
+/// A prism over the convex parts of its polygon.
+ConvexParts prism_parts(const Solid& solid) {
+  std::vector<std::vector<Point2>> rings;
+  for (const plane::Contour& contour : solid.contours) {
+    std::vector<Point2>& ring = rings.emplace_back();
+    for (const plane::ContourEdge& edge : contour) {
+      if (edge.arc) throw Error(ErrorCode::kUnsupported, "a prism with arcs has no convex polyhedral parts");
+      ring.push_back({edge.start.x, edge.start.y});
+    }
+  }
+  ConvexParts result;
+  for (const ConvexPolygon& part : convex_parts(rings)) {
+    std::vector<Point> points;
+    for (const Point2& p : part.vertices())
+      points.insert(points.end(), {{p.x, p.y, solid.low}, {p.x, p.y, solid.high}});
+    result.parts.push_back(Polytope::hull(points));
+  }
+  return result;
+}
+
+ConvexParts one(Polytope p) {
+  ConvexParts result;
+  result.parts.push_back(std::move(p));
+  return result;
+}
+
+ConvexParts solid_parts(const Solid& solid) {
+  switch (solid.form) {
+    case Solid::Form::kPolytope:
+      return one(Polytope::hull(solid.mesh.vertices));
+    case Solid::Form::kPrism:
+      return prism_parts(solid);
+    case Solid::Form::kMesh:
+      return convex_parts(solid.mesh);
+    case Solid::Form::kBall:
+      break;
+  }
+  throw Error(ErrorCode::kUnsupported, "a ball has no convex polyhedral parts");
+}
+
+void add(ConvexParts& sum, ConvexParts more) {
+  const std::int64_t scale = std::lcm(sum.scale, more.scale);
+  std::vector<Polytope> parts = at_scale(sum, scale), others = at_scale(more, scale);
+  enlarge(sum.around, scale / sum.scale);
+  enlarge(more.around, scale / more.scale);
+  append(sum.around, std::move(more.around), parts.size());
+  parts.insert(parts.end(), others.begin(), others.end());
+  sum.parts = std::move(parts);
+  sum.scale = scale;
+  sum.rounded += more.rounded;
+  sum.moved = std::max(sum.moved, more.moved);
+}
+
+/// As convex_parts(), but of what is left of a shape there may be nothing.
+ConvexParts made(const plane::Shape& shape);
+
+ConvexParts all_children(const plane::Shape& shape) {
+  ConvexParts sum;
+  for (const plane::ShapePtr& child : shape.children) add(sum, made(*child));
+  return sum;
+}
+
+ConvexParts hull_of(ConvexParts parts) {
+  std::vector<Point> points;
+  for (const Polytope& p : parts.parts) points.insert(points.end(), p.vertices().begin(), p.vertices().end());
+  parts.parts = {Polytope::hull(points)};
+  parts.around.clear();
+  return parts;
+}
+
+/// A sum of unions is the union of the sums of their parts.
+ConvexParts sum_of(const plane::Shape& a, const plane::Shape& b) {
+  ConvexParts p = made(a), q = made(b), result;
+  result.scale = std::lcm(p.scale, q.scale);
+  result.rounded = p.rounded + q.rounded;
+  result.moved = std::max(p.moved, q.moved);
+  const std::vector<Polytope> qs = at_scale(q, result.scale);
+  for (const Polytope& x : at_scale(p, result.scale)) {
+    for (const Polytope& y : qs) {
+      std::vector<Point> points;
+      for (const Point& v : x.vertices()) {
+        for (const Point& w : y.vertices()) points.push_back(v + w);
+      }
+      result.parts.push_back(Polytope::hull(points));
+    }
+  }
+  return result;
+}
+
+ConvexParts moved_by(ConvexParts parts, const Point& t) {
+  const auto shifted = [&](std::int64_t c, std::int64_t by) {
+    const int128 sum = c + int128(by) * parts.scale;
+    if (sum > kCoordinateLimit || sum < -kCoordinateLimit) {
+      throw Error(ErrorCode::kOutOfRange, "a translation takes a vertex beyond 2^40 grid steps");
+    }
+    return static_cast<std::int64_t>(sum);
+  };
+  displace(parts.around, {t.x * parts.scale, t.y * parts.scale, t.z * parts.scale});
+  for (Polytope& p : parts.parts) {
+    std::vector<Point> points;
+    for (const Point& v : p.vertices()) points.push_back({shifted(v.x, t.x), shifted(v.y, t.y), shifted(v.z, t.z)});
+    p = Polytope::hull(points);
+  }
+  return parts;
+}
+
+ConvexParts difference_of(const plane::Shape& a, const plane::Shape& b) {
+  Body made = eroded(body_of(convex_parts(a)), body_of(convex_parts(b)));
+  ConvexParts result;
+  for (BodyPart& part : made.parts) result.parts.push_back(*std::move(part.core));
+  result.scale = made.scale, result.rounded = made.rounded, result.moved = made.moved;
+  return result;
+}
+
+/// Whether the set is the interior of one, or a union with such.
+bool lacks_boundary(const plane::Shape& shape) {
+  if (shape.kind == Kind::kInterior) return true;
+  if (shape.kind != Kind::kTranslate && shape.kind != Kind::kMirror && shape.kind != Kind::kUnion) return false;
+  return std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return lacks_boundary(*c); });
+}
+
+/// Keeps what is inside the other shape, or what is not.
+void clip(ConvexParts& kept, const plane::Shape& by, bool inside) {
+  const bool open = !inside && lacks_boundary(by);
+  if (open && by.kind == Kind::kUnion) {  // walls between its sets stay
+    for (const plane::ShapePtr& child : by.children) clip(kept, *child, false);
+    return;
+  }
+  const ConvexParts other = made(by);
+  const std::int64_t scale = std::lcm(kept.scale, other.scale);
+  const std::vector<Polytope> a = at_scale(kept, scale), b = at_scale(other, scale);
+  ConvexParts next = parts_of_cells(inside ? intersection_cells(a, b)
+                                    : open ? outside_cells(a, b)
+                                           : difference_cells(a, b));
+  next.scale *= scale;
+  next.rounded += kept.rounded + other.rounded;
+  next.moved = std::max({next.moved / static_cast<double>(scale), kept.moved, other.moved});
+  kept = std::move(next);
+}
+
+/// a n b n .., or the closure of a without the others.
+ConvexParts clipped(const plane::Shape& shape) {
+  ConvexParts result = made(*shape.children[0]);
+  for (std::size_t i = 1; i < shape.children.size(); ++i)
+    clip(result, *shape.children[i], shape.kind == Kind::kIntersection);
+  return result;
+}
+
+ConvexParts node_parts(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) return solid_parts(*solid);
+  switch (shape.kind) {
+    case Kind::kUnion:
+      return all_children(shape);
+    case Kind::kIntersection:
+    case Kind::kDifference:
+      return clipped(shape);
+    case Kind::kInterior:
+    case Kind::kRegularize:
+    case Kind::kClosure:
+      return made(*shape.children[0]);
+    case Kind::kHull:
+      return hull_of(all_children(shape));
+    case Kind::kMinkowskiSum:
+      return sum_of(*shape.children[0], *shape.children[1]);
+    case Kind::kMinkowskiDifference:
+      return difference_of(*shape.children[0], *shape.children[1]);
+    case Kind::kMirror: {
+      ConvexParts parts = made(*shape.children[0]);
+      for (Polytope& p : parts.parts) p = p.mirrored();
+      enlarge(parts.around, -1);
+      return parts;
+    }
+    case Kind::kTranslate:
+      return moved_by(made(*shape.children[0]), {shape.points[0].x, shape.points[0].y, shape.lift});
+    default:
+      break;
+  }
+  throw Error(ErrorCode::kUnsupported,
+              "this kind of shape has no convex polyhedral parts; state it as a union of polytopes");
+}
+
+ConvexParts made(const plane::Shape& shape) {
+  try {
+    return node_parts(shape);
+  } catch (const Error& e) {
+    if (shape.place.empty() || !e.place().empty()) throw;
+    throw e.within(shape.place);
+  }
+}
+
+}  // namespace
+
+ConvexParts convex_parts(const Mesh& mesh) {
+  if (is_convex(mesh)) return one(Polytope::hull(mesh.vertices));
+  if (mesh.faces.size() > kMostFaces) {
+    throw Error(ErrorCode::kUnsupported, "a non-convex mesh of " + std::to_string(mesh.faces.size()) +
+                                             " faces is not cut into convex parts; state it as a union of polytopes");
+  }
+  std::vector<FacetPiece> facets;
+  for (const auto& face : mesh.faces) {
+    const Wide3 normal = exact::primitive(area_vector(mesh, face));
+    FacetPiece piece{{normal, -exact::dot(normal, mesh.vertices[face[0]])}, {}};
+    for (const int v : face) piece.corners.emplace_back(real(mesh.vertices[v]));
+    facets.push_back(std::move(piece));
+  }
+  Cells cells = partition(std::move(facets), bounding_box(mesh));
+  ConvexParts parts = parts_of_cells(cells.inside);
+  check_volume(parts, six_volumes(mesh));
+  auto around = std::make_shared<const Surroundings>(Surroundings{mesh, std::move(cells.outside)});
+  parts.around.push_back({std::move(around), 0, parts.parts.size(), parts.scale, {}});
+  return parts;
+}
+
+ConvexParts convex_parts(const plane::Shape& shape) {
+  ConvexParts parts = made(shape);
+  if (parts.parts.empty())
+    throw Error(ErrorCode::kUnsupported, "nothing with interior is left of the shape", shape.place);
+  return parts;
+}
+
+std::vector<Polytope> at_scale(const ConvexParts& parts, std::int64_t scale) {
+  const std::int64_t factor = scale / parts.scale;
+  if (factor == 1) return parts.parts;
+  std::vector<Polytope> scaled;
+  for (const Polytope& p : parts.parts) {
+    std::vector<Point> points;
+    for (const Point& v : p.vertices()) {
+      for (const std::int64_t c : {v.x, v.y, v.z}) {
+        if (c > kCoordinateLimit / factor || c < -kCoordinateLimit / factor) {
+          throw Error(ErrorCode::kOutOfRange,
+                      "the common grid of the convex parts exceeds 2^40 steps; choose a coarser grid");
+        }
+      }
+      points.push_back({v.x * factor, v.y * factor, v.z * factor});
+    }
+    scaled.push_back(Polytope::hull(points));
+  }
+  return scaled;
+}
+
+}  // namespace findspace::space

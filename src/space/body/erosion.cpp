@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/erosion.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "space/body/cell_parts.h"
+#include "space/body/outside_cells.h"
+#include "space/polytope/polytope_sets.h"
+
+namespace findspace::space {
+
+using exact::Real;
+
+namespace {
+
+[[noreturn]] void nothing_left() { throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape"); }
+
+Body of_part(BodyPart part) {
+  Body out;
+  out.parts.push_back(std::move(part));
+  return out;
+}
+
+/// Where a box moved by all of b is; nothing if that has no interior.
+std::optional<ConvexRegion> box_of(const Bounds3& a, const Body& b) {
+  const Bounds3 by = bounds(b);
+  RealVector low, high;
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = a.low[k] + by.high[k], high[k] = a.high[k] + by.low[k];
+    if (high[k] <= low[k]) return std::nullopt;
+  }
+  return ConvexRegion(low, high);
+}
+
+/// Of a polytope.
+Body between_planes(const Polytope& a, const Body& b) {
+  std::optional<ConvexRegion> out = box_of(bounds(of_part({a, {}, {}, {}})), b);
+  if (!out) nothing_left();
+  for (const Plane& plane : a.planes()) {
+    const HalfSpace h(plane);
+    out->cut(HalfSpace(h.normal, h.offset + support(b, negated(h.normal))));
+  }
+  if (out->dimension() < 3) nothing_left();
+  return body_of(parts_of_cells({*std::move(out)}));
+}
+
+/// Of one convex part: a copy for each corner of the parts of b that are less round; by the others the core shrinks.
+std::vector<Body> rooms(const BodyPart& a, const Body& b) {
+  std::vector<Body> out;
+  Body rounder;
+  for (const BodyPart& q : b.parts) {
+    const Real left = a.radius - q.radius;
+    if (left.sign() > 0 || (left.sign() == 0 && a.point())) {
+      for (const Point& v : q.vertices()) out.push_back(translated(of_part({a.core, a.center, left, a.flat}), v));
+    } else {
+      if (!a.core) nothing_left();
+      rounder.parts.push_back({q.core, q.center, -left, q.flat});
+    }
+  }
+  if (!rounder.parts.empty()) out.push_back(between_planes(*a.core, rounder));
+  return out;
+}
+
+/// Of polytopes: the box about them, and the cells outside it that are kept out.
+Erosion of_union(const Body& a, const Body& b) {
+  const auto round = [](const BodyPart& p) { return p.radius.sign() > 0; };
+  if (std::any_of(a.parts.begin(), a.parts.end(), round))
+    throw Error(ErrorCode::kUnsupported, "a union with round parts is not shrunk in 3D");
+  std::vector<std::vector<RealVector>> corners;
+  for (OutsideCell& cell : outside_cells(a)) {
+    if (cell.bounded()) corners.push_back(std::move(cell.vertices));
+  }
+  std::optional<ConvexRegion> within = box_of(bounds(a), b);
+  if (!within) nothing_left();
+  return {{body_of(parts_of_cells({*std::move(within)}))}, minkowski_sum(body_of(parts_of_corners(corners)), b)};
+}
+
+Body at(Body body, std::int64_t scale) {
+  body.moved /= static_cast<double>(scale);
+  body.scale *= scale;
+  return body;
+}
+
+}  // namespace
+
+Erosion erosion(const Body& a, const Body& b) {
+  if (b.outside)
+    throw Error(ErrorCode::kUnsupported, "a Minkowski difference by a complement is empty or all of space");
+  const std::int64_t scale = std::lcm(a.scale, b.scale);
+  Body p = at_scale(a, scale), q = at_scale(b, scale);
+  p.scale = q.scale = 1;  // finer steps from here on
+  if (a.outside) {
+    p.outside = false;
+    Body sum = minkowski_sum(p, q);
+    sum.outside = true;
+    return {{at(std::move(sum), scale)}};
+  }
+  Erosion out = p.parts.size() == 1 ? Erosion{rooms(p.parts[0], q)} : of_union(p, q);
+  for (Body& room : out.rooms) {
+    room = at(std::move(room), scale);
+    room.rounded += a.rounded + b.rounded;
+    room.moved = std::max({room.moved, a.moved, b.moved});
+  }
+  if (out.pillars) out.pillars = at(*std::move(out.pillars), scale);
+  return out;
+}
+
+namespace {
+
+/// At the common scale of two bodies without radii.
+std::vector<Polytope> polytopes(const Body& body, std::int64_t scale) {
+  std::vector<Polytope> out;
+  for (const BodyPart& part : at_scale(body, scale).parts) {
+    if (part.radius.sign() > 0 || !part.core)
+      throw Error(ErrorCode::kUnsupported, "what is left of this shape is no union of convex parts");
+    out.push_back(*part.core);
+  }
+  return out;
+}
+
+}  // namespace
+
+Body eroded(const Body& a, const Body& b) {
+  Erosion made = erosion(a, b);
+  Body out = std::move(made.rooms[0]);
+  if (made.rooms.size() == 1 && (!made.pillars || made.pillars->parts.empty())) return out;
+  const auto cut = [&](const Body& by, bool inside) {
+    const std::int64_t scale = std::lcm(out.scale, by.scale);
+    const std::vector<Polytope> p = polytopes(out, scale), q = polytopes(by, scale);
+    Body next = at(body_of(parts_of_cells(inside ? intersection_cells(p, q) : difference_cells(p, q))), scale);
+    if (next.parts.empty()) nothing_left();
+    next.rounded += out.rounded + by.rounded;
+    next.moved = std::max({next.moved, out.moved, by.moved});
+    out = std::move(next);
+  };
+  for (std::size_t k = 1; k < made.rooms.size(); ++k) cut(made.rooms[k], true);
+  if (made.pillars) cut(*made.pillars, false);
+  return out;
+}
+
+Body ball(const Real& radius) { return of_part({std::nullopt, {}, radius, {}}); }
+
+}  // namespace findspace::space

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/outside_cells.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "space/polytope/convex_region.h"
+
+namespace findspace::space {
+
+using exact::Real;
+
+namespace {
+
+/// The cell with the planes of its facets only, as it lies in the body.
+OutsideCell cell_of(const ConvexRegion& region, const PlacedSurroundings& place) {
+  OutsideCell cell;
+  std::vector<int> number(region.planes().size(), -1);
+  for (const int f : region.facets()) {
+    number[static_cast<std::size_t>(f)] = static_cast<int>(cell.planes.size());
+    cell.planes.push_back(place.at(region.planes()[static_cast<std::size_t>(f)]));
+  }
+  for (const ConvexRegion::Vertex& v : region.vertices()) {
+    cell.vertices.push_back(place.at(v.at));
+    std::vector<int>& tight = cell.tight.emplace_back();
+    for (const int k : v.tight) {
+      if (number[static_cast<std::size_t>(k)] >= 0) tight.push_back(number[static_cast<std::size_t>(k)]);
+    }
+  }
+  return cell;
+}
+
+/// At most two planes, the opposite sides of one, hold three corners of a set without interior.
+bool has_interior(const OutsideCell& cell) { return cell.planes.size() > 3; }
+
+Extent extent_of(const ConvexRegion& region) {
+  std::vector<Vector> points;
+  for (const ConvexRegion::Vertex& v : region.vertices()) points.push_back(v.near);
+  return space::extent_of(points);
+}
+
+/// A convex set that is cut out, with a box around it.
+struct Convex {
+  Extent extent;
+  std::vector<HalfSpace> planes;
+};
+
+bool overlaps(const ConvexRegion& region, const Convex& set) {
+  return extent_of(region).meets(set.extent) &&
+         std::all_of(set.planes.begin(), set.planes.end(), [&](const HalfSpace& h) { return region.sides(h).inside; });
+}
+
+/// Adds the closures of the pieces of region \ set that have interior; they do not overlap. What is left of the region
+/// lies in the set.
+void subtract(ConvexRegion& region, const Convex& set, std::vector<ConvexRegion>& out) {
+  for (const HalfSpace& inside : set.planes) {
+    if (!region.sides(inside).outside) continue;
+    ConvexRegion beyond = region;
+    beyond.cut(inside.opposite());
+    out.push_back(std::move(beyond));
+    region.cut(inside);
+    if (region.empty()) return;
+  }
+}
+
+/// A mesh as the box about it less cells.
+struct Carved {
+  Convex box;
+  std::vector<Convex> cells;
+};
+
+Bounds3 bounds(const PlacedSurroundings& place) {
+  const auto& corners = place.of->surface.vertices;
+  Bounds3 box{real(place.at(corners[0])), real(place.at(corners[0]))};
+  for (const Point& corner : corners) {
+    const RealVector at = real(place.at(corner));
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], at[k]), box.high[k] = std::max(box.high[k], at[k]);
+    }
+  }
+  return box;
+}
+
+Carved carved(const PlacedSurroundings& place) {
+  const Bounds3 around = bounds(place);
+  const ConvexRegion box(around.low, around.high);
+  Carved out{{extent_of(box), {box.planes().begin(), box.planes().end()}}, {}};
+  for (const ConvexRegion& region : place.of->cells) {
+    const OutsideCell cell = cell_of(region, place);
+    if (has_interior(cell)) out.cells.push_back({space::extent_of(cell), cell.planes});
+  }
+  return out;
+}
+
+void subtract(ConvexRegion region, const Carved& mesh, std::vector<ConvexRegion>& out) {
+  if (!overlaps(region, mesh.box)) {
+    out.push_back(std::move(region));
+    return;
+  }
+  subtract(region, mesh.box, out);
+  for (const Convex& cell : mesh.cells) {
+    if (!overlaps(region, cell)) continue;
+    ConvexRegion kept = region;
+    for (const HalfSpace& h : cell.planes) kept.cut(h);
+    if (kept.dimension() == 3) out.push_back(std::move(kept));
+  }
+}
+
+std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
+  std::vector<ConvexRegion> regions{ConvexRegion(box.low, box.high)}, next;
+  std::vector<bool> done(body.parts.size());
+  for (const PlacedSurroundings& place : body.around) {
+    next.clear();
+    const Carved mesh = carved(place);
+    for (ConvexRegion& r : regions) subtract(std::move(r), mesh, next);
+    regions.swap(next);
+    std::fill_n(done.begin() + static_cast<std::ptrdiff_t>(place.first), place.count, true);
+  }
+  for (std::size_t k = 0; k < body.parts.size(); ++k) {
+    if (done[k]) continue;
+    std::vector<Vector> points;
+    for (const Point& v : body.parts[k].vertices()) points.push_back(exact::shadow(v));
+    const Convex part{space::extent_of(points), body.parts[k].planes()};
+    next.clear();
+    for (ConvexRegion& r : regions) {
+      if (overlaps(r, part))
+        subtract(r, part, next);
+      else
+        next.push_back(std::move(r));
+    }
+    regions.swap(next);
+  }
+  return regions;
+}
+
+}  // namespace
+
+std::vector<OutsideCell> outside_cells(const Body& body) {
+  std::vector<OutsideCell> cells;
+  if (body.parts.size() == 1) {
+    for (const HalfSpace& h : body.parts[0].planes()) cells.push_back({{h.opposite()}, {}, {}});
+    return cells;
+  }
+  const bool one_mesh = body.around.size() == 1 && body.around[0].count == body.parts.size();
+  Bounds3 box = bounds(body);
+  for (const PlacedSurroundings& place : body.around) {  // the corners of a part may have been rounded inward
+    const Bounds3 mesh = bounds(place);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], mesh.low[k]), box.high[k] = std::max(box.high[k], mesh.high[k]);
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    RealVector n;
+    n[k] = Real(1);
+    cells.push_back({{HalfSpace(n, -box.low[k])}, {}, {}});
+    n[k] = Real(-1);
+    cells.push_back({{HalfSpace(n, box.high[k])}, {}, {}});
+  }
+  if (one_mesh) {
+    for (const ConvexRegion& r : body.around[0].of->cells) {
+      OutsideCell cell = cell_of(r, body.around[0]);
+      if (has_interior(cell)) cells.push_back(std::move(cell));
+    }
+    return cells;
+  }
+  for (const ConvexRegion& r : subtracted(body, box)) cells.push_back(cell_of(r, {}));
+  return cells;
+}
+
+Extent extent_of(const OutsideCell& bounded) {
+  std::vector<Vector> points;
+  for (const RealVector& v : bounded.vertices) points.push_back(space::rounded(v));
+  return extent_of(points);
+}
+
+std::vector<RealVector> edge_directions(const OutsideCell& cell) {
+  std::vector<RealVector> out;
+  const std::size_t n = cell.vertices.size();
+  for (std::size_t v = 0; v < n; ++v) {
+    for (std::size_t w = v + 1; w < n; ++w) {
+      std::vector<int> both;
+      std::set_intersection(cell.tight[v].begin(), cell.tight[v].end(), cell.tight[w].begin(), cell.tight[w].end(),
+                            std::back_inserter(both));
+      if (both.size() >= 2) out.push_back(minus(cell.vertices[w], cell.vertices[v]));
+    }
+  }
+  return out;
+}
+
+}  // namespace findspace::space

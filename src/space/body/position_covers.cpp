@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/position_covers.h"
+
+#include <algorithm>
+
+#include "space/phi/contact_surface.h"
+
+namespace findspace::space {
+
+using exact::Real;
+
+namespace {
+
+Extent extent_of(const BodyPart& part) {
+  std::vector<Vector> points;
+  for (const Point& v : part.vertices()) points.push_back(exact::shadow(v));
+  return space::extent_of(points);
+}
+
+Real highest(std::span<const RealVector> points, const RealVector& n) {
+  std::optional<Real> best;
+  for (const RealVector& v : points) {
+    const Real value = dot(n, v);
+    if (!best || *best < value) best = value;
+  }
+  return *best;
+}
+
+/// Whether the face of the points in direction n has an edge, or may have one: else n belongs to no facet of a sum.
+bool selects_edge(const Vector& n, std::span<const Vector> points) {
+  double top = -exact::kInfinity, size = 0;
+  for (const Vector& v : points) top = std::max(top, dot(n, v)), size = std::max(size, size_of(v));
+  return std::count_if(points.begin(), points.end(),
+                       [&](const Vector& v) { return dot(n, v) >= top - 0x1p-36 * size; }) > 1;
+}
+
+/// Whether, by doubles, neither normal to the two edges selects an edge of both: so of most pairs.
+bool selects_no_edges(const Vector& d, const Vector& e, std::span<const Vector> a, std::span<const Vector> b) {
+  const Vector n{d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x};
+  const double size = length(n);
+  // Else the direction of n is not known well enough for the room that selects_edge() leaves.
+  if (!(size > 0x1p-10 * length(d) * length(e))) return false;
+  const Vector unit = scaled(1 / size, n), back = scaled(-1 / size, n);
+  return !(selects_edge(unit, a) && selects_edge(unit, b)) && !(selects_edge(back, a) && selects_edge(back, b));
+}
+
+/// {p : p + c in the cell}.
+std::vector<HalfSpace> moved_planes(const OutsideCell& cell, const Point& c) {
+  std::vector<HalfSpace> planes;
+  for (const HalfSpace& h : cell.planes) planes.emplace_back(h.normal, h.offset + dot(h.normal, real(c)));
+  return planes;
+}
+
+/// Of the core; of a polygon or segment from corner to corner.
+std::vector<RealVector> edge_directions(const BodyPart& part) {
+  std::vector<RealVector> out;
+  for (std::size_t k = 0; k < part.flat.size(); ++k)
+    out.push_back(real(part.flat[(k + 1) % part.flat.size()] - part.flat[k]));
+  if (!part.core) return out;
+  for (int h = 0; h < static_cast<int>(part.core->half_edges().size()); ++h) {
+    if (part.core->half_edges()[static_cast<std::size_t>(h)].twin > h) out.push_back(real(part.core->edge(h)));
+  }
+  return out;
+}
+
+}  // namespace
+
+Extent difference_extent(const BodyPart& a, const BodyPart& b) { return difference(extent_of(a), extent_of(b)); }
+
+std::vector<HalfSpace> difference_planes(const BodyPart& a, const BodyPart& b) {
+  std::vector<HalfSpace> planes;
+  if (!a.flat.empty() || !b.flat.empty()) {
+    std::vector<Point> points;
+    for (const Point& v : a.vertices()) {
+      for (const Point& w : b.vertices()) points.push_back(v - w);
+    }
+    return part_of(points, Real(1)).planes();
+  }
+  if (a.core && b.core) {
+    const ContactSurface surface(*a.core, *b.core);
+    for (int f = 0; f < surface.facet_count(); ++f) planes.emplace_back(surface.plane(f));
+  } else if (a.core) {
+    for (const Plane& p : a.core->planes())
+      planes.emplace_back(Plane{p.normal, p.offset + exact::dot(p.normal, b.center)});
+  } else if (b.core) {
+    // c - s: the reflected polytope, moved by c.
+    for (const Plane& p : b.core->planes())
+      planes.emplace_back(Plane{-p.normal, p.offset + exact::dot(p.normal, a.center)});
+  }
+  return planes;
+}
+
+std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b) {
+  if (b.point()) return moved_planes(a, b.center);
+  std::vector<HalfSpace> planes;
+  std::vector<RealVector> reflected;
+  for (const Point& v : b.vertices()) reflected.push_back(real(-v));
+  const auto add = [&](const RealVector& n) {
+    planes.emplace_back(n, -(highest(a.vertices, n) + highest(reflected, n)));
+  };
+  for (const HalfSpace& h : a.planes) add(h.normal);
+  for (const HalfSpace& p : b.planes()) add(negated(p.normal));
+  std::vector<Vector> points_a, points_b;
+  for (const RealVector& v : a.vertices) points_a.push_back(space::rounded(v));
+  for (const RealVector& v : reflected) points_b.push_back(space::rounded(v));
+  const std::vector<RealVector> edges = edge_directions(b);
+  std::vector<Vector> near_edges;
+  for (const RealVector& e : edges) near_edges.push_back(space::rounded(e));
+  for (const RealVector& d : edge_directions(a)) {
+    const Vector near_d = space::rounded(d);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      if (selects_no_edges(near_d, near_edges[k], points_a, points_b)) continue;
+      const RealVector& e = edges[k];
+      const RealVector n = cross(d, e);
+      if (is_zero(n)) continue;
+      for (const RealVector& m : {n, negated(n)}) {
+        const Vector near = space::rounded(m), unit = scaled(1 / length(near), near);
+        const bool listed = std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& g) {
+          return dot(g.unit, unit) > 1 - 0x1p-30 && is_zero(cross(g.normal, m));
+        });
+        if (!listed && selects_edge(unit, points_a) && selects_edge(unit, points_b)) add(m);
+      }
+    }
+  }
+  return planes;
+}
+
+OpenCover overlap_cover(const Body& b, const Body& a) {
+  OpenCover cover;
+  for (const BodyPart& t : a.parts) {
+    for (const BodyPart& s : b.parts) {
+      cover.add(difference_extent(t, s), [&t, &s] { return difference_planes(t, s); });
+    }
+  }
+  return cover;
+}
+
+OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
+  OpenCover cover;
+  for (const OutsideCell& cell : outside_a) {
+    if (!cell.bounded()) {
+      const HalfSpace& h = cell.planes[0];
+      cover.add(everywhere(), OpenCover::Planes{HalfSpace(h.normal, h.offset - support(b, negated(h.normal)))});
+      continue;
+    }
+    const Extent extent = extent_of(cell);
+    for (const BodyPart& s : b.parts) {
+      cover.add(difference(extent, extent_of(s)), [&cell, &s] { return difference_planes(cell, s); });
+    }
+  }
+  return cover;
+}
+
+}  // namespace findspace::space

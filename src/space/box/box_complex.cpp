@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/box/box_complex.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+namespace findspace::space {
+
+using exact::Real;
+
+void sort_axis(Axis& axis) {
+  std::sort(axis.begin(), axis.end());
+  axis.erase(std::unique(axis.begin(), axis.end()), axis.end());
+}
+
+BoxComplex::BoxComplex(Axes at, Mark mark) : at_(std::move(at)) {
+  double count = 1;
+  for (int k = 0; k < 3; ++k) count *= cells(k);
+  if (count > static_cast<double>(kMostCells))
+    throw Error(ErrorCode::kUnsupported, "the boxes have too many different coordinates for an exact map");
+  marks_.assign(static_cast<std::size_t>(count), mark);
+}
+
+BoxComplex BoxComplex::of_boxes(std::span<const IntervalBox> boxes) {
+  Axes at;
+  for (const IntervalBox& box : boxes) {
+    for (int k = 0; k < 3; ++k) {
+      if (box[k].from) at[k].push_back(*box[k].from);
+      if (box[k].to) at[k].push_back(*box[k].to);
+    }
+  }
+  for (Axis& axis : at) sort_axis(axis);
+  BoxComplex set(std::move(at));
+  for (const IntervalBox& box : boxes) set.paint(box, 1);
+  return set;
+}
+
+int BoxComplex::cell_of(int k, const Real& c) const {
+  const auto it = std::lower_bound(at_[k].begin(), at_[k].end(), c);
+  const int before = static_cast<int>(it - at_[k].begin());
+  return it != at_[k].end() && *it == c ? 2 * before + 1 : 2 * before;
+}
+
+std::array<int, 2> BoxComplex::range(int k, const Interval& i) const {
+  const int from = i.from ? cell_of(k, *i.from) + (i.from_in ? 0 : 1) : 0;
+  const int to = i.to ? cell_of(k, *i.to) - (i.to_in ? 0 : 1) : cells(k) - 1;
+  return {from, to};
+}
+
+Mark BoxComplex::mark(const RealVector& p) const { return mark(cell_of(0, p[0]), cell_of(1, p[1]), cell_of(2, p[2])); }
+
+void BoxComplex::paint(const IntervalBox& box, Mark mark) {
+  const auto x = range(0, box[0]), y = range(1, box[1]), z = range(2, box[2]);
+  if (x[1] < x[0]) return;
+  for (int k = z[0]; k <= z[1]; ++k) {
+    for (int j = y[0]; j <= y[1]; ++j) {
+      const auto first = marks_.begin() + static_cast<std::ptrdiff_t>(index(x[0], j, k));
+      std::fill(first, first + (x[1] - x[0] + 1), mark);
+    }
+  }
+}
+
+BoxComplex BoxComplex::refined(const Axes& more) const {
+  Axes at = at_;
+  std::array<std::vector<int>, 3> old;
+  for (int k = 0; k < 3; ++k) {
+    at[k].insert(at[k].end(), more[k].begin(), more[k].end());
+    sort_axis(at[k]);
+  }
+  BoxComplex out(at);
+  for (int k = 0; k < 3; ++k) {
+    // A new coordinate lies in some old cell; an open interval lies where the coordinate before it does, or beyond
+    // that.
+    int last = 0;
+    for (int c = 0; c < out.cells(k); ++c) {
+      if (c % 2 == 1) {
+        last = cell_of(k, out.at_[k][static_cast<std::size_t>(c / 2)]);
+        old[k].push_back(last);
+      } else {
+        old[k].push_back(last % 2 == 1 ? last + 1 : last);
+      }
+    }
+  }
+  for (int z = 0; z < out.cells(2); ++z) {
+    for (int y = 0; y < out.cells(1); ++y) {
+      for (int x = 0; x < out.cells(0); ++x)
+        out.marks_[out.index(x, y, z)] = mark(old[0][std::size_t(x)], old[1][std::size_t(y)], old[2][std::size_t(z)]);
+    }
+  }
+  return out;
+}
+
+/// A coordinate goes where the slabs on both its sides and itself agree.
+BoxComplex BoxComplex::simplified() const {
+  Axes kept;
+  for (int k = 0; k < 3; ++k) {
+    for (int c = 1; c < cells(k); c += 2) {
+      bool same = true;
+      const int a = (k + 1) % 3, b = (k + 2) % 3;
+      for (int i = 0; same && i < cells(a); ++i) {
+        for (int j = 0; same && j < cells(b); ++j) {
+          std::array<int, 3> at{};
+          at[a] = i, at[b] = j, at[k] = c;
+          const Mark here = mark(at[0], at[1], at[2]);
+          at[k] = c - 1;
+          same = mark(at[0], at[1], at[2]) == here;
+          at[k] = c + 1;
+          same = same && mark(at[0], at[1], at[2]) == here;
+        }
+      }
+      if (!same) kept[k].push_back(at_[k][static_cast<std::size_t>(c / 2)]);
+    }
+  }
+  BoxComplex out(kept);
+  std::array<std::vector<int>, 3> from;
+  for (int k = 0; k < 3; ++k) {
+    for (int c = 0; c < out.cells(k); ++c) {
+      const std::size_t i = static_cast<std::size_t>(c / 2);
+      from[k].push_back(c % 2 == 1 ? cell_of(k, out.at_[k][i]) : c == 0 ? 0 : cell_of(k, out.at_[k][i - 1]) + 1);
+    }
+  }
+  for (int z = 0; z < out.cells(2); ++z) {
+    for (int y = 0; y < out.cells(1); ++y) {
+      for (int x = 0; x < out.cells(0); ++x)
+        out.marks_[out.index(x, y, z)] =
+            mark(from[0][std::size_t(x)], from[1][std::size_t(y)], from[2][std::size_t(z)]);
+    }
+  }
+  return out;
+}
+
+BoxComplex BoxComplex::remarked(const std::function<Mark(Mark)>& to) const {
+  BoxComplex out = *this;
+  for (Mark& m : out.marks_) m = to(m);
+  return out;
+}
+
+Interval BoxComplex::interval(int k, int from, int to) const {
+  Interval i;
+  i.from_in = from % 2 == 1;
+  i.to_in = to % 2 == 1;
+  if (from > 0) i.from = at_[k][static_cast<std::size_t>((from - 1) / 2)];
+  if (to < cells(k) - 1) i.to = at_[k][static_cast<std::size_t>(to / 2)];
+  return i;
+}
+
+std::vector<IntervalBox> BoxComplex::boxes() const {
+  std::vector<IntervalBox> out;
+  std::vector<char> done(marks_.size(), 0);
+  const auto free = [&](int x, int y, int z) { return marks_[index(x, y, z)] != 0 && done[index(x, y, z)] == 0; };
+  for (int z = 0; z < cells(2); ++z) {
+    for (int y = 0; y < cells(1); ++y) {
+      for (int x = 0; x < cells(0); ++x) {
+        if (!free(x, y, z)) continue;
+        int x1 = x, y1 = y, z1 = z;
+        while (x1 + 1 < cells(0) && free(x1 + 1, y, z)) ++x1;
+        const auto row = [&](int j, int k) {
+          for (int i = x; i <= x1; ++i) {
+            if (!free(i, j, k)) return false;
+          }
+          return true;
+        };
+        while (y1 + 1 < cells(1) && row(y1 + 1, z)) ++y1;
+        const auto slab = [&](int k) {
+          for (int j = y; j <= y1; ++j) {
+            if (!row(j, k)) return false;
+          }
+          return true;
+        };
+        while (z1 + 1 < cells(2) && slab(z1 + 1)) ++z1;
+        for (int k = z; k <= z1; ++k) {
+          for (int j = y; j <= y1; ++j) {
+            for (int i = x; i <= x1; ++i) done[index(i, j, k)] = 1;
+          }
+        }
+        out.push_back({interval(0, x, x1), interval(1, y, y1), interval(2, z, z1)});
+      }
+    }
+  }
+  return out;
+}
+
+bool BoxComplex::empty() const {
+  return std::all_of(marks_.begin(), marks_.end(), [](Mark m) { return m == 0; });
+}
+
+/// Visits the cells whose closure holds the cell, itself included; true as soon as `visit` is.
+template <class Visit>
+bool BoxComplex::star(int x, int y, int z, Visit visit) const {
+  const int rx = x % 2, ry = y % 2, rz = z % 2;
+  for (int k = z - rz; k <= z + rz; ++k) {
+    for (int j = y - ry; j <= y + ry; ++j) {
+      for (int i = x - rx; i <= x + rx; ++i) {
+        if (visit(marks_[index(i, j, k)])) return true;
+      }
+    }
+  }
+  return false;
+}
+
+BoxComplex BoxComplex::closure() const {
+  BoxComplex out = *this;
+  for (int z = 0; z < cells(2); ++z) {
+    for (int y = 0; y < cells(1); ++y) {
+      for (int x = 0; x < cells(0); ++x) out.marks_[index(x, y, z)] = star(x, y, z, [](Mark m) { return m != 0; });
+    }
+  }
+  return out;
+}
+
+BoxComplex BoxComplex::complement() const {
+  return remarked([](Mark m) { return Mark(m == 0); });
+}
+
+BoxComplex BoxComplex::interior() const { return complement().closure().complement(); }
+
+BoxComplex BoxComplex::boundary() const {
+  const BoxComplex closed = closure(), open = interior();
+  return overlay(std::array<const BoxComplex*, 2>{&closed, &open},
+                 [](std::span<const Mark> m) { return Mark(m[0] && !m[1]); });
+}
+
+BoxComplex BoxComplex::regularized() const { return interior().closure(); }
+
+BoxComplex BoxComplex::mirrored() const {
+  Axes at;
+  for (int k = 0; k < 3; ++k) {
+    for (auto it = at_[k].rbegin(); it != at_[k].rend(); ++it) at[k].push_back(-*it);
+  }
+  BoxComplex out(std::move(at));
+  std::reverse_copy(marks_.begin(), marks_.end(), out.marks_.begin());
+  return out;
+}
+
+BoxComplex BoxComplex::translated(const RealVector& by) const {
+  BoxComplex out = *this;
+  for (int k = 0; k < 3; ++k) {
+    for (Real& c : out.at_[k]) c += by[k];
+  }
+  return out;
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What several sets of boxes make: overlays, sums, the points nearest to and farthest from a place.
+#include <algorithm>
+
+#include "space/box/box_complex.h"
+
+namespace findspace::space {
+
+using exact::Real;
+
+BoxComplex overlay(std::span<const BoxComplex* const> sets, const std::function<Mark(std::span<const Mark>)>& combine) {
+  Axes all;
+  for (const BoxComplex* s : sets) {
+    for (int k = 0; k < 3; ++k) all[k].insert(all[k].end(), s->at()[k].begin(), s->at()[k].end());
+  }
+  std::vector<BoxComplex> fine;
+  for (const BoxComplex* s : sets) fine.push_back(s->refined(all));
+  if (fine.empty()) return BoxComplex({}, combine({}));
+  BoxComplex out = fine[0];
+  std::vector<Mark> marks(fine.size());
+  std::size_t cell = 0;
+  return out.remarked([&](Mark) {
+    const auto row = static_cast<std::size_t>(out.cells(0)), column = static_cast<std::size_t>(out.cells(1));
+    const int x = static_cast<int>(cell % row), y = static_cast<int>(cell / row % column),
+              z = static_cast<int>(cell / row / column);
+    ++cell;
+    for (std::size_t i = 0; i < fine.size(); ++i) marks[i] = fine[i].mark(x, y, z);
+    return combine(marks);
+  });
+}
+
+BoxComplex sum(const BoxComplex& a, const BoxComplex& b) {
+  const auto ends = [](const std::optional<Real>& p, const std::optional<Real>& q) {
+    return p && q ? std::optional<Real>(*p + *q) : std::nullopt;
+  };
+  std::vector<IntervalBox> sums;
+  const std::vector<IntervalBox> of_b = b.boxes();
+  for (const IntervalBox& p : a.boxes()) {
+    for (const IntervalBox& q : of_b) {
+      IntervalBox s;
+      for (int k = 0; k < 3; ++k) {
+        s[k] = {ends(p[k].from, q[k].from), ends(p[k].to, q[k].to), p[k].from_in && q[k].from_in,
+                p[k].to_in && q[k].to_in};
+      }
+      sums.push_back(std::move(s));
+    }
+  }
+  return BoxComplex::of_boxes(sums);
+}
+
+std::optional<RealVector> nearest(std::span<const IntervalBox> boxes, const RealVector& p) {
+  std::optional<RealVector> best;
+  Real least;
+  for (const IntervalBox& box : boxes) {
+    RealVector q = p;
+    for (int k = 0; k < 3; ++k) {
+      if (box[k].from && q[k] < *box[k].from) q[k] = *box[k].from;
+      if (box[k].to && *box[k].to < q[k]) q[k] = *box[k].to;
+    }
+    const RealVector off = minus(q, p);
+    const Real square = dot(off, off);
+    if (best && !(square < least)) continue;
+    best = q;
+    least = square;
+  }
+  return best;
+}
+
+std::optional<RealVector> farthest(std::span<const IntervalBox> boxes, const RealVector& p) {
+  std::optional<RealVector> best;
+  Real most;
+  for (const IntervalBox& box : boxes) {
+    RealVector q;
+    for (int k = 0; k < 3; ++k) {
+      if (!box[k].from || !box[k].to) return std::nullopt;
+      q[k] = *box[k].to - p[k] < p[k] - *box[k].from ? *box[k].from : *box[k].to;
+    }
+    const RealVector off = minus(q, p);
+    const Real square = dot(off, off);
+    if (best && !(most < square)) continue;
+    best = q;
+    most = square;
+  }
+  return best;
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/convolution/ray_body.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace findspace::space {
+namespace {
+
+/// A side of a triangle, number 3 f + k, in the group of its two ends.
+struct Side {
+  int low = 0, high = 0, id = 0;
+  bool rising = false;
+};
+
+struct Sides {
+  const RayBody& body;
+
+  int from(int side) const { return body.faces[side / 3][side % 3]; }
+  int to(int side) const { return body.faces[side / 3][(side % 3 + 1) % 3]; }
+  const Point& apex(int side) const { return body.points[body.faces[side / 3][(side % 3 + 2) % 3]]; }
+};
+
+[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::kGeometry, what); }
+
+/// Whether, turning clockwise about the line a b from the half-plane of p, that of q is met before that of r.
+bool before_clockwise(const Point& a, const Point& b, const Point& p, const Point& q, const Point& r) {
+  // Turning positively about b - a leads from x to y by less than half a turn iff the volume a, b, x, y is positive.
+  const int pq = exact::sign_volume(a, b, p, q), pr = exact::sign_volume(a, b, p, r);
+  const int qr = exact::sign_volume(a, b, q, r);
+  const auto half = [](int s) {
+    return s < 0 ? 0 : s == 0 ? 1 : 2;
+  };  // clockwise by less than, exactly, more than half
+  if (half(pq) != half(pr)) return half(pq) < half(pr);
+  return qr < 0;
+}
+
+/// Pairs the sides of one edge; `group` are its sides. Each rising one gets the first falling one clockwise: solid
+/// between.
+void pair_group(const RayBody& body, const std::vector<Side>& group, std::vector<int>& twin) {
+  if (group.size() == 2 && group[0].rising != group[1].rising) {
+    twin[group[0].id] = group[1].id;
+    twin[group[1].id] = group[0].id;
+    return;
+  }
+  const Sides sides{body};
+  std::vector<int> rising, falling;
+  for (const Side& s : group) (s.rising ? rising : falling).push_back(s.id);
+  if (rising.size() != falling.size())
+    refuse("the surface is not closed: an edge has " + std::to_string(group.size()) + " faces");
+  for (const int r : rising) {
+    const Point &a = body.points[sides.from(r)], &b = body.points[sides.to(r)];
+    int best = -1;
+    for (const int f : falling) {
+      if (best < 0 || before_clockwise(a, b, sides.apex(r), sides.apex(f), sides.apex(best))) best = f;
+    }
+    if (best < 0 || twin[best] >= 0) refuse("faces cross or repeat at an edge");
+    twin[r] = best;
+    twin[best] = r;
+  }
+}
+
+/// By their lower vertex, then the higher one, then by number.
+std::vector<Side> sorted_sides(const RayBody& body) {
+  const Sides at{body};
+  const int count = static_cast<int>(body.faces.size() * 3);
+  std::vector<std::size_t> first(body.points.size() + 1, 0);
+  for (int id = 0; id < count; ++id) ++first[static_cast<std::size_t>(std::min(at.from(id), at.to(id))) + 1];
+  for (std::size_t v = 0; v < body.points.size(); ++v) first[v + 1] += first[v];
+  std::vector<Side> sides(static_cast<std::size_t>(count));
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (int id = 0; id < count; ++id) {
+    const int low = std::min(at.from(id), at.to(id)), high = std::max(at.from(id), at.to(id));
+    sides[next[static_cast<std::size_t>(low)]++] = {low, high, id, at.from(id) < at.to(id)};
+  }
+  for (std::size_t v = 0; v < body.points.size(); ++v) {
+    const auto begin = sides.begin();
+    std::sort(begin + static_cast<std::ptrdiff_t>(first[v]), begin + static_cast<std::ptrdiff_t>(first[v + 1]),
+              [](const Side& s, const Side& t) { return s.high != t.high ? s.high < t.high : s.id < t.id; });
+  }
+  return sides;
+}
+
+std::vector<int> twins(const RayBody& body) {
+  const std::vector<Side> sides = sorted_sides(body);
+  std::vector<int> twin(sides.size(), -1);
+  std::vector<Side> group;
+  for (std::size_t i = 0; i < sides.size(); i += group.size()) {
+    group.clear();
+    for (std::size_t j = i; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high; ++j) {
+      group.push_back(sides[j]);
+    }
+    pair_group(body, group, twin);
+  }
+  return twin;
+}
+
+void make_edges(RayBody& body, const std::vector<int>& twin) {
+  const Sides at{body};
+  body.face_edges.resize(body.faces.size());
+  for (int id = 0; id < static_cast<int>(twin.size()); ++id) {
+    if (twin[id] < id) continue;
+    const int left = id / 3, right = twin[id] / 3;
+    const int bend =
+        -exact::sign_dot(body.normals[left], body.normal_shadows[left], at.apex(twin[id]) - body.points[at.from(id)]);
+    const auto& n = body.normal_shadows[left];
+    const auto& m = body.normal_shadows[right];
+    if (bend == 0 && n.x * m.x + n.y * m.y + n.z * m.z < 0) refuse("the surface folds back on itself at an edge");
+    body.face_edges[left][id % 3] = body.face_edges[right][twin[id] % 3] = static_cast<int>(body.edges.size());
+    body.edges.push_back({at.from(id), at.to(id), left, right, bend});
+  }
+}
+
+void make_vertices(RayBody& body, const std::vector<int>& twin) {
+  std::vector<char> done(twin.size(), 0);
+  body.corners.reserve(twin.size());
+  for (int start = 0; start < static_cast<int>(twin.size()); ++start) {
+    if (done[start]) continue;
+    RayVertex vertex{body.faces[start / 3][start % 3], static_cast<int>(body.corners.size()), 0};
+    for (int side = start; !done[side];) {
+      done[side] = 1;
+      body.corners.push_back({body.faces[side / 3][(side % 3 + 1) % 3], side / 3});
+      ++vertex.count;
+      side = twin[side - side % 3 + (side % 3 + 2) % 3];  // over the side that ends in the vertex
+    }
+    body.vertices.push_back(vertex);
+  }
+}
+
+void number_pieces(RayBody& body) {
+  std::vector<int> stack;
+  body.piece.assign(body.faces.size(), -1);
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    if (body.piece[f] >= 0) continue;
+    body.piece[f] = body.pieces;
+    stack.push_back(static_cast<int>(f));
+    while (!stack.empty()) {
+      const int g = stack.back();
+      stack.pop_back();
+      for (const int e : body.face_edges[g]) {
+        const int h = body.edges[e].left == g ? body.edges[e].right : body.edges[e].left;
+        if (body.piece[h] >= 0) continue;
+        body.piece[h] = body.pieces;
+        stack.push_back(h);
+      }
+    }
+    ++body.pieces;
+  }
+}
+
+}  // namespace
+
+RayBody::RayBody(Triangles surface) : points(std::move(surface.points)), faces(std::move(surface.faces)) {
+  if (faces.empty()) refuse("a body without faces");
+  for (const auto& [a, b, c] : faces) {
+    normals.push_back(exact::cross(points[b] - points[a], points[c] - points[a]));
+    if (exact::is_zero(normals.back())) refuse("a face without area");
+    normal_shadows.push_back(exact::shadow(normals.back()));
+  }
+  low = high = points[faces[0][0]];
+  for (const auto& face : faces) {
+    for (const int v : face) {
+      const Point& p = points[v];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  for (const std::int64_t c : {low.x, low.y, low.z, high.x, high.y, high.z}) {
+    if (c > exact::kRayLimit || c < -exact::kRayLimit)
+      throw Error(ErrorCode::kOutOfRange, "a coordinate exceeds 2^38 grid steps, the limit of ray maps");
+  }
+  const std::vector<int> twin = twins(*this);
+  make_edges(*this, twin);
+  make_vertices(*this, twin);
+  number_pieces(*this);
+}
+
+int RayBody::euler() const {
+  return (static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + static_cast<int>(faces.size())) / 2;
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/convolution/ray_solids.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+#include "space/convolution/mesh_crossing.h"
+#include "space/mesh/mesh.h"
+#include "space/polytope/convex_polygon.h"
+#include "space/polytope/triangulate.h"
+
+namespace findspace::space {
+namespace {
+
+using Kind = plane::Shape::Kind;
+
+/// Walls over the rings, and the convex parts of the polygon as floor and lid; `clean` matches their sides.
+Triangles prism(const Solid& solid) {
+  Mesh mesh;
+  const auto vertex = [&](const Point2& p, std::int64_t z) {
+    mesh.vertices.push_back({p.x, p.y, z});
+    return static_cast<int>(mesh.vertices.size()) - 1;
+  };
+  std::vector<std::vector<Point2>> rings;
+  for (const plane::Contour& contour : solid.contours) {
+    std::vector<Point2>& ring = rings.emplace_back();
+    for (const plane::ContourEdge& edge : contour) {
+      if (edge.arc) throw Error(ErrorCode::kUnsupported, "a prism with arcs has no ray map");
+      ring.push_back({edge.start.x, edge.start.y});
+    }
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point2 &p = ring[k], &q = ring[(k + 1) % ring.size()];
+      mesh.faces.push_back({vertex(p, solid.low), vertex(q, solid.low), vertex(q, solid.high), vertex(p, solid.high)});
+    }
+  }
+  for (const ConvexPolygon& part : convex_parts(rings)) {
+    std::vector<int> floor, lid;
+    for (const Point2& p : part.vertices()) {
+      lid.push_back(vertex(p, solid.high));
+      floor.insert(floor.begin(), vertex(p, solid.low));
+    }
+    mesh.faces.push_back(lid);
+    mesh.faces.push_back(floor);
+  }
+  clean(mesh, 1);
+  return triangles(mesh);
+}
+
+/// The surface, if it does not cross itself.
+Triangles simple(Triangles surface) {
+  const RayBody body(surface);
+  const auto crossing = crossing_faces(body);
+  if (!crossing) return surface;
+  const auto text = [&](int f) {
+    std::string out;
+    for (int k = 0; k < 3; ++k) {
+      const Point& p = body.corner(f, k);
+      out += (k > 0 ? " " : "") + ("(" + std::to_string(p.x)) + ", " + std::to_string(p.y) + ", " +
+             std::to_string(p.z) + ")";
+    }
+    return out;
+  };
+  throw Error(ErrorCode::kGeometry, "the mesh crosses itself, so what lies inside is not clear: triangle " +
+                                        text((*crossing)[0]) + " and triangle " + text((*crossing)[1]) +
+                                        ", in grid steps");
+}
+
+RaySolid primitive(const Solid& solid) {
+  switch (solid.form) {
+    case Solid::Form::kPolytope:
+      return {triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
+    case Solid::Form::kMesh:
+      return {simple(triangles(solid.mesh)), {}, {}};
+    case Solid::Form::kPrism:
+      return {prism(solid), {}, {}};
+    case Solid::Form::kBall:
+      break;
+  }
+  return {{}, solid.mesh.vertices[0], solid.radius};
+}
+
+}  // namespace
+
+std::vector<RaySolid> ray_solids(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) {
+    try {
+      return {primitive(*solid)};
+    } catch (const Error& e) {
+      throw e.place().empty() && !shape.place.empty() ? e.within(shape.place) : e;
+    }
+  }
+  std::vector<RaySolid> all;
+  for (const plane::ShapePtr& child : shape.children) {
+    for (RaySolid& s : ray_solids(*child)) all.push_back(std::move(s));
+  }
+  switch (shape.kind) {
+    case Kind::kUnion:
+    case Kind::kClosure:
+    case Kind::kRegularize:
+      return all;
+    case Kind::kTranslate:
+      for (RaySolid& s : all) {
+        const Point by{shape.points[0].x, shape.points[0].y, shape.lift};
+        s.surface = moved(std::move(s.surface), by);
+        s.center = s.center + by;
+      }
+      return all;
+    case Kind::kMirror:
+      for (RaySolid& s : all) {
+        s.surface = scaled(std::move(s.surface), -1);
+        s.center = -s.center;
+      }
+      return all;
+    default:
+      break;
+  }
+  throw Error(ErrorCode::kUnsupported, "this kind of shape has no ray map; state it as a mesh or a union of solids",
+              shape.place);
+}
+
+void extend_box(const Point& p, Point& low, Point& high, bool& any) {
+  if (!any) low = high = p;
+  any = true;
+  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+}
+
+void extend_box(const std::vector<RaySolid>& solids, Point& low, Point& high, bool& any) {
+  for (const RaySolid& s : solids) {
+    for (const Point& p : s.surface.points) extend_box(p, low, high, any);
+    if (!s.ball()) continue;
+    const auto r = static_cast<std::int64_t>(exact::floor(s.radius)) + 1;
+    extend_box(s.center - Point{r, r, r}, low, high, any);
+    extend_box(s.center + Point{r, r, r}, low, high, any);
+  }
+}
+
+bool is_convex(const RaySolid& solid) {
+  if (solid.ball()) return false;
+  const RayBody body(solid.surface);
+  return body.pieces == 1 && body.euler() == 1 &&
+         std::all_of(body.edges.begin(), body.edges.end(), [](const RayEdge& e) { return e.bend >= 0; });
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A 3D shape tree as closed surfaces and balls whose union is the shape, for ray maps: polytope, box, prism, mesh,
+// ball, and union, translate, mirror, closure, regularize of such. Nothing is cut into convex parts. Guarantee: exact.
+// Keywords: boundary representation.
+#pragma once
+
+#include <vector>
+
+#include "exact/number/real.h"
+#include "space/convolution/ray_body.h"
+
+namespace findspace::space {
+
+struct RaySolid {
+  Triangles surface;  // empty for a ball
+  Point center;
+  exact::Real radius{};  // of a ball, in grid steps
+  bool ball() const { return surface.faces.empty(); }
+};
+
+/// Triangles from which on a solid that is not convex is taken by its surface: its convex parts are many, and their
+/// corners off the grid.
+inline constexpr std::size_t kManyFaces = 120;
+
+/// A surface, of one piece without holes, with no edge bent inward.
+bool is_convex(const RaySolid& solid);
+
+/// Throws Error(kUnsupported) for other nodes.
+std::vector<RaySolid> ray_solids(const plane::Shape& shape);
+
+/// The smallest box on the grid that holds them too.
+void extend_box(const Point& point, Point& low, Point& high, bool& any);
+void extend_box(const std::vector<RaySolid>& solids, Point& low, Point& high, bool& any);
+
+}  // namespace findspace::space

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/mesh/mesh.h"
+
+#include <findspace/error.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "space/mesh/mesh_orientation.h"
+#include "space/polytope/triangulate.h"
+
+namespace findspace::space {
+namespace {
+
+using Edge = std::pair<int, int>;
+
+Edge undirected(int a, int b) { return std::minmax(a, b); }
+
+template <class Visit>
+void each_edge(const std::vector<int>& face, Visit visit) {
+  for (std::size_t i = 0; i < face.size(); ++i) visit(face[i], face[(i + 1) % face.size()]);
+}
+
+void weld(Mesh& mesh, std::vector<std::string>& notes) {
+  std::map<Point, int> seen;
+  std::vector<int> to(mesh.vertices.size(), -1);
+  std::vector<Point> kept;
+  for (auto& face : mesh.faces) {
+    for (int& v : face) {
+      const auto [at, fresh] = seen.emplace(mesh.vertices[v], static_cast<int>(kept.size()));
+      if (fresh) kept.push_back(mesh.vertices[v]);
+      to[v] = at->second;
+      v = at->second;
+    }
+  }
+  const auto unused = std::count(to.begin(), to.end(), -1);
+  if (unused > 0) notes.push_back(fmt::format("{} vertices belong to no face and were dropped", unused));
+  mesh.vertices = std::move(kept);
+}
+
+/// Takes out corners that repeat the one before, and spurs that run out and back (a b a).
+void take_out_spurs(std::vector<int>& ring) {
+  for (std::size_t i = 0; ring.size() > 2 && i < ring.size();) {
+    const std::size_t next = (i + 1) % ring.size(), after = (i + 2) % ring.size();
+    if (ring[i] != ring[next] && ring[i] != ring[after]) {
+      ++i;
+      continue;
+    }
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(next));
+    i = 0;
+  }
+}
+
+/// Drops repeated corners, spurs, and faces without area.
+void drop_empty_faces(Mesh& mesh, std::vector<std::string>& notes) {
+  std::vector<std::vector<int>> kept;
+  for (auto& face : mesh.faces) {
+    take_out_spurs(face);
+    if (face.size() >= 3 && !exact::is_zero(area_vector(mesh, face))) kept.push_back(face);
+  }
+  if (const std::size_t empty = mesh.faces.size() - kept.size(); empty > 0)
+    notes.push_back(empty == 1 ? "1 face without area was dropped"
+                               : fmt::format("{} faces without area were dropped", empty));
+  mesh.faces = std::move(kept);
+}
+
+/// Faces that are not flat are cut into triangles.
+void flatten(Mesh& mesh, std::vector<std::string>& notes) {
+  std::vector<std::vector<int>> flat;
+  int bent = 0;
+  for (const auto& face : mesh.faces) {
+    const Wide3 n = exact::primitive(area_vector(mesh, face));
+    const bool even = std::all_of(face.begin(), face.end(),
+                                  [&](int v) { return exact::dot(n, mesh.vertices[v] - mesh.vertices[face[0]]) == 0; });
+    if (even) {
+      flat.push_back(face);
+      continue;
+    }
+    ++bent;
+    for (const auto& [a, b, c] : triangulate(projected(mesh, face, n), StraightCorner::kKeep)) {
+      flat.push_back({face[a], face[b], face[c]});
+    }
+  }
+  if (bent > 0)
+    notes.push_back(bent == 1 ? "1 face is not flat and was cut into triangles"
+                              : fmt::format("{} faces are not flat and were cut into triangles", bent));
+  mesh.faces = std::move(flat);
+}
+
+/// How often each edge is run through in the sense of its ascending vertices, minus the other sense; and in all.
+std::map<Edge, std::pair<int, int>> edge_counts(const Mesh& mesh) {
+  std::map<Edge, std::pair<int, int>> count;
+  for (const auto& face : mesh.faces) {
+    each_edge(face, [&](int a, int b) {
+      auto& c = count[undirected(a, b)];
+      c.first += a < b ? 1 : -1;
+      ++c.second;
+    });
+  }
+  return count;
+}
+
+bool strictly_between(const Point& a, const Point& b, const Point& p) {
+  if (!exact::is_zero(exact::cross(b - a, p - a))) return false;
+  return (a < p && p < b) || (b < p && p < a);
+}
+
+/// Puts the ends of odd edges into the odd edges on which they lie. True if anything changed.
+bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
+  std::vector<int> ends;
+  std::map<Edge, bool> odd;
+  for (const auto& [edge, count] : edge_counts(mesh)) {
+    if (count.second % 2 == 0) continue;
+    odd[edge] = true;
+    ends.push_back(edge.first);
+    ends.push_back(edge.second);
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  int split = 0;
+  for (auto& face : mesh.faces) {
+    std::vector<int> ring;
+    each_edge(face, [&](int a, int b) {
+      ring.push_back(a);
+      if (!odd.contains(undirected(a, b))) return;
+      std::vector<int> on;
+      for (const int v : ends) {
+        if (strictly_between(mesh.vertices[a], mesh.vertices[b], mesh.vertices[v])) on.push_back(v);
+      }
+      const bool rising = mesh.vertices[a] < mesh.vertices[b];
+      std::sort(on.begin(), on.end(), [&](int v, int w) { return (mesh.vertices[v] < mesh.vertices[w]) == rising; });
+      ring.insert(ring.end(), on.begin(), on.end());
+      split += static_cast<int>(on.size());
+    });
+    face = std::move(ring);
+  }
+  if (split > 0) notes.push_back(fmt::format("{} edges were split where a vertex lies on them", split));
+  return split > 0;
+}
+
+void check_closed(const Mesh& mesh, double step) {
+  constexpr int kListed = 6;
+  std::string list;
+  int open = 0;
+  for (const auto& [edge, count] : edge_counts(mesh)) {
+    if (count.first == 0) continue;
+    const Point &a = mesh.vertices[edge.first], &b = mesh.vertices[edge.second];
+    const auto at = [&](std::int64_t c) { return static_cast<double>(c) * step; };
+    if (open++ < kListed) {
+      list +=
+          fmt::format("{}({:g}, {:g}, {:g})-({:g}, {:g}, {:g}) in {} face{}", open == 1 ? "" : "; ", at(a.x), at(a.y),
+                      at(a.z), at(b.x), at(b.y), at(b.z), count.second, count.second == 1 ? "" : "s of one sense");
+    }
+  }
+  if (open == 0) return;
+  if (open > kListed) list += fmt::format("; and {} more", open - kListed);
+  throw Error(ErrorCode::kGeometry, fmt::format("the mesh is not closed: {} open edges: {}", open, list));
+}
+
+}  // namespace
+
+Wide3 area_vector(const Mesh& mesh, const std::vector<int>& face) {
+  Wide3 sum;
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    const Wide3 n = exact::cross(mesh.vertices[face[i]] - mesh.vertices[face[0]],
+                                 mesh.vertices[face[i + 1]] - mesh.vertices[face[0]]);
+    sum = {sum.x + n.x, sum.y + n.y, sum.z + n.z};
+  }
+  return sum;
+}
+
+std::vector<Point2> projected(const Mesh& mesh, const std::vector<int>& face, const Wide3& n) {
+  const auto size = [](int128 v) { return v < 0 ? -v : v; };
+  const int axis = size(n.x) >= size(n.y) && size(n.x) >= size(n.z) ? 0 : size(n.y) >= size(n.z) ? 1 : 2;
+  const bool flip = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0;
+  std::vector<Point2> ring;
+  for (const int v : face) {
+    const Point& p = mesh.vertices[v];
+    const std::int64_t x = axis == 0 ? p.y : axis == 1 ? p.z : p.x, y = axis == 0 ? p.z : axis == 1 ? p.x : p.y;
+    ring.push_back({x, flip ? -y : y});
+  }
+  return ring;
+}
+
+exact::Real six_volumes(const Mesh& mesh) {
+  exact::Real sum;
+  for (const auto& face : mesh.faces) {
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      const Point base = mesh.vertices[0], a = mesh.vertices[face[0]];
+      const Wide3 n = exact::cross(mesh.vertices[face[i]] - a, mesh.vertices[face[i + 1]] - a);
+      sum += exact::Real(exact::dot(n, a - base));
+    }
+  }
+  return sum;
+}
+
+std::vector<std::string> clean(Mesh& mesh, double step) {
+  std::vector<std::string> notes;
+  weld(mesh, notes);
+  if (mesh.faces.empty()) throw Error(ErrorCode::kGeometry, "the mesh has no faces");
+  drop_empty_faces(mesh, notes);
+  flatten(mesh, notes);
+  split_edges(mesh, notes);
+  orient(mesh, step, notes);
+  check_closed(mesh, step);
+  if (six_volumes(mesh).sign() <= 0) throw Error(ErrorCode::kGeometry, "the mesh encloses no volume");
+  return notes;
+}
+
+bool is_convex(const Mesh& mesh) {
+  std::map<Edge, int> at;
+  for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
+    bool once = true;
+    each_edge(mesh.faces[f], [&](int a, int b) { once = once && at.emplace(Edge{a, b}, f).second; });
+    if (!once) return false;
+  }
+  std::vector<char> used(mesh.vertices.size(), 0);
+  std::vector<int> stack{0};
+  std::vector<char> reached(mesh.faces.size(), 0);
+  reached[0] = 1;
+  std::size_t count = 0;
+  while (!stack.empty()) {
+    const int f = stack.back();
+    stack.pop_back();
+    ++count;
+    const Wide3 n = exact::primitive(area_vector(mesh, mesh.faces[f]));
+    bool below = true;
+    each_edge(mesh.faces[f], [&](int a, int b) {
+      used[a] = 1;
+      const int g = at.at({b, a});
+      for (const int v : mesh.faces[g]) below = below && exact::dot(n, mesh.vertices[v] - mesh.vertices[a]) <= 0;
+      if (!reached[g]) reached[g] = 1, stack.push_back(g);
+    });
+    if (!below) return false;
+  }
+  const auto vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  return count == mesh.faces.size() && vertices + count == at.size() / 2 + 2;
+}
+
+}  // namespace findspace::space

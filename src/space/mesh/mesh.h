@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Closed surfaces on the grid. A mesh read from anywhere is cleaned first: equal vertices are joined (welding on the
+// grid), faces without area dropped, edges split where a vertex lies on them (T-junctions), and faces turned so that
+// normals point outward. A surface that is not closed then is refused, and the message lists its open edges. Guarantee:
+// every decision is exact; the enclosed set does not change. Keywords: watertight, manifold, STL repair.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "space/polytope/convex_polygon.h"
+#include "space/polytope/solid.h"
+
+namespace findspace::space {
+
+/// Cleans the mesh in place and says what was done. Throws Error(kGeometry). `step`: size of a grid step in messages.
+std::vector<std::string> clean(Mesh& mesh, double step);
+
+/// Whether a clean mesh bounds a convex set: one piece of Euler number 2, no edge with the surface above it.
+bool is_convex(const Mesh& mesh);
+
+/// Six times the volume of a clean mesh, in cubic grid steps.
+exact::Real six_volumes(const Mesh& mesh);
+
+/// The sum of the cross products about the face: its outward normal times twice its area. Zero for a face without area.
+Wide3 area_vector(const Mesh& mesh, const std::vector<int>& face);
+
+/// The face seen along the longest component of its area vector n, counter-clockwise.
+std::vector<Point2> projected(const Mesh& mesh, const std::vector<int>& face, const Wide3& n);
+
+}  // namespace findspace::space

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The inner loop of Phi values: the highest of many planes at a point, eight planes at a time in vector registers.
+// Guarantee: the same bits on every machine, for products and sums are rounded one by one and a maximum has no
+// rounding.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "space/phi/phi_function.h"
+
+namespace findspace::space {
+
+using Lanes = double __attribute__((vector_size(64)));
+/// The same as it lies in a PlaneBlock.
+using StoredLanes = double __attribute__((vector_size(64), aligned(8), may_alias));
+using LaneIndex = long long __attribute__((vector_size(64)));
+
+/// Blocks of eight planes; the rest of the last block never is the highest.
+inline std::vector<PlaneBlock> pack_planes(std::span<const Vector> normals, std::span<const double> offsets) {
+  std::vector<PlaneBlock> blocks((normals.size() + 7) / 8);
+  for (std::size_t i = 0; i < blocks.size() * 8; ++i) {
+    PlaneBlock& b = blocks[i / 8];
+    const bool real = i < normals.size();
+    b.x[i % 8] = real ? normals[i].x : 0;
+    b.y[i % 8] = real ? normals[i].y : 0;
+    b.z[i % 8] = real ? normals[i].z : 0;
+    b.d[i % 8] = real ? offsets[i] : -std::numeric_limits<double>::infinity();
+  }
+  return blocks;
+}
+
+__attribute__((always_inline)) inline Highest scan_planes_inline(const PlaneBlock* blocks, std::size_t count,
+                                                                 const Vector& u) {
+  const Lanes zero{}, x = zero + u.x, y = zero + u.y, z = zero + u.z;
+  Lanes best = zero - std::numeric_limits<double>::infinity();
+  LaneIndex where = {0, 1, 2, 3, 4, 5, 6, 7}, here = where;
+  for (std::size_t b = 0; b < count; ++b) {
+    const auto* row = reinterpret_cast<const StoredLanes*>(blocks + b);
+    const Lanes value = ((row[0] * x + row[1] * y) + row[2] * z) + row[3];
+    const LaneIndex better = value > best;
+    best = better ? value : best;
+    where = better ? here : where;
+    here += 8;
+  }
+  // Across the lanes: the maximum, then the first plane that has it. Without branches, for they would be guessed wrong.
+  Lanes most = best, other = __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3);
+  most = other > most ? other : most;
+  other = __builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5);
+  most = other > most ? other : most;
+  other = __builtin_shufflevector(most, most, 1, 0, 3, 2, 5, 4, 7, 6);
+  most = other > most ? other : most;
+  LaneIndex first = best == most ? where : LaneIndex{} + std::numeric_limits<long long>::max();
+  LaneIndex rival = __builtin_shufflevector(first, first, 4, 5, 6, 7, 0, 1, 2, 3);
+  first = rival < first ? rival : first;
+  rival = __builtin_shufflevector(first, first, 2, 3, 0, 1, 6, 7, 4, 5);
+  first = rival < first ? rival : first;
+  rival = __builtin_shufflevector(first, first, 1, 0, 3, 2, 5, 4, 7, 6);
+  first = rival < first ? rival : first;
+  return {most[0], static_cast<int>(first[0])};
+}
+
+Highest scan_planes(const PlaneBlock* blocks, std::size_t count, const Vector& u);
+
+}  // namespace findspace::space

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The triangulated hull that quickhull grows (hull.cpp), and its facets (hull_facets.cpp). Internal to these.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "space/polytope/polytope.h"
+
+namespace findspace::space {
+
+struct Triangle {
+  std::array<int, 3> v{};     // counter-clockwise from outside
+  std::array<int, 3> next{};  // the triangle across the edge v[i] v[i + 1]
+  Wide3 normal;
+  Shadow3 shadow;
+  std::vector<int> outside;  // points strictly above that no other triangle owns
+  bool alive = true;
+  int mark = -1;
+};
+
+class Hull {
+ public:
+  explicit Hull(std::vector<Point> points) : points_(std::move(points)) {
+    for (const Point& p : points_) shadows_.push_back(exact::shadow(p));
+  }
+
+  void run() {
+    start();
+    for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
+      while (triangles_[t].alive && !triangles_[t].outside.empty()) add(t);
+    }
+  }
+
+  /// The facets as circuits of indices of the points.
+  std::vector<std::vector<int>> merged() const;
+
+ private:
+  int side(const Triangle& t, int p) const {
+    const int fast = exact::filtered_sign_dot(t.shadow, shadows_[p] - shadows_[t.v[0]]);
+    if (fast != 2) return fast;
+    return exact::sign(exact::dot(t.normal, points_[p] - points_[t.v[0]]));
+  }
+  double height(const Triangle& t, int p) const {
+    const Shadow3 e = shadows_[p] - shadows_[t.v[0]];
+    return t.shadow.x * e.x + t.shadow.y * e.y + t.shadow.z * e.z;
+  }
+  int make(int a, int b, int c) {
+    Triangle t;
+    t.v = {a, b, c};
+    t.normal = exact::cross(points_[b] - points_[a], points_[c] - points_[a]);
+    t.shadow = exact::shadow(t.normal);
+    triangles_.push_back(std::move(t));
+    return static_cast<int>(triangles_.size()) - 1;
+  }
+  int farthest_from(int a) const;
+  int off_line(int a, int b) const;
+  int off_plane(const Triangle& t) const;
+  void start();
+  void add(int t);
+  void find_visible(int t, int apex);
+  void cover_horizon(int apex);
+  void hand_over();
+  std::vector<int> groups() const;
+
+  std::vector<Point> points_;
+  std::vector<Shadow3> shadows_;
+  std::vector<Triangle> triangles_;
+  std::vector<int> visible_, fresh_;
+  int round_ = 0;
+};
+
+}  // namespace findspace::space

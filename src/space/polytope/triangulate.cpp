@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/polytope/triangulate.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+
+namespace findspace::space {
+namespace {
+
+int turn(const Point2& a, const Point2& b, const Point2& c) {
+  return exact::sign(int128(b.x - a.x) * (c.y - a.y) - int128(b.y - a.y) * (c.x - a.x));
+}
+
+int128 twice_area(std::span<const Point2> ring) {
+  int128 sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    sum += int128(a.x) * b.y - int128(a.y) * b.x;
+  }
+  return sum;
+}
+
+/// Whether p, which is none of the corners, lies in the closed triangle a b c.
+bool blocks(const Point2& p, const Point2& a, const Point2& b, const Point2& c) {
+  if (p == a || p == b || p == c) return false;
+  return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+}
+
+/// Whether segments p q and a b cross or touch, other than in ends that are equal.
+bool meet(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {
+  if (a == p || a == q || b == p || b == q) return false;
+  const int s = turn(p, q, a), t = turn(p, q, b), u = turn(a, b, p), v = turn(a, b, q);
+  if (s == 0 && t == 0) {
+    return std::max(std::min(p, q), std::min(a, b)) <= std::min(std::max(p, q), std::max(a, b));
+  }
+  return s * t <= 0 && u * v <= 0;
+}
+
+/// The corner w of `ring` where the segment to p, a vertex of another ring, leaves into the interior side.
+bool opens_towards(const std::vector<Point2>& ring, std::size_t i, const Point2& p) {
+  const Point2 &before = ring[(i + ring.size() - 1) % ring.size()], &at = ring[i], &after = ring[(i + 1) % ring.size()];
+  const int left = turn(before, at, p), right = turn(at, after, p);
+  return turn(before, at, after) >= 0 ? left > 0 && right > 0 : left > 0 || right > 0;
+}
+
+/// Outer ring and holes as one ring: each hole, from its rightmost vertex on, is joined by a bridge that meets nothing.
+std::vector<Point2> with_bridges(const std::vector<std::vector<Point2>>& rings) {
+  std::vector<Point2> ring = rings[0];
+  std::vector<std::size_t> order(rings.size() - 1);
+  std::iota(order.begin(), order.end(), 1);
+  const auto rightmost = [&](std::size_t h) { return *std::max_element(rings[h].begin(), rings[h].end()); };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rightmost(a) > rightmost(b); });
+  for (const std::size_t h : order) {
+    const auto& hole = rings[h];
+    const auto start = std::max_element(hole.begin(), hole.end());
+    const auto free = [&](std::size_t i) {
+      if (!opens_towards(ring, i, *start)) return false;
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        if (meet(ring[i], *start, ring[k], ring[(k + 1) % ring.size()])) return false;
+      }
+      for (const std::size_t other : order) {
+        const auto& r = rings[other];
+        for (std::size_t k = 0; k < r.size(); ++k) {
+          if (meet(ring[i], *start, r[k], r[(k + 1) % r.size()])) return false;
+        }
+      }
+      return true;
+    };
+    std::size_t bridge = 0;
+    while (bridge < ring.size() && !free(bridge)) ++bridge;
+    if (bridge == ring.size()) throw Error(ErrorCode::kGeometry, "a hole of the polygon is not inside its outer ring");
+    std::vector<Point2> way(start, hole.end());
+    way.insert(way.end(), hole.begin(), start + 1);
+    way.push_back(ring[bridge]);
+    ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(bridge) + 1, way.begin(), way.end());
+  }
+  return ring;
+}
+
+/// Two circuits that share the edge a b as one, if it is convex. `p` holds a b, `q` holds b a.
+std::optional<std::vector<Point2>> joined(const std::vector<Point2>& p, const std::vector<Point2>& q, std::size_t i,
+                                          std::size_t j) {
+  std::vector<Point2> ring;
+  for (std::size_t k = 1; k <= p.size(); ++k) ring.push_back(p[(i + k) % p.size()]);
+  for (std::size_t k = 2; k < q.size(); ++k) ring.push_back(q[(j + k) % q.size()]);
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (turn(ring[k], ring[(k + 1) % ring.size()], ring[(k + 2) % ring.size()]) < 0) return std::nullopt;
+  }
+  return ring;
+}
+
+bool join_one(std::vector<std::vector<Point2>>& parts) {
+  std::map<std::pair<Point2, Point2>, std::pair<std::size_t, std::size_t>> sides;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (std::size_t i = 0; i < parts[p].size(); ++i)
+      sides[{parts[p][i], parts[p][(i + 1) % parts[p].size()]}] = {p, i};
+  }
+  for (const auto& [side, at] : sides) {
+    const auto other = sides.find({side.second, side.first});
+    if (other == sides.end() || other->second.first <= at.first) continue;
+    if (auto whole = joined(parts[at.first], parts[other->second.first], at.second, other->second.second)) {
+      parts[at.first] = std::move(*whole);
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(other->second.first));
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::array<int, 3>> triangulate(std::span<const Point2> ring, StraightCorner straight) {
+  std::vector<int> left(ring.size());
+  std::iota(left.begin(), left.end(), 0);
+  std::vector<std::array<int, 3>> triangles;
+  int128 area = 0;
+  while (left.size() >= 3) {
+    const std::size_t n = left.size();
+    bool cut = false;
+    for (std::size_t i = 0; i < n && !cut; ++i) {
+      const int a = left[(i + n - 1) % n], b = left[i], c = left[(i + 1) % n];
+      const int corner = turn(ring[a], ring[b], ring[c]);
+      if (corner < 0) continue;
+      const bool free = corner == 0 || std::none_of(left.begin(), left.end(),
+                                                    [&](int v) { return blocks(ring[v], ring[a], ring[b], ring[c]); });
+      if (!free) continue;
+      cut = true;
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+      if (corner == 0 && straight == StraightCorner::kDrop) continue;
+      triangles.push_back({a, b, c});
+      area += twice_area(std::array<Point2, 3>{ring[a], ring[b], ring[c]});
+    }
+    if (!cut) break;
+  }
+  if (area != twice_area(ring) || area <= 0) throw Error(ErrorCode::kGeometry, "the polygon is not simple");
+  return triangles;
+}
+
+std::vector<ConvexPolygon> convex_parts(const std::vector<std::vector<Point2>>& rings) {
+  const std::vector<Point2> ring = with_bridges(rings);
+  std::vector<std::vector<Point2>> parts;
+  for (const auto& [a, b, c] : triangulate(ring)) parts.push_back({ring[a], ring[b], ring[c]});
+  while (join_one(parts)) {
+  }
+  std::vector<ConvexPolygon> polygons;
+  for (const auto& part : parts) polygons.push_back(ConvexPolygon::hull(part));
+  return polygons;
+}
+
+}  // namespace findspace::space

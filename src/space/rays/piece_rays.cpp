@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/rays/piece_rays.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "plane/base/parallel.h"
+
+namespace findspace::space {
+namespace {
+
+using exact::Real;
+
+/// The units of parallel work.
+constexpr std::size_t kBlock = 64;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+PieceRays::PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, const RayGrid& grid, Of of)
+    : grid_(grid), of_(of) {
+  pieces_.resize(pieces.size());
+  plane::parallel_for((pieces.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+    for (std::size_t k = block * kBlock; k < std::min(pieces.size(), (block + 1) * kBlock); ++k)
+      pieces_[k] = turned(pieces[k], scale);
+  });
+  first_.assign(static_cast<std::size_t>(grid.nv) + 1, 0);
+  for (const Piece& p : pieces_) {
+    for (int j = p.lines.first_row; j <= p.lines.last_row; ++j) ++first_[static_cast<std::size_t>(j) + 1];
+  }
+  for (int j = 0; j < grid.nv; ++j) first_[static_cast<std::size_t>(j) + 1] += first_[static_cast<std::size_t>(j)];
+  of_row_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    for (int j = pieces_[k].lines.first_row; j <= pieces_[k].lines.last_row; ++j)
+      of_row_[next[static_cast<std::size_t>(j)]++] = static_cast<int>(k);
+  }
+}
+
+int PieceRays::compare_ends(const End& a, const End& b, int i, int j) const {
+  const double gap = a.value - b.value, blur = (a.error + b.error) * 2;
+  if (a.piece < 0 || b.piece < 0) return a.value < b.value ? -1 : a.value > b.value ? 1 : 0;
+  if (gap > blur) return 1;
+  if (gap < -blur) return -1;
+  if (a.piece == b.piece && a.which == b.which) return 0;
+  return exact::compare(root(a.piece, a.which, i, j), root(b.piece, b.which, i, j));
+}
+
+RayPosition PieceRays::position(const End& e, int i, int j) const {
+  RayPosition at;
+  at.value = e.value, at.radius = e.error;
+  at.roots = this;
+  at.patch = e.piece, at.which = e.which;
+  at.i = i, at.j = j;
+  return at;
+}
+
+/// Whether a comes before b, by doubles alone.
+bool PieceRays::surely_before(const End& a, const End& b) { return b.value - a.value > (a.error + b.error) * 2; }
+
+/// Puts chains of stretches that surely overlap in their insides in the place of what lies surely inside them: then
+/// most ends that are the same place need not be compared, as where the slabs of two polygons meet within the cylinder
+/// about their common edge.
+void PieceRays::join_sure(std::vector<Stretch>& all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Stretch& a, const Stretch& b) { return a.low.value < b.low.value; });
+  std::vector<Stretch> chains;
+  for (const Stretch& s : all) {
+    if (!s.inside) continue;
+    if (chains.empty() || !surely_before(s.low, chains.back().high) || !surely_before(chains.back().low, s.high))
+      chains.push_back(s);
+    else if (s.high.value > chains.back().high.value)
+      chains.back().high = s.high;
+  }
+  std::size_t k = 0;
+  std::erase_if(all, [&](const Stretch& s) {
+    while (k + 1 < chains.size() && chains[k + 1].low.value <= s.low.value) ++k;
+    return !chains.empty() && surely_before(chains[k].low, s.low) && surely_before(s.high, chains[k].high);
+  });
+  all.insert(all.end(), chains.begin(), chains.end());
+}
+
+/// Disjoint, in order: of the closed stretches, or of the inner ones of those with an inside.
+std::vector<PieceRays::Stretch> PieceRays::united(std::vector<Stretch> all, bool open, int i, int j) const {
+  if (all.size() > 2) join_sure(all);
+  if (open) std::erase_if(all, [](const Stretch& s) { return !s.inside; });
+  if (!open) {
+    for (Stretch& s : all) s.low.held = s.high.held = true;
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Stretch& a, const Stretch& b) { return compare_ends(a.low, b.low, i, j) < 0; });
+  std::vector<Stretch> out;
+  for (const Stretch& s : all) {
+    const int gap = out.empty() ? 1 : compare_ends(s.low, out.back().high, i, j);
+    if (gap > 0 || (gap == 0 && !s.low.held && !out.back().high.held)) {
+      out.push_back(s);
+      continue;
+    }
+    Stretch& last = out.back();
+    if (s.low.held && !last.low.held) last.low.held = compare_ends(s.low, last.low, i, j) == 0;
+    const int order = compare_ends(s.high, last.high, i, j);
+    if (order > 0) last.high = s.high;
+    if (order == 0) last.high.held = last.high.held || s.high.held;
+  }
+  return out;
+}
+
+std::vector<PieceRays::Stretch> PieceRays::common(const std::vector<Stretch>& all, bool open, int i, int j) const {
+  if (all.size() < pieces_.size()) return {};
+  Stretch both{{-kFar, 0, -1, 0}, {kFar, 0, -1, 0}, true};
+  for (const Stretch& s : all) {
+    if (open && !s.inside) return {};
+    if (compare_ends(s.low, both.low, i, j) > 0) both.low = s.low;
+    if (compare_ends(s.high, both.high, i, j) < 0) both.high = s.high;
+  }
+  const int width = compare_ends(both.high, both.low, i, j);
+  if (width < 0 || (open && width == 0)) return {};
+  both.low.held = both.high.held = !open;
+  return {both};
+}
+
+void PieceRays::put(const std::vector<Stretch>& stretches, int i, int j, RayRow& row) const {
+  const auto in = static_cast<std::int8_t>(-1), out = static_cast<std::int8_t>(1);
+  row.before.push_back(!stretches.empty() && stretches[0].low.piece < 0 ? in : out);
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const Stretch& s = stretches[k];
+    // Two may meet in a place that neither holds, one may be a single place.
+    const bool meets_before = k > 0 && compare_ends(s.low, stretches[k - 1].high, i, j) == 0;
+    if (s.low.piece >= 0 && !meets_before) row.events.push_back({position(s.low, i, j), s.low.held ? in : out, in});
+    if (s.high.piece < 0) continue;
+    if (compare_ends(s.low, s.high, i, j) == 0) {
+      row.events.back().after = out;
+      continue;
+    }
+    const bool meets_next = k + 1 < stretches.size() && compare_ends(s.high, stretches[k + 1].low, i, j) == 0;
+    row.events.push_back({position(s.high, i, j), s.high.held ? in : out, meets_next ? in : out});
+  }
+  row.first.push_back(static_cast<int>(row.events.size()));
+}
+
+RayRow PieceRays::row(int j) const {
+  std::array<RayRow, 2> rows;  // the open set, the closed one
+  std::vector<Stretch> all;
+  for (int i = 0; i < grid_.nu; ++i) {
+    all.clear();
+    for (std::size_t k = first_[static_cast<std::size_t>(j)]; k < first_[static_cast<std::size_t>(j) + 1]; ++k) {
+      Stretch s;
+      if (stretch(of_row_[k], i, j, s)) all.push_back(s);
+    }
+    for (const bool open : {true, false})
+      put(of_ == Of::kUnion ? united(all, open, i, j) : common(all, open, i, j), i, j, rows[open ? 0 : 1]);
+  }
+  return combined(rows, [](std::span<const std::int8_t> s) {
+    return static_cast<std::int8_t>(s[0] < 0 ? -1 : s[1] < 0 ? 0 : 1);
+  });
+}
+
+}  // namespace findspace::space

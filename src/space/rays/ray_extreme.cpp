@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/rays/ray_extreme.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "space/rays/ray_intervals.h"
+
+namespace findspace::space {
+
+void RayExtreme::take(const std::array<double, 3>& at, bool in) {
+  double value = 0;
+  if (aim_.axis < 0) {
+    for (std::size_t k = 0; k < 3; ++k) value += (at[k] - aim_.point[k]) * (at[k] - aim_.point[k]);
+    value = std::sqrt(value);
+  } else {
+    value = at[static_cast<std::size_t>(aim_.axis)];
+  }
+  const bool better = !found_ || (aim_.greatest ? value > found_->value : value < found_->value);
+  if (better || (in && !found_->attained && !(value < found_->value) && !(value > found_->value)))
+    found_ = Found{value, at, in};
+}
+
+void RayExtreme::add(const RayGrid& grid, int j, const RayRow& row) {
+  each_interval(grid, j, row, [&](const RayInterval& found) {
+    std::array<double, 3> at = found.at;
+    if (aim_.axis < 0) {
+      const double near = std::clamp(aim_.point[found.axis], found.from, found.to);
+      at[found.axis] = near;
+      take(at, (near > found.from || found.from_in) && (near < found.to || found.to_in));
+      return;
+    }
+    if (std::isfinite(found.from)) at[found.axis] = found.from, take(at, found.from_in);
+    if (std::isfinite(found.to)) at[found.axis] = found.to, take(at, found.to_in);
+  });
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/rays/ray_sources.h"
+
+#include <algorithm>
+
+namespace findspace::space {
+namespace {
+
+using Signs = std::span<const std::int8_t>;
+
+class Constant : public RaySource {
+ public:
+  Constant(const RayGrid& grid, int sign) : grid_(grid), sign_(static_cast<std::int8_t>(sign)) {}
+  const RayGrid& grid() const override { return grid_; }
+  RayRow row(int) const override {
+    const auto lines = static_cast<std::size_t>(grid_.nu);
+    return {std::vector<std::int8_t>(lines, sign_), std::vector<int>(lines + 1, 0), {}};
+  }
+
+ private:
+  RayGrid grid_;
+  std::int8_t sign_;
+};
+
+class Combined : public RaySource {
+ public:
+  Combined(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine)
+      : sources_(std::move(sources)), combine_(std::move(combine)) {}
+  const RayGrid& grid() const override { return sources_[0]->grid(); }
+  RayRow row(int j) const override {
+    std::vector<RayRow> rows;
+    for (const RaySourcePointer& s : sources_) rows.push_back(s->row(j));
+    return combined(rows, combine_);
+  }
+
+ private:
+  std::vector<RaySourcePointer> sources_;
+  std::function<std::int8_t(Signs)> combine_;
+};
+
+class Greatest : public RaySource {
+ public:
+  explicit Greatest(std::vector<RaySourcePointer> sources) : sources_(std::move(sources)) {}
+  const RayGrid& grid() const override { return sources_[0]->grid(); }
+  RayRow row(int j) const override {
+    std::vector<RayRow> rows;
+    for (const RaySourcePointer& s : sources_) {
+      rows.push_back(s->row(j));
+      // Where one is + everywhere the others need not be asked.
+      const RayRow& last = rows.back();
+      const auto plus = [](std::int8_t sign) { return sign > 0; };
+      if (last.events.empty() && std::all_of(last.before.begin(), last.before.end(), plus)) return last;
+    }
+    return combined(rows, [](Signs s) { return *std::max_element(s.begin(), s.end()); });
+  }
+
+ private:
+  std::vector<RaySourcePointer> sources_;
+};
+
+}  // namespace
+
+RaySourcePointer constant_rays(const RayGrid& grid, int sign) { return std::make_unique<Constant>(grid, sign); }
+
+RaySourcePointer combined_rays(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine) {
+  return std::make_unique<Combined>(std::move(sources), std::move(combine));
+}
+
+RaySourcePointer mapped_rays(RaySourcePointer source, std::function<int(int)> to) {
+  std::vector<RaySourcePointer> one;
+  one.push_back(std::move(source));
+  return combined_rays(std::move(one), [to = std::move(to)](Signs s) { return static_cast<std::int8_t>(to(s[0])); });
+}
+
+RaySourcePointer negated_rays(RaySourcePointer source) {
+  return mapped_rays(std::move(source), [](int s) { return -s; });
+}
+
+RaySourcePointer greatest_rays(std::vector<RaySourcePointer> sources) {
+  if (sources.size() == 1) return std::move(sources[0]);
+  return std::make_unique<Greatest>(std::move(sources));
+}
+
+RaySourcePointer cut_off_rays(RaySourcePointer source, bool negated, const exact::Real& level) {
+  const bool above = level.sign() > 0;
+  return mapped_rays(std::move(source), [=](int s) {
+    const int side = negated ? -s : s;
+    return above ? side : side > 0 ? 1 : 0;
+  });
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/rays/ray_summary.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace findspace::space {
+
+int RaySummarizer::find(int k) {
+  while (root_[k] != k) k = root_[k] = root_[root_[k]];
+  return k;
+}
+
+void RaySummarizer::join(int a, int b) {
+  a = find(a);
+  b = find(b);
+  if (a == b) return;
+  if (b < a) std::swap(a, b);
+  root_[b] = a;
+  RayComponent &p = parts_[a].component, &q = parts_[b].component;
+  p.volume += q.volume;
+  for (int k = 0; k < 3; ++k) {
+    p.low[k] = std::min(p.low[k], q.low[k]);
+    p.high[k] = std::max(p.high[k], q.high[k]);
+  }
+  if (q.longest > p.longest) {
+    p.longest = q.longest;
+    p.sample = q.sample;
+  }
+}
+
+void RaySummarizer::take(Interval interval, int i, int j) {
+  const double parts = static_cast<double>(grid_.parts);
+  const double cell = static_cast<double>(grid_.du) * static_cast<double>(grid_.dv) / (parts * parts * parts);
+  RayComponent part;
+  const int u = (grid_.axis + 1) % 3, v = (grid_.axis + 2) % 3;
+  part.low[u] = part.high[u] = static_cast<double>(grid_.u_at(i)) / parts;
+  part.low[v] = part.high[v] = static_cast<double>(grid_.v_at(j)) / parts;
+  part.low[grid_.axis] = interval.from / parts;
+  part.high[grid_.axis] = interval.to / parts;
+  part.longest = interval.to - interval.from;
+  part.volume = part.longest * cell;
+  part.sample = part.low;
+  part.sample[grid_.axis] = (part.low[grid_.axis] + part.high[grid_.axis]) / 2;
+  interval.component = static_cast<int>(parts_.size());
+  parts_.push_back({part, summary_.intervals});
+  root_.push_back(interval.component);
+  const auto join_with = [&](const std::vector<Interval>& line) {
+    for (const Interval& other : line) {
+      if (other.from <= interval.to && interval.from <= other.to) join(other.component, interval.component);
+    }
+  };
+  if (i > 0) join_with(now_[i - 1]);
+  if (!before_.empty()) join_with(before_[i]);
+  now_[i].push_back(interval);
+  ++summary_.intervals;
+  summary_.points += part.longest <= 0;
+}
+
+void RaySummarizer::add(int j, const RayRow& row) {
+  now_.assign(grid_.nu, {});
+  for (int i = 0; i < grid_.nu; ++i) {
+    bool in = row.before[i] <= 0;
+    double from = 0;
+    for (int e = row.first[i]; e < row.first[i + 1]; ++e) {
+      const RayEvent& event = row.events[e];
+      summary_.precision = std::max(summary_.precision, event.at.radius / static_cast<double>(grid_.parts));
+      if (in && e == row.first[i]) from = event.at.value;  // from below all events
+      const bool here = event.here <= 0, after = event.after <= 0;
+      if (in && !(here && after)) take({from, event.at.value, 0}, i, j);
+      if (!in && here && !after) take({event.at.value, event.at.value, 0}, i, j);
+      if (after && !(in && here)) from = event.at.value;
+      in = after;
+    }
+    ++summary_.lines;
+  }
+  end_row();
+}
+
+/// Components that the row does not meet are done; the others get new numbers, by birth.
+void RaySummarizer::end_row() {
+  std::vector<int> number(parts_.size(), -1);
+  for (const auto& line : now_) {
+    for (const Interval& i : line) number[find(i.component)] = 0;
+  }
+  std::vector<Part> left;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    if (root_[k] != static_cast<int>(k)) continue;
+    if (number[k] < 0) {
+      done_.push_back(std::move(parts_[k]));
+      continue;
+    }
+    number[k] = static_cast<int>(left.size());
+    left.push_back(std::move(parts_[k]));
+  }
+  for (auto& line : now_) {
+    for (Interval& i : line) i.component = number[find(i.component)];
+  }
+  parts_ = std::move(left);
+  root_.resize(parts_.size());
+  std::iota(root_.begin(), root_.end(), 0);
+  before_ = std::move(now_);
+}
+
+RaySummary RaySummarizer::finish() {
+  done_.insert(done_.end(), parts_.begin(), parts_.end());
+  std::sort(done_.begin(), done_.end(), [](const Part& a, const Part& b) { return a.born < b.born; });
+  for (const Part& part : done_) summary_.components.push_back(part.component);
+  std::stable_sort(summary_.components.begin(), summary_.components.end(),
+                   [](const RayComponent& a, const RayComponent& b) { return a.volume > b.volume; });
+  summary_.empty = summary_.components.empty();
+  for (const RayComponent& c : summary_.components) {
+    summary_.volume += c.volume;
+    const bool first = &c == &summary_.components[0];
+    for (int k = 0; k < 3; ++k) {
+      summary_.low[k] = first ? c.low[k] : std::min(summary_.low[k], c.low[k]);
+      summary_.high[k] = first ? c.high[k] : std::max(summary_.high[k], c.high[k]);
+    }
+  }
+  return std::move(summary_);
+}
+
+}  // namespace findspace::space

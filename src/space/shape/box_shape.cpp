@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/shape/box_shape.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <span>
+
+#include "space/mesh/mesh.h"
+#include "space/polytope/convex_polygon.h"
+
+namespace findspace::space {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+namespace {
+
+/// The edges of rings, `times` each, against their direction where negative.
+struct Edge {
+  Point2 from, to;
+  int times = 1;
+};
+
+/// Horizontal faces at height z. `sense` is +1 where the solid lies above them; 0: to the left of their edges it lies
+/// below them.
+struct Level {
+  std::int64_t z = 0;
+  int sense = 0;
+  std::vector<Edge> edges;
+};
+
+/// The levels and all vertices of a solid, if its faces are axis-parallel.
+struct Faces {
+  std::vector<Level> levels;
+  std::vector<Point> vertices;
+};
+
+bool one_axis(const Wide3& n) { return (n.x != 0) + (n.y != 0) + (n.z != 0) == 1; }
+
+/// Edges between faces of one level, diagonals among them, cancel out.
+std::optional<Faces> faces_of(const Mesh& mesh) {
+  using Ends = std::pair<Point2, Point2>;
+  std::map<std::int64_t, std::map<Ends, int>> edges;
+  for (const auto& face : mesh.faces) {
+    const Wide3 n = area_vector(mesh, face);
+    if (!one_axis(n)) return std::nullopt;
+    if (n.z == 0) continue;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Point &v = mesh.vertices[std::size_t(face[i])],
+                  &w = mesh.vertices[std::size_t(face[(i + 1) % face.size()])];
+      const Point2 a{v.x, v.y}, b{w.x, w.y};
+      edges[v.z][std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  }
+  Faces out;
+  out.vertices = mesh.vertices;
+  for (const auto& [z, ends] : edges) {
+    Level& level = out.levels.emplace_back(Level{z, 0, {}});
+    for (const auto& [e, times] : ends) {
+      if (times == 0) continue;
+      if (e.first.x != e.second.x && e.first.y != e.second.y) return std::nullopt;
+      level.edges.push_back({e.first, e.second, times});
+    }
+  }
+  return out;
+}
+
+std::optional<Faces> faces_of(const Solid& solid) {
+  if (solid.form == Solid::Form::kBall) return std::nullopt;
+  if (solid.form == Solid::Form::kMesh) return faces_of(solid.mesh);
+  if (solid.form == Solid::Form::kPolytope) {
+    const Polytope hull = Polytope::hull(solid.mesh.vertices);
+    Mesh mesh{{hull.vertices().begin(), hull.vertices().end()}, {}};
+    for (int f = 0; f < hull.facet_count(); ++f) mesh.faces.push_back(hull.circuit(f));
+    return faces_of(mesh);
+  }
+  Faces out;
+  std::vector<Edge> edges;
+  for (const plane::Contour& contour : solid.contours) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const plane::GridPoint a = contour[i].start, b = contour[(i + 1) % contour.size()].start;
+      if (contour[i].arc || (a.x != b.x && a.y != b.y)) return std::nullopt;
+      edges.push_back({{a.x, a.y}, {b.x, b.y}});
+      out.vertices.push_back({a.x, a.y, solid.low});
+    }
+  }
+  out.vertices.push_back({out.vertices[0].x, out.vertices[0].y, solid.high});
+  out.levels = {{solid.low, 1, edges}, {solid.high, -1, edges}};
+  return out;
+}
+
+/// How much deeper it is in the solid above the level than below it, at (x, y), given twice as large and on no edge: by
+/// the edges that lie to the right.
+int step_at(const Level& level, std::int64_t x, std::int64_t y) {
+  int rounds = 0;
+  for (const Edge& e : level.edges) {
+    const bool up = 2 * e.to.y > y;
+    if (up != (2 * e.from.y > y) && 2 * e.from.x > x) rounds += up ? e.times : -e.times;
+  }
+  return level.sense == 0 ? -rounds : rounds % 2 != 0 ? level.sense : 0;
+}
+
+/// Columns of open boxes between the coordinates of all vertices, filled between the levels over them.
+std::optional<BoxComplex> filled(const Faces& faces) {
+  std::array<std::vector<std::int64_t>, 3> at;
+  for (const Point& v : faces.vertices) at[0].push_back(v.x), at[1].push_back(v.y), at[2].push_back(v.z);
+  for (auto& axis : at) {
+    std::sort(axis.begin(), axis.end());
+    axis.erase(std::unique(axis.begin(), axis.end()), axis.end());
+  }
+  std::vector<IntervalBox> boxes;
+  for (std::size_t i = 0; i + 1 < at[0].size(); ++i) {
+    for (std::size_t j = 0; j + 1 < at[1].size(); ++j) {
+      std::vector<std::pair<std::int64_t, int>> steps;
+      for (const Level& level : faces.levels) {
+        const int step = step_at(level, at[0][i] + at[0][i + 1], at[1][j] + at[1][j + 1]);
+        if (step != 0) steps.emplace_back(level.z, step);
+      }
+      std::sort(steps.begin(), steps.end());
+      int depth = 0;
+      for (std::size_t s = 0; s + 1 < steps.size(); ++s) {
+        depth += steps[s].second;
+        if (steps[s].first == steps[s + 1].first) continue;
+        // A surface that covers some space twice, or turns it inside out, is for the convex parts to refuse.
+        if (depth < 0 || depth > 1) return std::nullopt;
+        if (depth == 0) continue;
+        IntervalBox box;
+        box[0] = {Real(at[0][i]), Real(at[0][i + 1]), true, true};
+        box[1] = {Real(at[1][j]), Real(at[1][j + 1]), true, true};
+        box[2] = {Real(steps[s].first), Real(steps[s + 1].first), true, true};
+        boxes.push_back(std::move(box));
+      }
+    }
+  }
+  return BoxComplex::of_boxes(boxes);
+}
+
+/// The set as one closed box, if its closure is one.
+std::optional<IntervalBox> one_box(const BoxComplex& set) {
+  std::vector<IntervalBox> boxes = set.closure().simplified().boxes();
+  if (boxes.size() != 1) return std::nullopt;
+  return boxes[0];
+}
+
+std::optional<BoxComplex> hull_of(const BoxComplex& set) {
+  IntervalBox all;
+  for (const IntervalBox& box : set.boxes()) {
+    for (int k = 0; k < 3; ++k) {
+      if (!box[k].from || !box[k].to) return std::nullopt;
+      if (!all[k].from || *box[k].from < *all[k].from) all[k].from = box[k].from;
+      if (!all[k].to || *all[k].to < *box[k].to) all[k].to = box[k].to;
+      all[k].from_in = all[k].to_in = true;
+    }
+  }
+  const BoxComplex closed = set.closure();
+  for (int i = 0; i < 8; ++i) {
+    RealVector corner;
+    for (int k = 0; k < 3; ++k) corner[k] = (i >> k & 1) != 0 ? *all[k].to : *all[k].from;
+    if (closed.mark(corner) == 0) return std::nullopt;
+  }
+  return BoxComplex::of_boxes(std::array<IntervalBox, 1>{all});
+}
+
+std::optional<BoxComplex> offset_of(const BoxComplex& set, const Real& amount) {
+  if (amount.sign() == 0) return set;
+  std::optional<IntervalBox> box = amount.sign() < 0 ? one_box(set) : std::nullopt;
+  if (!box) return std::nullopt;
+  for (Interval& i : *box) {
+    if (i.from) i.from = *i.from - amount;
+    if (i.to) i.to = *i.to + amount;
+    if (i.from && i.to && *i.to < *i.from) return BoxComplex();
+  }
+  return BoxComplex::of_boxes(std::array<IntervalBox, 1>{*box});
+}
+
+/// {p : combine(marks of p in each set)}.
+BoxComplex overlaid(const std::vector<BoxComplex>& sets, const std::function<Mark(std::span<const Mark>)>& combine) {
+  std::vector<const BoxComplex*> each;
+  for (const BoxComplex& s : sets) each.push_back(&s);
+  return overlay(each, combine);
+}
+
+constexpr auto kIn = [](Mark m) { return m != 0; };
+
+Mark in_any(std::span<const Mark> m) { return Mark(std::any_of(m.begin(), m.end(), kIn)); }
+Mark in_all(std::span<const Mark> m) { return Mark(std::all_of(m.begin(), m.end(), kIn)); }
+Mark in_first_alone(std::span<const Mark> m) { return Mark(m[0] && std::none_of(m.begin() + 1, m.end(), kIn)); }
+
+/// The node over its operands' sets; nothing where the result has other faces than those of boxes.
+std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxComplex>& c) {
+  switch (shape.kind) {
+    case Kind::kUnion:
+      return overlaid(c, in_any);
+    case Kind::kIntersection:
+      return overlaid(c, in_all);
+    case Kind::kDifference:
+      return overlaid(c, in_first_alone);
+    case Kind::kComplement:
+      return c[0].complement();
+    case Kind::kInterior:
+      return c[0].interior();
+    case Kind::kClosure:
+      return c[0].closure();
+    case Kind::kRegularize:
+      return c[0].regularized();
+    case Kind::kBoundary:
+      return c[0].boundary();
+    case Kind::kTranslate:
+      return c[0].translated({Real(shape.points[0].x), Real(shape.points[0].y), Real(shape.lift)});
+    case Kind::kMirror:
+      return c[0].mirrored();
+    case Kind::kMinkowskiSum:
+      return sum(c[0], c[1]);
+    case Kind::kMinkowskiDifference:
+      return sum(c[0].complement(), c[1]).complement();
+    case Kind::kHull:
+      return hull_of(overlaid(c, in_any));
+    case Kind::kOffset:
+      return offset_of(c[0], shape.amount);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<BoxComplex> box_complex(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) {
+    try {
+      const auto faces = faces_of(*solid);
+      return faces ? filled(*faces) : std::nullopt;
+    } catch (const Error& e) {
+      throw e.place().empty() && !shape.place.empty() ? e.within(shape.place) : e;
+    }
+  }
+  std::vector<BoxComplex> children;
+  for (const plane::ShapePtr& child : shape.children) {
+    auto set = box_complex(*child);
+    if (!set) return std::nullopt;
+    children.push_back(std::move(*set));
+  }
+  if (children.empty()) return std::nullopt;
+  auto result = node(shape, children);
+  return result ? std::optional(result->simplified()) : std::nullopt;
+}
+
+std::optional<Body> body_of(const BoxComplex& set) {
+  const BoxComplex open = set.interior(), closed = set.closure(), whole = open.closure();
+  const BoxComplex differ = overlay(std::array<const BoxComplex*, 2>{&closed, &whole},
+                                    [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
+  if (!differ.empty() || open.empty()) return std::nullopt;
+  Body body;
+  for (const IntervalBox& box : whole.simplified().boxes()) {
+    std::vector<Point> corners;
+    std::array<std::array<std::int64_t, 2>, 3> ends{};
+    bool flat = false;
+    for (int k = 0; k < 3; ++k) {
+      if (!box[k].from || !box[k].to) return std::nullopt;
+      const auto a = box[k].from->integer(), b = box[k].to->integer();
+      if (!a || !b) return std::nullopt;
+      ends[k] = {static_cast<std::int64_t>(*a), static_cast<std::int64_t>(*b)};
+      flat = flat || *a == *b;
+    }
+    if (flat) continue;  // between boxes, which hold it in their closures
+    for (int i = 0; i < 8; ++i) corners.push_back({ends[0][i & 1], ends[1][i >> 1 & 1], ends[2][i >> 2 & 1]});
+    body.parts.push_back({Polytope::hull(corners), {}, Real()});
+  }
+  return body;
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/shape/rotated_shape.h"
+
+#include <findspace/error.h>
+
+#include <cmath>
+
+#include "space/convolution/ray_solids.h"
+#include "space/mesh/mesh.h"
+
+namespace findspace::space {
+namespace {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+class Rotator {
+ public:
+  explicit Rotator(plane::Rounding& rounding) : rounding_(rounding) {}
+
+  plane::ShapePtr shape(const plane::Shape& s, const Rotation& r) {
+    plane::Shape out = s;
+    if (const Solid* primitive = solid_of(s)) {
+      out.solid = std::make_shared<const Solid>(solid(s, *primitive, r));
+      return std::make_shared<const plane::Shape>(std::move(out));
+    }
+    if (s.kind == Kind::kTranslate) return translated(s, r);
+    Rotation first = r, others = r;
+    // Of a sum only one operand moves; -x turns into -(turn x - by).
+    if (s.kind == Kind::kMinkowskiSum || s.kind == Kind::kMinkowskiDifference) others.by = RealVector{};
+    if (s.kind == Kind::kMirror) first.by = negated(r.by);
+    for (std::size_t k = 0; k < s.children.size(); ++k)
+      out.children[k] = shape(*s.children[k], k == 0 ? first : others);
+    return std::make_shared<const plane::Shape>(std::move(out));
+  }
+
+ private:
+  plane::ShapePtr translated(const plane::Shape& s, Rotation r) {
+    const RealVector shift{Real(s.points[0].x), Real(s.points[0].y), Real(s.lift)};
+    r.by = plus(r.by, r.linear(shift));
+    plane::Shape out = *shape(*s.children[0], r);
+    if (!s.name.empty()) out.name = s.name;
+    return std::make_shared<const plane::Shape>(std::move(out));
+  }
+
+  Point rounded(const RealVector& p) {
+    std::array<std::int64_t, 3> c{};
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int128 whole = exact::round(p[k]);
+      if (whole > kCoordinateLimit || whole < -kCoordinateLimit)
+        throw Error(ErrorCode::kOutOfRange, "a rotated shape leaves the grid: a coordinate exceeds 2^40 grid steps");
+      c[k] = static_cast<std::int64_t>(whole);
+      const double rest = (p[k] - Real(whole)).to_double();
+      square += rest * rest;
+    }
+    rounding_.note(std::sqrt(square));
+    return {c[0], c[1], c[2]};
+  }
+
+  std::vector<Point> rounded(const std::vector<Point>& points, const Rotation& r) {
+    std::vector<Point> out;
+    for (const Point& p : points) out.push_back(rounded(r(real(p))));
+    return out;
+  }
+
+  /// About z by quarters a prism stays one, arcs and all.
+  Solid upright(Solid s, const Rotation& r) {
+    for (plane::Contour& contour : s.contours) {
+      for (plane::ContourEdge& edge : contour) {
+        const Point at = rounded(r({Real(edge.start.x), Real(edge.start.y), Real(0)}));
+        edge.start = {at.x, at.y};
+        if (!edge.arc) continue;
+        const RealVector center = r({edge.arc->cx, edge.arc->cy, Real(0)});
+        edge.arc = std::make_shared<const plane::ArcCircle>(plane::ArcCircle{center[0], center[1], edge.arc->r});
+      }
+    }
+    const Point low = rounded(r({Real(0), Real(0), Real(s.low)})), high = rounded(r({Real(0), Real(0), Real(s.high)}));
+    s.low = low.z;
+    s.high = high.z;
+    return s;
+  }
+
+  Solid solid(const plane::Shape& s, const Solid& given, const Rotation& r) {
+    Solid out = given;
+    if (given.form == Solid::Form::kPrism && r.quarters && r.axis == 2) return upright(given, r);
+    if (given.form == Solid::Form::kPolytope || given.form == Solid::Form::kBall) {
+      out.mesh.vertices = rounded(given.mesh.vertices, r);
+      return out;
+    }
+    if (given.form == Solid::Form::kMesh && r.quarters) {
+      out.mesh.vertices = rounded(given.mesh.vertices, r);
+      return out;
+    }
+    const Triangles surface = ray_solids(s)[0].surface;
+    Mesh mesh{surface.points, {}};
+    for (const auto& f : surface.faces) mesh.faces.push_back({f[0], f[1], f[2]});
+    const bool convex = is_convex(mesh);
+    out = Solid{};
+    out.mesh = {rounded(mesh.vertices, r), {}};
+    if (convex) return out;  // the hull of its vertices
+    out.form = Solid::Form::kMesh;
+    out.mesh.faces = std::move(mesh.faces);
+    clean(out.mesh, 1);
+    return out;
+  }
+
+  plane::Rounding& rounding_;
+};
+
+}  // namespace
+
+Rotation Rotation::about_axis(int axis, const Real& degrees, const Point& about) {
+  constexpr int kBits = 60;
+  const Real quarter(90), count(exact::round(degrees / quarter));
+  const Real rest = degrees - count * quarter;  // within 45 degrees of 0
+  Rotation r;
+  r.axis = axis;
+  r.quarters = rest.sign() == 0;
+  if (!r.quarters) r.turn = exact::Turn::near(rest.to_double(), kBits);
+  const int128 whole = *count.integer();
+  for (int k = static_cast<int>((whole % 4 + 4) % 4); k > 0; --k) r.turn = r.turn + exact::Turn{Real(0), Real(1)};
+  const RealVector center = real(about);
+  r.by = minus(center, r.linear(center));
+  return r;
+}
+
+RealVector Rotation::linear(const RealVector& x) const {
+  const auto i = static_cast<std::size_t>((axis + 1) % 3), j = static_cast<std::size_t>((axis + 2) % 3);
+  const exact::RealPoint p = turn({x[i], x[j]});
+  RealVector out = x;
+  out[i] = p.x;
+  out[j] = p.y;
+  return out;
+}
+
+plane::ShapePtr rotated(const plane::Shape& shape, const Rotation& rotation, plane::Rounding& rounding) {
+  return Rotator(rounding).shape(shape, rotation);
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/shape/shape_topology.h"
+
+#include <algorithm>
+
+#include "space/polytope/solid.h"
+
+namespace findspace::space {
+
+using Kind = plane::Shape::Kind;
+
+namespace {
+
+template <class Property>
+bool all_children(const plane::Shape& shape, Property&& property) {
+  return std::all_of(shape.children.begin(), shape.children.end(), [&](const auto& c) { return property(*c); });
+}
+
+}  // namespace
+
+bool is_solid(const plane::Shape& shape) {
+  if (solid_of(shape)) return true;
+  const bool keeps = shape.kind == Kind::kUnion || shape.kind == Kind::kTranslate || shape.kind == Kind::kMirror ||
+                     shape.kind == Kind::kHull || shape.kind == Kind::kMinkowskiSum || shape.kind == Kind::kClosure ||
+                     shape.kind == Kind::kRegularize || (shape.kind == Kind::kOffset && shape.amount.sign() >= 0);
+  return keeps && all_children(shape, is_solid);
+}
+
+bool is_closed(const plane::Shape& shape) {
+  const auto& c = shape.children;
+  switch (shape.kind) {
+    case Kind::kUnion:
+    case Kind::kIntersection:
+    case Kind::kTranslate:
+    case Kind::kMirror:
+      return all_children(shape, is_closed);
+    case Kind::kDifference:
+      return is_closed(*c[0]) && std::all_of(c.begin() + 1, c.end(), [](const auto& o) { return is_open(*o); });
+    case Kind::kComplement:
+      return is_open(*c[0]);
+    case Kind::kMinkowskiDifference:
+      return is_closed(*c[0]);
+    case Kind::kClosure:
+    case Kind::kRegularize:
+    case Kind::kBoundary:
+      return true;
+    default:
+      return is_solid(shape) || (shape.kind == Kind::kOffset && is_closed(*c[0]));
+  }
+}
+
+bool is_open(const plane::Shape& shape) {
+  const auto& c = shape.children;
+  switch (shape.kind) {
+    case Kind::kUnion:
+    case Kind::kIntersection:
+    case Kind::kTranslate:
+    case Kind::kMirror:
+      return all_children(shape, is_open);
+    case Kind::kDifference:
+      return is_open(*c[0]) && std::all_of(c.begin() + 1, c.end(), [](const auto& o) { return is_closed(*o); });
+    case Kind::kComplement:
+      return is_closed(*c[0]);
+    default:
+      return shape.kind == Kind::kInterior;
+  }
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What a shape tree alone says of the set: never wrong where it says yes. Guarantee: exact in this sense. Cost: the
+// nodes. Source: distances.md 1.2.
+#pragma once
+
+#include "plane/contour/shape.h"
+
+namespace findspace::space {
+
+/// Closed and without sheets, lines and seams of its own: the closure of its interior.
+bool is_solid(const plane::Shape& shape);
+bool is_closed(const plane::Shape& shape);
+bool is_open(const plane::Shape& shape);
+
+}  // namespace findspace::space

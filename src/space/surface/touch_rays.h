@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sign maps on rays from the positions at which a solid B touches the surface of a solid A (touch_frontier.h): how near
+// they are, for depths and for how far B is from fitting, and the farthest of them. Guarantee: exact on every line.
+// Cost: the frontier, and line_pieces.h for each of its pieces near a line. Keywords: offset surface, penetration
+// depth.
+#pragma once
+
+#include "space/rays/ray_sources.h"
+#include "space/surface/touch_frontier.h"
+
+namespace findspace::space {
+
+struct TouchPair {
+  Triangles fixed;               // the surface of A
+  std::vector<Polytope> moving;  // the convex parts of B
+  TouchSide side = TouchSide::kOutside;
+  std::int64_t scale = 1;  // coordinates are in steps / scale
+};
+
+/// - nearer to a touching position than the level (more than 0, in steps), 0 at that distance, + beyond.
+RaySourcePointer near_touching(const TouchPair& pair, const exact::Real& level, const RayGrid& grid);
+/// - where all touching positions are nearer than the level, 0 where the farthest is at that distance, + elsewhere and
+/// where there are none.
+RaySourcePointer all_touching_near(const TouchPair& pair, const exact::Real& level, const RayGrid& grid);
+
+}  // namespace findspace::space
