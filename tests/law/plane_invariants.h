@@ -86,7 +86,7 @@ inline std::string vertex_fault(const CellComplex& c, Index v, Index degree) {
   for (Index k = w.out, before = c.clockwise(k); before != w.out; k = before, before = c.clockwise(k)) {
     if (k == w.out) continue;
     bool later =
-        (before & 1u) != (k & 1u) ? (before & 1u) : c.geometry.rotation(w.point, c.heading(before), c.heading(k)) < 0;
+        (before & 1u) != (k & 1u) ? (before & 1u) : c.geometry.turn(w.point, c.heading(before), c.heading(k)) < 0;
     if (later) return at("out is not the first at vertex", v);
   }
   return {};

@@ -5,7 +5,7 @@
 // compared.
 #include <gtest/gtest.h>
 
-#include "unit/situation_mistakes.h"
+#include "unit/formula_mistakes.h"
 
 namespace findspace::formula {
 namespace {

@@ -3,7 +3,7 @@
 //
 // Every mistake says what is wrong, where, and what was perhaps meant: the messages in full. Of words, structure and
 // atoms.
-#include "unit/situation_mistakes.h"
+#include "unit/formula_mistakes.h"
 
 namespace findspace::formula {
 namespace {

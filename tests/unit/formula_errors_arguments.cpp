@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Mistakes in the arguments of distances and predicates, in roles and in numbers: the messages in full.
-#include "unit/situation_mistakes.h"
+#include "unit/formula_mistakes.h"
 
 namespace findspace::formula {
 namespace {

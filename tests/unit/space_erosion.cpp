@@ -96,7 +96,7 @@ TEST(Erosion, OfAnLByABoxIsALAgain) {
   EXPECT_EQ(six_volumes(left), Real(6 * 3 * (10 * 2 + 2 * 8)));
   EXPECT_THROW(body(*offset(both, Real(-1))), Error);  // round at the inner edge
   const CsgSolid round = csg_solid(*offset(both, Real(-1)));
-  EXPECT_EQ(round.rooms.size(), 1u);
+  EXPECT_EQ(round.containers.size(), 1u);
   ASSERT_EQ(round.obstacles.size(), 1u);
   EXPECT_EQ(round.obstacles[0].parts[0].radius, Real(round.obstacles[0].scale));
 }
