@@ -172,7 +172,7 @@ def sentences(text):
         plain = re.sub(r"``[^`]+``|`[^`]+`", "code", paragraph)
         plain = re.sub(r"!\[[^]]*\]\([^)]*\)|<[^>]+>", " ", plain)
         plain = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", plain)
-        for sentence in re.split(r"(?<=[.!?])[)*_\"']*\s+(?=\W*[A-Z0-9]|\W*code\b)", plain):
+        for sentence in re.split(r"(?<=[.!?])(?<!e\.g\.)(?<!i\.e\.)[)*_\"']*\s+(?=\W*[A-Z0-9]|\W*code\b)", plain):
             words = re.findall(r"[^\W_][\w'’.,/-]*", sentence)
             if words:
                 yield words
