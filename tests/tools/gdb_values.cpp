@@ -26,12 +26,11 @@ using exact::Real;
 // Where gdb stops, with all values of the caller in reach.
 [[gnu::noinline]] void look() { asm volatile(""); }
 
-// So that the debug information has these types where src/exact is compiled without.
-[[maybe_unused]] exact::detail::ClosedNode* closed_node;
-[[maybe_unused]] exact::detail::OperationNode* operation_node;
-[[maybe_unused]] exact::detail::RootNode* root_node;
-
 void numbers() {
+  // So that the debug information has these types where src/exact is compiled without.
+  [[maybe_unused]] const exact::detail::ClosedNode* closed_node = nullptr;
+  [[maybe_unused]] const exact::detail::OperationNode* operation_node = nullptr;
+  [[maybe_unused]] const exact::detail::RootNode* root_node = nullptr;
   /// zero = 0
   const Real zero;
   /// half = -1/2 ~ -0.5
