@@ -83,7 +83,8 @@ class DrawStreets(TreeTest):
     def test_same_bytes(self):
         drawn = self.draw()
         for seed in ("1", "2"):
-            subprocess.run([sys.executable, draw_streets.__file__, "--root", self.root], check=True, env={**os.environ, "PYTHONHASHSEED": seed})
+            environment = {**os.environ, "PYTHONHASHSEED": seed}
+            subprocess.run([sys.executable, draw_streets.__file__, "--root", self.root], check=True, env=environment)
             self.assertEqual(self.read("docs/pictures/streets.svg"), drawn)
 
     def test_circle(self):

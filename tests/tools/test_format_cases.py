@@ -35,10 +35,12 @@ class FormatCases(TreeTest):
             self.assertEqual(format_cases.formatted(laid_out), laid_out)
 
     def test_spelling_of_numbers(self):
-        self.assertIn("[1e-09, 0.10, -0.0, 12345678901234567890]", format_cases.formatted('{"a": [1e-09,0.10,\n-0.0, 12345678901234567890]}'))
+        text = '{"a": [1e-09,0.10,\n-0.0, 12345678901234567890]}'
+        self.assertIn("[1e-09, 0.10, -0.0, 12345678901234567890]", format_cases.formatted(text))
 
     def test_ring_a_line(self):
-        text = '{"shapes":{"A":{"polygon":[[0,0],[4,0],[4,4]],"holes":[[[1,1],[2,1],[2,2]],[[3,1],[3.5,1],[3.5,2]]]},"B":{"disc":{"radius":1}}}}'
+        text = ('{"shapes":{"A":{"polygon":[[0,0],[4,0],[4,4]],"holes":[[[1,1],[2,1],[2,2]],[[3,1],[3.5,1],[3.5,2]]]},'
+                '"B":{"disc":{"radius":1}}}}')
         self.assertEqual(format_cases.formatted(text), """{
  "shapes": {
   "A": {

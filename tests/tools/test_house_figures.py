@@ -31,17 +31,46 @@ class Big final : public Base<int> {
 """
 
 
+BIG = """
+void Big::one() {}
+namespace {
+constexpr double kTiny = 0x1p-40, kFactor = 0x1p-1;
+int helper(int a) { return a; }
+}
+void f() { try { g(); } catch (const Error& e) { if (e.code() != ErrorCode::kUnsupported) throw; other(); } }
+"""
+OTHER = """
+bool Big::operator<(const Big& b) const { return true; }
+namespace {
+struct Local { int helper(); };
+int helper() { return 1; }
+}
+void f() { try { g(); } catch (const Error&) { return; } }
+// 0x1p-30 catch (const Error&) {}
+"""
+WORDS = """# A heading of many words that does not count
+
+One two `x = f(y)`, four. Five six?
+
+    code of many words in a line
+
+* An item
+  of five words
+
+| a cell |
+|---|
+| short |
+"""
+
+
 class HouseFigures(TreeTest):
     def setUp(self):
         super().setUp()
         self.write("README.md", "One two three.\n")
-        self.write("docs/a.md", "# A heading of many words that does not count\n\nOne two `x = f(y)`, four. Five six?\n\n    code of many words in a line\n\n"
-                                "* An item\n  of five words\n\n| a cell |\n|---|\n| short |\n")
+        self.write("docs/a.md", WORDS)
         self.write("src/plane/sum/big.h", CLASS)
-        self.write("src/plane/sum/big.cpp", "void Big::one() {}\nnamespace {\nconstexpr double kTiny = 0x1p-40, kFactor = 0x1p-1;\nint helper(int a) { return a; }\n}\n"
-                                            "void f() { try { g(); } catch (const Error& e) { if (e.code() != ErrorCode::kUnsupported) throw; other(); } }\n")
-        self.write("src/plane/sum/other.cpp", "bool Big::operator<(const Big& b) const { return true; }\nnamespace {\nstruct Local { int helper(); };\nint helper() { return 1; }\n}\n"
-                                              "void f() { try { g(); } catch (const Error&) { return; } }\n// 0x1p-30 catch (const Error&) {}\n")
+        self.write("src/plane/sum/big.cpp", BIG)
+        self.write("src/plane/sum/other.cpp", OTHER)
         self.write("src/exact/number/real.cpp", "constexpr double kUnit = 0x1p-53;\n")
 
     def rows(self):
@@ -73,7 +102,8 @@ class HouseFigures(TreeTest):
                          [("one", False), ("two", False), ("generic", False), ("operator<", False), ("three", True)])
 
     def test_sentences(self):
-        text = "It is so (e.g. 1.5 mm long, see [there](a.md)).\nAnd then: this too!\n\n```sh\na b c d\n```\n1. First item\n2. Second item here\n"
+        text = ("It is so (e.g. 1.5 mm long, see [there](a.md)).\nAnd then: this too!\n\n```sh\na b c d\n```\n"
+                "1. First item\n2. Second item here\n")
         self.assertEqual([len(words) for words in house_figures.sentences(text)], [9, 4, 2, 3])
 
 
