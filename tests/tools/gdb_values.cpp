@@ -72,11 +72,11 @@ void plane_values() {
   const plane::ContourEdge* ring = contour.data();
   /// start = (8, 6)
   [[maybe_unused]] const plane::GridPoint start = ring[2].start;
-  /// square = 4 vertices, 4 edges, 2 faces in [0, 8] x [0, 6]; mark 0: 1 faces; mark 1: 4 vertices, 4 edges, 1 faces
+  /// square = 4 vertices, 4 edges, 2 faces in [0, 8] x [0, 6]; mark 0: 1 face; mark 1: 4 vertices, 4 edges, 1 face
   const plane::Region square = plane::region_of_rings({&contour, 1});
-  /// disc = 2 vertices, 2 edges, 2 faces in [-1, 5] x [0, 6]; mark 0: 1 faces; mark 1: 2 vertices, 2 edges, 1 faces
+  /// disc = 2 vertices, 2 edges, 2 faces in [-1, 5] x [0, 6]; mark 0: 1 face; mark 1: 2 vertices, 2 edges, 1 face
   const plane::Region disc = plane::region_of_disc(2, 3, 3);
-  /// everywhere = 0 vertices, 0 edges, 1 faces; mark -1: 1 faces
+  /// everywhere = 0 vertices, 0 edges, 1 face; mark -1: 1 face
   const plane::SignMap everywhere = plane::CellComplex::uniform(-1);
   plane::Shape shape;
   shape.kind = plane::Shape::Kind::kDisc;
@@ -84,6 +84,10 @@ void plane_values() {
   shape.points = {{1, 2}};
   shape.amount = 7;
   /// shape = Disc 'hole' about (1, 2), radius 7
+  /// rings = Rings of 1 contour
+  plane::Shape rings;
+  rings.kind = plane::Shape::Kind::kRings;
+  rings.contours = {contour};
   look();
 }
 

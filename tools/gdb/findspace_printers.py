@@ -67,6 +67,10 @@ def enumerator(value):
     return str(value).rsplit("::", 1)[-1].removeprefix("k")
 
 
+def counted(number, one, many):
+    return f"{number} {one if number == 1 else many}"
+
+
 # --- exact ---------------------------------------------------------------------------------------------------------
 
 def wide(limbs):
@@ -239,16 +243,14 @@ def complex_box(value):
 
 
 def complex_text(value):
-    cells = {}
-    for name in ("vertices", "edges", "faces"):
-        for mark in column(value[name], "mark"):
-            cells.setdefault(mark, {}).setdefault(name, 0)
-            cells[mark][name] += 1
-    counts = [f"{size(value[name])} {name}" for name in ("vertices", "edges", "faces")]
+    kinds = (("vertex", "vertices"), ("edge", "edges"), ("face", "faces"))
+    marks = {name: column(value[name], "mark") for _, name in kinds}
+    total = ", ".join(counted(len(marks[name]), one, name) for one, name in kinds)
+    cells = [f"mark {mark}: " + ", ".join(counted(marks[name].count(mark), one, name) for one, name in kinds if mark in marks[name])
+             for mark in sorted(set().union(*marks.values()))]
     box = complex_box(value)
     where = "" if box is None else " in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]".format(*box)
-    marks = "; ".join(f"mark {mark}: " + ", ".join(f"{n} {name}" for name, n in found.items()) for mark, found in sorted(cells.items()))
-    return f"{', '.join(counts)}{where}; {marks}"
+    return f"{total}{where}; {'; '.join(cells)}"
 
 
 def shape_text(value):
@@ -260,8 +262,9 @@ def shape_text(value):
         return f"{text} about {grid_point_text(points[0])}, radius {short(value['amount'])}"
     if int(value["solid"]["_M_ptr"]):
         return f"{text}, a solid"
-    counts = [(size(value["children"]), "children"), (size(value["contours"]), "contours"), (len(points), "points")]
-    found = [f"{n} {what}" for n, what in counts if n]
+    counts = [(size(value["children"]), "child", "children"), (size(value["contours"]), "contour", "contours"),
+              (len(points), "point", "points")]
+    found = [counted(*count) for count in counts if count[0]]
     return f"{text} of {', '.join(found)}" if found else text
 
 
@@ -311,7 +314,7 @@ def body_part_text(value):
 def body_text(value):
     parts = elements(value["parts"])
     outside = "complement of " if value["outside"] else ""
-    return f"{outside}{len(parts)} part{'' if len(parts) == 1 else 's'} at scale {int(value['scale'])}"
+    return f"{outside}{counted(len(parts), 'part', 'parts')} at scale {int(value['scale'])}"
 
 
 def box_complex_text(value):
@@ -397,7 +400,7 @@ class Printer:
         try:
             return self.text_of(self.value)
         except (gdb.error, ValueError, KeyError, IndexError, TypeError, ZeroDivisionError) as error:
-            return f"<not a value: {error}>"  # before its constructor, or after its destructor
+            return f"<not readable: {error}>"  # not constructed yet, or a type without debug information
 
 
 def register():
