@@ -72,7 +72,7 @@ Outcome run_measure(const Options& options, Reporter& reporter) {
   const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
   const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : measure_text(distances, at, session.step(), session.unit()), kDone};
+  return {options.json ? json() : measure_text(distances, at, session.step(), session.unit(), options.all), kDone};
 }
 
 }  // namespace findspace::app

@@ -67,7 +67,7 @@ SignMap plain_level(SignMap wanted) {
 }
 
 void refuse(const Distance& distance, const std::string& what) {
-  throw Error(ErrorCode::kUnsupported, text(distance) + ": " + what);
+  throw Error(ErrorCode::kUnsupported, written(distance) + ": " + what);
 }
 
 bool is_directional(const Distance& d) { return d.mode == Mode::kAlong || d.mode == Mode::kToward; }
@@ -76,7 +76,7 @@ distance::TranslationDirection direction(const Distance& d) {
   const auto direction = plane::primitive_direction({d.vector.at(0), d.vector.at(1)});
   if (!direction) {
     throw Error(ErrorCode::kUnsupported,
-                text(d) + ": the direction is no ratio of integers below 2^53; use fewer digits");
+                written(d) + ": the direction is no ratio of integers below 2^53; use fewer digits");
   }
   return {direction->x, direction->y, d.mode == Mode::kAlong};
 }
