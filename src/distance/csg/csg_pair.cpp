@@ -8,6 +8,7 @@
 
 #include "distance/csg/csg_part.h"
 #include "distance/search/solid_value.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -19,11 +20,6 @@ using space::CsgSolid;
 using space::RealVector;
 
 namespace {
-
-constexpr double kError = 0x1p-40;  // of the size
-constexpr double kShare = 0x1p-1;   // of a value that is only used to go on from
-
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
 SolidValue turned(SolidValue v) {
   v.value = -v.value;
@@ -114,7 +110,7 @@ const FreeSpace* CsgPair::fits() const {
     const space::Bounds3 inner = bounds(*b_);
     for (const Body& tolerance : a_->containers) {
       if (!tolerance.convex())
-        fail("how far a shape is from fitting into such a shape is computed where its rooms are convex");
+        not_computed("how far a shape is from fitting into such a shape is computed where its rooms are convex");
       const space::Bounds3 outer = bounds(tolerance);
       space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
       if (!box) box = one;
@@ -153,7 +149,7 @@ SolidValue CsgPair::protrusion(const RealVector& p) const {
   auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
   // B that fits nowhere sticks out everywhere.
   if (!worst || worst->value.sign() > 0)
-    fail("how far a shape sticks out of one that round ones are cut out of is not computed");
+    not_computed("how far a shape sticks out of one that round ones are cut out of is not computed");
   return *std::move(worst);
 }
 
@@ -181,7 +177,7 @@ bool CsgPair::too_large() const {
           most = std::max(most, farthest_allowed(part.cells, part.rules, ahead, size_).value);
         wide += most;
       }
-      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * kError * size_) too_large_ = true;
+      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * margin::kFoundError * size_) too_large_ = true;
     }
   });
   return too_large_;
@@ -197,7 +193,7 @@ std::optional<SolidValue> CsgPair::covered(const RealVector& p) const {
   if (too_large()) return std::nullopt;
   SolidValue v = protrusion_back(p);
   if (v.value.to_double() > v.error)
-    fail("how far a shape that round ones are cut out of is from fitting into another is not computed");
+    not_computed("how far a shape that round ones are cut out of is from fitting into another is not computed");
   return v;
 }
 
@@ -234,13 +230,13 @@ std::optional<SolidValue> CsgPair::value_at(Which which, const RealVector& p) co
       return covered(p);
     case Which::kDelta2:
       if (too_large()) return std::nullopt;
-      fail("the farthest fit of a shape that round ones are cut out of is not computed");
+      not_computed("the farthest fit of a shape that round ones are cut out of is not computed");
     case Which::kHausdorff:
       return hausdorff(p);
     case Which::kDstar:
       return cut_off(protrusion_back(p), true);
     default:
-      fail("this distance to a shape that round ones are cut out of is not computed");
+      not_computed("this distance to a shape that round ones are cut out of is not computed");
   }
 }
 
@@ -256,14 +252,14 @@ std::optional<SolidValue> CsgPair::value(Which which, const RealVector& p) const
 std::optional<Between> CsgPair::nearly_fits(const RealVector& p, double level) const {
   const FreeSpace* fits = this->fits();
   if (!fits) return std::nullopt;
-  const double least = fits->beyond(space::rounded(p)), error = kError * size_;
+  const double least = fits->beyond(space::rounded(p)), error = margin::kFoundError * size_;
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
   if (least + error < 0) return Between{-exact::kInfinity, least + error - level};
   if (const auto worst = worst_fit(p); worst && is_whole(*worst)) {
     const double v = worst->value.to_double();
     return Between{v - error - level, v + error - level};
   }
-  const BoundaryPlace found = fits->nearly(p, {level, kShare});
+  const BoundaryPlace found = fits->nearly(p, {level, margin::kRoughShare});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{std::max(least, found.bound) - error - level, found.value + error - level};
 }

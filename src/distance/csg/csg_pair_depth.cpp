@@ -10,18 +10,13 @@
 
 #include "distance/csg/csg_depth.h"
 #include "distance/csg/csg_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
 using exact::Real;
 using space::RealVector;
 using space::Vector;
-
-namespace {
-
-constexpr double kError = 0x1p-40, kMostError = 0x1p-32;  // of the size
-
-}  // namespace
 
 const CsgDepth& CsgPair::depths() const {
   std::call_once(depths_made_, [this] { depths_ = std::make_shared<const CsgDepth>(*b_, parts_, size_); });
@@ -53,7 +48,7 @@ SolidValue CsgPair::overlapping(const RealVector& p) const {
   };
   const BoundaryPlace found = depths().nearest(space::rounded(p), ask);
   const double off = std::fabs(found.value - found.bound);
-  if ((!found.found && !found.known) || off > kMostError * size_)
+  if ((!found.found && !found.known) || off > margin::kMostFoundError * size_)
     throw Error(ErrorCode::kUnsupported,
                 "how deep a shape is in one that round ones are cut out of was not found within the limit of the "
                 "search");
@@ -61,7 +56,7 @@ SolidValue CsgPair::overlapping(const RealVector& p) const {
   out.value = -Real::from_double(found.value);
   out.nearest = space::real(found.place);
   out.proven = false;
-  out.error = kError * size_ + off;
+  out.error = margin::kFoundError * size_ + off;
   if (!known || std::fabs((known->value - out.value).to_double()) > out.error) return out;  // no sign: the same value
   if (!known->nearest && found.found) known->nearest = out.nearest;
   return *std::move(known);

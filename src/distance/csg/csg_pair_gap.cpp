@@ -12,6 +12,7 @@
 #include "distance/search/boundary_slack.h"
 #include "distance/search/solid_protrusion.h"
 #include "distance/search/solid_value.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -22,10 +23,6 @@ using space::RealVector;
 using space::Vector;
 
 namespace {
-
-constexpr double kError = 0x1p-40, kThin = 0x1p-44;  // of the size
-constexpr double kFar = 0x1p-4;                      // of the size: where boxes tell enough
-constexpr double kShare = 0x1p-1;                    // of a value that is only used to go on from
 
 struct Box {
   Vector low, high;
@@ -51,7 +48,7 @@ SolidValue searched(const BoundaryPlace& found, double size) {
   SolidValue out;
   out.value = Real::from_double(found.value);
   out.proven = false;
-  out.error = kError * size + std::fabs(found.value - found.bound);
+  out.error = margin::kFoundError * size + std::fabs(found.value - found.bound);
   return out;
 }
 
@@ -97,14 +94,14 @@ SolidValue CsgPair::apart(const RealVector& p) const {
 Between CsgPair::nearly_apart(const RealVector& p, double level) const {
   Between out{exact::kInfinity, exact::kInfinity};
   const Vector by = space::rounded(p);
-  const Until until{level, kShare};
+  const Until until{level, margin::kRoughShare};
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
     const TouchingRule to = gap_to(s, by);
     for (const CutSearch& part : parts_) {
       const double least = distance(box, {part.low, part.high});
       if (least > out.low) continue;
-      if (least - level > kFar * size_) {
+      if (least - level > margin::kFarByBoxes * size_) {
         out.low = least;
         continue;
       }
@@ -113,7 +110,7 @@ Between CsgPair::nearly_apart(const RealVector& p, double level) const {
       out.high = std::min(out.high, found.value);
     }
   }
-  const double error = kError * size_;
+  const double error = margin::kFoundError * size_;
   return {out.low - error - level, out.high + error - level};
 }
 
@@ -136,8 +133,8 @@ CsgPair::Gap CsgPair::gap(const RealVector& p) const {
   Gap out;
   out.value = apart(p);
   const double v = out.value.value.to_double();
-  if (v > out.value.error + kError * size_) return out;
-  out.depth = common_depth(p, kThin);
+  if (v > out.value.error + margin::kFoundError * size_) return out;
+  out.depth = common_depth(p, margin::kNoInterior);
   if (out.depth > 0) out.value = SolidValue{};
   return out;
 }

@@ -10,6 +10,7 @@
 #include "distance/search/boundary_slack.h"
 #include "distance/search/free_space.h"
 #include "distance/search/solid_protrusion.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -23,8 +24,6 @@ using space::RealVector;
 using space::Vector;
 
 namespace {
-
-constexpr double kThin = 0x1p-44;  // of the size: interior that doubles cannot see
 
 double size_of(const Body& body) {
   if (body.parts.empty()) return 0;
@@ -91,7 +90,7 @@ CutSearch cut_search(const CsgPart& part, double size) {
   out.cells = tetrahedra_of_box(low, high);
   for (const BodyPart& set : part.within) out.rules.keep_in.push_back(keep_in(set, {}));
   for (const BodyPart& set : part.without) out.rules.keep_out.push_back(keep_out(set, {}));
-  out.empty = most_slack(out.cells, out.rules, {kThin * size}).value <= kThin * size;
+  out.empty = most_slack(out.cells, out.rules, {margin::kNoInterior * size}).value <= margin::kNoInterior * size;
   return out;
 }
 

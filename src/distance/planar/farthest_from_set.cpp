@@ -9,6 +9,7 @@
 
 #include "distance/planar/max_min_search.h"
 #include "distance/planar_features/curved_level_curve.h"
+#include "plane/base/real_vector.h"
 #include "plane/query/nearest.h"
 
 namespace findspace::distance {
@@ -19,6 +20,8 @@ using plane::Index;
 using plane::Mark;
 using plane::Region;
 
+using plane::operator+;
+
 namespace {
 
 // Of the scale.
@@ -27,8 +30,6 @@ constexpr MaxMinEffort kCoarse{0x1p-24}, kFine{0x1p-44};
 constexpr std::size_t kMostMaxMins = 10;
 
 bool inside(Mark m) { return m > 0; }
-
-RealPoint operator+(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
 
 /// Whether the level can be the max_min's value. That of a place on an edge may still grow beside it, but not fall.
 /// Other fronts meet there, too: the ridge between two lines goes on past the end of an edge, at levels less than the

@@ -30,9 +30,9 @@ using plane::Region;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using exact::kInfinity;
 constexpr Mark kPossible = 1, kCertain = 2;
-constexpr std::size_t kAtOnce = 8, kMostVertices = 200, kMostPlaces = 32;
+constexpr std::size_t kAtOnce = 8, kMostVertices = 200, kMostChosen = 32;
 
 /// A value of f at a position of S; rotated so that less is better.
 struct Sample {
@@ -74,9 +74,9 @@ PieceBox outward(const PieceBox& b) {
 /// Of the grid: not to be halved.
 bool is_cell(const PieceBox& b) { return b.x1 - b.x0 <= 1 && b.y1 - b.y0 <= 1; }
 
-class Search {
+class PositionSearch {
  public:
-  Search(const DiscRange& f, const PositionBounds& s, Sense sense, const SearchWindow& window)
+  PositionSearch(const DiscRange& f, const PositionBounds& s, Sense sense, const SearchWindow& window)
       : f_(f), s_(s), window_(window), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run() {
@@ -226,7 +226,7 @@ class Search {
     };
     chosen.push_back(best_.at);
     for (const Node& n : done_) {
-      if (chosen.size() >= kMostPlaces || !std::isfinite(n.sample.value)) continue;
+      if (chosen.size() >= kMostChosen || !std::isfinite(n.sample.value)) continue;
       if (far(n.box) > 16 * radius(n.box)) chosen.push_back(n.sample.at);
     }
     for (const Node& n : done_) e.within = std::max(e.within, far(n.box));
@@ -246,7 +246,7 @@ class Search {
 }  // namespace
 
 Extremum best_position(const DiscRange& f, const PositionBounds& s, Sense sense, const SearchWindow& window) {
-  return Search(f, s, sense, window).run();
+  return PositionSearch(f, s, sense, window).run();
 }
 
 }  // namespace findspace::distance

@@ -11,6 +11,7 @@
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/extremum_candidates.h"
 #include "distance/planar_least/level_probe.h"
+#include "exact/number/margins.h"
 #include "plane/base/real_vector.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate.h"
@@ -28,7 +29,6 @@ using plane::operator-;
 namespace {
 
 constexpr int kMostProbes = 120;
-constexpr double kMost = 0x1p44;    // no level lies beyond: coordinates are below 2^40
 constexpr double kPlace = 0x1p-42;  // of the scale: so near the best positions are decided
 
 /// A number between the two with few digits.
@@ -38,9 +38,9 @@ double simple_between(double low, double high) {
   return round > low && round < high ? round : middle;
 }
 
-class Search {
+class ExtremumSearch {
  public:
-  Search(const TDistance& f, const Region& s, Sense sense)
+  ExtremumSearch(const TDistance& f, const Region& s, Sense sense)
       : f_(f),
         s_(s),
         closure_(plane::closure(s)),
@@ -83,7 +83,7 @@ class Search {
   bool value_only_ = false;
 };
 
-bool Search::reaches(const Real& level) {
+bool ExtremumSearch::reaches(const Real& level) {
   CellComplex c = probe(level, closure_);
   bool yes = has_mark(c, kOn) || has_mark(c, kBeyond);
   (yes ? good_ : bad_) = number(level);
@@ -92,7 +92,7 @@ bool Search::reaches(const Real& level) {
 }
 
 /// Is this the extremum? Narrows the bracket if not.
-bool Search::accept(const Real& level) {
+bool ExtremumSearch::accept(const Real& level) {
   CellComplex c = probe(level, closure_);
   if (has_mark(c, kBeyond)) {
     good_ = number(level);
@@ -108,7 +108,7 @@ bool Search::accept(const Real& level) {
   return true;
 }
 
-double Search::extent() const {
+double ExtremumSearch::extent() const {
   double most = 1;
   for (const auto& v : closure_.vertices) {
     const auto& p = closure_.geometry.points[v.point];
@@ -118,7 +118,7 @@ double Search::extent() const {
 }
 
 /// f is +infinity or, `below`, -infinity everywhere: it changes no faster than the position.
-Extremum Search::infinite(bool below) const {
+Extremum ExtremumSearch::infinite(bool below) const {
   Extremum e;
   if (!below) return e;
   e.exists = e.unbounded = e.attained = e.proven = true;
@@ -127,14 +127,14 @@ Extremum Search::infinite(bool below) const {
 }
 
 /// Around the extremum, from the value at some position; false where there is no bound.
-bool Search::bracket(const Real& value) {
+bool ExtremumSearch::bracket(const Real& value) {
   good_ = rotation_ * value.to_double();
   scale_ = std::max(scale_, std::abs(good_));
   good_ += scale_ * 0x1p-30;
   double step = std::max(1.0, scale_ / 8);
   for (bad_ = good_ - step; reaches(Real::from_double(rotation_ * bad_)); step *= 2) {
     bad_ = good_ - step;
-    if (bad_ < -kMost) return false;
+    if (bad_ < -margin::kBeyondAll) return false;
   }
   // Over the whole plane nothing else says how large all is.
   scale_ = std::max({scale_, std::abs(bad_), std::abs(good_)});
@@ -142,7 +142,7 @@ bool Search::bracket(const Real& value) {
 }
 
 /// Begins with what is known, if the level that is said to be reached is.
-bool Search::take(const Bracket& known) {
+bool ExtremumSearch::take(const Bracket& known) {
   const double tolerance = scale_ * 0x1p-40;  // of the numbers
   const double good = rotation_ * known.reached + tolerance;
   if (!reaches(Real::from_double(rotation_ * good))) return false;
@@ -152,7 +152,7 @@ bool Search::take(const Bracket& known) {
 }
 
 /// The candidate next to a number, if one is as near as rounding.
-bool Search::try_near(const std::vector<Real>& all, double number) {
+bool ExtremumSearch::try_near(const std::vector<Real>& all, double number) {
   const auto far = [number](const Real& l) { return std::abs(near_value(l) - number); };
   const auto best =
       std::min_element(all.begin(), all.end(), [&](const auto& l, const auto& m) { return far(l) < far(m); });
@@ -162,7 +162,7 @@ bool Search::try_near(const std::vector<Real>& all, double number) {
   return false;
 }
 
-bool Search::try_candidates() {
+bool ExtremumSearch::try_candidates() {
   double low = bad_ - scale_ * 0x1p-48, high = good_ + scale_ * 0x1p-48;
   auto all =
       extremum_candidates(f_, whole_ ? nullptr : &closure_, reached_, std::min(rotation_ * low, rotation_ * high),
@@ -183,7 +183,7 @@ bool Search::try_candidates() {
 }
 
 /// At the level that was accepted.
-Extremum Search::proven() {
+Extremum ExtremumSearch::proven() {
   Extremum e;
   e.exists = e.proven = true;
   e.level = level_;
@@ -194,7 +194,7 @@ Extremum Search::proven() {
   return e;
 }
 
-Extremum Search::enclosed() const {
+Extremum ExtremumSearch::enclosed() const {
   Extremum e;
   e.exists = true;
   e.level = level_;
@@ -211,7 +211,7 @@ Extremum Search::enclosed() const {
 }
 
 /// The family knows its least value, and a position of the closure of S has it.
-bool Search::take_lowest(Extremum& out) const {
+bool ExtremumSearch::take_lowest(Extremum& out) const {
   const auto lowest = rotation_ > 0 ? f_.lowest() : std::nullopt;
   if (!lowest || (!whole_ && plane::mark_of(closure_, plane::locate(closure_, lowest->at)) <= 0)) return false;
   out.exists = out.proven = true;
@@ -222,7 +222,7 @@ bool Search::take_lowest(Extremum& out) const {
 }
 
 /// What was rounded at the ends of the bracket, by exact sign maps: (bad, good] holds the extremum.
-void Search::enclose() {
+void ExtremumSearch::enclose() {
   const double width = std::max(good_ - bad_, scale_ * 0x1p-50);
   while (!reaches(Real::from_double(rotation_ * good_))) good_ += width;
   for (double low = bad_; reaches(Real::from_double(rotation_ * low));) low = good_ - width;
@@ -233,7 +233,7 @@ void Search::enclose() {
 /// Where two opposite fronts meet, positions as good as the level lie as far apart as the square root of what it is
 /// off: the bracket is narrowed, past doubles, until they are decided, or lie no nearer (curves and faces of best
 /// ones).
-void Search::pin_down() {
+void ExtremumSearch::pin_down() {
   constexpr int kSteps = 12, kMostRounds = 10;
   double within = one_point_a_component(reached_).within;
   for (int round = 0; round < kMostRounds && within > scale_ * kPlace; ++round) {
@@ -250,7 +250,7 @@ void Search::pin_down() {
   }
 }
 
-Extremum Search::run(const std::optional<Bracket>& known) {
+Extremum ExtremumSearch::run(const std::optional<Bracket>& known) {
   value_only_ = known && known->value_only;
   if (plane::is_empty(s_) || !f_.defined()) return {};
   if (rotation_ < 0 && s_.faces[0].mark > 0) {
@@ -288,7 +288,7 @@ Extremum extremum(const TDistance& f, const Region& s, Sense sense, const std::o
     e.at = plane::moved(std::move(e.at), -there->by);
     return e;
   }
-  return Search(f, s, sense).run(known);
+  return ExtremumSearch(f, s, sense).run(known);
 }
 
 Extremum least(const TDistance& f) { return extremum(f, CellComplex::uniform(1), Sense::kMinimum); }

@@ -16,7 +16,7 @@ namespace {
 constexpr int kMostPieces = 4000;
 /// Of the size: what rounding may do to a value, and where bounds are as good as equal.
 constexpr double kNoise = 0x1p-42, kEqual = 0x1p-40;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using exact::kInfinity;
 
 /// Whether the bounds tell all that is wanted.
 bool settled(double low, double high, double size) {

@@ -18,7 +18,7 @@ using space::Vector;
 namespace {
 
 /// Searches of a line before the coarser certainty is enough, and at most.
-constexpr int kFine = 400, kMost = 6000;
+constexpr int kFineSearches = 400, kMostSearches = 6000;
 constexpr int kHard = 100;           // searches that one counts for that does not tell
 constexpr double kShare = 0x1.8p-1;  // of how near the nearest place is: one that is used to go on from
 constexpr double kHardly = 0.75;     // of the blur: that counts as 0
@@ -73,10 +73,10 @@ class Walk {
   }
 
  private:
-  double blur() const { return size_ * (searches_ < kFine ? ValueRays::kCertain : ValueRays::kCoarse); }
+  double blur() const { return size_ * (searches_ < kFineSearches ? ValueRays::kCertain : ValueRays::kCoarse); }
 
   NearRule::Least least(double from, double to, const Until& until) {
-    if (++searches_ > kMost)
+    if (++searches_ > kMostSearches)
       throw Error(ErrorCode::kUnsupported, "the signs along a line were not found within the limit of the search");
     return rule_.least(line_, from, to, until);
   }

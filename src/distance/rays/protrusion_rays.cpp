@@ -26,7 +26,7 @@ using space::Vector;
 constexpr double kBlur = 0x1p-44;
 /// What the point found may lack of how far B sticks out. The nearer it is, the fewer cuts until an end; but the last
 /// eighths of a search among many triangles cost more than a cut.
-constexpr double kShare = 0.875;
+constexpr double kProvenShare = 0.875;
 /// Stretches that a line is cut into, at most; kCertain is reached long before.
 constexpr int kMostCuts = 4000;
 
@@ -182,7 +182,7 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::cuts(const Side& side, cons
   while (!left.empty()) {
     const Stretch s = left.back();
     left.pop_back();
-    const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kShare);
+    const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kProvenShare);
     if (!max_min.complete || ++count > kMostCuts)
       throw Error(ErrorCode::kUnsupported, "how far the shape sticks out was not found within the limit of the search");
     if (max_min.value <= side.enough) continue;

@@ -27,10 +27,6 @@ using plane::operator-;
 
 namespace {
 
-SignMap negated(SignMap m) {
-  return remark(std::move(m), [](Mark k) { return Mark(-k); });
-}
-
 /// f at some points of a path, as numbers, brackets its extremum: it changes by at most the way (Piyavskii 1972).
 class PathSearch {
  public:

@@ -10,6 +10,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/search/solid_protrusion.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -20,10 +21,6 @@ using space::Vector;
 
 namespace {
 
-/// What a value found by search may be off, of the sizes, mostly and at most (where fronts part from the sphere about p
-/// so slowly that the search ends before).
-constexpr double kError = 0x1p-40, kMostError = 0x1p-32;
-
 /// The nearest complete number, or a simple part, where it is as near as the place is known.
 Real even(double c, double blur) {
   for (const int parts : {1, 2, 3, 4, 5, 6, 8}) {
@@ -33,7 +30,7 @@ Real even(double c, double blur) {
   return Real::from_double(c);
 }
 
-double highest(std::span<const HalfSpace> planes, const Vector& x) {
+double greatest_value(std::span<const HalfSpace> planes, const Vector& x) {
   double most = -exact::kInfinity;
   for (const HalfSpace& h : planes) most = std::max(most, h.approx_value(x));
   return most;
@@ -74,7 +71,7 @@ ConvexDistance grown_distance(const GrownSet& set) {
     return
         [center = space::rounded(set.center), radius](const Vector& x) { return space::length(x - center) - radius; };
   return [planes = set.planes, distance = distance_to(set.planes), radius](const Vector& x) {
-    const double most = highest(planes, x);
+    const double most = greatest_value(planes, x);
     return (most < 0 ? most : distance(x)) - radius;
   };
 }
@@ -213,9 +210,10 @@ Incumbent FreeSpace::known_at(std::function<std::optional<RealVector>()> find, c
 std::optional<SolidValue> FreeSpace::settled(const BoundaryPlace& found, const RealVector& p,
                                              const std::optional<RealVector>& known) const {
   SolidValue out;
-  const double slack = kError * (size_ + std::fabs(found.bound)), off = std::fabs(found.value - found.bound);
+  const double slack = margin::kFoundError * (size_ + std::fabs(found.bound)),
+               off = std::fabs(found.value - found.bound);
   const RealVector place = space::real(found.place);
-  if (found.found && off <= kMostError * size_ && allows_(place)) {
+  if (found.found && off <= margin::kMostFoundError * size_ && allows_(place)) {
     out.value = Real::from_double(found.value);
     out.nearest = place;
     out.proven = false;
@@ -299,12 +297,12 @@ SolidValue FreeSpace::nearest_to(const TouchingRule& to) const {
                                         space::plus(box_high_, {tolerance, tolerance, tolerance})),
                       rules_, to, size_, -exact::kInfinity);
   const double off = std::fabs(found.value - found.bound);
-  if (!found.found || off > kMostError * size_)
+  if (!found.found || off > margin::kMostFoundError * size_)
     throw Error(ErrorCode::kUnsupported, "the depth of the shape was not found within the limit of the search");
   SolidValue out;
   out.value = Real::from_double(found.value);
   out.proven = false;
-  out.error = kError * size_ + off;
+  out.error = margin::kFoundError * size_ + off;
   return out;
 }
 

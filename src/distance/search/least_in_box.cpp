@@ -23,9 +23,10 @@ struct Box {
   bool operator<(const Box& other) const { return bound > other.bound; }  // the least is on top
 };
 
-class Search {
+class BoxSearch {
  public:
-  explicit Search(const std::function<Real(const RealVector&)>& value, double floor) : value_(value), floor_(floor) {}
+  explicit BoxSearch(const std::function<Real(const RealVector&)>& value, double floor)
+      : value_(value), floor_(floor) {}
 
   SolidLeast run(const Vector& low, const Vector& high) {
     const Vector half = space::scaled(0.5, high - low);
@@ -83,7 +84,7 @@ class Search {
 
 SolidLeast least_in_box(const std::function<Real(const RealVector&)>& value, const Vector& low, const Vector& high,
                         double floor) {
-  return Search(value, floor).run(low, high);
+  return BoxSearch(value, floor).run(low, high);
 }
 
 }  // namespace findspace::distance

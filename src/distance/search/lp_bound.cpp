@@ -11,10 +11,9 @@ namespace findspace::distance {
 
 namespace {
 
-using Column = std::array<double, 4>;
 using Square = std::array<Column, 4>;  // by columns
 
-double dot(const Column& a, const Column& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
+double product(const Column& a, const Column& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
 
 /// The inverse, by rows; false where a pivot vanishes.
 bool invert(const Square& of, Square& out) {
@@ -119,8 +118,8 @@ class Simplex {
     for (std::size_t r = 0; r < 4; ++r) sum += mix[r] = std::max(0.0, rows[r]);
     const double all = rows[0] + rows[1] + rows[2] + rows[3];
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      take(j, 1 - dot(rows, columns_[j]) / shift_ - all);
-      least = std::min(least, dot(mix, columns_[j]));
+      take(j, 1 - product(rows, columns_[j]) / shift_ - all);
+      least = std::min(least, product(mix, columns_[j]));
     }
     if (sum > 0 && least / sum > lowest_) {
       lowest_ = least / sum;
@@ -135,7 +134,7 @@ class Simplex {
     Column by;
     std::size_t out = 4;
     for (std::size_t k = 0; k < 4; ++k) {
-      by[k] = dot(inverse_[k], added);
+      by[k] = product(inverse_[k], added);
       if (by[k] > kPivot && (out == 4 || x_[k] * by[out] < x_[out] * by[k])) out = k;
     }
     if (out == 4) return false;
@@ -167,11 +166,11 @@ LpBound lp_bound(const std::vector<Column>& columns) {
   return Simplex(columns, shift).run();
 }
 
-LpBound bounding_lp(std::vector<std::array<double, 4>> columns, const std::optional<std::array<double, 4>>& beyond) {
+LpBound bounding_lp(std::vector<Column> columns, const std::optional<Column>& beyond) {
   if (beyond) {
     const std::size_t count = columns.size();
     for (std::size_t k = 0; k < count; ++k) {
-      std::array<double, 4> less = columns[k];
+      Column less = columns[k];
       for (std::size_t v = 0; v < 4; ++v) less[v] -= (*beyond)[v];
       columns.push_back(less);
     }

@@ -14,9 +14,7 @@ using space::Vector;
 
 namespace {
 
-using Column = std::array<double, 4>;
-
-constexpr int kMostSteps = 24;
+constexpr int kMostMeetSteps = 24;
 constexpr std::size_t kFew = 6;      // sets that the place may be as deep in
 constexpr double kEnough = 0x1p-48;  // of the size
 
@@ -66,7 +64,7 @@ class Game {
   MeetSlack run(const Vector& start) {
     offer(start);
     touch(start);
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostMeetSteps; ++step) {
       const auto [bound, x] = highest();
       const double value = offer(x);
       if (bound - best_.value <= kEnough * size_ || !any_ball()) break;

@@ -34,7 +34,7 @@ Real depth_value(std::span<const HalfSpace> planes, const RealVector& x, const V
   return *best;
 }
 
-struct Corner {
+struct FarCorner {
   const BodyPart* part;
   RealVector at;
   Vector near;
@@ -97,10 +97,10 @@ std::optional<std::pair<Body, Body>> without_radius(const Body& b, const Body& a
 SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
   const std::vector<HalfSpace> planes = a.planes();
   const RealVector center = real(a.center);
-  std::vector<Corner> corners;
+  std::vector<FarCorner> corners;
   for (const BodyPart& part : b.parts) {
     for (const space::Point& v : part.vertices()) {
-      Corner c{&part, space::plus(real(v), p), {}, 0};
+      FarCorner c{&part, space::plus(real(v), p), {}, 0};
       c.near = space::rounded(c.at);
       double highest = !a.point() ? -exact::kInfinity : space::length(c.near - space::rounded(center));
       for (const HalfSpace& h : planes) highest = std::max(highest, h.approx_value(c.near));
@@ -108,11 +108,11 @@ SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVect
       corners.push_back(std::move(c));
     }
   }
-  std::sort(corners.begin(), corners.end(), [](const Corner& x, const Corner& y) { return x.floor > y.floor; });
+  std::sort(corners.begin(), corners.end(), [](const FarCorner& x, const FarCorner& y) { return x.floor > y.floor; });
   std::optional<SolidValue> best;
   std::vector<Vector> projections;
   const double slack = 0x1p-40 * (space::size_of(corners[0].near) + std::fabs(corners[0].floor));
-  for (const Corner& c : corners) {
+  for (const FarCorner& c : corners) {
     const double radius = c.part->radius.to_double();
     const double highest = c.floor - radius;
     double ceiling = highest > 0 ? exact::kInfinity : highest;

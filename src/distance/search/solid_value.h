@@ -4,6 +4,8 @@
 // The value of a distance of bodies at a position, and signed distances from the place at which they are 0.
 #pragma once
 
+#include <findspace/error.h>
+
 #include <array>
 #include <optional>
 
@@ -20,6 +22,9 @@ struct SolidValue {
   std::optional<std::array<space::RealVector, 2>> points;
   double error = 0;  // what a value that is not proven may be off
 };
+
+/// Throws Error(kUnsupported).
+[[noreturn]] inline void not_computed(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
 /// A signed distance whose zero set is nearest at q.
 inline SolidValue signed_value(const space::RealVector& p, const space::RealVector& q, int sign) {

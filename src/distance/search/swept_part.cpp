@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSame = 0x1p-40;  // of normals, and of sizes
 
-Touching highest(const std::vector<NearPlane>& planes, const Vector& x) {
+Touching nearest_plane(const std::vector<NearPlane>& planes, const Vector& x) {
   Touching best{-exact::kInfinity, {}};
   for (const NearPlane& h : planes) {
     const double value = dot(h.unit, x) + h.shift;
@@ -83,7 +83,7 @@ TouchingRule SweptPart::gap(const Vector& start, double from, double to) const {
   return [way = way_to(planes), planes, start, radius = radius_](const Vector& x) {
     const Vector at = x - start;
     if (radius == 0) {
-      const Touching inside = highest(planes, at);
+      const Touching inside = nearest_plane(planes, at);
       if (inside.value < 0) return inside;
     }
     const Vector off = way(at);

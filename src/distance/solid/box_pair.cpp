@@ -18,8 +18,6 @@ using space::RealVector;
 
 namespace {
 
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
-
 BoxComplex either(const BoxComplex& a, const BoxComplex& b) {
   return overlay(std::array<const BoxComplex*, 2>{&a, &b}, [](std::span<const Mark> m) { return Mark(m[0] || m[1]); });
 }
@@ -120,10 +118,10 @@ BoxComplex BoxPair::base_map(Which base, const Real& level) const {
   if (!s.defined) return BoxComplex({}, 1);
   if (level.sign() == 0) return s.map;
   if (level.sign() > 0)
-    fail("at a level above 0 the positions have round edges, which the exact map of boxes does not hold");
+    not_computed("at a level above 0 the positions have round edges, which the exact map of boxes does not hold");
   if (!s.has_negative) return BoxComplex({}, 1);
   if (s.negative.empty())
-    fail("at a level below 0 the positions have round edges, which the exact map of boxes does not hold");
+    not_computed("at a level below 0 the positions have round edges, which the exact map of boxes does not hold");
   std::optional<BoxComplex> map;
   for (const IntervalBox& box : s.negative) {
     const auto open = shrunk(box, -level, true), closed = shrunk(box, -level, false);
@@ -166,7 +164,7 @@ BoxComplex BoxPair::sign_map(Which which, const Real& level) const {
     default:
       break;
   }
-  fail("the positions have round edges, which the exact map of boxes does not hold");
+  not_computed("the positions have round edges, which the exact map of boxes does not hold");
 }
 
 bool BoxPair::has_value(Which which) {

@@ -20,8 +20,6 @@ using space::RealVector;
 
 namespace {
 
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
-
 Real length(const RealVector& v) { return sqrt(space::dot(v, v)); }
 
 /// The value of a convex core with radius r around it; q is the nearest point of the core's frontier (or of the core).
@@ -175,7 +173,8 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
 /// The depth of the deepest point of B + p, which lies in the interior of A's parts.
 SolidValue SolidPair::reach_into_parts(const RealVector& p) const {
   if (!a_->round()) return protrusion_of_cells(*b_, fit(forth_).cells, p);
-  if (!a_->convex()) fail("how far a shape sticks out of the complement of a union of round parts is not computed");
+  if (!a_->convex())
+    not_computed("how far a shape sticks out of the complement of a union of round parts is not computed");
   // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
   const BodyPart& part = a_->parts[0];
   SolidValue out;

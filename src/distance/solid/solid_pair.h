@@ -11,8 +11,8 @@
 //   mu       the greatest signed distance to A of a point of B: at a vertex where A is convex, else by search
 //   (solid_protrusion.h); of a complement the depth of the deepest point of B in what that leaves.
 // Guarantee: signs exact, values right to 2^-40 relative, most of them exact numbers (`proven`). Where a distance is
-// not computed for a kind of body (see fail in the .cpp) Error(kUnsupported) says so. Lengths in the bodies' common
-// steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
+// not computed for a kind of body (see not_computed in the .cpp) Error(kUnsupported) says so. Lengths in the bodies'
+// common steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
 #pragma once
 
 #include <memory>

@@ -43,15 +43,15 @@ constexpr std::array<DistanceName, 28> kDistances{{
 
 constexpr std::size_t kPlainCount = 7;  // of the rows above
 
-using Level = PredicateName::Level;
+using NameLevel = PredicateName::Level;
 constexpr std::array<PredicateName, 7> kPredicates{{
-    {"overlaps", Kind::kGamma1, Relation::kLess, Level::kNone, false},
-    {"touches", Kind::kGamma1, Relation::kEqual, Level::kNone, false},
-    {"disjoint", Kind::kGamma1, Relation::kGreater, Level::kNone, false},
-    {"clear", Kind::kGamma1, Relation::kGreaterEqual, Level::kOptional, false},
-    {"within", Kind::kGamma1, Relation::kLessEqual, Level::kRequired, false},
-    {"inside", Kind::kEta1, Relation::kLessEqual, Level::kOptional, true},
-    {"covers", Kind::kDelta1, Relation::kLessEqual, Level::kOptional, true},
+    {"overlaps", Kind::kGamma1, Relation::kLess, NameLevel::kNone, false},
+    {"touches", Kind::kGamma1, Relation::kEqual, NameLevel::kNone, false},
+    {"disjoint", Kind::kGamma1, Relation::kGreater, NameLevel::kNone, false},
+    {"clear", Kind::kGamma1, Relation::kGreaterEqual, NameLevel::kOptional, false},
+    {"within", Kind::kGamma1, Relation::kLessEqual, NameLevel::kRequired, false},
+    {"inside", Kind::kEta1, Relation::kLessEqual, NameLevel::kOptional, true},
+    {"covers", Kind::kDelta1, Relation::kLessEqual, NameLevel::kOptional, true},
 }};
 
 constexpr std::array<std::string_view, kKindCount> kSymbols{

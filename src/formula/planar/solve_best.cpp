@@ -26,7 +26,7 @@ using plane::Mark;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using exact::kInfinity;
 constexpr std::size_t kBoxes = 600, kBoxesOverTime = 320, kBoxesOfRotationOverTime = 24;
 constexpr double kCloseDegrees = 1e-7, kClosePart = 1e-9;  // no sign: where a search may end
 const Real kAllRotations(-180);                            // below it a rotational distance is -infinity

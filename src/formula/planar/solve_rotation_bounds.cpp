@@ -27,7 +27,7 @@ using plane::RotationMap;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using exact::kInfinity;
 const Real kAboutAnEnd = Real::ratio(1, 1000000000);  // degrees: more than an angle in doubles is off
 
 constexpr double kBeyond = 1e-9;  // no sign: more than values are off

@@ -19,9 +19,8 @@ using Source = space::RaySourcePointer;
 
 namespace {
 
-/// Pairs of triangles up to which convex parts are quicker, and up to which there is memory for the surface about every
-/// corner.
-constexpr std::size_t kFewPairs = 1500, kMostPairs = 200000;
+/// Pairs of triangles up to which there is memory for the surface about every corner.
+constexpr std::size_t kMostPairs = 200000;
 
 /// max(0, f), or max(0, -f) if negated.
 struct CutOff {

@@ -15,6 +15,9 @@
 
 namespace findspace::formula {
 
+/// Pairs of triangles up to which the convex parts of both are quicker.
+inline constexpr std::size_t kFewPairs = 1500;
+
 /// One sign map: the least, or the greatest, of several. No sources: surfaces do not answer.
 struct SurfaceRays {
   std::vector<space::RaySourcePointer> sources;

@@ -62,6 +62,11 @@ Body translated(Body body, const Point& by);
 /// The union; all of the same scale and none `outside`.
 Body united(const std::vector<const Body*>& bodies);
 
+/// The parts themselves, whether or not it is their outside.
+inline Body inside_of(Body body) {
+  body.outside = false;
+  return body;
+}
 /// The reflection through the origin.
 Body mirrored(Body body);
 /// Part by part: cores add up, and so do radii. Neither `outside`.
