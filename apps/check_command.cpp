@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "exact/number/tried.h"
 #include "io/write/write_json.h"
 #include "position_picture.h"
 #include "report.h"
@@ -18,12 +19,8 @@ namespace {
 std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& solver, const formula::Formula& formula,
                                                          const exact::RealPoint& at, Reporter& reporter) {
   reporter.stage("looking for the nearest feasible position");
-  try {
-    return solver.nearest_feasible(formula, at);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return std::nullopt;
-  }
+  auto found = exact::tried([&] { return solver.nearest_feasible(formula, at); });
+  return found ? *std::move(found) : std::nullopt;
 }
 
 }  // namespace

@@ -123,16 +123,6 @@ std::pair<space::Point, space::Point> shown_box(const RaySet& set, const space::
   return {low, high};
 }
 
-bool has_ray_map(const RaySet& set) {
-  try {
-    set.source({2, 1, set.low.x, set.low.y, 1, 1, 1, 1});
-    return true;
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return false;
-  }
-}
-
 }  // namespace
 
 formula::RayWorld ray_world(const Session& session) {
@@ -237,10 +227,10 @@ formula::Formula for_cells(const RaySet& set, const formula::Formula& formula, c
   return set.side == formula::Side::kOuter ? widened(formula, radius) : narrowed(formula, radius);
 }
 
-std::unique_ptr<space::RaySource> region_rays(const formula::RayWorld& world, const formula::Formula& formula,
-                                              const space::RayGrid& grid) {
+exact::Tried<space::RaySourcePointer> region_rays(const formula::RayWorld& world, const formula::Formula& formula,
+                                                  const space::RayGrid& grid) {
   if (formula.sign_maps().empty()) return space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1);
-  return formula::ray_region(world, formula, grid);
+  return formula::try_ray_region(world, formula, grid);
 }
 
 void take_minima(const formula::MinimaAsLevels& levels, RaySet& set) {
@@ -283,8 +273,8 @@ Outcome map_rays(const Session& session, const LineChoice& lines) {
     set.objective = objective_of(*solver, *goal);
   else if (goal)
     set.aim = aim_of(session, *goal);
-  set.source = [&](const space::RayGrid& grid) { return region_rays(world, formula, grid); };
-  if (set.somewhere && !has_ray_map(set)) {
+  set.source = [&](const space::RayGrid& grid) { return region_rays(world, formula, grid).or_throw(); };
+  if (set.somewhere && !region_rays(world, formula, {2, 1, set.low.x, set.low.y, 1, 1, 1, 1})) {
     session.reporter().note("the minimisers have no map on lines: one of them is given");
     set.on_lines = formula::Side::kInner;
     set.source = [](const space::RayGrid& grid) { return space::constant_rays(grid, 1); };

@@ -64,7 +64,7 @@ const CsgPair::Among* CsgPair::among() const {
       high[k] = static_cast<std::int64_t>(std::ceil(to + tolerance));
     }
     auto left = std::make_shared<const space::CsgSolid>(
-        left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]}));
+        left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]}).or_throw());
     out->left = std::make_unique<const CsgPair>(b_, std::move(left), false);
     among_ = std::move(out);
   });

@@ -192,13 +192,10 @@ class Least {
       all.planes.push_back(cover.planes(k));
     }
     auto found = deepest_place(all, radius, *somewhere, [&](const RealVector& p) -> std::optional<SolidValue> {
-      try {
-        return pair_.value(Which::kEta1, p);
-      } catch (const Error& e) {
-        // A round shape that does not fit there has no value.
-        if (e.code() != ErrorCode::kUnsupported || radius.sign() == 0) throw;
-        return std::nullopt;
-      }
+      if (radius.sign() == 0) return pair_.value(Which::kEta1, p);
+      // A round shape that does not fit there has no value.
+      auto v = exact::tried([&] { return pair_.value(Which::kEta1, p); });
+      return v ? *std::move(v) : std::nullopt;
     });
     // Where it fits nowhere with its radius the value says so, or that this is not decided.
     return !found && radius.sign() > 0 ? searched(Which::kEta1, -exact::kInfinity) : found;

@@ -36,13 +36,10 @@ constexpr double kError = 0x1p-36;
 std::optional<SolidValue> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
   std::optional<SolidValue> best;
   for (const auto& pair : containers.alone) {
-    try {
-      auto v = pair->value(farthest ? Which::kEta2 : Which::kEta1, p);
-      if (!v) continue;
-      if (!best || (farthest ? best->value < v->value : v->value < best->value)) best = std::move(v);
-    } catch (const Error& e) {
-      if (e.code() != ErrorCode::kUnsupported) throw;  // the search will tell
-    }
+    auto tried = exact::tried([&] { return pair->value(farthest ? Which::kEta2 : Which::kEta1, p); });
+    if (!tried || !*tried) continue;  // the search will tell
+    SolidValue& v = **tried;
+    if (!best || (farthest ? best->value < v.value : v.value < best->value)) best = std::move(v);
   }
   return best;
 }

@@ -66,9 +66,11 @@ SignMap plain_level(SignMap wanted) {
   return wanted;
 }
 
-void refuse(const Distance& distance, const std::string& what) {
-  throw Error(ErrorCode::kUnsupported, written(distance) + ": " + what);
+exact::Refusal refused(const Distance& distance, const std::string& what) {
+  return exact::Refusal(written(distance) + ": " + what);
 }
+
+void refuse(const Distance& distance, const std::string& what) { throw refused(distance, what).error; }
 
 bool is_directional(const Distance& d) { return d.mode == Mode::kAlong || d.mode == Mode::kToward; }
 

@@ -42,6 +42,7 @@ struct SpaceShape {
   bool convex = false;  // of a shape with surfaces
 };
 
+exact::Tried<SpaceShape> try_space_shape(const plane::Shape& shape);
 SpaceShape space_shape(const plane::Shape& shape);
 
 struct SpaceWorld {
@@ -103,16 +104,19 @@ class SpaceSolver {
 
   /// One distance at p, in grid steps; nothing where it is undefined.
   std::optional<distance::SolidValue> value(const Distance& distance, const space::RealVector& p) const;
+  exact::Tried<std::optional<distance::SolidValue>> try_value(const Distance& distance,
+                                                              const space::RealVector& p) const;
 
   /// In grid steps.
   space::BoxComplex feasible(const Formula& formula) const;
+  exact::Tried<space::BoxComplex> try_feasible(const Formula& formula) const;
   /// The same where the formula has one distance only, whose sublevel set is a convex polytope; nothing where that is
   /// not so.
   struct ConvexMap {
     space::ConvexSet set;
     exact::Real step;  // one unit of its coordinates in the scene's unit
   };
-  std::optional<ConvexMap> feasible_convex(const Formula& formula) const;
+  exact::Tried<std::optional<ConvexMap>> feasible_convex(const Formula& formula) const;
   /// Where the formula holds along a line: marks 1, and 0 elsewhere, by the length gone from `through`, in grid steps.
   plane::Section feasible_on(const Formula& formula, const SpaceLine& line) const;
   /// The first `distance -> min` of the formula, if it has one.
@@ -120,6 +124,7 @@ class SpaceSolver {
   /// The least value of a distance over all positions, as far as it is known; nothing where it is undefined. In the
   /// scene's unit.
   std::optional<distance::SolidLeast> nearly_least(const Distance& distance) const;
+  exact::Tried<std::optional<distance::SolidLeast>> try_nearly_least(const Distance& distance) const;
   /// Of x, y, z or the distance to a point over the region.
   SpaceOptimum optimize(const space::BoxComplex& region, const Objective& objective, distance::Sense sense) const;
 
@@ -137,31 +142,31 @@ class SpaceSolver {
     int sign = 0;
   };
 
-  Named named(const Distance& distance) const;
+  exact::Tried<Named> named(const Distance& distance) const;
   /// Of a distance along an axis.
   struct Axial {
     Named plain;
     int axis = 0, way = 0;
   };
-  Axial axial(const Distance& distance) const;
-  std::optional<int> sign_on_map(const SignMap& map, const space::RealVector& p) const;
-  SignedValue signed_value(const SignMap& map, const space::RealVector& p) const;
+  exact::Tried<Axial> axial(const Distance& distance) const;
+  exact::Tried<SignedValue> signed_value(const SignMap& map, const space::RealVector& p) const;
   SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
-  SignedValue minimal(const SignMap& map, const space::RealVector& p) const;
+  exact::Tried<SignedValue> minimal(const SignMap& map, const space::RealVector& p) const;
   /// The sign of a distance minus its level, given its value.
-  int sign(const SignMap& map, const std::optional<distance::SolidValue>& value) const;
-  space::BoxComplex sign_map(const SignMap& map) const;
-  distance::BoxPair::Least least(const Distance& distance) const;
-  space::BoxComplex directional_map(const SignMap& map) const;
-  /// Nothing where it is undefined or -infinity; Error(kUnsupported) but of boxes along an axis.
-  std::optional<distance::BoxPair::Least> directional_least(const Distance& distance) const;
-  std::optional<distance::SolidLeast> directional_nearly_least(const Distance& distance) const;
-  std::optional<distance::SolidLeast> convex_directional_least(const Distance& distance) const;
-  bool takes_least(const Distance& distance, const std::optional<distance::SolidValue>& v,
-                   const space::RealVector& p) const;
+  exact::Tried<int> sign(const SignMap& map, const std::optional<distance::SolidValue>& value) const;
+  exact::Tried<space::BoxComplex> sign_map(const SignMap& map) const;
+  exact::Tried<distance::BoxPair::Least> least(const Distance& distance) const;
+  exact::Tried<space::BoxComplex> directional_map(const SignMap& map) const;
+  /// Nothing where it is undefined or -infinity; refused but of boxes along an axis.
+  exact::Tried<std::optional<distance::BoxPair::Least>> directional_least(const Distance& distance) const;
+  exact::Tried<std::optional<distance::SolidLeast>> directional_nearly_least(const Distance& distance) const;
+  exact::Tried<std::optional<distance::SolidLeast>> convex_directional_least(const Distance& distance) const;
+  exact::Tried<bool> takes_least(const Distance& distance, const std::optional<distance::SolidValue>& v,
+                                 const space::RealVector& p) const;
   /// The signs of one sign map along a line, as feasible_on().
-  plane::Section signs_on(const SignMap& map, const SpaceLine& line) const;
-  std::optional<distance::SolidValue> directional_value(const Distance& distance, const space::RealVector& p) const;
+  exact::Tried<plane::Section> signs_on(const SignMap& map, const SpaceLine& line) const;
+  exact::Tried<std::optional<distance::SolidValue>> directional_value(const Distance& distance,
+                                                                      const space::RealVector& p) const;
 
   SpaceWorld world_;
   std::unique_ptr<Cache> cache_;
