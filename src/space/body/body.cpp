@@ -37,7 +37,7 @@ std::int64_t in_range(int128 c) {
 }
 
 /// Of parts of one radius: the hull of the cores, grown by it.
-Body hull_of(Body body) {
+Body hull_of_cores(Body body) {
   std::vector<Point> points;
   for (const BodyPart& part : body.parts) {
     if (part.radius != body.parts[0].radius) refuse("the hull of parts of different radii is not computed in 3D");
@@ -68,7 +68,7 @@ bool holds_ball(const plane::Shape& shape) {
          std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return holds_ball(*c); });
 }
 
-Body all_children(const plane::Shape& shape) {
+Body children_in_one(const plane::Shape& shape) {
   Body sum;
   for (const plane::ShapePtr& c : shape.children) {
     const Body part = body(*c);
@@ -88,9 +88,9 @@ Body mixed(const plane::Shape& shape) {
   const auto child = [&] { return body(*shape.children[0]); };
   switch (shape.kind) {
     case Kind::kUnion:
-      return all_children(shape);
+      return children_in_one(shape);
     case Kind::kHull:
-      return hull_of(all_children(shape));
+      return hull_of_cores(children_in_one(shape));
     case Kind::kMinkowskiSum: {
       const Body a = child(), b = body(*shape.children[1]);
       if (a.outside || b.outside) refuse("a Minkowski sum with a complement is not computed in 3D");
