@@ -23,8 +23,6 @@ Vector middle_of(const space::RayBody& body, int f) {
   return space::scaled(1.0 / 3, space::plus(corner(0), space::plus(corner(1), corner(2))));
 }
 
-double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
 /// The largest ball within the surface that touches it at the middle of the face, more or less: its centre, and a
 /// radius that is surely not too large.
 std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, const space::RayBody& body, int f) {

@@ -10,7 +10,9 @@ namespace {
 
 const Twofold kTwoPi{6.283185307179586, 2.4492935982947064e-16};  // no sign: the second half of 2 pi
 
-Twofold cross(const Twofold& ax, const Twofold& ay, const Twofold& bx, const Twofold& by) { return ax * by - ay * bx; }
+Twofold determinant(const Twofold& ax, const Twofold& ay, const Twofold& bx, const Twofold& by) {
+  return ax * by - ay * bx;
+}
 
 }  // namespace
 
@@ -38,7 +40,7 @@ CellMeasures::Spread CellMeasures::spread(Index arc) const {
   Index from = e.half < 0 ? e.v0 : e.v1, to = e.half < 0 ? e.v1 : e.v0;  // the lower half runs counter-clockwise
   const auto [ax, ay] = directed_edge(arc, from);
   const auto [bx, by] = directed_edge(arc, to);
-  return {cross(ax, ay, bx, by), ax * bx + ay * by};
+  return {determinant(ax, ay, bx, by), ax * bx + ay * by};
 }
 
 std::array<Twofold, 2> CellMeasures::directed_edge(Index arc, Index vertex) const {
@@ -66,7 +68,7 @@ Twofold CellMeasures::length(Index edge) const {
 Twofold CellMeasures::swept_area(Index half_edge, const Twofold& ox, const Twofold& oy) const {
   const Index arc = half_edge / 2;
   Index from = c_.origin(half_edge), to = c_.target(half_edge);
-  Twofold twice = cross(x_[from] - ox, y_[from] - oy, x_[to] - ox, y_[to] - oy);
+  Twofold twice = determinant(x_[from] - ox, y_[from] - oy, x_[to] - ox, y_[to] - oy);
   if (c_.is_arc(arc)) {
     // The circular segment between chord and arc, to the right of the chord where the arc rotates left.
     const Twofold& r = circle(arc).radius;

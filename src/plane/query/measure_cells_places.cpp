@@ -19,6 +19,8 @@ constexpr double kEnough = 0x1p-94;    // no sign: the error of a place that wil
 constexpr double kNear = 0x1p-42;      // no sign: of a double from which the rest is taken
 
 Number rounded(const Twofold& value, double error) { return {value, (error + kUnit * std::fabs(value.hi)) * kGrow}; }
+}  // namespace
+
 Number operator+(const Number& p, const Number& q) { return rounded(p.value + q.value, p.error + q.error); }
 Number operator-(const Number& p, const Number& q) { return rounded(p.value - q.value, p.error + q.error); }
 Number operator*(const Number& p, const Number& q) {
@@ -31,6 +33,8 @@ Number operator/(const Number& p, const Number& q) {
   if (!(least > 0)) return {ratio, std::numeric_limits<double>::infinity()};
   return rounded(ratio, (p.error + std::fabs(ratio.hi) * q.error) / least * kGrow);
 }
+namespace {
+
 Number root(const Number& p) {
   const Twofold r = sqrt(p.value);
   if (!(p.value.hi > 4 * p.error)) return {r, std::numeric_limits<double>::infinity()};

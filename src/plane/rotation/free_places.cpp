@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
 #include "plane/query/topology.h"
 #include "plane/rotation/curve_meetings.h"
 
@@ -18,15 +19,8 @@ using exact::RealPoint;
 
 namespace {
 
-constexpr double kTolerance = 1e-9;  // no sign: of the sizes; what is nearer is decided exactly
-constexpr double kError = 1e-4;      // no sign: of the tolerance; more than rough curves are off
-
 constexpr double kBeside = 64;    // rooms: how far beside a point a position is tried
 constexpr double kOpposed = 0.1;  // no sign: curves that leave less tolerance between them are left to exact numbers
-
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-bool is_in(Mark m) { return m > 0; }
-bool is_out(Mark m) { return m <= 0; }
 
 ContactCurves contact_curves(const Region& a, const Region& b, FreePlaces::Keep keep, const RealPoint& p) {
   return {contact_features(b, {}, is_in), contact_features(a, p, keep == FreePlaces::Keep::kApart ? is_in : is_out)};
@@ -79,7 +73,7 @@ FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
       keep_(keep),
       around_(signs(a)),
 
-      room_(kTolerance * (size_of(a) + size_of(b))) {
+      room_(margin::kRotatedRoom * (size_of(a) + size_of(b))) {
   const ContactCurves all = contact_curves(a, b, keep, {});
   RoughBox whole{1, 0, 0, 0};
   for (const ContactPair& k : all.pairs(0, 0)) {
@@ -194,7 +188,7 @@ class FreePlaces::From::Search {
   }
 
   void add_meetings(std::size_t i, std::size_t k) {
-    for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], kError * f_.room_)) {
+    for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], margin::kRoughCurveError * f_.room_)) {
       const double tolerance = f_.room_ + m.off;
       if (rough_[i].holds(m.at, tolerance) && rough_[k].holds(m.at, tolerance)) add(m.at, m.off, i, k);
     }

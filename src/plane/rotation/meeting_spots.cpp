@@ -15,8 +15,6 @@ using Kind = ContactPair::Kind;
 
 constexpr double kMore = 1.01;  // no sign: of travels, more than their rounding
 
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-
 /// How far a point is from a segment or a whole circle.
 double away(const RoughCurve& c, RoughPoint from) {
   if (!c.line) return std::abs(length(from - c.center) - std::abs(c.radius));

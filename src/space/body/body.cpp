@@ -37,7 +37,7 @@ std::int64_t in_range(int128 c) {
 }
 
 /// Of parts of one radius: the hull of the cores, grown by it.
-Tried<Body> hull_of(Body body) {
+Tried<Body> hull_of_cores(Body body) {
   std::vector<Point> points;
   for (const BodyPart& part : body.parts) {
     if (part.radius != body.parts[0].radius)
@@ -71,7 +71,7 @@ bool holds_ball(const plane::Shape& shape) {
          std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return holds_ball(*c); });
 }
 
-Tried<Body> all_children(const plane::Shape& shape) {
+Tried<Body> children_in_one(const plane::Shape& shape) {
   Body sum;
   for (const plane::ShapePtr& c : shape.children) {
     const Tried<Body> part = try_body(*c);
@@ -120,10 +120,10 @@ Tried<Body> mixed(const plane::Shape& shape) {
   }
   switch (shape.kind) {
     case Kind::kUnion:
-      return all_children(shape);
+      return children_in_one(shape);
     case Kind::kHull: {
-      Tried<Body> all = all_children(shape);
-      return all ? hull_of(*std::move(all)) : all;
+      Tried<Body> all = children_in_one(shape);
+      return all ? hull_of_cores(*std::move(all)) : all;
     }
     case Kind::kMinkowskiSum:
     case Kind::kMinkowskiDifference:

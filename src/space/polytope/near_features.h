@@ -13,11 +13,14 @@
 #include <optional>
 
 #include "exact/number/real.h"
+#include "space/polytope/vector.h"
 
 namespace findspace::space::near {
 
 template <class T>
 using Triple = std::array<T, 3>;
+
+inline Triple<double> triple(const Vector& v) { return {v.x, v.y, v.z}; }
 
 template <class T>
 T dot(const Triple<T>& a, const Triple<T>& b) {

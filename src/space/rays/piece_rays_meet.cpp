@@ -13,8 +13,6 @@ namespace {
 using exact::Approx;
 using exact::Real;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
 const Real& least(const Real& a, const Real& b) { return b < a ? b : a; }
 const Real& most(const Real& a, const Real& b) { return a < b ? b : a; }
 /// The smaller of two numbers lies between the smaller lower and the smaller upper bounds.
@@ -33,8 +31,6 @@ Approx rounded_number(const Real& r) {
   const double v = r.to_double();
   return {v, std::fabs(v) * 0x1p-51};
 }
-
-double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 }  // namespace
 
@@ -211,7 +207,8 @@ bool PieceRays::stretch(int piece, int i, int j, Stretch& out) const {
   }
   if (span.meets == Meets::kNothing) return false;
   const auto end = [&](const Bound<Approx>& b, std::int8_t which) {
-    return b.bounded ? End{b.at.value, b.at.error, piece, which, b.held} : End{which == 0 ? -kFar : kFar, 0, -1, 0};
+    return b.bounded ? End{b.at.value, b.at.error, piece, which, b.held}
+                     : End{which == 0 ? -exact::kInfinity : exact::kInfinity, 0, -1, 0};
   };
   out = {end(span.low, 0), end(span.high, 1), span.meets == Meets::kInside};
   return true;

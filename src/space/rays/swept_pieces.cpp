@@ -122,9 +122,8 @@ LinePiece swept_piece(const ConvexRegion& set, const Sweep& sweep) {
 LinePiece swept_piece(const HalfSpace& set, const Sweep& sweep) {
   LinePiece piece;
   if (!add_moved(piece, set, sweep)) add(piece, set, true);
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  piece.low = {-kFar, -kFar, -kFar};
-  piece.high = {kFar, kFar, kFar};
+  piece.low = {-exact::kInfinity, -exact::kInfinity, -exact::kInfinity};
+  piece.high = {exact::kInfinity, exact::kInfinity, exact::kInfinity};
   return piece;
 }
 

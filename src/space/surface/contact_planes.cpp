@@ -12,8 +12,6 @@ namespace {
 
 using Triple = near::Triple<double>;
 
-Triple triple(const Vector& v) { return {v.x, v.y, v.z}; }
-
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 double squared_of_segments(const Triple& a, const Triple& b, const Triple& c, const Triple& d) {
@@ -82,8 +80,8 @@ class ContactPlanes::Collector {
 
  private:
   /// Where it stands, its middle position taken.
-  Triple of_a(const Point& p) const { return triple(exact::approx(p)); }
-  Triple of_b(const Point& p) const { return triple(plus(exact::approx(p), middle_)); }
+  Triple of_a(const Point& p) const { return near::triple(exact::approx(p)); }
+  Triple of_b(const Point& p) const { return near::triple(plus(exact::approx(p), middle_)); }
 
   /// Overlap is where normal . (b + p - a) < 0.
   void put(const Wide3& normal, const Point& a, const Point& b) {

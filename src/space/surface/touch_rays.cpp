@@ -18,7 +18,7 @@ using exact::Real;
 using Key = std::array<double, 3>;
 
 /// The units of parallel work.
-constexpr std::size_t kBlock = 64;
+constexpr std::size_t kRaysAtOnce = 64;
 
 Key key(const Vector& v) { return {v.x, v.y, v.z}; }
 
@@ -123,8 +123,8 @@ RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const R
   const TouchFrontier frontier = touch_frontier(sets_of(pair), wanted);
   const std::vector<About> all = about(frontier.pieces);
   std::vector<LinePiece> pieces(all.size());
-  plane::parallel_for((all.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-    for (std::size_t k = block * kBlock; k < std::min(all.size(), (block + 1) * kBlock); ++k)
+  plane::parallel_for((all.size() + kRaysAtOnce - 1) / kRaysAtOnce, [&](std::size_t block) {
+    for (std::size_t k = block * kRaysAtOnce; k < std::min(all.size(), (block + 1) * kRaysAtOnce); ++k)
       pieces[k] = all[k].made(radius);
   });
   return std::make_unique<PieceRays>(pieces, pair.scale, grid);
