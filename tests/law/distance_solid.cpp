@@ -11,6 +11,7 @@
 #include "differential/space_oracle.h"
 #include "distance/solid/box_pair.h"
 #include "distance/solid/solid_pair.h"
+#include "space/phi/phi_function.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
