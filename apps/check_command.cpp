@@ -7,18 +7,17 @@
 #include "io/write/write_json.h"
 #include "position_picture.h"
 #include "report.h"
+#include "rotation_command.h"
 #include "session.h"
 #include "space_commands.h"
-#include "turn_command.h"
 
 namespace findspace::app {
 namespace {
 
 /// Nothing also where the region is not computed, as of shapes that turn in time.
-std::optional<situation::NearestFeasible> nearest_feasible(const situation::Solver& solver,
-                                                           const situation::Formula& formula,
-                                                           const exact::RealPoint& at, Talk& talk) {
-  talk.stage("looking for the nearest feasible position");
+std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& solver, const formula::Formula& formula,
+                                                         const exact::RealPoint& at, Reporter& reporter) {
+  reporter.stage("looking for the nearest feasible position");
   try {
     return solver.nearest_feasible(formula, at);
   } catch (const Error& e) {
@@ -29,9 +28,9 @@ std::optional<situation::NearestFeasible> nearest_feasible(const situation::Solv
 
 }  // namespace
 
-Outcome run_check(const Options& options, Talk& talk) {
+Outcome run_check(const Options& options, Reporter& reporter) {
   if (!options.at && !options.angle) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
-  const Session session(options, talk);
+  const Session session(options, reporter);
   if (session.in_space()) {
     session.require_positions_in_space(true);
     return check_space(session);
@@ -42,13 +41,13 @@ Outcome run_check(const Options& options, Talk& talk) {
   const exact::RealPoint at = session.position();
   if (session.scene().free.kind == io::Free::Kind::kTime && !options.time)
     throw Error(ErrorCode::kUsage, "with \"free\": \"time\" check wants the instant too: --time t");
-  const situation::Formula formula = session.where();
-  const situation::Solver solver(session.world());
-  talk.stage("checking");
-  const situation::Solver::Check check = solver.check(formula, at);
-  const std::optional<situation::NearestFeasible> nearest =
-      check.holds ? std::nullopt : nearest_feasible(solver, formula, at, talk);
-  const situation::NearestFeasible* near = nearest ? &*nearest : nullptr;
+  const formula::Formula formula = session.where();
+  const formula::Solver solver(session.world());
+  reporter.stage("checking");
+  const formula::Solver::Check check = solver.check(formula, at);
+  const std::optional<formula::NearestFeasible> nearest =
+      check.holds ? std::nullopt : nearest_feasible(solver, formula, at, reporter);
+  const formula::NearestFeasible* near = nearest ? &*nearest : nullptr;
   const auto json = [&] { return io::check_json(check, at, session.step(), session.unit(), std::nullopt, near); };
   const auto svg = [&] { return check_picture(session, solver.world(), formula, at, check, near); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
@@ -56,8 +55,8 @@ Outcome run_check(const Options& options, Talk& talk) {
           check.holds ? kDone : kEmpty};
 }
 
-Outcome run_measure(const Options& options, Talk& talk) {
-  const Session session(options, talk);
+Outcome run_measure(const Options& options, Reporter& reporter) {
+  const Session session(options, reporter);
   if (session.in_space()) {
     session.require_positions_in_space(true);
     return measure_space(session);
@@ -66,10 +65,10 @@ Outcome run_measure(const Options& options, Talk& talk) {
   if (asks_for_angle(session)) return measure_at_angle(session);
   session.require_positions(true);
   const exact::RealPoint at = session.position();
-  const situation::Formula formula = session.where();
-  const situation::Solver solver(session.world());
-  talk.stage("measuring");
-  const std::vector<situation::DistanceAt> distances = solver.measure(at, formula);
+  const formula::Formula formula = session.where();
+  const formula::Solver solver(session.world());
+  reporter.stage("measuring");
+  const std::vector<formula::DistanceAt> distances = solver.measure(at, formula);
   const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
   const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
   write_outputs(options, {{".json", json}, {".svg", svg}});

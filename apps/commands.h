@@ -6,16 +6,16 @@
 #pragma once
 
 #include "options.h"
-#include "talk.h"
+#include "reporter.h"
 
 namespace findspace::app {
 
-Outcome run_map(const Options& options, Talk& talk);
-Outcome run_check(const Options& options, Talk& talk);
-Outcome run_measure(const Options& options, Talk& talk);
-Outcome run_describe(const Options& options, Talk& talk);
-Outcome run_convert(const Options& options, Talk& talk);
-Outcome run_place(const Options& options, Talk& talk);
-Outcome run_phi_verb(const Options& options, Talk& talk);
+Outcome run_map(const Options& options, Reporter& reporter);
+Outcome run_check(const Options& options, Reporter& reporter);
+Outcome run_measure(const Options& options, Reporter& reporter);
+Outcome run_describe(const Options& options, Reporter& reporter);
+Outcome run_convert(const Options& options, Reporter& reporter);
+Outcome run_place(const Options& options, Reporter& reporter);
+Outcome run_phi_verb(const Options& options, Reporter& reporter);
 
 }  // namespace findspace::app

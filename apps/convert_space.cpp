@@ -59,7 +59,7 @@ io::Surface box_surface(const Session& session, const plane::Shape& shape, const
   io::Surface found = io::box_surface(boxes, session.step());
   if (found.faces.empty()) throw Error(ErrorCode::kGeometry, "a mesh cannot hold a set without volume", shape.place);
   if (set.dangling_area > 0 || set.dangling_length > 0 || !set.isolated.empty())
-    session.talk().note("a mesh cannot hold sheets, lines and points: lost");
+    session.reporter().note("a mesh cannot hold sheets, lines and points: lost");
   return found;
 }
 
@@ -67,7 +67,7 @@ io::Surface box_surface(const Session& session, const plane::Shape& shape, const
 std::optional<io::Surface> simple_surface(const Session& session, const plane::Shape& shape) {
   const Real step = session.step();
   try {
-    const situation::SpaceShape made = situation::space_shape(shape);
+    const formula::SpaceShape made = formula::space_shape(shape);
     if (made.boxes) return box_surface(session, shape, *made.boxes);
     const bool waits = made.surfaces && !made.convex;  // not convex, then
     if (made.body && !waits && made.body->convex() && !made.body->round())
@@ -111,7 +111,7 @@ Outcome convert_space(const Session& session, const std::string& name) {
   std::vector<std::string> endings{".json"};
   endings.insert(endings.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   check_outputs(session.options(), endings);
-  session.talk().stage(fmt::format("shape {}", name));
+  session.reporter().stage(fmt::format("shape {}", name));
   const io::Surface found = boundary_of(session, *session.scene().shape(name));
   const auto json = [&] { return scene_text(found, name, session.unit()); };
   Writers writers{{".json", json}};

@@ -31,14 +31,14 @@ std::string chosen_shape(const Session& session) {
 
 std::string wkt(const Session& session, const plane::Region& region) {
   io::WktText text = io::region_wkt(region, session.step());
-  if (!text.lost.empty()) session.talk().note(text.lost);
+  if (!text.lost.empty()) session.reporter().note(text.lost);
   return text.text;
 }
 
 }  // namespace
 
-Outcome run_describe(const Options& options, Talk& talk) {
-  const Session session(options, talk);
+Outcome run_describe(const Options& options, Reporter& reporter) {
+  const Session session(options, reporter);
   const std::string name = chosen_shape(session);
   if (session.in_space()) return describe_space(session, name);
   refuse_lines(options, "for 3D shapes");
@@ -63,8 +63,8 @@ Outcome run_describe(const Options& options, Talk& talk) {
   return {options.json ? json() : summary_text(name, summary, session.unit()), summary.empty ? kEmpty : kDone};
 }
 
-Outcome run_convert(const Options& options, Talk& talk) {
-  const Session session(options, talk);
+Outcome run_convert(const Options& options, Reporter& reporter) {
+  const Session session(options, reporter);
   const bool json_asked = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
                                                       [](const auto& file) { return file.extension() == ".json"; });
   if (options.constructive && (session.in_space() || !json_asked))
@@ -80,7 +80,7 @@ Outcome run_convert(const Options& options, Talk& talk) {
   };
   const auto svg = [&] {
     io::DrawingText text = io::shape_svg(region, session.step(), name, session.scene().unit);
-    if (!text.lost.empty()) talk.note(text.lost);
+    if (!text.lost.empty()) reporter.note(text.lost);
     return text.text;
   };
   write_outputs(options, {{".json", json}, {".svg", svg}, {".wkt", [&] { return wkt(session, region); }}});

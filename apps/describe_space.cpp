@@ -49,14 +49,14 @@ bool seen_not_convex(const plane::Shape& shape) {
 }
 
 /// The shape, if it is made of boxes or one convex set.
-std::optional<situation::SpaceShape> exact_shape(const Session& session, const std::string& name) {
+std::optional<formula::SpaceShape> exact_shape(const Session& session, const std::string& name) {
   try {
     const plane::Shape& stated = *session.scene().shape(name);
     if (seen_not_convex(stated)) {
       auto boxes = space::box_complex(stated);
-      return boxes ? std::optional(situation::SpaceShape{std::move(boxes), nullptr, {}}) : std::nullopt;
+      return boxes ? std::optional(formula::SpaceShape{std::move(boxes), nullptr, {}}) : std::nullopt;
     }
-    situation::SpaceShape shape = situation::space_shape(*session.scene().shape(name));
+    formula::SpaceShape shape = formula::space_shape(*session.scene().shape(name));
     note_rounding(session, name, shape);
     const bool waits = shape.surfaces && !shape.convex;  // not convex, then
     if (shape.boxes ||
@@ -76,12 +76,13 @@ Outcome describe_rays(const Session& session, const std::string& name, const Lin
   set.subtitle = session.scene().file;
   set.meaning = "the shape";
   set.lines = lines;
-  set.low = box.low, set.high = box.high;
+  set.low = box.low;
+  set.high = box.high;
   set.unbounded = box.unbounded;
   take_side(session, set);
-  const Real by = set.side == situation::Side::kOuter   ? cell_radius(set)
-                  : set.side == situation::Side::kInner ? -cell_radius(set)
-                                                        : Real();
+  const Real by = set.side == formula::Side::kOuter   ? cell_radius(set)
+                  : set.side == formula::Side::kInner ? -cell_radius(set)
+                                                      : Real();
   set.source = [&shape, by](const space::RayGrid& grid) { return space::shape_rays(shape, grid, by); };
   return rays_outcome(session, set);
 }
@@ -91,11 +92,11 @@ Outcome describe_rays(const Session& session, const std::string& name, const Lin
 Outcome describe_space(const Session& session, const std::string& name) {
   const Options& options = session.options();
   check_outputs(options, space_formats());
-  session.talk().stage(fmt::format("shape {}", name));
+  session.reporter().stage(fmt::format("shape {}", name));
   if (const auto lines = asked_lines(session)) return describe_rays(session, name, *lines);
   const auto made = exact_shape(session, name);
   if (!made) return describe_rays(session, name, lines_unasked(session, "shape"));
-  const situation::SpaceShape& shape = *made;
+  const formula::SpaceShape& shape = *made;
   if (!shape.boxes)
     return polytope_outcome(session, whole(*shape.body), session.step() / Real(shape.body->scale), name, nullptr);
   const space::SpaceSummary summary = space::summarize(*shape.boxes, session.step());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The program `findspace`: reads the command line, runs one verb, and turns whatever happens into an exit status and a
-// line that says what was wrong. docs/commands.md is its manual.
+// The program `findspace`: reads the command line, runs one verb, and rotates whatever happens into an exit status and
+// a line that says what was wrong. docs/commands.md is its manual.
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@
 
 #include "commands.h"
 #include "deadline.h"
+#include "formula/language/names.h"
 #include "plane/base/parallel.h"
-#include "situation/formula/names.h"
 
 namespace findspace::app {
 namespace {
@@ -51,7 +51,7 @@ std::string examples(std::string_view verb) {
   return out + kStatus;
 }
 
-using Verb = Outcome (*)(const Options&, Talk&);
+using Verb = Outcome (*)(const Options&, Reporter&);
 
 struct VerbEntry {
   const char* name;
@@ -171,55 +171,55 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.footer(examples(verb.name));
 }
 
-Outcome run(const VerbEntry& verb, const Options& options, Talk& talk) {
+Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   const plane::ThreadLimit threads(options.threads);
   // A placement minds its limit itself and gives the best result so far.
   const Deadline deadline(is(verb, "place") ? 0 : options.time_limit);
-  return verb.run(options, talk);
+  return verb.run(options, reporter);
 }
 
 /// What went wrong, as an exit status; said on standard error.
-int report(Talk& talk) {
+int report(Reporter& reporter) {
   try {
     throw;
   } catch (const Error& e) {
-    talk.error(e);
+    reporter.error(e);
     return e.code() == ErrorCode::kUsage ? kUsage : kBadInput;
   } catch (const std::bad_alloc&) {
-    talk.error("out of memory");
+    reporter.error("out of memory");
     return kLimit;
   } catch (const std::exception& e) {
-    talk.error(
+    reporter.error(
         fmt::format("internal error: {}\nThis is a bug of findspace. Please report it with the scene.", e.what()));
   } catch (...) {
-    talk.error("internal error\nThis is a bug of findspace. Please report it with the scene.");
+    reporter.error("internal error\nThis is a bug of findspace. Please report it with the scene.");
   }
   return kInternal;
 }
 
-int finish(const Outcome& outcome, const Options& options, Talk& talk) {
-  talk.stage("");
+int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
+  reporter.stage("");
   const bool wanted = options.json || !options.quiet || options.outputs.empty();
   const auto put = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); };
   if (wanted && outcome.stream) outcome.stream(put);
   if (wanted) put(outcome.text);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    talk.error("standard output cannot be written");
+    reporter.error("standard output cannot be written");
     return kBadInput;
   }
   return outcome.status;
 }
 
 /// "mpa": an unknown verb is answered with the nearest one.
-bool is_unknown_verb(int argc, char** argv, Talk& talk) {
+bool is_unknown_verb(int argc, char** argv, Reporter& reporter) {
   if (argc < 2 || argv[1][0] == '-') return false;
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const VerbEntry& verb : kVerbs) names.push_back(verb.name);
   if (std::find(names.begin(), names.end(), word) != names.end()) return false;
-  const std::string near = situation::nearest(word, names);
-  talk.error(fmt::format("there is no verb '{}'{}; the verbs are {}", word,
-                         near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(names, " ")));
+  const std::string near = formula::nearest(word, names);
+  reporter.error(fmt::format("there is no verb '{}'{}; the verbs are {}", word,
+                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(names, " ")));
   return true;
 }
 
@@ -230,7 +230,7 @@ int program(int argc, char** argv) {
   app.footer(examples(""));
   Options options;
   for (const VerbEntry& verb : kVerbs) add_options(*app.add_subcommand(verb.name, verb.about), verb, options);
-  Talk errors;
+  Reporter errors;
   if (is_unknown_verb(argc, argv, errors)) return kUsage;
   try {
     app.parse(argc, argv);
@@ -244,14 +244,14 @@ int program(int argc, char** argv) {
     errors.error(fmt::format("{}\nTry 'findspace --help'.", e.what()));
     return kUsage;
   }
-  Talk talk(options.quiet);
+  Reporter reporter(options.quiet);
   try {
     const std::string name = app.get_subcommands().front()->get_name();
     const VerbEntry& verb =
         *std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const VerbEntry& v) { return is(v, name); });
-    return finish(run(verb, options, talk), options, talk);
+    return finish(run(verb, options, reporter), options, reporter);
   } catch (...) {
-    return report(talk);
+    return report(reporter);
   }
 }
 
@@ -263,7 +263,7 @@ int main(int argc, char** argv) {
   try {
     return findspace::app::program(argc, argv);
   } catch (...) {
-    findspace::app::Talk talk;
-    return findspace::app::report(talk);
+    findspace::app::Reporter reporter;
+    return findspace::app::report(reporter);
   }
 }

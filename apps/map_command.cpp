@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "commands.h"
+#include "formula/planar/feasible_near.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"
 #include "io/write/write_wkt.h"
@@ -18,10 +19,9 @@
 #include "plane/query/locate.h"
 #include "plane/query/topology.h"
 #include "report.h"
+#include "rotation_command.h"
 #include "session.h"
-#include "situation/planar/feasible_near.h"
 #include "space_commands.h"
-#include "turn_command.h"
 
 namespace findspace::app {
 namespace {
@@ -48,8 +48,8 @@ constexpr const char* kNoRoots =
 constexpr const char* kBetweenBounds = "the optimum is known between the value, which some position has, and \"bound\"";
 
 /// `bounded`: where shapes turn.
-io::ExtremeValue value_of(const situation::Optimum& optimum, bool maximum, Talk& talk, bool bounded = false) {
-  if (optimum.value && !optimum.proven) talk.note(bounded ? kBetweenBounds : kNoRoots);
+io::ExtremeValue value_of(const formula::Optimum& optimum, bool maximum, Reporter& reporter, bool bounded = false) {
+  if (optimum.value && !optimum.proven) reporter.note(bounded ? kBetweenBounds : kNoRoots);
   io::ExtremeValue out{maximum, optimum.value ? std::optional(optimum.value->to_double()) : std::nullopt,
                        optimum.unbounded, optimum.attained,
                        optimum.proven || optimum.unbounded || (!bounded && !optimum.value)};
@@ -77,58 +77,59 @@ plane::Region on_line(const plane::Region& region, const io::Free& free) {
 }
 
 /// An optimum at an end of the line is none: it goes on.
-situation::Optimum within_line(situation::Optimum best, const io::Free& free) {
+formula::Optimum within_line(formula::Optimum best, const io::Free& free) {
   for (const exact::RealPoint& end : ends_of_line(free)) {
     if (!best.value || mark_of(best.at, plane::locate(best.at, end)) == 0) continue;
     best.value.reset();
-    best.unbounded = true, best.attained = false;
+    best.unbounded = true;
+    best.attained = false;
     best.at = plane::Region::uniform(0);
   }
   return best;
 }
 
 /// Of shapes that turn: regions, and what is best in them, between bounds.
-Map solve_between_bounds(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
-  Talk& talk = session.talk();
+Map solve_between_bounds(const Session& session, const formula::Solver& solver, const formula::Formula& formula) {
+  Reporter& reporter = session.reporter();
   const std::optional<Session::Goal> goal = session.goal();
   if (!session.options().apply.empty())
     throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn only bounds of the region are known",
                 session.scene().file);
-  situation::Solver::Bounds bounds = solver.feasible_bounds(formula);
+  formula::Solver::Bounds bounds = solver.feasible_bounds(formula);
   if (!goal) {
-    talk.note(
+    reporter.note(
         "shapes turn, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones");
     std::optional<io::ExtremeValue> extreme;
-    if (const auto least = situation::minimum_of(formula, solver)) extreme = value_of(*least, false, talk, true);
+    if (const auto least = formula::minimum_of(formula, solver)) extreme = value_of(*least, false, reporter, true);
     return {plane::in_order(bounds.inner), std::nullopt, extreme, plane::in_order(bounds.outer)};
   }
-  talk.stage("optimizing");
+  reporter.stage("optimizing");
   if (session.scene().free.kind == io::Free::Kind::kLine) {
     bounds.inner = on_line(bounds.inner, session.scene().free);
     bounds.outer = on_line(bounds.outer, session.scene().free);
   }
-  situation::Optimum best = situation::optimize(bounds, goal->objective, goal->sense, solver);
-  const io::ExtremeValue extreme = value_of(best, goal->sense == distance::Sense::kMaximum, talk, true);
+  formula::Optimum best = formula::optimize(bounds, goal->objective, goal->sense, solver);
+  const io::ExtremeValue extreme = value_of(best, goal->sense == distance::Sense::kMaximum, reporter, true);
   return {plane::in_order(best.at), plane::in_order(bounds.outer), extreme, std::nullopt};
 }
 
-Map solve(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
-  Talk& talk = session.talk();
+Map solve(const Session& session, const formula::Solver& solver, const formula::Formula& formula) {
+  Reporter& reporter = session.reporter();
   const std::optional<Session::Goal> goal = session.goal();
-  talk.stage("solving");
-  if (solver.turns_in(formula) || (goal && situation::is_bounded(goal->objective, solver)))
+  reporter.stage("solving");
+  if (solver.rotations_in(formula) || (goal && formula::is_bounded(goal->objective, solver)))
     return solve_between_bounds(session, solver, formula);
-  Map map{situation::feasible_near(solver, formula), std::nullopt, std::nullopt, std::nullopt};
+  Map map{formula::feasible_near(solver, formula), std::nullopt, std::nullopt, std::nullopt};
   if (goal) {
-    talk.stage("optimizing");
+    reporter.stage("optimizing");
     const bool line = session.scene().free.kind == io::Free::Kind::kLine;
     if (line) map.region = on_line(map.region, session.scene().free);
-    situation::Optimum best = situation::optimize(map.region, goal->objective, goal->sense, solver);
+    formula::Optimum best = formula::optimize(map.region, goal->objective, goal->sense, solver);
     if (line) best = within_line(std::move(best), session.scene().free);
-    map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, talk);
+    map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, reporter);
     map.feasible = plane::in_order(std::exchange(map.region, std::move(best.at)));
-  } else if (const auto least = situation::minimum_of(formula, solver)) {
-    map.extreme = value_of(*least, false, talk);
+  } else if (const auto least = formula::minimum_of(formula, solver)) {
+    map.extreme = value_of(*least, false, reporter);
   }
   map.region = plane::in_order(applied(std::move(map.region), session.options().apply));
   return map;
@@ -168,20 +169,21 @@ Outcome map_of_line(const Session& session, const Map& map) {
   return {session.options().json ? json() : text, !intervals.empty() ? kDone : outer.empty() ? kEmpty : kLimit};
 }
 
-Outcome map_of_time(const Session& session, const situation::Solver& solver, const situation::Formula& formula) {
+Outcome map_of_time(const Session& session, const formula::Solver& solver, const formula::Formula& formula) {
   const exact::RealPoint at = session.position();
-  session.talk().stage("solving");
+  session.reporter().stage("solving");
   const auto in_time = [](const plane::Section& line) { return plane::intervals(line, exact::Real(1)); };
   std::vector<plane::LineInterval> intervals, outer;
-  const bool turning = solver.turns_in(formula);
-  const std::optional<plane::Section> swing = turning ? solver.swing(formula, at) : std::nullopt;
-  const bool bounded = turning && !swing;
+  const bool rotating = solver.rotations_in(formula);
+  const std::optional<plane::Section> swing = rotating ? solver.swing(formula, at) : std::nullopt;
+  const bool bounded = rotating && !swing;
   if (bounded) {
-    session.talk().note(
+    session.reporter().note(
         "shapes turn, or distances are in rotation: instants that certainly belong, and in \"outer\" the possible "
         "ones");
-    const situation::Solver::InstantBounds bounds = solver.instant_bounds(formula, at);
-    intervals = in_time(bounds.inner), outer = in_time(bounds.outer);
+    const formula::Solver::InstantBounds bounds = solver.instant_bounds(formula, at);
+    intervals = in_time(bounds.inner);
+    outer = in_time(bounds.outer);
   } else {
     intervals = in_time(swing ? *swing : solver.instants(formula, at));
   }
@@ -196,8 +198,8 @@ Outcome map_of_time(const Session& session, const situation::Solver& solver, con
   return {session.options().json ? json() : text, !intervals.empty() ? kDone : outer.empty() ? kEmpty : kLimit};
 }
 
-Outcome map_of_plane(const Session& session, const Map& map, const situation::World& world,
-                     const situation::Formula& formula) {
+Outcome map_of_plane(const Session& session, const Map& map, const formula::World& world,
+                     const formula::Formula& formula) {
   const plane::Summary summary = plane::summarize(map.region, session.step());
   const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
   const auto json = [&] {
@@ -219,10 +221,10 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
   };
   const auto wkt = [&] {
     io::WktText text = io::region_wkt(map.region, session.step());
-    if (!text.lost.empty()) session.talk().note(text.lost);
+    if (!text.lost.empty()) session.reporter().note(text.lost);
     return text.text;
   };
-  session.talk().stage("writing");
+  session.reporter().stage("writing");
   write_outputs(session.options(), {{".json", json}, {".svg", svg}, {".wkt", wkt}});
   return {session.options().json ? json() : summary_text(title(session), summary, session.unit(), extreme),
           !summary.empty                              ? kDone
@@ -232,8 +234,8 @@ Outcome map_of_plane(const Session& session, const Map& map, const situation::Wo
 
 }  // namespace
 
-Outcome run_map(const Options& options, Talk& talk) {
-  const Session session(options, talk);
+Outcome run_map(const Options& options, Reporter& reporter) {
+  const Session session(options, reporter);
   const io::Free::Kind free = session.scene().free.kind;
   const bool at_place = free == io::Free::Kind::kTime || free == io::Free::Kind::kAngle;
   if (options.at && !at_place)
@@ -261,8 +263,8 @@ Outcome run_map(const Options& options, Talk& talk) {
   session.require_positions(true);
   if (time && session.goal()) throw Error(ErrorCode::kUnsupported, "an objective in time is not computed", scene.file);
   require_question(session);
-  const situation::Formula formula = session.where();
-  const situation::Solver solver(session.world());
+  const formula::Formula formula = session.where();
+  const formula::Solver solver(session.world());
   if (time) return map_of_time(session, solver, formula);
   const Map map = solve(session, solver, formula);
   return line ? map_of_line(session, map) : map_of_plane(session, map, solver.world(), formula);

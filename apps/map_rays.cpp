@@ -10,13 +10,13 @@
 #include <memory>
 #include <utility>
 
+#include "formula/language/evaluate.h"
+#include "formula/planar/certain_cells.h"
+#include "formula/solid/solve_rays.h"
 #include "io/draw/draw_slices.h"
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json_rays.h"
 #include "ray_optimum.h"
-#include "situation/formula/evaluate.h"
-#include "situation/planar/certain_cells.h"
-#include "situation/solid/solve_rays.h"
 #include "space/rays/ray_axes.h"
 #include "space/rays/ray_sources.h"
 #include "space_commands.h"
@@ -28,7 +28,7 @@ namespace {
 constexpr int kLayers = 16;
 
 std::string summary_text(const RaySet& set, const space::RaySummary& summary, double step, const std::string& unit) {
-  using situation::Side;
+  using formula::Side;
   if (summary.empty && !set.unbounded && set.side == Side::kOuter) return set.title + ": proven empty\n";
   if (summary.empty && !set.unbounded)
     return set.title + ": no line meets the region (smaller parts may lie between the lines)\n";
@@ -52,11 +52,17 @@ bool in_region(std::int8_t sign) { return sign <= 0; }
 /// Beyond the box distances grow along the lines, so intervals without end are cut there.
 void keep_intervals(const RaySet& set, const space::RayGrid& grid, int j, const space::RayRow& row,
                     std::vector<space::RayInterval>& out) {
-  const space::Shadow3 low = exact::shadow(set.low), high = exact::shadow(set.high);
+  const space::Approx3 low = exact::approx(set.low), high = exact::approx(set.high);
   const double from[3] = {low.x, low.y, low.z}, to[3] = {high.x, high.y, high.z};
   space::each_interval(grid, j, row, [&](space::RayInterval r) {
-    if (!std::isfinite(r.from)) r.from = std::min(from[r.axis], r.to), r.from_in = true;
-    if (!std::isfinite(r.to)) r.to = std::max(to[r.axis], r.from), r.to_in = true;
+    if (!std::isfinite(r.from)) {
+      r.from = std::min(from[r.axis], r.to);
+      r.from_in = true;
+    }
+    if (!std::isfinite(r.to)) {
+      r.to = std::max(to[r.axis], r.from);
+      r.to_in = true;
+    }
     out.push_back(r);
   });
 }
@@ -107,9 +113,9 @@ std::pair<space::Point, space::Point> shown_box(const RaySet& set, const space::
   if (summary.empty) return {low, high};
   constexpr double kAround = 0.05;
   const auto shrink = [&](std::int64_t space::Point::*axis, std::size_t k) {
-    const double room = std::max(1.0, (summary.high[k] - summary.low[k]) * kAround);
-    low.*axis = std::max(low.*axis, static_cast<std::int64_t>(std::floor(summary.low[k] - room)));
-    high.*axis = std::min(high.*axis, static_cast<std::int64_t>(std::ceil(summary.high[k] + room)));
+    const double tolerance = std::max(1.0, (summary.high[k] - summary.low[k]) * kAround);
+    low.*axis = std::max(low.*axis, static_cast<std::int64_t>(std::floor(summary.low[k] - tolerance)));
+    high.*axis = std::min(high.*axis, static_cast<std::int64_t>(std::ceil(summary.high[k] + tolerance)));
   };
   shrink(&space::Point::x, 0);
   shrink(&space::Point::y, 1);
@@ -129,9 +135,9 @@ bool has_ray_map(const RaySet& set) {
 
 }  // namespace
 
-situation::RayWorld ray_world(const Session& session) {
-  situation::RayWorld world;
-  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, situation::RayShape(shape));
+formula::RayWorld ray_world(const Session& session) {
+  formula::RayWorld world;
+  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, formula::RayShape(shape));
   world.moving = session.scene().moving;
   world.step = session.step();
   return world;
@@ -145,7 +151,7 @@ exact::Real cell_radius(const RaySet& set) {
 
 void take_side(const Session& session, RaySet& set) {
   const std::string& side = session.options().side;
-  if (!side.empty()) set.side = side == "inner" ? situation::Side::kInner : situation::Side::kOuter;
+  if (!side.empty()) set.side = side == "inner" ? formula::Side::kInner : formula::Side::kOuter;
 }
 
 namespace {
@@ -153,7 +159,7 @@ namespace {
 /// The outputs that such a map can have; anything else is refused.
 void check_ray_outputs(const Options& options, const RaySet& set) {
   std::vector<std::string> formats{".json"};
-  if (set.side == situation::Side::kNone)
+  if (set.side == formula::Side::kNone)
     formats.insert(formats.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   check_outputs(options, formats);
   if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply needs an exact map, not one on rays");
@@ -170,7 +176,7 @@ struct RaysShown {
   /// Does not refer to the session or the set: it may be written after them.
   std::function<void(const io::Sink&)> json() const {
     return [cast = cast, step = step, optimum = optimum, unit = session.unit(), axes = set.lines.axes,
-            unbounded = set.unbounded, on_lines = situation::name(set.on_lines), side = situation::name(set.side),
+            unbounded = set.unbounded, on_lines = formula::name(set.on_lines), side = formula::name(set.side),
             somewhere = set.somewhere](const io::Sink& sink) {
       const io::RaysText text{unit, &cast->lines, axes, unbounded, on_lines, side, somewhere, optimum};
       io::rays_json(cast->summary, cast->grid, step, text, sink);
@@ -203,19 +209,19 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
   const Options& options = session.options();
   check_ray_outputs(options, set);
   const double step = session.step().to_double();
-  session.talk().stage("casting rays");
+  session.reporter().stage("casting rays");
   const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
                                                    [](const auto& file) { return file.extension() == ".json"; });
   const auto cast =
       std::make_shared<Cast>(set.lines.axes ? cast_axes(set, step, written) : cast_lines(set, step, written));
-  if (set.objective) session.talk().stage("looking for the best place");
+  if (set.objective) session.reporter().stage("looking for the best place");
   const auto optimum = set.objective ? best_of(set, *cast, step)
                        : set.aim     ? std::optional(optimum_of(set, *cast, step))
                                      : set.least;
   const RaysShown shown{session, set, cast, optimum, step};
-  session.talk().stage("writing");
+  session.reporter().stage("writing");
   write_outputs(options, shown.writers(), {{".json", shown.json()}});
-  const bool proven_empty = set.side == situation::Side::kOuter && cast->summary.empty && !set.unbounded;
+  const bool proven_empty = set.side == formula::Side::kOuter && cast->summary.empty && !set.unbounded;
   const ExitStatus status = proven_empty ? kEmpty : kDone;
   if (options.json) return {{}, status, shown.json()};
   std::string text = summary_text(set, cast->summary, step, session.unit());
@@ -226,18 +232,18 @@ Outcome rays_outcome(const Session& session, const RaySet& set) {
 namespace {
 
 /// The formula whose places on the lines have cells on that side of the region.
-situation::Formula for_cells(const RaySet& set, const situation::Formula& formula, const exact::Real& step) {
+formula::Formula for_cells(const RaySet& set, const formula::Formula& formula, const exact::Real& step) {
   const exact::Real radius = cell_radius(set) * step;
-  return set.side == situation::Side::kOuter ? widened(formula, radius) : narrowed(formula, radius);
+  return set.side == formula::Side::kOuter ? widened(formula, radius) : narrowed(formula, radius);
 }
 
-std::unique_ptr<space::RaySource> region_rays(const situation::RayWorld& world, const situation::Formula& formula,
+std::unique_ptr<space::RaySource> region_rays(const formula::RayWorld& world, const formula::Formula& formula,
                                               const space::RayGrid& grid) {
   if (formula.sign_maps().empty()) return space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1);
-  return situation::ray_region(world, formula, grid);
+  return formula::ray_region(world, formula, grid);
 }
 
-void take_minima(const situation::MinimaAsLevels& levels, RaySet& set) {
+void take_minima(const formula::MinimaAsLevels& levels, RaySet& set) {
   set.on_lines = levels.side;
   if (levels.minima.empty()) return;
   set.least = least_of(levels.minima[0]);
@@ -247,40 +253,40 @@ void take_minima(const situation::MinimaAsLevels& levels, RaySet& set) {
 }  // namespace
 
 Outcome map_rays(const Session& session, const LineChoice& lines) {
-  situation::MinimaAsLevels levels{session.where(), {}, situation::Side::kExact};
+  formula::MinimaAsLevels levels{session.where(), {}, formula::Side::kExact};
   const auto goal = session.goal();
-  const bool by_distance = goal && goal->objective.kind == situation::Objective::Kind::kDistance;
-  std::optional<situation::SpaceSolver> solver;
-  if (by_distance || situation::has_minima(levels.formula)) solver.emplace(space_world(session));
-  if (situation::has_minima(levels.formula)) {
-    session.talk().stage("looking for least values");
-    levels = situation::minima_as_levels(*solver, levels.formula);
+  const bool by_distance = goal && goal->objective.kind == formula::Objective::Kind::kDistance;
+  std::optional<formula::SpaceSolver> solver;
+  if (by_distance || formula::has_minima(levels.formula)) solver.emplace(space_world(session));
+  if (formula::has_minima(levels.formula)) {
+    session.reporter().stage("looking for least values");
+    levels = formula::minima_as_levels(*solver, levels.formula);
   }
-  situation::Formula formula = levels.formula;
-  session.talk().stage("building the shapes");
-  const situation::RayWorld world = ray_world(session);
-  const situation::RayWindow window = situation::window(world, formula);
+  formula::Formula formula = levels.formula;
+  session.reporter().stage("building the shapes");
+  const formula::RayWorld world = ray_world(session);
+  const formula::RayWindow window = formula::window(world, formula);
   RaySet set;
   set.title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
   set.subtitle = session.scene().where.text;
   set.meaning = "positions";
   set.lines = lines;
-  set.low = window.low, set.high = window.high;
-  set.unbounded = situation::holds_far_away(world, formula);
+  set.low = window.low;
+  set.high = window.high;
+  set.unbounded = formula::holds_far_away(world, formula);
   take_minima(levels, set);
   take_side(session, set);
-  if (set.side != situation::Side::kNone) formula = for_cells(set, formula, session.step());
+  if (set.side != formula::Side::kNone) formula = for_cells(set, formula, session.step());
   const space::RayGrid grid = set.lines.grid(set.low, set.high);
-  set.on_lines =
-      situation::both(set.on_lines, situation::side_of_search(world, formula, set.lines.axes ? nullptr : &grid));
+  set.on_lines = formula::both(set.on_lines, formula::side_of_search(world, formula, set.lines.axes ? nullptr : &grid));
   if (by_distance)
     set.objective = objective_of(*solver, *goal);
   else if (goal)
     set.aim = aim_of(session, *goal);
   set.source = [&](const space::RayGrid& grid) { return region_rays(world, formula, grid); };
   if (set.somewhere && !has_ray_map(set)) {
-    session.talk().note("the minimisers have no map on lines: one of them is given");
-    set.on_lines = situation::Side::kInner;
+    session.reporter().note("the minimisers have no map on lines: one of them is given");
+    set.on_lines = formula::Side::kInner;
     set.source = [](const space::RayGrid& grid) { return space::constant_rays(grid, 1); };
   }
   return rays_outcome(session, set);

@@ -29,14 +29,14 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool speaks_of(const situation::Formula& formula, const std::string& name) {
+bool speaks_of(const formula::Formula& formula, const std::string& name) {
   const auto& atoms = formula.atoms();
-  return std::any_of(atoms.begin(), atoms.end(), [&](const situation::Atom& a) {
+  return std::any_of(atoms.begin(), atoms.end(), [&](const formula::Atom& a) {
     return holds(a.distance.first, name) || holds(a.distance.second, name);
   });
 }
 
-void add_ways(std::vector<Arrow>& out, const situation::World& world, const situation::Formula* formula) {
+void add_ways(std::vector<Arrow>& out, const formula::World& world, const formula::Formula* formula) {
   const double step = world.step.to_double();
   for (const auto& [name, trajectory] : world.motion.of) {
     const bool moving = holds(world.moving, name);
@@ -51,35 +51,35 @@ void add_ways(std::vector<Arrow>& out, const situation::World& world, const situ
         std::all_of(way.points.begin(), way.points.end(), [&](const Place& p) { return p == way.points[0]; });
     if (!stays) out.push_back(std::move(way));
     const Place first = place(trajectory.path.at(0));
-    if (situation::turns(trajectory)) out.push_back({Arrow::Kind::kTurn, {{first[0] * step, first[1] * step}}, moving});
+    if (formula::rotations(trajectory))
+      out.push_back({Arrow::Kind::kRotation, {{first[0] * step, first[1] * step}}, moving});
   }
 }
 
-void add_distance(std::vector<Arrow>& out, const situation::Distance& d) {
-  if (d.mode == situation::Mode::kPlain) return;
+void add_distance(std::vector<Arrow>& out, const formula::Distance& d) {
+  if (d.mode == formula::Mode::kPlain) return;
   const Place vector{d.vector.at(0).to_double(), d.vector.at(1).to_double()};
-  const bool turning = d.mode == situation::Mode::kTurning;
-  const Arrow::Kind kind = turning                             ? Arrow::Kind::kTurn
-                           : d.mode == situation::Mode::kAlong ? Arrow::Kind::kBothWays
-                                                               : Arrow::Kind::kDirection;
-  const Arrow arrow{kind, {vector}, !turning};
+  const bool rotating = d.mode == formula::Mode::kRotation;
+  const Arrow::Kind kind = rotating                          ? Arrow::Kind::kRotation
+                           : d.mode == formula::Mode::kAlong ? Arrow::Kind::kBothWays
+                                                             : Arrow::Kind::kDirection;
+  const Arrow arrow{kind, {vector}, !rotating};
   const auto same = [&](const Arrow& a) { return a.kind == arrow.kind && a.points == arrow.points; };
   if (std::none_of(out.begin(), out.end(), same)) out.push_back(arrow);
 }
 
 }  // namespace
 
-std::vector<Arrow> motion_arrows(const io::Scene& scene, const situation::World& world,
-                                 const situation::Formula* formula) {
+std::vector<Arrow> motion_arrows(const io::Scene& scene, const formula::World& world, const formula::Formula* formula) {
   std::vector<Arrow> out;
   if (!world.instant) add_ways(out, world, formula);
   if (scene.free.kind == io::Free::Kind::kAngle) {
     const double step = world.step.to_double();
     out.push_back(
-        {Arrow::Kind::kTurn, {{double(scene.free.about[0]) * step, double(scene.free.about[1]) * step}}, true});
+        {Arrow::Kind::kRotation, {{double(scene.free.about[0]) * step, double(scene.free.about[1]) * step}}, true});
   }
   if (formula != nullptr) {
-    for (const situation::Atom& a : formula->atoms()) add_distance(out, a.distance);
+    for (const formula::Atom& a : formula->atoms()) add_distance(out, a.distance);
   }
   return out;
 }

@@ -6,14 +6,14 @@
 
 #include <vector>
 
+#include "formula/planar/solve.h"
 #include "io/draw/draw_arrows.h"
 #include "io/scene/scene.h"
-#include "situation/planar/solve.h"
 
 namespace findspace::app {
 
 /// `formula` may be null. Ways begin in the middle of the shapes as the world has them.
-std::vector<io::Arrow> motion_arrows(const io::Scene& scene, const situation::World& world,
-                                     const situation::Formula* formula);
+std::vector<io::Arrow> motion_arrows(const io::Scene& scene, const formula::World& world,
+                                     const formula::Formula* formula);
 
 }  // namespace findspace::app

@@ -19,7 +19,7 @@ struct Options {
   std::vector<std::string> shapes;             // of describe, convert, phi
   std::vector<std::filesystem::path> outputs;  // format by ending
   std::optional<std::string> at;               // "x,y": decimals, taken exactly
-  std::optional<std::string> angle;  // of check and measure: degrees the moving shape is turned by, taken exactly
+  std::optional<std::string> angle;  // of check and measure: degrees the moving shape is rotated by, taken exactly
   std::optional<std::string> time;   // an instant of the motion, a decimal
   std::optional<std::string> min_distance, max_distance;  // of phi: allowed distances, decimals
   std::string apply;                           // of map: interior closure boundary regularize complement, or nothing

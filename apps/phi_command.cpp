@@ -34,10 +34,10 @@ void refuse_crossed_limits(const Options& options) {
 }
 
 void note_parts(const Session& session, const std::string& name, const space::Body& body) {
-  if (body.parts.size() > 1) session.talk().note(fmt::format("{}: {} convex parts", name, body.parts.size()));
+  if (body.parts.size() > 1) session.reporter().note(fmt::format("{}: {} convex parts", name, body.parts.size()));
   if (body.rounded == 0) return;
-  session.talk().note(fmt::format("{}: {} vertices of convex parts rounded, by at most {:.3g} grid steps", name,
-                                  body.rounded, body.moved));
+  session.reporter().note(fmt::format("{}: {} vertices of convex parts rounded, by at most {:.3g} grid steps", name,
+                                      body.rounded, body.moved));
 }
 
 space::Body body_of(const Session& session, const std::string& name) {
@@ -100,11 +100,11 @@ Outcome space_phi(const Session& session) {
   return {options.outputs.empty() ? io::phi_table(report) : "", kDone};
 }
 
-Outcome run_phi_verb(const Options& options, Talk& talk) {
+Outcome run_phi_verb(const Options& options, Reporter& reporter) {
   if ((options.min_distance || options.max_distance) && !options.at)
     throw Error(ErrorCode::kUsage, "--min-distance and --max-distance need the position of --at");
   refuse_crossed_limits(options);
-  const Session session(options, talk);
+  const Session session(options, reporter);
   return session.in_space() ? space_phi(session) : planar_phi(session);
 }
 

@@ -33,7 +33,7 @@ Overlap overlap_of(const Session& session) {
   std::vector<plane::Region> shapes =
       session.regions({session.scene().shape(o.shapes[0]), session.scene().shape(o.shapes[1])});
   Overlap overlap{plane::closure(std::move(shapes[0])), plane::closure(std::move(shapes[1])), {}};
-  session.talk().stage("the contact curve");
+  session.reporter().stage("the contact curve");
   overlap.region = plane::remark(plane::contact_map(overlap.first, overlap.second),
                                  [](plane::Mark m) { return plane::Mark(m < 0); });
   return overlap;
@@ -82,7 +82,7 @@ std::optional<Outcome> by_parts(const Session& session) {
   const auto ps = space::at_scale(*p, scale), qs = space::at_scale(*q, scale);
   if (!ps || !qs) return std::nullopt;
   for (const auto& [name, parts] : {std::pair{options.shapes[0], ps->size()}, std::pair{options.shapes[1], qs->size()}})
-    if (parts > 1) session.talk().note(fmt::format("{}: {} convex parts", name, parts));
+    if (parts > 1) session.reporter().note(fmt::format("{}: {} convex parts", name, parts));
   const space::PlanarPhiUnion phi(*ps, *qs);
   io::PlanarPhiReport report;
   report.first = options.shapes[0];

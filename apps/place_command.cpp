@@ -30,14 +30,15 @@ struct Answer {
 };
 
 /// Whether a body may turn: then results say its angle.
-bool turns(const Body& body) { return body.angles.size() > 1 || body.angles[0].sign() != 0; }
+bool rotations(const Body& body) { return body.angles.size() > 1 || body.angles[0].sign() != 0; }
 
 io::PlacedResult placed(const Body& body, const std::optional<planning::Pose>& pose) {
   io::PlacedResult out;
-  out.shape = body.name, out.copy = body.copy;
+  out.shape = body.name;
+  out.copy = body.copy;
   if (!pose) return out;
   out.at = {pose->at.x, pose->at.y};
-  if (turns(body)) out.angle = body.angles[pose->angle];
+  if (rotations(body)) out.angle = body.angles[pose->angle];
   return out;
 }
 
@@ -48,7 +49,7 @@ void add_regions(Answer& answer, const Problem& problem, const std::vector<std::
     const Body& body = problem.bodies[b];
     if (body.copy > 0) continue;
     for (const planning::AtAngle& r : regions[b])
-      answer.result.regions.push_back({body.name, turns(body) ? std::optional(body.angles[r.angle]) : std::nullopt,
+      answer.result.regions.push_back({body.name, rotations(body) ? std::optional(body.angles[r.angle]) : std::nullopt,
                                        io::region_json(r.region, plane::summarize(r.region, step), step, "")});
   }
 }
@@ -66,7 +67,10 @@ Answer sequential(const planning::Relations& relations, const planning::Limit& l
     planning::Step& step = found.steps[b];
     io::PlacedResult& last = answer.result.placed.back();
     last.attained = step.chosen.attained;
-    if (!last.attained) last.infimum = step.chosen.values, answer.result.attained = false;
+    if (!last.attained) {
+      last.infimum = step.chosen.values;
+      answer.result.attained = false;
+    }
     regions.push_back(std::move(step.positions));
   }
   if (found.limit_reached) answer.result.unproven = "the time limit came before all shapes were placed";
@@ -94,7 +98,8 @@ std::string picture(const Session& session, const Problem& problem, const Answer
   io::Picture p;
   p.title = "Placement, " + answer.result.method;
   p.subtitle = session.scene().place.pairs.text;
-  p.step = session.step(), p.unit = session.unit();
+  p.step = session.step();
+  p.unit = session.unit();
   p.of_positions = false;
   std::vector<io::NamedRegion> fixed;
   for (const plane::ShapePtr& s : session.scene().shapes) {
@@ -121,20 +126,20 @@ std::string picture(const Session& session, const Problem& problem, const Answer
 
 }  // namespace
 
-Outcome run_place(const Options& options, Talk& talk) {
-  const Session session(options, talk);
+Outcome run_place(const Options& options, Reporter& reporter) {
+  const Session session(options, reporter);
   if (session.in_space()) return place_space(session);
   check_outputs(options, {".svg", ".json"});
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
   const planning::Limit limit(options.time_limit);
   const Problem problem = placement_problem(session);
-  talk.stage("placing");
+  reporter.stage("placing");
   const planning::Relations relations(problem);
   const bool one_by_one = session.scene().place.method == io::Placement::Method::kSequential;
   const Answer answer = one_by_one ? sequential(relations, limit) : simultaneous(relations, limit);
   const auto json = [&] { return io::placement_json(answer.result, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, problem, answer); };
-  talk.stage("writing");
+  reporter.stage("writing");
   write_outputs(options, {{".json", json}, {".svg", svg}});
   const ExitStatus status = answer.complete && (one_by_one ? !answer.result.unproven : true) ? kDone
                             : answer.result.unproven                                         ? kLimit

@@ -27,15 +27,15 @@ using planning::Body;
 using planning::SpaceProblem;
 
 /// About the z axis, through the pole.
-plane::ShapePtr turned(const Session& session, const TurnedShape& t) {
+plane::ShapePtr rotated(const Session& session, const RotatedShape& t) {
   plane::Rounding rounding;
   plane::Shape out = *space::rotated(*session.scene().shape(t.shape),
                                      space::Rotation::about_axis(2, t.degrees, space::Point{}), rounding);
   out.name = t.name;
   if (rounding.points > 0)
-    session.talk().note(fmt::format("shape '{}': {} points were put on the grid, moved by at most {:.2g} {}", t.name,
-                                    rounding.points, rounding.largest * session.scene().grid.step_size(),
-                                    session.unit()));
+    session.reporter().note(fmt::format("shape '{}': {} points were put on the grid, moved by at most {:.2g} {}",
+                                        t.name, rounding.points, rounding.largest * session.scene().grid.step_size(),
+                                        session.unit()));
   return std::make_shared<const plane::Shape>(std::move(out));
 }
 
@@ -44,7 +44,7 @@ SpaceProblem problem_of(const Session& session) {
   SpaceProblem problem;
   static_cast<planning::Demands&>(problem) = std::move(asked.demands);
   std::vector<plane::ShapePtr> shapes = session.scene().shapes;
-  for (const TurnedShape& t : asked.turned) shapes.push_back(turned(session, t));
+  for (const RotatedShape& t : asked.rotated) shapes.push_back(rotated(session, t));
   for (const plane::ShapePtr& s : shapes) problem.shapes.emplace(s->name, s);
   problem.built = space_shapes(session, shapes);
   problem.step = session.step();
@@ -52,13 +52,13 @@ SpaceProblem problem_of(const Session& session) {
   return problem;
 }
 
-bool turns(const Body& body) { return body.angles.size() > 1 || body.angles[0].sign() != 0; }
+bool rotations(const Body& body) { return body.angles.size() > 1 || body.angles[0].sign() != 0; }
 
 std::string region_text(const planning::SpacePositions& positions, const SpaceProblem& problem) {
   const double step = problem.step.to_double();
   if (positions.boxes)
     return io::space_json(*positions.boxes, summarize(*positions.boxes, problem.step), problem.step, "");
-  const situation::RayWindow box = positions.window();
+  const formula::RayWindow box = positions.window();
   const space::RayGrid grid = space::ray_grid(box.low, box.high, 2, problem.lines);
   space::RaySummarizer summarizer(grid);
   io::RayLines lines(grid, step);
@@ -68,7 +68,7 @@ std::string region_text(const planning::SpacePositions& positions, const SpacePr
   });
   io::RaysText text;
   text.lines = &lines.text();
-  text.unbounded = !positions.flat && situation::holds_far_away(*positions.rays, *positions.formula);
+  text.unbounded = !positions.flat && formula::holds_far_away(*positions.rays, *positions.formula);
   return io::rays_json(summarizer.finish(), grid, step, text);
 }
 
@@ -78,14 +78,18 @@ io::PlacementResult result_of(const SpaceProblem& problem, const planning::Space
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const Body& body = problem.bodies[b];
     io::PlacedResult& placed = out.placed.emplace_back();
-    placed.shape = body.name, placed.copy = body.copy;
+    placed.shape = body.name;
+    placed.copy = body.copy;
     if (b >= found.steps.size()) continue;
     const planning::SpaceStep& step = found.steps[b];
     placed.attained = step.best.attained;
-    if (!placed.attained) placed.infimum = step.best.values, out.attained = false;
+    if (!placed.attained) {
+      placed.infimum = step.best.values;
+      out.attained = false;
+    }
     if (step.pose) {
       placed.at.assign(step.pose->at.begin(), step.pose->at.end());
-      if (turns(body)) placed.angle = body.angles[step.pose->angle];
+      if (rotations(body)) placed.angle = body.angles[step.pose->angle];
     }
     if (step.best.on_lines && !out.unproven)
       out.unproven = fmt::format("'{}' was placed on {} x {} lines: between them there may be better positions",
@@ -93,7 +97,7 @@ io::PlacementResult result_of(const SpaceProblem& problem, const planning::Space
     if (body.copy > 0) continue;
     for (const planning::SpacePositions& p : step.positions)
       out.regions.push_back(
-          {body.name, turns(body) ? std::optional(body.angles[p.angle]) : std::nullopt, region_text(p, problem)});
+          {body.name, rotations(body) ? std::optional(body.angles[p.angle]) : std::nullopt, region_text(p, problem)});
   }
   if (found.limit_reached) out.unproven = "the time limit came before all shapes were placed";
   return out;
@@ -101,12 +105,14 @@ io::PlacementResult result_of(const SpaceProblem& problem, const planning::Space
 
 io::PlacementResult result_of(const SpaceProblem& problem, const planning::SpaceSimultaneous& found) {
   io::PlacementResult out;
-  out.method = "simultaneous", out.unproven = found.unproven;
+  out.method = "simultaneous";
+  out.unproven = found.unproven;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const Body& body = problem.bodies[b];
     io::PlacedResult& placed = out.placed.emplace_back();
-    placed.shape = body.name, placed.copy = body.copy;
-    const auto angle = turns(body) ? std::optional(body.angles[0]) : std::nullopt;
+    placed.shape = body.name;
+    placed.copy = body.copy;
+    const auto angle = rotations(body) ? std::optional(body.angles[0]) : std::nullopt;
     if (const auto& pose = found.witness[b]) {
       placed.at.assign(pose->at.begin(), pose->at.end());
       placed.angle = angle;
@@ -227,11 +233,11 @@ Outcome place_space(const Session& session) {
   check_outputs(options, endings);
   const planning::Limit limit(options.time_limit);
   const SpaceProblem problem = problem_of(session);
-  session.talk().stage("placing");
+  session.reporter().stage("placing");
   const bool all_at_once = session.scene().place.method == io::Placement::Method::kSimultaneous;
   const Answer answer = all_at_once ? together(problem, limit) : one_after_another(problem, limit);
   const io::PlacementResult& result = answer.result;
-  session.talk().stage("writing");
+  session.reporter().stage("writing");
   const auto json = [&] { return io::placement_json(result, session.step(), session.unit()); };
   Writers writers{{".json", json}};
   for (const char* ending : io::kSurfaceEndings)

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <set>
 
+#include "formula/language/text.h"
 #include "planning/order/relations.h"
-#include "situation/formula/text.h"
 
 namespace findspace::app {
 namespace {
@@ -51,9 +51,9 @@ class Maker {
     for (const std::string& shape : body.shapes) {
       names.push_back(shape);
       if (angle.sign() == 0) continue;
-      std::string name = fmt::format("{} turned by {}", shape, situation::decimal_text(angle));
+      std::string name = fmt::format("{} turned by {}", shape, formula::decimal_text(angle));
       while (!taken_.insert(name).second) name += "'";
-      out_.turned.push_back({name, shape, angle});
+      out_.rotated.push_back({name, shape, angle});
       names.back() = name;
     }
     return names;
@@ -67,8 +67,8 @@ class Maker {
   }
 
   /// What stands still: the scene without the placed shapes.
-  situation::Context fixed_context() const {
-    situation::Context context = session_.context();
+  formula::Context fixed_context() const {
+    formula::Context context = session_.context();
     context.moving = {"self"};
     context.shapes.clear();
     for (const plane::ShapePtr& s : session_.scene().shapes) {
@@ -80,8 +80,8 @@ class Maker {
     return context;
   }
 
-  situation::Context named_context() const {
-    situation::Context context = fixed_context();
+  formula::Context named_context() const {
+    formula::Context context = fixed_context();
     context.moving.clear();
     context.placed.clear();
     context.independent = true;
@@ -89,9 +89,9 @@ class Maker {
     return context;
   }
 
-  using FormulaPointer = std::shared_ptr<const situation::Formula>;
-  FormulaPointer parsed(const io::FormulaText& text, const situation::Context& context) const {
-    return std::make_shared<const situation::Formula>(session_.formula(text, context));
+  using FormulaPointer = std::shared_ptr<const formula::Formula>;
+  FormulaPointer parsed(const io::FormulaText& text, const formula::Context& context) const {
+    return std::make_shared<const formula::Formula>(session_.formula(text, context));
   }
 
   void add_each() {
@@ -103,7 +103,7 @@ class Maker {
 
   void add_pairs() {
     if (place_.pairs.empty()) return;
-    situation::Context context = fixed_context();
+    formula::Context context = fixed_context();
     context.extra = {"other"};
     const FormulaPointer formula = parsed(place_.pairs, context);
     for (std::size_t i = 0; i < demands_.bodies.size(); ++i)
@@ -115,12 +115,12 @@ class Maker {
     for (const io::FormulaText& text : place_.constraints) {
       const FormulaPointer formula = parsed(text, named_context());
       Roles roles;
-      for (const situation::Atom& atom : formula->atoms()) check_and_note(atom, text, roles);
+      for (const formula::Atom& atom : formula->atoms()) check_and_note(atom, text, roles);
       demands_.conditions.push_back({formula, std::move(roles)});
     }
   }
 
-  void check_and_note(const situation::Atom& atom, const io::FormulaText& text, Roles& roles) const {
+  void check_and_note(const formula::Atom& atom, const io::FormulaText& text, Roles& roles) const {
     std::set<std::size_t> first, second;
     for (const auto& [names, bodies] :
          {std::pair(&atom.distance.first, &first), std::pair(&atom.distance.second, &second)})
@@ -131,13 +131,13 @@ class Maker {
         }
     if (!first.empty() && first == second) {
       throw Error(ErrorCode::kBadValue,
-                  fmt::format("{}: the two move together, so their distance never changes", situation::text(atom)),
+                  fmt::format("{}: the two move together, so their distance never changes", formula::text(atom)),
                   fmt::format("{}:{}:{}", text.file, text.line, text.column));
     }
   }
 
   void add_objectives() {
-    situation::Context context = named_context();
+    formula::Context context = named_context();
     context.moving.push_back("self");
     for (const io::FormulaText& text : place_.minimize) demands_.goals.push_back(session_.goal(text, context));
   }

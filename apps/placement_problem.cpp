@@ -14,15 +14,15 @@ namespace {
 using planning::Body;
 using planning::Problem;
 
-plane::ShapePtr turned(const plane::ShapePtr& shape, const exact::Real& degrees, const std::string& name) {
-  plane::Shape turn;
-  turn.kind = plane::Shape::Kind::kRotate;
-  turn.name = name;
-  turn.place = shape->place;
-  turn.points = {plane::GridPoint{0, 0}};
-  turn.degrees = degrees;
-  turn.children = {shape};
-  return std::make_shared<const plane::Shape>(std::move(turn));
+plane::ShapePtr rotated(const plane::ShapePtr& shape, const exact::Real& degrees, const std::string& name) {
+  plane::Shape rotation;
+  rotation.kind = plane::Shape::Kind::kRotate;
+  rotation.name = name;
+  rotation.place = shape->place;
+  rotation.points = {plane::GridPoint{0, 0}};
+  rotation.degrees = degrees;
+  rotation.children = {shape};
+  return std::make_shared<const plane::Shape>(std::move(rotation));
 }
 
 }  // namespace
@@ -30,9 +30,10 @@ plane::ShapePtr turned(const plane::ShapePtr& shape, const exact::Real& degrees,
 Problem placement_problem(const Session& session) {
   PlacementDemands asked = placement_demands(session);
   Problem problem{std::move(asked.demands), {}};
-  session.talk().stage("building the shapes");
+  session.reporter().stage("building the shapes");
   std::vector<plane::ShapePtr> shapes = session.scene().shapes;
-  for (const TurnedShape& t : asked.turned) shapes.push_back(turned(session.scene().shape(t.shape), t.degrees, t.name));
+  for (const RotatedShape& t : asked.rotated)
+    shapes.push_back(rotated(session.scene().shape(t.shape), t.degrees, t.name));
   std::vector<plane::Region> built = session.regions(shapes);
   for (std::size_t k = 0; k < built.size(); ++k) problem.world.shapes.emplace(shapes[k]->name, std::move(built[k]));
   std::set<std::string> moving;

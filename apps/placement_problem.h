@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// From the `place` of a scene to a placement problem: shapes turned by their allowed angles, formulas with the bodies
+// From the `place` of a scene to a placement problem: shapes rotated by their allowed angles, formulas with the bodies
 // they speak of. Mistakes are reported at their place in the scene.
 #pragma once
 

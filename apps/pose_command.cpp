@@ -6,7 +6,7 @@
 #include "io/draw/draw_layout.h"
 #include "io/write/write_poses.h"
 #include "plane/query/topology.h"
-#include "turn_command.h"
+#include "rotation_command.h"
 
 namespace findspace::app {
 namespace {
@@ -23,9 +23,9 @@ std::string area_text(const plane::Region& r, const exact::Real& step) {
                 : "unbounded";
 }
 
-/// One page: a region of positions, another faintly around it, the moving shape turned.
-io::Page page(const Session& session, const situation::World& world, const situation::Formula& formula,
-              std::string title, const plane::Region& region, const plane::Region* around) {
+/// One page: a region of positions, another faintly around it, the moving shape rotated.
+io::Page page(const Session& session, const formula::World& world, const formula::Formula& formula, std::string title,
+              const plane::Region& region, const plane::Region* around) {
   const plane::Summary summary = plane::summarize(region, session.step());
   io::Picture p;
   p.title = title;
@@ -37,18 +37,18 @@ io::Page page(const Session& session, const situation::World& world, const situa
   return {std::move(title), io::picture_svg(p)};
 }
 
-std::string pages(const Session& session, const PoseStack& stack, const situation::World& world,
-                  const situation::Formula& formula, const plane::GridPoint& about) {
+std::string pages(const Session& session, const PoseStack& stack, const formula::World& world,
+                  const formula::Formula& formula, const plane::GridPoint& about) {
   std::vector<io::Page> out;
   const exact::RealPoint centre{about.x, about.y};
   plane::Rounding drawn;
   for (const PoseSlice& s : stack.slices) {
-    const situation::World turned = situation::turned_world(world, centre, s.degrees, drawn);
-    out.push_back(page(session, turned, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())), s.region,
+    const formula::World rotated = formula::rotated_world(world, centre, s.degrees, drawn);
+    out.push_back(page(session, rotated, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())), s.region,
                        s.outer ? &*s.outer : nullptr));
     for (const PoseSector& t : stack.sectors) {
       if (!(t.from == s.degrees)) continue;
-      out.push_back(page(session, turned, formula,
+      out.push_back(page(session, rotated, formula,
                          fmt::format("Certain from {}° to {}°; faintly, where it may be possible at some angle between",
                                      io::shown(t.from.to_double()), io::shown(t.to.to_double())),
                          t.inner, &t.outer));
@@ -77,7 +77,7 @@ void say_rounding(const Session& session, const PoseStack& stack) {
     all.largest = std::max(all.largest, s.rounding.largest);
   }
   if (all.points == 0) return;
-  session.talk().note(
+  session.reporter().note(
       fmt::format("{} turned vertices were put on the grid, moved by at most {:.2g} {}; the sectors allow for it",
                   all.points, all.largest * session.scene().grid.step_size(), session.unit()));
 }
@@ -86,12 +86,12 @@ void say_rounding(const Session& session, const PoseStack& stack) {
 
 Outcome map_of_poses(const Session& session) {
   check_outputs(session.options(), {".json", ".html"});
-  const situation::Formula formula = question_over_angles(session);
+  const formula::Formula formula = question_over_angles(session);
   const io::Free& free = session.scene().free;
   const plane::GridPoint about{free.about[0], free.about[1]};
-  situation::World world = session.world();
+  formula::World world = session.world();
   for (auto& [name, region] : world.shapes) region = plane::closure(std::move(region));
-  session.talk().stage("solving");
+  session.reporter().stage("solving");
   const PoseStack stack = planning::pose_stack(world, formula, about, free.angles);
   say_rounding(session, stack);
   const auto json = [&] { return io::poses_json(stack, session.step(), session.unit()); };

@@ -15,14 +15,14 @@ namespace findspace::app {
 namespace {
 
 /// The shapes where they are at the instant, if one is asked for: their places rounded to the grid, for a picture.
-situation::World at_instant(situation::World world) {
+formula::World at_instant(formula::World world) {
   if (!world.instant) return world;
   plane::Rounding rounding;
   for (const auto& [name, path] : world.motion.of) {
     plane::Region& shape = world.shapes.at(name);
-    const exact::Real angle = situation::angle_at(path, *world.instant);
+    const exact::Real angle = formula::angle_at(path, *world.instant);
     if (angle.sign() != 0) shape = plane::rotated(shape, {0, 0}, angle, world.step.to_double(), rounding);
-    const exact::RealPoint by = situation::position_at(path, *world.instant);
+    const exact::RealPoint by = formula::position_at(path, *world.instant);
     shape = plane::translated(std::move(shape), {std::llround(by.x.to_double()), std::llround(by.y.to_double())});
   }
   return world;
@@ -33,9 +33,9 @@ plane::Place place(const exact::RealPoint& p, const plane::Twofold& step = plane
 }
 
 /// The scene with the moving shape at the position, without a region: of what is in `p`, in words and numbers.
-std::string picture(const Session& session, const situation::World& world, const situation::Formula* formula,
+std::string picture(const Session& session, const formula::World& world, const formula::Formula* formula,
                     const exact::RealPoint& at, io::Picture p) {
-  const situation::World shown = at_instant(world);
+  const formula::World shown = at_instant(world);
   if (world.instant) p.title += fmt::format(", at time {}", io::shown(world.instant->to_double()));
   p.position = place(at);
   session.add_scenery(p, shown, formula);
@@ -44,7 +44,7 @@ std::string picture(const Session& session, const situation::World& world, const
 }
 
 /// Nothing where no two places attain the distance, and in motions, whose places are those of some instant.
-void add_dimension(io::Picture& p, const situation::World& world, const situation::DistanceAt& d, bool fails) {
+void add_dimension(io::Picture& p, const formula::World& world, const formula::DistanceAt& d, bool fails) {
   if (d.witness.size() != 2 || !d.value || !world.motion.of.empty()) return;
   const plane::Twofold step(world.step);
   const char* unit = d.in_degrees ? "°" : "";
@@ -54,13 +54,13 @@ void add_dimension(io::Picture& p, const situation::World& world, const situatio
 
 }  // namespace
 
-std::string check_picture(const Session& session, const situation::World& world, const situation::Formula& formula,
-                          const exact::RealPoint& at, const situation::Solver::Check& check,
-                          const situation::NearestFeasible* nearest) {
+std::string check_picture(const Session& session, const formula::World& world, const formula::Formula& formula,
+                          const exact::RealPoint& at, const formula::Solver::Check& check,
+                          const formula::NearestFeasible* nearest) {
   io::Picture p;
   p.title = check.holds ? "Feasible" : "Not feasible";
   p.subtitle = session.scene().where.text;
-  for (const situation::AtomAt& a : check.atoms) add_dimension(p, world, a.distance, !a.holds);
+  for (const formula::AtomAt& a : check.atoms) add_dimension(p, world, a.distance, !a.holds);
   if (nearest != nullptr) {
     p.nearest = place(nearest->at, plane::Twofold(world.step));
     p.nearest_text = fmt::format("nearest feasible position{}, {} away",
@@ -70,12 +70,12 @@ std::string check_picture(const Session& session, const situation::World& world,
   return picture(session, world, &formula, at, std::move(p));
 }
 
-std::string measure_picture(const Session& session, const situation::World& world, const exact::RealPoint& at,
-                            const std::vector<situation::DistanceAt>& distances) {
+std::string measure_picture(const Session& session, const formula::World& world, const exact::RealPoint& at,
+                            const std::vector<formula::DistanceAt>& distances) {
   io::Picture p;
   p.title = "Measured";
   p.subtitle = "gamma1 of every pair: the clearance, or the depth of an overlap as a negative number";
-  for (const situation::DistanceAt& d : distances) {
+  for (const formula::DistanceAt& d : distances) {
     if (d.text.starts_with("gamma1(")) add_dimension(p, world, d, false);
   }
   return picture(session, world, nullptr, at, std::move(p));

@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
+#include "formula/planar/solve.h"
 #include "session.h"
-#include "situation/planar/solve.h"
 
 namespace findspace::app {
 
 /// Distances that fail in red, and the nearest feasible position in dashes (null: not known, or `at` is feasible).
 /// @p world in steps of its grid, @p at in the scene's unit.
-std::string check_picture(const Session& session, const situation::World& world, const situation::Formula& formula,
-                          const exact::RealPoint& at, const situation::Solver::Check& check,
-                          const situation::NearestFeasible* nearest);
+std::string check_picture(const Session& session, const formula::World& world, const formula::Formula& formula,
+                          const exact::RealPoint& at, const formula::Solver::Check& check,
+                          const formula::NearestFeasible* nearest);
 
 /// With gamma1 of every pair.
-std::string measure_picture(const Session& session, const situation::World& world, const exact::RealPoint& at,
-                            const std::vector<situation::DistanceAt>& distances);
+std::string measure_picture(const Session& session, const formula::World& world, const exact::RealPoint& at,
+                            const std::vector<formula::DistanceAt>& distances);
 
 }  // namespace findspace::app

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "situation/solid/optimize_rays.h"
+#include "formula/solid/optimize_rays.h"
 
 namespace findspace::app {
 
 space::RayAim aim_of(const Session& session, const Session::Goal& goal) {
-  using Kind = situation::Objective::Kind;
+  using Kind = formula::Objective::Kind;
   space::RayAim aim;
   aim.greatest = goal.sense == distance::Sense::kMaximum;
   const Kind kind = goal.objective.kind;
@@ -28,8 +28,8 @@ namespace {
 /// What the places on the lines say of the whole region, if the cells about them are on one side of it: a goal changes
 /// by no more than the length of a step.
 void take_side(const RaySet& set, double step, io::RayOptimum& found) {
-  if (set.side == situation::Side::kInner) found.bound.reset();
-  if (set.side != situation::Side::kOuter || !found.value) return;
+  if (set.side == formula::Side::kInner) found.bound.reset();
+  if (set.side != formula::Side::kOuter || !found.value) return;
   const double radius = cell_radius(set).to_double() * step * (1 + 0x1p-40), from = found.bound.value_or(*found.value);
   found.bound = found.maximum ? from + radius : from - radius;
   found.attained = false;
@@ -41,7 +41,7 @@ std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step
   io::RayOptimum out;
   out.maximum = set.objective->greatest != (set.objective->sign < 0);
   if (set.unbounded && set.objective->greatest) return out;
-  const auto best = situation::best_on_lines(std::move(cast.intervals), set.objective->greatest, set.objective->value);
+  const auto best = formula::best_on_lines(std::move(cast.intervals), set.objective->greatest, set.objective->value);
   if (!best) return out;
   out.attained = best->attained;
   out.value = best->value * step * set.objective->sign;
@@ -63,7 +63,7 @@ io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step) {
   return out;
 }
 
-io::RayOptimum least_of(const situation::LeastOf& found) {
+io::RayOptimum least_of(const formula::LeastOf& found) {
   io::RayOptimum out;
   if (!found.least) return out;
   out.attained = true;
@@ -73,7 +73,7 @@ io::RayOptimum least_of(const situation::LeastOf& found) {
   return out;
 }
 
-RayObjective objective_of(const situation::SpaceSolver& solver, const Session::Goal& goal) {
+RayObjective objective_of(const formula::SpaceSolver& solver, const Session::Goal& goal) {
   RayObjective out;
   const bool negated = goal.objective.negated;
   out.sign = negated ? -1 : 1;

@@ -30,10 +30,10 @@ struct Cast {
 space::RayAim aim_of(const Session& session, const Session::Goal& goal);
 io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step);
 /// Of a distance. Refers to the solver.
-RayObjective objective_of(const situation::SpaceSolver& solver, const Session::Goal& goal);
+RayObjective objective_of(const formula::SpaceSolver& solver, const Session::Goal& goal);
 std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step);
 /// Of an atom with `-> min`.
-io::RayOptimum least_of(const situation::LeastOf& found);
+io::RayOptimum least_of(const formula::LeastOf& found);
 std::string optimum_text(const io::RayOptimum& found, bool on_lines);
 
 }  // namespace findspace::app

@@ -9,11 +9,11 @@
 #include <optional>
 #include <string>
 
+#include "formula/solid/ray_minima.h"
+#include "formula/solid/solve_rays.h"
 #include "io/write/write_json_rays.h"
 #include "line_choice.h"
 #include "session.h"
-#include "situation/solid/ray_minima.h"
-#include "situation/solid/solve_rays.h"
 #include "space/rays/ray_extreme.h"
 
 namespace findspace::app {
@@ -33,14 +33,14 @@ struct RaySet {
   std::optional<space::RayAim> aim;                                                // what is looked for in the set
   std::optional<RayObjective> objective;                                           // or this
   bool somewhere = false;                                                          // it is known not to be empty
-  situation::Side on_lines = situation::Side::kExact;                              // of the set on the lines
-  situation::Side side = situation::Side::kNone;                                   // of the cells about the lines
+  formula::Side on_lines = formula::Side::kExact;                                  // of the set on the lines
+  formula::Side side = formula::Side::kNone;                                       // of the cells about the lines
   std::optional<io::RayOptimum> least;                                             // of a formula with `-> min`
   std::function<std::unique_ptr<space::RaySource>(const space::RayGrid&)> source;  // at most 0 in the set
 };
 
 /// The scene's shapes for rays; refers to them.
-situation::RayWorld ray_world(const Session& session);
+formula::RayWorld ray_world(const Session& session);
 
 /// What --side asks for.
 void take_side(const Session& session, RaySet& set);

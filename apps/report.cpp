@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "formula/language/text.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_witness.h"
 #include "plane/query/measure_cells_twofold.h"
-#include "situation/formula/text.h"
 
 namespace findspace::app {
 namespace {
@@ -71,11 +71,11 @@ std::string extreme_text(const io::ExtremeValue& e, std::string_view unit) {
 }
 
 /// A length, or a number of degrees.
-std::string amount_text(const situation::DistanceAt& d, double amount, std::string_view unit) {
+std::string amount_text(const formula::DistanceAt& d, double amount, std::string_view unit) {
   return d.in_degrees ? fmt::format("{}°", shown(amount)) : length(amount, unit);
 }
 
-std::string value_text(const situation::DistanceAt& d, std::string_view unit) {
+std::string value_text(const formula::DistanceAt& d, std::string_view unit) {
   return d.value ? amount_text(d, *d.value, unit) : "undefined";
 }
 
@@ -120,15 +120,15 @@ std::string intervals_text(std::string_view title, const std::vector<plane::Line
   return out;
 }
 
-std::string check_text(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, const situation::NearestFeasible* nearest) {
+std::string check_text(const formula::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+                       std::string_view unit, const formula::NearestFeasible* nearest) {
   std::vector<std::string> texts;
-  for (const auto& a : check.atoms) texts.push_back(situation::text(a.atom));
+  for (const auto& a : check.atoms) texts.push_back(formula::text(a.atom));
   const std::size_t width = widest(texts);
   const Twofold factor(step);
   std::string out = fmt::format("{} {}\n", point(at), check.holds ? "is feasible" : "is not feasible");
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    const situation::AtomAt& a = check.atoms[i];
+    const formula::AtomAt& a = check.atoms[i];
     put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", texts[i], width, value_text(a.distance, unit));
     if (a.lacks)
       put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", amount_text(a.distance, *a.lacks, unit));
@@ -144,15 +144,18 @@ std::string check_text(const situation::Solver::Check& check, const exact::RealP
   return out;
 }
 
-std::string measure_text(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
+std::string measure_text(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
                          const exact::Real& step, std::string_view unit) {
   std::vector<std::string> texts, values;
-  for (const auto& d : distances) texts.push_back(d.text), values.push_back(value_text(d, unit));
-  const std::size_t width = widest(texts), room = widest(values);
+  for (const auto& d : distances) {
+    texts.push_back(d.text);
+    values.push_back(value_text(d, unit));
+  }
+  const std::size_t width = widest(texts), tolerance = widest(values);
   std::string out = fmt::format("at {}\n", point(at));
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const std::string where = io::witness_words(distances[i], Twofold(step));
-    put(out, "  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : room,
+    put(out, "  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : tolerance,
         where.empty() ? "" : "  " + where);
   }
   return out;

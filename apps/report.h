@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "formula/planar/solve.h"
 #include "io/write/write_json.h"
 #include "plane/query/locate_line.h"
 #include "plane/query/summary.h"
-#include "situation/planar/solve.h"
 
 namespace findspace::app {
 
@@ -21,9 +21,9 @@ std::string summary_text(std::string_view title, const plane::Summary& summary, 
 std::string intervals_text(std::string_view title, const std::vector<plane::LineInterval>& intervals,
                            const exact::Real& step, std::string_view unit);
 /// `nearest` may be null: the nearest feasible position, where it was asked for.
-std::string check_text(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, const situation::NearestFeasible* nearest);
-std::string measure_text(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
+std::string check_text(const formula::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+                       std::string_view unit, const formula::NearestFeasible* nearest);
+std::string measure_text(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
                          const exact::Real& step, std::string_view unit);
 /// A certified bound from either side: the inner set's JSON, with the outer one in it.
 std::string bounded_json(std::string inner, const std::string& outer);

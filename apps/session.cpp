@@ -67,16 +67,16 @@ Error placed(const Error& e, const io::FormulaText& formula) {
 
 }  // namespace
 
-Session::Session(const Options& options, Talk& talk) : options_(options), talk_(talk) {
-  talk.stage("reading the scene");
+Session::Session(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
+  reporter.stage("reading the scene");
   scene_ = read(options);
-  for (const std::string& note : scene_.notes) talk.note(note);
+  for (const std::string& note : scene_.notes) reporter.note(note);
 }
 
-std::string Session::unit() const { return scene_.unit ? std::string(situation::name(*scene_.unit)) : ""; }
+std::string Session::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
 
 plane::Region Session::region(std::string_view name) const {
-  talk_.stage(fmt::format("shape {}", name));
+  reporter_.stage(fmt::format("shape {}", name));
   return std::move(regions({scene_.shape(name)})[0]);
 }
 
@@ -89,8 +89,8 @@ std::vector<plane::Region> Session::regions(const std::vector<plane::ShapePtr>& 
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const plane::Rounding& moved = built[k].rounding;
     if (moved.points > 0) {
-      talk_.note(fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g} {}",
-                             shapes[k]->name, moved.points, moved.largest * scene_.grid.step_size(), unit()));
+      reporter_.note(fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g} {}",
+                                 shapes[k]->name, moved.points, moved.largest * scene_.grid.step_size(), unit()));
     }
     out.push_back(std::move(built[k].region));
   }
@@ -124,8 +124,8 @@ void Session::require_positions_in_space(bool line) const {
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
 }
 
-situation::Context Session::context() const {
-  situation::Context context;
+formula::Context Session::context() const {
+  formula::Context context;
   for (const plane::ShapePtr& s : scene_.shapes) context.shapes.push_back(s->name);
   context.moving = scene_.moving;
   context.motion = scene_.motion.given();
@@ -134,24 +134,24 @@ situation::Context Session::context() const {
   return context;
 }
 
-situation::Formula Session::formula(const io::FormulaText& text, const situation::Context& context) const {
+formula::Formula Session::formula(const io::FormulaText& text, const formula::Context& context) const {
   if (text.empty()) return {};
   try {
-    return situation::parse_formula(text.text, context);
+    return formula::parse_formula(text.text, context);
   } catch (const Error& e) {
     throw placed(e, text);
   }
 }
 
-situation::Goal Session::goal(const io::FormulaText& text, const situation::Context& context) const {
+formula::Goal Session::goal(const io::FormulaText& text, const formula::Context& context) const {
   try {
-    return situation::parse_goal(text.text, context);
+    return formula::parse_goal(text.text, context);
   } catch (const Error& e) {
     throw placed(e, text);
   }
 }
 
-situation::Formula Session::where() const { return formula(scene_.where, context()); }
+formula::Formula Session::where() const { return formula(scene_.where, context()); }
 
 std::optional<Session::Goal> Session::goal() const {
   const bool least = !scene_.minimize.empty();
@@ -161,16 +161,16 @@ std::optional<Session::Goal> Session::goal() const {
     throw Error(ErrorCode::kBadValue, "the scene has both \"minimize\" and \"maximize\"", scene_.file);
   }
   try {
-    return Goal{situation::parse_objective(text.text, context()),
+    return Goal{formula::parse_objective(text.text, context()),
                 least ? distance::Sense::kMinimum : distance::Sense::kMaximum, text.text};
   } catch (const Error& e) {
     throw placed(e, text);
   }
 }
 
-situation::World Session::world() const {
-  talk_.stage("building the shapes");
-  situation::World world;
+formula::World Session::world() const {
+  reporter_.stage("building the shapes");
+  formula::World world;
   std::vector<plane::Region> built = regions(scene_.shapes);
   for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(scene_.shapes[k]->name, std::move(built[k]));
   world.moving = scene_.moving;
@@ -188,24 +188,23 @@ situation::World Session::world() const {
   return world;
 }
 
-situation::Motion Session::motion() const {
-  situation::Motion out{scene_.motion.start, scene_.motion.end, {}};
+formula::Motion Session::motion() const {
+  formula::Motion out{scene_.motion.start, scene_.motion.end, {}};
   for (const io::Movement& m : scene_.motion.movements) {
-    situation::Trajectory t{m.times, {}, m.angles};
+    formula::Trajectory t{m.times, {}, m.angles};
     for (const io::GridPosition& p : m.path) t.path.push_back({Real(p[0]), Real(p[1])});
     out.of.emplace(m.shape, std::move(t));
   }
   return out;
 }
 
-void Session::add_scenery(io::Picture& picture, const situation::World& world,
-                          const situation::Formula* formula) const {
+void Session::add_scenery(io::Picture& picture, const formula::World& world, const formula::Formula* formula) const {
   picture.step = world.step;
   picture.unit = unit();
   picture.arrows = motion_arrows(scene_, world, formula);
   std::set<std::string> named;
   if (formula != nullptr) {
-    for (const situation::Atom& a : formula->atoms()) {
+    for (const formula::Atom& a : formula->atoms()) {
       named.insert(a.distance.first.begin(), a.distance.first.end());
       named.insert(a.distance.second.begin(), a.distance.second.end());
     }

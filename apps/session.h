@@ -12,48 +12,48 @@
 #include <string_view>
 #include <vector>
 
+#include "formula/language/parse.h"
+#include "formula/language/parse_goal.h"
+#include "formula/planar/optimize.h"
 #include "io/scene/scene.h"
 #include "io/text/spool.h"
 #include "io/write/write_svg.h"
 #include "options.h"
-#include "situation/formula/parse.h"
-#include "situation/formula/parse_goal.h"
-#include "situation/planar/optimize.h"
-#include "talk.h"
+#include "reporter.h"
 
 namespace findspace::app {
 
 class Session {
  public:
   /// Reads the scene; its notes are said. Throws Error.
-  Session(const Options& options, Talk& talk);
+  Session(const Options& options, Reporter& reporter);
 
   const Options& options() const { return options_; }
   const io::Scene& scene() const { return scene_; }
   const exact::Real& step() const { return scene_.grid.step(); }
   std::string unit() const;
-  Talk& talk() const { return talk_; }
+  Reporter& reporter() const { return reporter_; }
 
   /// The exact set of a shape; what had to be rounded is said once.
   plane::Region region(std::string_view name) const;
   /// The formula of `where`, true without one; a mistake is reported at its place in the scene.
-  situation::Formula where() const;
+  formula::Formula where() const;
   /// A formula or a goal of a placement in its context; a mistake is reported at its place.
-  situation::Formula formula(const io::FormulaText& text, const situation::Context& context) const;
-  situation::Goal goal(const io::FormulaText& text, const situation::Context& context) const;
+  formula::Formula formula(const io::FormulaText& text, const formula::Context& context) const;
+  formula::Goal goal(const io::FormulaText& text, const formula::Context& context) const;
   /// What formulas of the scene may speak of.
-  situation::Context context() const;
+  formula::Context context() const;
   /// The exact sets of shapes; what had to be rounded is said once.
   std::vector<plane::Region> regions(const std::vector<plane::ShapePtr>& shapes) const;
   /// What `minimize` or `maximize` asks for.
   struct Goal {
-    situation::Objective objective;
+    formula::Objective objective;
     distance::Sense sense = distance::Sense::kMinimum;
     std::string text;
   };
   std::optional<Goal> goal() const;
   /// All shapes, and which of them move.
-  situation::World world() const;
+  formula::World world() const;
   /// Throws where the scene asks for more than positions in the plane (or on a line of it or instants, if `line`).
   void require_positions(bool line) const;
   /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`).
@@ -71,15 +71,15 @@ class Session {
 
   /// The moving shapes of a picture, and the fixed ones of which the formula speaks (all without one). The regions are
   /// those of `world`.
-  void add_scenery(io::Picture& picture, const situation::World& world, const situation::Formula* formula) const;
+  void add_scenery(io::Picture& picture, const formula::World& world, const formula::Formula* formula) const;
 
  private:
-  situation::Motion motion() const;
+  formula::Motion motion() const;
   /// position_anywhere() within the grid's range.
   std::vector<exact::Real> coordinates(std::size_t count) const;
 
   const Options& options_;
-  Talk& talk_;
+  Reporter& reporter_;
   io::Scene scene_;
 };
 

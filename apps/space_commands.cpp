@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "formula/solid/optimize_convex.h"
 #include "io/draw/draw_space.h"
 #include "io/mesh/space_surface.h"
 #include "io/write/write_json_space.h"
 #include "plane/base/parallel.h"
 #include "ray_outcome.h"
-#include "situation/solid/optimize_convex.h"
 #include "space_outcome.h"
 #include "space_report.h"
 
@@ -23,7 +23,7 @@ namespace {
 using exact::Real;
 
 /// The region among the shapes that have boxes; the moving ones stand at a sample position.
-std::string picture(const Session& session, const situation::SpaceWorld& world, const space::BoxComplex& region,
+std::string picture(const Session& session, const formula::SpaceWorld& world, const space::BoxComplex& region,
                     const space::SpaceSummary& summary, std::string title) {
   io::SpacePicture p{std::move(title), session.scene().where.text, session.unit(), &region, {}, {}, session.step()};
   for (const auto& [name, shape] : world.shapes) {
@@ -44,7 +44,7 @@ std::string title_of(const Session& session) {
 }
 
 /// The region as boxes; nothing where it has other faces.
-std::optional<space::BoxComplex> box_region(const situation::SpaceSolver& solver, const situation::Formula& formula) {
+std::optional<space::BoxComplex> box_region(const formula::SpaceSolver& solver, const formula::Formula& formula) {
   try {
     return solver.feasible(formula);
   } catch (const Error& e) {
@@ -74,14 +74,13 @@ space::BoxComplex applied(const std::string& operation, space::BoxComplex set) {
 Outcome on_lines(const Session& session) { return map_rays(session, lines_unasked(session, "map")); }
 
 /// One convex set, or else the map on lines.
-Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& solver,
-                          const situation::Formula& formula) {
+Outcome map_without_boxes(const Session& session, const formula::SpaceSolver& solver, const formula::Formula& formula) {
   const auto convex = solver.feasible_convex(formula);
   const auto goal = session.goal();
-  if (goal && goal->objective.kind == situation::Objective::Kind::kDistance) return on_lines(session);
+  if (goal && goal->objective.kind == formula::Objective::Kind::kDistance) return on_lines(session);
   if (goal) {
     const auto best =
-        convex ? situation::optimize(convex->set, convex->step, goal->objective, goal->sense) : std::nullopt;
+        convex ? formula::optimize(convex->set, convex->step, goal->objective, goal->sense) : std::nullopt;
     if (!best) return on_lines(session);
     const io::ExtremeValue extreme{goal->sense == distance::Sense::kMaximum,
                                    best->value ? std::optional(best->value->to_double()) : std::nullopt,
@@ -97,19 +96,19 @@ Outcome map_without_boxes(const Session& session, const situation::SpaceSolver& 
 
 }  // namespace
 
-std::map<std::string, situation::SpaceShape> space_shapes(const Session& session,
-                                                          const std::vector<plane::ShapePtr>& shapes) {
-  session.talk().stage("building the shapes");
-  std::vector<situation::SpaceShape> built(shapes.size());
+std::map<std::string, formula::SpaceShape> space_shapes(const Session& session,
+                                                        const std::vector<plane::ShapePtr>& shapes) {
+  session.reporter().stage("building the shapes");
+  std::vector<formula::SpaceShape> built(shapes.size());
   plane::parallel_for(built.size(), [&](std::size_t k) {
     try {
-      built[k] = situation::space_shape(*shapes[k]);
+      built[k] = formula::space_shape(*shapes[k]);
     } catch (const Error& e) {
       if (e.code() != ErrorCode::kUnsupported) throw;
       built[k].refused = e.what();  // its surface may do
     }
   });
-  std::map<std::string, situation::SpaceShape> out;
+  std::map<std::string, formula::SpaceShape> out;
   for (std::size_t k = 0; k < built.size(); ++k) {
     note_rounding(session, shapes[k]->name, built[k]);
     out.emplace(shapes[k]->name, std::move(built[k]));
@@ -117,23 +116,23 @@ std::map<std::string, situation::SpaceShape> space_shapes(const Session& session
   return out;
 }
 
-situation::SpaceWorld space_world(const Session& session) {
-  situation::SpaceWorld world;
+formula::SpaceWorld space_world(const Session& session) {
+  formula::SpaceWorld world;
   world.shapes = space_shapes(session, session.scene().shapes);
   world.moving = session.scene().moving;
   world.step = session.step();
-  world.rays = std::make_shared<const situation::RayWorld>(ray_world(session));
+  world.rays = std::make_shared<const formula::RayWorld>(ray_world(session));
   return world;
 }
 
 namespace {
 
 /// The value of the goal, or of the formula's `-> min`; the region becomes the set of the best positions.
-std::optional<io::ExtremeValue> extreme_of(const situation::SpaceSolver& solver, const situation::Formula& formula,
+std::optional<io::ExtremeValue> extreme_of(const formula::SpaceSolver& solver, const formula::Formula& formula,
                                            const std::optional<Session::Goal>& goal, space::BoxComplex& region) {
   const auto number = [](const std::optional<Real>& v) { return v ? std::optional(v->to_double()) : std::nullopt; };
   if (goal) {
-    situation::SpaceOptimum best = solver.optimize(region, goal->objective, goal->sense);
+    formula::SpaceOptimum best = solver.optimize(region, goal->objective, goal->sense);
     region = std::move(best.at);
     return io::ExtremeValue{goal->sense == distance::Sense::kMaximum, number(best.value), best.unbounded, best.attained,
                             true};
@@ -148,11 +147,11 @@ std::optional<io::ExtremeValue> extreme_of(const situation::SpaceSolver& solver,
 Outcome map_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, space_formats());
-  const situation::Formula formula = session.where();
+  const formula::Formula formula = session.where();
   const auto goal = session.goal();
-  const situation::SpaceSolver solver(space_world(session));
-  session.talk().stage("solving");
-  const bool by_distance = goal && goal->objective.kind == situation::Objective::Kind::kDistance;
+  const formula::SpaceSolver solver(space_world(session));
+  session.reporter().stage("solving");
+  const bool by_distance = goal && goal->objective.kind == formula::Objective::Kind::kDistance;
   std::optional<space::BoxComplex> boxes = by_distance ? std::nullopt : box_region(solver, formula);
   if (!boxes) return map_without_boxes(session, solver, formula);
   space::BoxComplex region = std::move(*boxes);
@@ -162,7 +161,7 @@ Outcome map_space(const Session& session) {
   const io::ExtremeValue* shown = extreme ? &*extreme : nullptr;
   const std::string title = title_of(session);
   const auto json = [&] { return io::space_json(region, summary, session.step(), session.unit(), shown); };
-  session.talk().stage("writing");
+  session.reporter().stage("writing");
   Writers all = space_writers(
       json, [&] { return io::box_surface(region, session.step()); }, title, session.unit());
   all[".svg"] = [&] { return picture(session, solver.world(), region, summary, title); };

@@ -5,17 +5,17 @@
 // the plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
 #pragma once
 
+#include "formula/solid/solve_space.h"
 #include "io/mesh/write_mesh.h"
 #include "line_choice.h"
 #include "session.h"
-#include "situation/solid/solve_space.h"
 
 namespace findspace::app {
 
 /// Shapes of the scene, and such made of them, as sets and bodies, by name; what had to be rounded is said.
-std::map<std::string, situation::SpaceShape> space_shapes(const Session& session,
-                                                          const std::vector<plane::ShapePtr>& shapes);
-situation::SpaceWorld space_world(const Session& session);
+std::map<std::string, formula::SpaceShape> space_shapes(const Session& session,
+                                                        const std::vector<plane::ShapePtr>& shapes);
+formula::SpaceWorld space_world(const Session& session);
 
 Outcome map_space(const Session& session);
 Outcome map_rays(const Session& session, const LineChoice& lines);

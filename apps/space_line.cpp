@@ -4,11 +4,11 @@
 // map of a 3D scene whose shape moves along one line.
 #include <fmt/format.h>
 
+#include "formula/solid/optimize_line.h"
+#include "formula/solid/ray_minima.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"
 #include "report.h"
-#include "situation/solid/optimize_line.h"
-#include "situation/solid/ray_minima.h"
 #include "space_commands.h"
 
 namespace findspace::app {
@@ -18,21 +18,23 @@ Outcome map_space_line(const Session& session) {
   check_outputs(options, {".json"});
   if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply is for maps of space, not of a line");
   const io::Free& free = session.scene().free;
-  situation::SpaceLine line;
-  for (std::size_t k = 0; k < 3; ++k)
-    line.through[k] = exact::Real(free.through[k]), line.direction[k] = exact::Real(free.direction[k]);
-  const situation::Formula formula = session.where();
-  const situation::SpaceSolver solver(space_world(session));
-  session.talk().stage("solving");
-  const situation::Side side = situation::side_of_search(*solver.world().rays, formula);
-  if (side != situation::Side::kExact)
-    session.talk().note("how far a shape sticks out is found by search: ends may be off by 2^-30 of the sizes");
+  formula::SpaceLine line;
+  for (std::size_t k = 0; k < 3; ++k) {
+    line.through[k] = exact::Real(free.through[k]);
+    line.direction[k] = exact::Real(free.direction[k]);
+  }
+  const formula::Formula formula = session.where();
+  const formula::SpaceSolver solver(space_world(session));
+  session.reporter().stage("solving");
+  const formula::Side side = formula::side_of_search(*solver.world().rays, formula);
+  if (side != formula::Side::kExact)
+    session.reporter().note("how far a shape sticks out is found by search: ends may be off by 2^-30 of the sizes");
   auto set = plane::intervals(solver.feasible_on(formula, line), exact::Real(1));
   std::optional<io::ExtremeValue> extreme;
   std::string title = fmt::format("Positions of {} on the line", fmt::join(session.scene().moving, ", "));
   if (const auto goal = session.goal()) {
     const bool greatest = goal->sense == distance::Sense::kMaximum;
-    situation::LineOptimum best = situation::optimize(set, line, session.step(), goal->objective, goal->sense);
+    formula::LineOptimum best = formula::optimize(set, line, session.step(), goal->objective, goal->sense);
     extreme = io::ExtremeValue{greatest, best.value ? std::optional(best.value->to_double()) : std::nullopt,
                                best.unbounded, best.attained, true};
     set = std::move(best.at);
@@ -40,7 +42,7 @@ Outcome map_space_line(const Session& session) {
   }
   const auto json = [&] {
     return io::intervals_json(set, session.step(), session.unit(), extreme ? &*extreme : nullptr,
-                              side == situation::Side::kExact ? "" : situation::name(side));
+                              side == formula::Side::kExact ? "" : formula::name(side));
   };
   write_outputs(options, {{".json", json}});
   std::string text = intervals_text(title, set, session.step(), session.unit());

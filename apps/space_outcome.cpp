@@ -30,9 +30,9 @@ Writers space_writers(std::function<std::string()> json, std::function<io::Surfa
   return out;
 }
 
-void note_rounding(const Session& session, const std::string& name, const situation::SpaceShape& shape) {
+void note_rounding(const Session& session, const std::string& name, const formula::SpaceShape& shape) {
   if (!shape.body.made() || shape.body->rounded == 0) return;
-  session.talk().note(
+  session.reporter().note(
       fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}", name,
                   shape.body->rounded, shape.body->moved * session.scene().grid.step_size(), session.unit()));
 }
@@ -57,10 +57,11 @@ bool wants_surface(const Session& session) {
 
 LineChoice lines_unasked(const Session& session, const char* what) {
   constexpr int kLines = 128;
-  session.talk().note(fmt::format(
+  session.reporter().note(fmt::format(
       "the {0} is taken on {1} x {1} lines of each axis, exact on each (--resolution N for others)", what, kLines));
   LineChoice out;
-  out.count = kLines, out.axes = true;
+  out.count = kLines;
+  out.axes = true;
   return out;
 }
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "formula/solid/solve_space.h"
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json.h"
 #include "line_choice.h"
 #include "session.h"
-#include "situation/solid/solve_space.h"
 
 namespace findspace::app {
 
@@ -21,7 +21,7 @@ std::vector<std::string> space_formats();
 /// JSON, and the surface in every format.
 Writers space_writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title,
                       const std::string& unit);
-void note_rounding(const Session& session, const std::string& name, const situation::SpaceShape& shape);
+void note_rounding(const Session& session, const std::string& name, const formula::SpaceShape& shape);
 /// `extreme` may be null.
 Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const exact::Real& step,
                          const std::string& title, const io::ExtremeValue* extreme);

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
+#include "formula/language/text.h"
 #include "io/draw/draw_bodies.h"
 #include "io/write/write_json_space.h"
-#include "situation/formula/text.h"
 #include "space_commands.h"
 #include "space_outcome.h"
 #include "space_report.h"
@@ -18,7 +18,7 @@ namespace findspace::app {
 namespace {
 
 /// Of bodies that were made only when a distance asked for them.
-void note_late_rounding(const Session& session, const situation::SpaceSolver& solver) {
+void note_late_rounding(const Session& session, const formula::SpaceSolver& solver) {
   for (const auto& [name, shape] : solver.world().shapes) {
     if (shape.surfaces && !shape.convex) note_rounding(session, name, shape);
   }
@@ -29,11 +29,11 @@ std::string where_text(const space::RealVector& at) {
 }
 
 /// What is drawn of a shape: its body, or all sets that a cut solid is made of and that are cut out of it.
-std::shared_ptr<const space::Body> drawn_body(const situation::SpaceShape& shape) {
+std::shared_ptr<const space::Body> drawn_body(const formula::SpaceShape& shape) {
   if (!shape.cut) return shape.body.pointer();
   space::Body all;
   all.scale = shape.cut->scale;
-  for (const space::CutPart& part : shape.cut->parts) {
+  for (const space::CsgPart& part : shape.cut->parts) {
     all.parts.insert(all.parts.end(), part.within.begin(), part.within.end());
     all.parts.insert(all.parts.end(), part.without.begin(), part.without.end());
   }
@@ -41,10 +41,10 @@ std::shared_ptr<const space::Body> drawn_body(const situation::SpaceShape& shape
 }
 
 /// The bodies with the moving ones at `at`, and pairs of points that take a distance.
-std::string picture_at(const Session& session, const situation::SpaceSolver& solver, const space::RealVector& at,
+std::string picture_at(const Session& session, const formula::SpaceSolver& solver, const space::RealVector& at,
                        std::string title, std::vector<std::string> lines,
-                       const std::vector<situation::SpaceDistanceAt>& distances) {
-  const situation::SpaceWorld& world = solver.world();
+                       const std::vector<formula::SpaceDistanceAt>& distances) {
+  const formula::SpaceWorld& world = solver.world();
   io::BodiesPicture picture{std::move(title), session.unit(), std::move(lines), {}, {}, world.step.to_double()};
   std::vector<std::shared_ptr<const space::Body>> drawn;
   for (const bool moving : {false, true}) {
@@ -69,19 +69,19 @@ Outcome check_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, {".json", ".svg"});
   const space::RealVector at = session.position_in_space();
-  const situation::Formula formula = session.where();
-  const situation::SpaceSolver solver(space_world(session));
-  session.talk().stage("checking");
-  const situation::SpaceSolver::Check check = solver.check(formula, at);
+  const formula::Formula formula = session.where();
+  const formula::SpaceSolver solver(space_world(session));
+  session.reporter().stage("checking");
+  const formula::SpaceSolver::Check check = solver.check(formula, at);
   const auto nearest = check.holds ? std::nullopt : solver.nearest_feasible(formula, at);
   note_late_rounding(session, solver);
-  const situation::SpaceNearest* near = nearest ? &*nearest : nullptr;
+  const formula::SpaceNearest* near = nearest ? &*nearest : nullptr;
   const auto json = [&] { return io::space_check_json(check, at, session.unit(), near); };
   const auto svg = [&] {
     std::vector<std::string> lines;
-    std::vector<situation::SpaceDistanceAt> distances;
-    for (const situation::SpaceAtomAt& a : check.atoms) {
-      lines.push_back(fmt::format("{}: {}", situation::text(a.atom), a.holds ? "true" : "false"));
+    std::vector<formula::SpaceDistanceAt> distances;
+    for (const formula::SpaceAtomAt& a : check.atoms) {
+      lines.push_back(fmt::format("{}: {}", formula::text(a.atom), a.holds ? "true" : "false"));
       distances.push_back(a.distance);
     }
     return picture_at(session, solver, at,
@@ -97,7 +97,7 @@ Outcome check_space(const Session& session) {
 namespace {
 
 /// A line for each reason, with the distances that it is the reason for.
-void note_refused(const Session& session, const std::vector<situation::SpaceDistanceAt>& distances) {
+void note_refused(const Session& session, const std::vector<formula::SpaceDistanceAt>& distances) {
   std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
   for (const auto& d : distances) {
     if (d.refused.empty()) continue;
@@ -107,7 +107,7 @@ void note_refused(const Session& session, const std::vector<situation::SpaceDist
     reason.second.push_back(d.text);
   }
   for (const auto& [reason, texts] : reasons)
-    session.talk().note(fmt::format("{}: {}", fmt::join(texts, ", "), reason));
+    session.reporter().note(fmt::format("{}: {}", fmt::join(texts, ", "), reason));
 }
 
 }  // namespace
@@ -116,9 +116,9 @@ Outcome measure_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, {".json", ".svg"});
   const space::RealVector at = session.position_in_space();
-  const situation::SpaceSolver solver(space_world(session));
-  session.talk().stage("measuring");
-  const std::vector<situation::SpaceDistanceAt> distances = solver.measure(at);
+  const formula::SpaceSolver solver(space_world(session));
+  session.reporter().stage("measuring");
+  const std::vector<formula::SpaceDistanceAt> distances = solver.measure(at);
   note_late_rounding(session, solver);
   note_refused(session, distances);
   const auto json = [&] { return io::space_measure_json(distances, at, session.unit()); };

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "formula/language/text.h"
 #include "io/draw/draw_layout.h"
-#include "situation/formula/text.h"
 
 namespace findspace::app {
 namespace {
@@ -46,7 +46,7 @@ std::string component_text(const space::SpaceComponent& c, std::string_view unit
   return out;
 }
 
-std::string value_text(const situation::SpaceDistanceAt& d, std::string_view unit) {
+std::string value_text(const formula::SpaceDistanceAt& d, std::string_view unit) {
   if (!d.refused.empty()) return "not computed";
   return d.value ? size(*d.value, unit) : "undefined";
 }
@@ -82,13 +82,13 @@ std::string space_summary_text(std::string_view title, const space::SpaceSummary
   return out;
 }
 
-std::string space_check_text(const situation::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
-                             const situation::SpaceNearest* nearest) {
+std::string space_check_text(const formula::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
+                             const formula::SpaceNearest* nearest) {
   std::size_t width = 0;
-  for (const auto& a : check.atoms) width = std::max(width, situation::text(a.atom).size());
+  for (const auto& a : check.atoms) width = std::max(width, formula::text(a.atom).size());
   std::string out = fmt::format("{} {}\n", at, check.holds ? "is feasible" : "is not feasible");
   for (const auto& a : check.atoms) {
-    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", situation::text(a.atom), width, value_text(a.distance, unit));
+    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", formula::text(a.atom), width, value_text(a.distance, unit));
     if (a.lacks) put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", size(*a.lacks, unit));
     out += "\n";
   }
@@ -101,7 +101,7 @@ std::string space_check_text(const situation::SpaceSolver::Check& check, std::st
   return out;
 }
 
-std::string space_measure_text(const std::vector<situation::SpaceDistanceAt>& distances, std::string_view at,
+std::string space_measure_text(const std::vector<formula::SpaceDistanceAt>& distances, std::string_view at,
                                std::string_view unit) {
   std::size_t width = 0;
   for (const auto& d : distances) width = std::max(width, d.text.size());

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "formula/solid/solve_space.h"
 #include "io/write/write_json.h"
-#include "situation/solid/solve_space.h"
 #include "space/box/box_summary.h"
 
 namespace findspace::app {
@@ -17,9 +17,9 @@ namespace findspace::app {
 /// `extreme` may be null.
 std::string space_summary_text(std::string_view title, const space::SpaceSummary& summary, std::string_view unit,
                                const io::ExtremeValue* extreme);
-std::string space_check_text(const situation::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
-                             const situation::SpaceNearest* nearest);
-std::string space_measure_text(const std::vector<situation::SpaceDistanceAt>& distances, std::string_view at,
+std::string space_check_text(const formula::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
+                             const formula::SpaceNearest* nearest);
+std::string space_measure_text(const std::vector<formula::SpaceDistanceAt>& distances, std::string_view at,
                                std::string_view unit);
 
 }  // namespace findspace::app

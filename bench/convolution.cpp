@@ -14,7 +14,7 @@ namespace {
 Point operator+(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y}; }
 Point operator-(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
 std::int64_t cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
-std::int64_t turn(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - b); }
+std::int64_t rotation(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - b); }
 
 // By angle in [0, 360).
 bool before(const Point& p, const Point& q) {
@@ -59,8 +59,8 @@ struct Link {
   std::size_t from, to;
 };
 
-// Equal directions are told apart by turning b a little: its edges come after those of a. So a sector of b takes the
-// edges of a in (low, high], a sector of a those of b in [low, high).
+// Equal directions are decided apart by rotating b a little: its edges come after those of a. So a sector of b takes
+// the edges of a in (low, high], a sector of a those of b in [low, high).
 std::vector<Link> links(const Polygon& a, const Polygon& b) {
   Edges ea(a), eb(b);
   std::size_t n = a.size(), m = b.size();
@@ -89,14 +89,14 @@ struct Ring {
 };
 
 bool inside(const Point& a, const Point& b, const Point& c, const Point& p) {
-  return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+  return rotation(a, b, p) >= 0 && rotation(b, c, p) >= 0 && rotation(c, a, p) >= 0;
 }
 
 bool is_ear(const Polygon& p, const Ring& ring, std::size_t i) {
   std::size_t h = ring.prev[i], j = ring.next[i];
-  if (turn(p[h], p[i], p[j]) <= 0) return false;
+  if (rotation(p[h], p[i], p[j]) <= 0) return false;
   for (std::size_t k = ring.next[j]; k != h; k = ring.next[k]) {
-    if (turn(p[ring.prev[k]], p[k], p[ring.next[k]]) <= 0 && inside(p[h], p[i], p[j], p[k])) return false;
+    if (rotation(p[ring.prev[k]], p[k], p[ring.next[k]]) <= 0 && inside(p[h], p[i], p[j], p[k])) return false;
   }
   return true;
 }
@@ -104,7 +104,10 @@ bool is_ear(const Polygon& p, const Ring& ring, std::size_t i) {
 std::vector<std::vector<std::size_t>> triangles(const Polygon& p) {
   std::size_t n = p.size();
   Ring ring{std::vector<std::size_t>(n), std::vector<std::size_t>(n)};
-  for (std::size_t i = 0; i < n; ++i) ring.next[i] = (i + 1) % n, ring.prev[i] = (i + n - 1) % n;
+  for (std::size_t i = 0; i < n; ++i) {
+    ring.next[i] = (i + 1) % n;
+    ring.prev[i] = (i + n - 1) % n;
+  }
   std::vector<std::vector<std::size_t>> all;
   std::size_t i = 0, left = n, tried = 0;
   while (left > 3 && tried <= left) {
@@ -136,8 +139,8 @@ std::vector<std::size_t> merged(const Polygon& p, const std::vector<std::size_t>
     whole.push_back(left[(i + k) % left.size()]);  // v ... u
   for (std::size_t k = 1, i = at(right, u); k + 1 < right.size(); ++k) whole.push_back(right[(i + k) % right.size()]);
   std::size_t n = whole.size(), end = left.size() - 1;
-  bool convex_at_u = turn(p[whole[end - 1]], p[u], p[whole[(end + 1) % n]]) >= 0;
-  bool convex_at_v = turn(p[whole[n - 1]], p[v], p[whole[1]]) >= 0;
+  bool convex_at_u = rotation(p[whole[end - 1]], p[u], p[whole[(end + 1) % n]]) >= 0;
+  bool convex_at_v = rotation(p[whole[n - 1]], p[v], p[whole[1]]) >= 0;
   return convex_at_u && convex_at_v ? whole : std::vector<std::size_t>{};
 }
 

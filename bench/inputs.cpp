@@ -12,7 +12,7 @@
 namespace bench {
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
+constexpr double kRotation = 6.283185307179586;
 constexpr double kSize = 1 << 20;
 
 double area_twice(const Polygon& p) {
@@ -52,7 +52,7 @@ Polygon star(int n, unsigned seed) {
   std::uniform_real_distribution<double> outer(0.9, 1.0), shift(-0.2, 0.2);
   Polygon p;
   for (int i = 0; i < n; ++i) {
-    double radius = kSize * (i % 2 ? 0.8 : outer(random)), angle = kTurn * (i + shift(random)) / n;
+    double radius = kSize * (i % 2 ? 0.8 : outer(random)), angle = kRotation * (i + shift(random)) / n;
     p.push_back(at(radius * std::cos(angle), radius * std::sin(angle)));
   }
   return normalised(p);
@@ -62,7 +62,7 @@ Polygon comb(int n, unsigned seed, double degrees) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> length(0.25, 0.5), jitter(-0.2, 0.2);
   int teeth = std::max(1, (n - 2) / 4);
-  double width = 2 * kSize / (2 * teeth), angle = degrees / 360 * kTurn;
+  double width = 2 * kSize / (2 * teeth), angle = degrees / 360 * kRotation;
   // The valleys lie on a flat arch, so that the spine is convex.
   auto valley = [](double x) { return std::pair{x, 0.05 * kSize * (1 - x * x / kSize / kSize)}; };
   std::vector<std::pair<double, double>> points{{-kSize, -0.2 * kSize}, {kSize, -0.2 * kSize}};
@@ -82,11 +82,11 @@ Polygon comb(int n, unsigned seed, double degrees) {
 
 Polygon smooth(int n, unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> phase(0, kTurn), shift(-0.2, 0.2);
+  std::uniform_real_distribution<double> phase(0, kRotation), shift(-0.2, 0.2);
   double p2 = phase(random), p3 = phase(random), p7 = phase(random), p12 = phase(random);
   Polygon p;
   for (int i = 0; i < n; ++i) {
-    double a = kTurn * (i + shift(random)) / n;
+    double a = kRotation * (i + shift(random)) / n;
     double r = kSize * (0.65 + 0.12 * std::cos(2 * a + p2) + 0.08 * std::cos(3 * a + p3) + 0.05 * std::cos(7 * a + p7) +
                         0.03 * std::cos(12 * a + p12));
     p.push_back(at(r * std::cos(a), r * std::sin(a)));

@@ -20,7 +20,7 @@ using Polygon = std::vector<Point>;
 
 /// n vertices, every other one drawn in, on an inner circle: jagged, its sums have many more crossings than vertices.
 Polygon star(int n, unsigned seed);
-/// A spine with about n/4 teeth of uneven length, turned by `degrees`.
+/// A spine with about n/4 teeth of uneven length, rotated by `degrees`.
 Polygon comb(int n, unsigned seed, double degrees);
 /// A wavy closed curve of four low frequencies, sampled: flat angles, about ten inlets.
 Polygon smooth(int n, unsigned seed);

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // One measurement: a job is run in a process of its own, so that a rival that runs for ever, out of memory or into an
-// error ends only itself, and so that its peak memory is its own.
+// error ends only itself, and so that its max_min memory is its own.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,10 @@ void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point)
   double most = 0;
   for (const auto& v : placed->body->vertices) {
     const double h = v[0] * direction->v[0] + v[1] * direction->v[1] + v[2] * direction->v[2];
-    if (best == nullptr || h > most) best = &v, most = h;
+    if (best == nullptr || h > most) {
+      best = &v;
+      most = h;
+    }
   }
   ccdVec3Set(point, (*best)[0] + placed->at[0], (*best)[1] + placed->at[1], (*best)[2] + placed->at[2]);
 }

@@ -4,7 +4,7 @@
 // Ray maps of pairs of meshes at n x n lines, from triangles to the events of every line.
 // usage: ray_bench SPOT.obj [N [ROW]]
 // Only rows whose name holds ROW. Prints seconds with one thread and with all, the convolution alone, what it took,
-// volume, and the peak resident memory.
+// volume, and the max_min resident memory.
 #include <sys/resource.h>
 
 #include <algorithm>

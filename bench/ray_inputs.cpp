@@ -133,8 +133,8 @@ class Collapse {
     return false;
   }
 
-  findspace::exact::Shadow3 normal(const Face& f) const {
-    return findspace::exact::shadow(
+  findspace::exact::Approx3 normal(const Face& f) const {
+    return findspace::exact::approx(
         findspace::exact::cross(t_.points[f[1]] - t_.points[f[0]], t_.points[f[2]] - t_.points[f[0]]));
   }
 

@@ -52,7 +52,10 @@ void line(const char* name, const Triangles& a, const Triangles& b, int n, int p
 }
 
 Triangles whole(Triangles mesh) {
-  if (crossing_faces(RayBody(mesh))) std::fprintf(stderr, "a mesh crosses itself\n"), std::exit(1);
+  if (crossing_faces(RayBody(mesh))) {
+    std::fprintf(stderr, "a mesh crosses itself\n");
+    std::exit(1);
+  }
   return mesh;
 }
 

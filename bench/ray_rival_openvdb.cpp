@@ -4,7 +4,7 @@
 // The grown meshes of ray_bench by OpenVDB, on voxels as wide as the lines are apart: a narrow level set moved outwards
 // by its filter, and a level set whose outer band is as wide as the ball's radius, read at that level.
 // usage: ray_rival_openvdb SPOT.obj [N]
-// Prints seconds with one thread and with all, the volume within, and the peak resident memory of each way.
+// Prints seconds with one thread and with all, the volume within, and the max_min resident memory of each way.
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetFilter.h>
 #include <openvdb/tools/LevelSetMeasure.h>

@@ -17,14 +17,14 @@
 #include <string_view>
 
 #include "distance/planar/at_position.h"
+#include "formula/language/evaluate.h"
+#include "formula/language/parse.h"
+#include "formula/planar/solve.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/contour/contour.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
-#include "situation/formula/evaluate.h"
-#include "situation/formula/parse.h"
-#include "situation/planar/solve.h"
 #include "values_rivals.h"
 
 namespace {
@@ -73,7 +73,10 @@ Region region(const Polygon& polygon) {
 }
 
 Polygon moved(Polygon polygon, std::int64_t dx, std::int64_t dy) {
-  for (Point& p : polygon) p.x += dx, p.y += dy;
+  for (Point& p : polygon) {
+    p.x += dx;
+    p.y += dy;
+  }
   return polygon;
 }
 
@@ -142,10 +145,10 @@ void many_positions(const Polygon& a, const Polygon& b) {
 /// m vertices; for each a clearance, a nearness and a reach. Stars far apart cross little, wavy shapes on top of each
 /// other everywhere.
 void many_atoms(int m, int spread) {
-  namespace situation = findspace::situation;
+  namespace formula = findspace::formula;
   const std::int64_t size = std::int64_t(1) << 20;
-  situation::World world;
-  situation::Context context;
+  formula::World world;
+  formula::Context context;
   std::string formula;
   const auto shape = [&](unsigned seed) { return spread < 16 ? smooth(m, seed) : star(m, seed); };
   const double ring = double(spread) / 16 * double(size);
@@ -162,8 +165,8 @@ void many_atoms(int m, int spread) {
   context.shapes.push_back("B");
   world.moving = context.moving = {"B"};
   world.step = 1;
-  const situation::Formula parsed = situation::parse_formula(formula, context);
-  situation::Solver solver(world);
+  const formula::Formula parsed = formula::parse_formula(formula, context);
+  formula::Solver solver(world);
   std::vector<findspace::plane::SignMap> maps;
   auto made = [&] {
     maps.clear();
@@ -184,7 +187,7 @@ void many_atoms(int m, int spread) {
   crossings = findspace::plane::overlay(operands, rule).vertices.size();
   double overlay_ms = median_ms([&] {
     findspace::plane::overlay(operands, [&](std::span<const findspace::plane::Mark> marks) {
-      return findspace::plane::Mark(situation::evaluate(parsed, marks));
+      return findspace::plane::Mark(formula::evaluate(parsed, marks));
     });
   });
   double n = double(crossings);
@@ -214,7 +217,10 @@ void depth_table() {
     fmt::print("| {} | {} | {} | {:.1f} | {:.2f} |\n", name, n, distance, first, others / 20);
   };
   auto quarter = [](Polygon polygon) {
-    for (Point& p : polygon) p.x /= 4, p.y /= 4;
+    for (Point& p : polygon) {
+      p.x /= 4;
+      p.y /= 4;
+    }
     return polygon;
   };
   // Corners rounded by discs a fiftieth as large; a hole in which the other shape could stand.

@@ -17,7 +17,7 @@ import os
 import re
 import sys
 
-LAYERS = ["exact", "plane", "space", "distance", "situation", "planning", "io"]
+LAYERS = ["exact", "plane", "space", "distance", "formula", "planning", "io"]
 CODE = (".h", ".cpp")
 MOST_FILES = 40  # of a street
 MOST_LINES = 10  # of the README of a layer

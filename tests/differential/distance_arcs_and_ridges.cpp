@@ -127,9 +127,9 @@ TEST(ArcsAndRidges, NoPlaceIsFartherThanTheFarthest) {
   for (int x = -4; x < 40; x += 3)
     for (int y = 3; y < 40; y += 4) {
       const auto value = pair.measure(Which::kMu, testing::at(x, y))->value.to_double();
-      const auto peaks = search.peaks(x, y, 1e-9, 0, {0x1p-44});
-      ASSERT_FALSE(peaks.empty());
-      EXPECT_NEAR(value, peaks[0].value, 1e-11) << x << ", " << y;
+      const auto max_mins = search.max_mins(x, y, 1e-9, 0, {0x1p-44});
+      ASSERT_FALSE(max_mins.empty());
+      EXPECT_NEAR(value, max_mins[0].value, 1e-11) << x << ", " << y;
     }
 }
 

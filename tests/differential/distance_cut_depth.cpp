@@ -5,8 +5,8 @@
 // the nearest free one no sampled place of the solid is in the body, and at no position that is nearer they are apart.
 #include <gtest/gtest.h>
 
-#include "distance/cut/cut_pair.h"
-#include "distance/cut/cut_rays.h"
+#include "distance/csg/csg_pair.h"
+#include "distance/csg/csg_rays.h"
 #include "distance/search/meet_slack.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
@@ -34,11 +34,11 @@ std::vector<Moving> moving() {
            }}};
 }
 
-CutPair pair_of(const plane::Shape& fixed, const Body& body) {
-  return {space::shared(body), std::make_shared<const space::CutBody>(space::cut_body(fixed)), false};
+CsgPair pair_of(const plane::Shape& fixed, const Body& body) {
+  return {space::shared(body), std::make_shared<const space::CsgSolid>(space::csg_solid(fixed)), false};
 }
 
-TEST(CutDepth, IsThatOfSamples) {
+TEST(CsgDepth, IsThatOfSamples) {
   std::mt19937 random(5);
   int deep = 0;
   for (const Case& c : cases()) {
@@ -48,7 +48,7 @@ TEST(CutDepth, IsThatOfSamples) {
       if (c.level(x) < 0) solid.push_back(x);
     }
     for (const Moving& b : moving()) {
-      const CutPair pair = pair_of(*c.shape, b.body);
+      const CsgPair pair = pair_of(*c.shape, b.body);
       for (int k = 0; k < 3; ++k) {
         const Vector at = solid[random() % solid.size()];
         const RealVector p{Real::from_double(at.x), Real::from_double(at.y), Real::from_double(at.z)};
@@ -76,7 +76,7 @@ double depth(const plane::Shape& fixed, const Body& body, const RealVector& p) {
   return -pair_of(fixed, body).value(Which::kGamma1, p)->value.to_double();
 }
 
-TEST(CutDepth, IsTheOneOfFormulas) {
+TEST(CsgDepth, IsTheOneOfFormulas) {
   using space::ball, space::node, space::place;
   // A ball in the wall of a shell: to the hollow, or out.
   const auto shell = node(Kind::kDifference, {ball({0, 0, 0}, 24), ball({0, 0, 0}, 18)});
@@ -99,12 +99,12 @@ TEST(CutDepth, IsTheOneOfFormulas) {
   EXPECT_NEAR(-v.value.to_double(), std::sqrt(2.0) * (23 - std::sqrt(140.0)), 1e-10);
 }
 
-TEST(CutDepth, HasLines) {
+TEST(CsgDepth, HasLines) {
   // A ball of radius 4 in a dome of height 20: deeper than 3 between -1 and 21.
   const auto dome = space::node(Kind::kIntersection, {space::ball({0, 0, 0}, 20), box({-30, -30, 0}, {30, 30, 30})});
   const auto pair =
-      std::make_shared<const CutPair>(space::shared(space::body(*space::ball({0, 0, 0}, 4))),
-                                      std::make_shared<const space::CutBody>(space::cut_body(*dome)), false);
+      std::make_shared<const CsgPair>(space::shared(space::body(*space::ball({0, 0, 0}, 4))),
+                                      std::make_shared<const space::CsgSolid>(space::csg_solid(*dome)), false);
   const space::RayGrid grid{2, 1, 0, 0, 1, 1, 1, 1};
   const space::RayRow deep = cut_map(Which::kGamma1, Real(-3), pair, 1, grid)->row(0);
   const space::RayRow out = cut_map(Which::kPenetration, Real(3), pair, 1, grid)->row(0);

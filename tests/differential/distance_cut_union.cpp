@@ -6,8 +6,8 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
-#include "distance/cut/cut_pair.h"
-#include "distance/cut/cut_rays.h"
+#include "distance/csg/csg_pair.h"
+#include "distance/csg/csg_rays.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 
@@ -45,9 +45,9 @@ std::vector<Vector> of_cube() {
   return out;
 }
 
-std::shared_ptr<const CutPair> pair_of(const Case& c) {
-  return std::make_shared<const CutPair>(space::shared(space::body(*box({-3, -3, -3}, {3, 3, 3}))),
-                                         std::make_shared<const space::CutBody>(space::cut_body(*c.shape)), false);
+std::shared_ptr<const CsgPair> pair_of(const Case& c) {
+  return std::make_shared<const CsgPair>(space::shared(space::body(*box({-3, -3, -3}, {3, 3, 3}))),
+                                         std::make_shared<const space::CsgSolid>(space::csg_solid(*c.shape)), false);
 }
 
 TEST(CutUnion, HoldsWhatItsSamplesSay) {
@@ -70,8 +70,10 @@ TEST(CutUnion, HoldsWhatItsSamplesSay) {
       const Vector p = k < 3 ? all[static_cast<std::size_t>(k)] : any(random, 22);
       const RealVector at{Real::from_double(p.x), Real::from_double(p.y), Real::from_double(p.z)};
       double least = exact::kInfinity, most = 0;
-      for (const Vector& q : all)
-        least = std::min(least, space::length(q - p)), most = std::max(most, space::length(q - p));
+      for (const Vector& q : all) {
+        least = std::min(least, space::length(q - p));
+        most = std::max(most, space::length(q - p));
+      }
       const SolidValue v = *pair->value(Which::kEta1, at), far = *pair->value(Which::kEta2, at);
       EXPECT_EQ(v.value.sign() <= 0, fits(p, 0)) << c.name;
       EXPECT_LE(v.value.to_double(), least + 1e-9) << c.name;
@@ -125,8 +127,8 @@ TEST(CutUnion, HasLines) {
 
 /// Nothing as large as that fits, though the box about the domes would hold it.
 TEST(CutUnion, MayBeTooSmall) {
-  const CutPair pair(space::shared(space::body(*box({-9, -9, -5}, {9, 9, 5}))),
-                     std::make_shared<const space::CutBody>(space::cut_body(*unions()[0].shape)), false);
+  const CsgPair pair(space::shared(space::body(*box({-9, -9, -5}, {9, 9, 5}))),
+                     std::make_shared<const space::CsgSolid>(space::csg_solid(*unions()[0].shape)), false);
   EXPECT_FALSE(pair.value(Which::kEta1, space::place(0, 0, 0)));
   EXPECT_FALSE(pair.value(Which::kEta2, space::place(0, 0, 0)));
 }

@@ -10,8 +10,8 @@
 #include <functional>
 #include <random>
 
-#include "distance/cut/cut_pair.h"
-#include "distance/cut/cut_rays.h"
+#include "distance/csg/csg_pair.h"
+#include "distance/csg/csg_rays.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 
@@ -22,7 +22,7 @@ using exact::Real;
 using plane::Shape;
 using space::ball;
 using space::Body;
-using space::CutBody;
+using space::CsgSolid;
 using space::node;
 using space::Point;
 using space::RealVector;
@@ -35,14 +35,14 @@ RealVector on_grid(const Vector& v) {
 
 constexpr double kHalf = 3;  // of the cube that moves
 
-std::shared_ptr<const CutPair> shared_pair(const Case& c, bool cut_moves = false) {
-  return std::make_shared<const CutPair>(space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
-                                         std::make_shared<const CutBody>(space::cut_body(*c.shape)), cut_moves);
+std::shared_ptr<const CsgPair> shared_pair(const Case& c, bool cut_moves = false) {
+  return std::make_shared<const CsgPair>(space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
+                                         std::make_shared<const CsgSolid>(space::csg_solid(*c.shape)), cut_moves);
 }
 
-CutPair pair_of(const Case& c, bool cut_moves = false) {
+CsgPair pair_of(const Case& c, bool cut_moves = false) {
   return {space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
-          std::make_shared<const CutBody>(space::cut_body(*c.shape)), cut_moves};
+          std::make_shared<const CsgSolid>(space::csg_solid(*c.shape)), cut_moves};
 }
 
 double to_cube(const Vector& x, const Vector& p) {
@@ -55,7 +55,7 @@ TEST(CutValues, AreThoseOfSamples) {
   std::mt19937 random(7);
   int apart = 0, meeting = 0;
   for (const Case& c : cases()) {
-    const CutPair pair = pair_of(c);
+    const CsgPair pair = pair_of(c);
     std::vector<Vector> solid;
     while (solid.size() < 60000) {
       const Vector x = any(random, 30);
@@ -98,7 +98,7 @@ TEST(CutValues, AreThoseOfSamples) {
 TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
   std::mt19937 random(8);
   const auto fits = [](const Case& c, const Vector& p) {
-    // Convex solids hold it by its corners; what is cut out is told by the place of the cube nearest to its centre.
+    // Convex solids hold it by its corners; what is cut out is decided by the place of the cube nearest to its centre.
     for (int i = 0; i < 8; ++i) {
       const Vector corner{p.x + (i & 1 ? kHalf : -kHalf), p.y + (i & 2 ? kHalf : -kHalf),
                           p.z + (i & 4 ? kHalf : -kHalf)};
@@ -112,7 +112,7 @@ TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
   };
   for (const Case& c : cases()) {
     if (std::string(c.name).find("shell") != std::string::npos) continue;
-    const CutPair pair = pair_of(c);
+    const CsgPair pair = pair_of(c);
     std::vector<Vector> all;
     for (int k = 0; k < 400000; ++k) {
       const Vector q = any(random, 20);
@@ -125,7 +125,8 @@ TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
       double least = exact::kInfinity, most = 0;
       for (const Vector& q : all) {
         const double d = space::length(q - near);
-        least = std::min(least, d), most = std::max(most, d);
+        least = std::min(least, d);
+        most = std::max(most, d);
       }
       const SolidValue v = *pair.value(Which::kEta1, p);
       EXPECT_EQ(v.value.sign() <= 0, fits(c, near)) << c.name;
@@ -147,7 +148,7 @@ TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
 TEST(CutValues, AreTheSameWhicheverShapeMoves) {
   std::mt19937 random(9);
   for (const Case& c : cases()) {
-    const CutPair forth = pair_of(c), back = pair_of(c, true);
+    const CsgPair forth = pair_of(c), back = pair_of(c, true);
     for (int k = 0; k < 4; ++k) {
       const RealVector p = on_grid(any(random, 30));
       for (const auto& [one, other] :
@@ -232,8 +233,8 @@ TEST(CutValues, AreNamed) {
   EXPECT_TRUE(in_bowl.proven);
   EXPECT_EQ(in_bowl.value, Real(15) - sqrt(Real(54)));
   // It touches the bowl with four corners at once: 9 + 9 + 207 = 225.
-  const CutPair touching = {space::shared(space::box_body({{{{-3, -3, 0}, {3, 3, 3}}}})),
-                            std::make_shared<const CutBody>(space::cut_body(*all[0].shape)), false};
+  const CsgPair touching = {space::shared(space::box_body({{{{-3, -3, 0}, {3, 3, 3}}}})),
+                            std::make_shared<const CsgSolid>(space::csg_solid(*all[0].shape)), false};
   const SolidValue zero = *touching.value(Which::kGamma1, {Real(), Real(), Real(20) - sqrt(Real(207))});
   EXPECT_TRUE(zero.proven);
   EXPECT_EQ(zero.value.sign(), 0);

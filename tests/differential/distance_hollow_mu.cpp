@@ -147,7 +147,8 @@ TEST(HollowMu, SignsOnLines) {
             const bool sure = std::fabs(gap) > 1e-6;
             const int sign = space::sign_at(row, i, Real::ratio(z, 2));
             EXPECT_TRUE(!sure || sign == (gap < 0 ? -1 : 1)) << i << ' ' << j << ' ' << z << ' ' << level.text();
-            negative += sign<0, positive += sign> 0;
+            negative += sign < 0;
+            positive += sign > 0;
           }
         }
       }

@@ -42,7 +42,7 @@ bool any_meet(const Cells& cells, Other other, const Quarters& q, int sense, int
   return false;
 }
 
-/// The open and the closed set of positions of one family (distances.md 3.1), told by cells.
+/// The open and the closed set of positions of one family (distances.md 3.1), decided by cells.
 struct Family {
   Cells a, b;
   Which which;

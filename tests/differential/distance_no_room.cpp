@@ -29,8 +29,8 @@ Body ball(std::int64_t radius) {
 
 double to_segment(double x, double y, double from, double to) { return std::hypot(x - std::clamp(x, from, to), y); }
 
-/// Of (x, y) to where a disc of radius 1 fits into the L of arms 2 wide and 6 long: two segments and what lies between
-/// them and the arc about the reflex corner.
+/// Of (x, y) to where a disc of radius 1 fits into the L of directed_edges 2 wide and 6 long: two segments and what
+/// lies between them and the arc about the reflex corner.
 double to_places_in_l(double x, double y) {
   const double off = std::hypot(x - 2, y - 2);
   const bool seen = x <= 2 && y <= 2;
@@ -39,7 +39,7 @@ double to_places_in_l(double x, double y) {
   return seen && off < 1 ? std::min(best, 1 - off) : best;
 }
 
-/// The ball has no room across the arms, and some where they meet.
+/// The ball has no room across the directed_edges, and some where they meet.
 TEST(NoRoom, BallInL) {
   const Body room = space::box_body({{{{0, 0, 0}, {6, 2, 4}}}, {{{0, 0, 0}, {2, 6, 4}}}});
   const SolidPair pair(space::shared(ball(1)), space::shared(room));

@@ -6,7 +6,7 @@
 // positions.
 #include <gtest/gtest.h>
 
-#include "distance/planar/track_value.h"
+#include "distance/planar/translation_value.h"
 #include "distance/rays/ray_directional.h"
 #include "distance/rays/ray_signs.h"
 #include "distance/solid/box_pair.h"

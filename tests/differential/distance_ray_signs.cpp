@@ -175,17 +175,17 @@ TEST(RaySigns, LinesInAnyDirection) {
 }
 
 /// The greatest distance of points between two vertices of a part of B + p to A, a union of balls; negative inside.
-double sticks_out_about(const Body& b, const Body& a, const space::Vector& p) {
+double protrudes_about(const Body& b, const Body& a, const space::Vector& p) {
   double most = -100;
   for (const space::BodyPart& part : b.parts) {
     for (const space::Point& v : part.vertices()) {
       for (const space::Point& w : part.vertices()) {
         for (int k = 0; k <= 32; ++k) {
           const space::Vector x = space::plus(
-              p, space::plus(space::scaled(k / 32.0, exact::shadow(v)), space::scaled(1 - k / 32.0, exact::shadow(w))));
+              p, space::plus(space::scaled(k / 32.0, exact::approx(v)), space::scaled(1 - k / 32.0, exact::approx(w))));
           double least = 100;
           for (const space::BodyPart& t : a.parts)
-            least = std::min(least, space::length(x - exact::shadow(t.center)) - t.radius.to_double());
+            least = std::min(least, space::length(x - exact::approx(t.center)) - t.radius.to_double());
           most = std::max(most, least);
         }
       }
@@ -195,7 +195,7 @@ double sticks_out_about(const Body& b, const Body& a, const space::Vector& p) {
 }
 
 /// mu to shapes that are not convex: by a search, which leaves the sign 0 near the level only.
-TEST(RaySigns, SticksOutOfAUnion) {
+TEST(RaySigns, ProtrudesOfAUnion) {
   Body two = ball(0, 0, 0, 3);
   two.parts.push_back(ball(4, 0, 0, 2).parts[0]);
   const Body bar = hull({{0, 0, 0}, {5, 1, 0}, {5, 0, 1}, {0, 2, 2}});
@@ -223,7 +223,7 @@ TEST(RaySigns, SticksOutOfAUnion) {
           try {
             v = pair.value(which, p);
           } catch (const Error&) {  // no depth in round parts: by samples of B less than 0.2 apart
-            const double out = sticks_out_about(b, a, space::rounded(p));
+            const double out = protrudes_about(b, a, space::rounded(p));
             EXPECT_TRUE(sign > 0 ? out > -0.2 : out < 0x1p-24) << name << " sticks out by about " << out;
             continue;
           }

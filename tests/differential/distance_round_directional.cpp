@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "distance/planar/track_value.h"
+#include "distance/planar/translation_value.h"
 #include "distance/rays/ray_directional.h"
 #include "distance/rays/ray_signs.h"
 #include "space/rays/oblique_line.h"
@@ -71,7 +71,7 @@ double gap_at(const Case& c, const Body& b, const Body& a, const RealVector& p) 
 }
 
 struct Counts {
-  int asked = 0, negative = 0, unsure = 0;
+  int asked = 0, negative = 0, unresolved = 0;
 };
 
 void compare_map(const Case& c, const Body& b, const Body& a, std::mt19937& random, Counts& counts) {
@@ -91,7 +91,9 @@ void compare_map(const Case& c, const Body& b, const Body& a, std::mt19937& rand
       const double gap = gap_at(c, b, a, p);
       if (std::fabs(gap) < 1e-6) continue;
       const int sign = space::sign_at(row, i, Real::ratio(z, 10));
-      ++counts.asked, counts.negative += gap < 0, counts.unsure += sign == 0;
+      ++counts.asked;
+      counts.negative += gap < 0;
+      counts.unresolved += sign == 0;
       EXPECT_TRUE(sign == 0 || (sign < 0) == (gap < 0))
           << c.name << (c.both_ways ? " along " : " toward ") << static_cast<int>(c.which) << " at level "
           << c.level.to_double() << ", " << p[0].text() << ' ' << p[1].text() << ' ' << p[2].text() << ": " << sign
@@ -110,7 +112,7 @@ Counts compare_all(const std::string& name, Which which, const std::vector<Real>
     }
   }
   EXPECT_GT(counts.asked, 100);
-  EXPECT_LE(counts.unsure, counts.asked / 50);
+  EXPECT_LE(counts.unresolved, counts.asked / 50);
   return counts;
 }
 
@@ -145,7 +147,7 @@ TEST(RoundDirectional, FitsInConvexRoundOnes) {
   EXPECT_GT(compare_all("ball", Which::kEta1, {Real(-1), Real(2)}, small, ball({}, Real(6))).negative, 20);
 }
 
-/// Of a complement the distances are those of what it leaves, turned.
+/// Of a complement the distances are those of what it leaves, rotated.
 TEST(RoundDirectional, Complements) {
   Body hollow = room();
   hollow.outside = true;

@@ -30,9 +30,9 @@ struct Corner {
 
 std::vector<Corner> circle(std::mt19937& random, int corners) {
   std::vector<Corner> out;
-  const double turn = std::uniform_real_distribution(0.0, 1.0)(random);
+  const double rotation = std::uniform_real_distribution(0.0, 1.0)(random);
   for (int k = 0; k < corners; ++k) {
-    const double t = 2 * std::numbers::pi * (k + turn) / corners;
+    const double t = 2 * std::numbers::pi * (k + rotation) / corners;
     out.push_back({std::round(double(kSize) * std::cos(t)), std::round(double(kSize) * std::sin(t))});
   }
   return out;

@@ -40,9 +40,9 @@ double most_over_ball(const Vector& center, double radius, Distance distance) {
     const double r = radius * s / shells;
     for (int i = 0; i <= kAround; ++i) {
       for (int k = 0; k < 2 * kAround; ++k) {
-        const double up = 3.14159265358979 * i / kAround, turn = 3.14159265358979 * k / kAround;
-        most = std::max(most, distance(space::plus(center, {r * std::sin(up) * std::cos(turn),
-                                                            r * std::sin(up) * std::sin(turn), r * std::cos(up)})));
+        const double up = 3.14159265358979 * i / kAround, rotation = 3.14159265358979 * k / kAround;
+        most = std::max(most, distance(space::plus(center, {r * std::sin(up) * std::cos(rotation),
+                                                            r * std::sin(up) * std::sin(rotation), r * std::cos(up)})));
       }
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Box unions against the definition on a lattice: shapes are sets of half-unit cells, so whether interiors meet,
-// whether the shapes meet, and whether one lies in the other (or in its interior) is told by looking at every cell.
+// whether the shapes meet, and whether one lies in the other (or in its interior) is decided by looking at every cell.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -78,7 +78,8 @@ TEST(SolidLattice, SignsByTheDefinition) {
       const Cells moved = cells_of(b, by);
       const int gamma1 = overlap_sign(moved, fixed), eta1 = inside_sign(moved, fixed),
                 delta1 = inside_sign(fixed, moved);
-      contacts += gamma1 == 0, fits += eta1 <= 0;
+      contacts += gamma1 == 0;
+      fits += eta1 <= 0;
       ASSERT_EQ(sign_of(bodies.value(Which::kGamma1, p)), gamma1);
       ASSERT_EQ(boxes.sign_map(Which::kGamma1, 0).mark(p), gamma1);
       ASSERT_EQ(boxes.sign_map(Which::kEta1, 0).mark(p), eta1);

@@ -44,7 +44,7 @@ Real distance(const RealVector& p, const RealVector& q) {
 /// The values are equal where both are known exactly.
 void expect_same(const SurfaceContact& found, const std::optional<SolidValue>& wanted, const RealVector& p, int sign,
                  int& count, Counts& counts) {
-  ASSERT_TRUE(found.told);
+  ASSERT_TRUE(found.decided);
   ASSERT_EQ(found.place.has_value(), wanted.has_value());
   if (!wanted) {
     ++counts.none;
@@ -155,7 +155,8 @@ space::Triangles torus(bool inside_out) {
     for (int j = 0; j < kAcross; ++j) {
       const int p = i * kAcross + j, q = (i + 1) % kAround * kAcross + j,
                 r = (i + 1) % kAround * kAcross + (j + 1) % kAcross, s = i * kAcross + (j + 1) % kAcross;
-      t.faces.push_back({p, q, r}), t.faces.push_back({p, r, s});
+      t.faces.push_back({p, q, r});
+      t.faces.push_back({p, r, s});
     }
   }
   return inside_out ? space::turned_inside_out(std::move(t)) : t;
@@ -175,7 +176,7 @@ TEST(SurfaceContact, ExactFitOfManyFaces) {
   const SurfaceContacts contacts(b, a, TouchSide::kOutside);
   for (const RealVector& p : {space::place(100, 200, 300), space::place(-500, 41, 7, 3)}) {
     const SurfaceContact found = contacts.nearest(p);
-    ASSERT_TRUE(found.told && found.place);
+    ASSERT_TRUE(found.decided && found.place);
     EXPECT_EQ(found.error, 0);
     EXPECT_EQ(*found.place, space::place(0, 0, 0));
   }
@@ -188,7 +189,7 @@ TEST(SurfaceContact, NoFit) {
   for (const Both* b : {&bar, &l}) {
     const SurfaceContact found =
         SurfaceContacts(b->surface, l.surface, TouchSide::kInside).nearest(space::place(1, 2, 3));
-    EXPECT_TRUE(found.told);
+    EXPECT_TRUE(found.decided);
     EXPECT_EQ(found.place.has_value(), b == &l);
   }
 }

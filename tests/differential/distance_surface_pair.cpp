@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "distance/search/solid_mu.h"
+#include "distance/search/solid_protrusion.h"
 #include "distance/surface/surface_pair.h"
 #include "space/mesh/mesh.h"
 #include "unit/space_bodies.h"
@@ -56,7 +56,8 @@ struct Given {
 Given of_mesh(const space::Mesh& mesh) {
   space::ConvexParts parts = space::convex_parts(mesh);
   space::Body body;
-  body.scale = parts.scale, body.moved = parts.moved;
+  body.scale = parts.scale;
+  body.moved = parts.moved;
   for (space::Polytope& p : parts.parts) body.parts.push_back({std::move(p), {}, Real()});
   auto set = std::make_shared<space::SurfaceSet>();
   set->add({space::RaySolid{triangles(mesh), {}, {}}}, 1);
@@ -74,9 +75,11 @@ space::Mesh corner_room(int size) {
     for (const int z : {-8, 8}) mesh.vertices.push_back({ring[k][0] - 4, ring[k][1] - 4, z});
     const int next = (k + 1) % 6;
     mesh.faces.push_back({2 * k, 2 * next, 2 * next + 1, 2 * k + 1});
-    lid.push_back(2 * k + 1), floor.insert(floor.begin(), 2 * k);
+    lid.push_back(2 * k + 1);
+    floor.insert(floor.begin(), 2 * k);
   }
-  mesh.faces.push_back(lid), mesh.faces.push_back(floor);
+  mesh.faces.push_back(lid);
+  mesh.faces.push_back(floor);
   clean(mesh, 1);
   return mesh;
 }
@@ -102,19 +105,19 @@ struct Told {
 };
 
 void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& surfaces, const RealVector& p,
-                 const std::vector<Which>& all, double moved, Told& told) {
+                 const std::vector<Which>& all, double moved, Told& decided) {
   for (const Which which : all) {
     const auto found = surfaces.value(which, p);
     if (!found) continue;
-    ++told.all;
+    ++decided.all;
     const auto wanted = parts.value(which, space::scaled(Real(scale), p));
     ASSERT_EQ(found->value.has_value(), wanted.has_value()) << int(which);
     if (!wanted) continue;
-    told.depths += which == Which::kGamma1 && found->value->value.sign() < 0;
-    told.fits += which == Which::kEta2 || (which == Which::kEta1 && found->value->value.sign() > 0);
+    decided.depths += which == Which::kGamma1 && found->value->value.sign() < 0;
+    decided.fits += which == Which::kEta2 || (which == Which::kEta1 && found->value->value.sign() > 0);
     const Real value = wanted->value / Real(scale);
     if (wanted->proven && found->value->proven && moved == 0) {
-      ++told.proven;
+      ++decided.proven;
       ASSERT_EQ((found->value->value - value).sign(), 0)
           << int(which) << " " << found->value->value.to_double() << " " << value.to_double();
     } else {
@@ -134,7 +137,7 @@ void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& 
 
 /// At eight positions.
 void compare_all(std::mt19937& random, const Given& a, const Given& b, const std::vector<Which>& all, int reach,
-                 Told& told) {
+                 Told& decided) {
   const double moved = a.body->moved + b.body->moved;  // by which the parts are not the mesh
   const std::int64_t scale = std::lcm(a.body->scale, b.body->scale);
   const SolidPair parts(shared(at_scale(*b.body, scale)), shared(at_scale(*a.body, scale)));
@@ -142,40 +145,40 @@ void compare_all(std::mt19937& random, const Given& a, const Given& b, const std
   for (int i = 0; i < 8; ++i) {
     const int far = i % 2 == 0 ? 4 : reach;
     const auto pick = [&] { return std::uniform_int_distribution<int>(-far, far)(random); };
-    expect_same(parts, scale, surfaces, space::place(pick(), pick(), pick(), 1 + i % 2), all, moved, told);
+    expect_same(parts, scale, surfaces, space::place(pick(), pick(), pick(), 1 + i % 2), all, moved, decided);
   }
 }
 
 TEST(SurfacePair, Outside) {
   std::mt19937 random(77);
-  Told told;
+  Told decided;
   for (int round = 0; round < 12; ++round) {
     const Given a = of_mesh(star(random, 5, 9)), b = drawn(random, round % 4);
-    compare_all(random, a, b, kOutside, 30, told);
+    compare_all(random, a, b, kOutside, 30, decided);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(told.all, 300);
-  EXPECT_GT(told.depths, 12);
+  EXPECT_GT(decided.all, 300);
+  EXPECT_GT(decided.depths, 12);
 }
 
 TEST(SurfacePair, Inside) {
   std::mt19937 random(78);
-  Told told;
+  Told decided;
   for (int round = 0; round < 12; ++round) {
     const Given a = of_mesh(corner_room(12 + round)), b = drawn(random, 2 + round % 2);
-    compare_all(random, a, b, kInside, 8, told);
+    compare_all(random, a, b, kInside, 8, decided);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(told.all, 150);
-  EXPECT_GT(told.fits, 40);
-  EXPECT_GT(told.proven, 300);
+  EXPECT_GT(decided.all, 150);
+  EXPECT_GT(decided.fits, 40);
+  EXPECT_GT(decided.proven, 300);
 }
 
 /// Out of a mesh with dents, in which the farthest place may be.
-TEST(SurfacePair, SticksOut) {
+TEST(SurfacePair, Protrudes) {
   std::mt19937 random(79);
   const auto pick = [&] { return std::uniform_int_distribution<int>(-20, 20)(random); };
-  int corners = 0, told = 0;
+  int corners = 0, decided = 0;
   for (int round = 0; round < 24; ++round) {
     const bool of_stars = round % 3 > 0;
     const Given a = of_mesh(of_stars ? star(random, 3, 9) : corner_room(14)),
@@ -186,15 +189,16 @@ TEST(SurfacePair, SticksOut) {
     const auto found = surfaces.value(Which::kMu, p);
     if (!found || found->value->value.sign() <= 0) continue;
     const SolidValue wanted =
-        stick_out_of_union(at_scale(*b.body, scale), at_scale(*a.body, scale), space::scaled(Real(scale), p));
+        protrusion_of_union(at_scale(*b.body, scale), at_scale(*a.body, scale), space::scaled(Real(scale), p));
     const double value = found->value->value.to_double(), one = 1 / double(scale);
     ASSERT_NEAR(value, wanted.value.to_double() * one,
                 4 * (a.body->moved + b.body->moved) + found->value->error + wanted.error * one + 0x1p-30 * value)
         << round;
     ASSERT_LT(found->value->error, of_stars ? 0x1p-20 : 0x1p-6) << round;
-    ++told, corners += found->value->proven;
+    ++decided;
+    corners += found->value->proven;
   }
-  EXPECT_GT(told, 18);
+  EXPECT_GT(decided, 18);
   EXPECT_GT(corners, 5);
 }
 

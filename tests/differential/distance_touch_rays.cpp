@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "differential/space_voxels.h"
+#include "distance/rays/protrusion_rays.h"
 #include "distance/rays/ray_signs.h"
-#include "distance/rays/stick_out_rays.h"
 #include "space/convolution/ray_ball.h"
 #include "space/convolution/ray_pair.h"
 #include "space/surface/touch_rays.h"
@@ -112,7 +112,7 @@ TEST(TouchRays, RandomSolidsInGeneralPosition) {
 }
 
 /// mu by the triangles of A against mu by its parts: no place on a line is certainly on different sides.
-TEST(TouchRays, SticksOutOfTheSurface) {
+TEST(TouchRays, ProtrudesOfTheSurface) {
   std::mt19937 random(5);
   int known = 0, unknown = 0, inside = 0, different = 0;
   for (int k = 0; k < 4; ++k) {
@@ -130,7 +130,7 @@ TEST(TouchRays, SticksOutOfTheSurface) {
       }
       return space::greatest_rays(std::move(all));
     };
-    const StickOutRays surface(b.body, field_of_surface(a.surface), level, corners, grid);
+    const ProtrusionRays surface(b.body, field_of_surface(a.surface), level, corners, grid);
     for (int j = 0; j < grid.nv; ++j) {
       const RayRow rows[2] = {parts->row(j), surface.row(j)};
       for (int i = 0; i < grid.nu; ++i) {

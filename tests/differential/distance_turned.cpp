@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Distances over all angles against those of shapes turned by Pythagorean angles, which keep multiples of 65 on the
-// grid: there the Minkowski machinery gives the sign independently. And laws: turning a shape shifts its map,
+// Distances over all angles against those of shapes rotated by Pythagorean angles, which keep multiples of 65 on the
+// grid: there the Minkowski machinery gives the sign independently. And laws: rotating a shape shifts its map,
 // exchanging the shapes mirrors it.
 
 #include <gtest/gtest.h>
@@ -12,21 +12,21 @@
 #include <random>
 
 #include "../unit/distance_shapes.h"
-#include "distance/rotation/turned_directional.h"
-#include "distance/rotation/turned_pair.h"
-#include "distance/rotation/turning.h"
-#include "distance/rotation/turning_angles.h"
+#include "distance/rotation/rotated_directional.h"
+#include "distance/rotation/rotated_pair.h"
+#include "distance/rotation/rotation.h"
+#include "distance/rotation/rotation_angles.h"
 #include "plane/build/transform.h"
 
 namespace findspace::distance {
 namespace {
 
 using exact::Angle;
+using exact::ExactAngle;
 using exact::Real;
-using exact::Turn;
 using plane::GridPoint;
 using plane::Region;
-using plane::TurnMap;
+using plane::RotationMap;
 
 constexpr std::int64_t kUnit = 65;  // 5 * 13
 
@@ -50,7 +50,7 @@ struct Figure {
     return out;
   }
   /// By the angle of (c, s), a Pythagorean pair with c^2 + s^2 = n^2 and n a divisor of 65.
-  Figure turned(std::int64_t c, std::int64_t s, std::int64_t n) const {
+  Figure rotated(std::int64_t c, std::int64_t s, std::int64_t n) const {
     Figure out = *this;
     for (auto* list : {&out.corners, &out.hole}) {
       for (GridPoint& p : *list) p = {(c * p.x - s * p.y) / n, (s * p.x + c * p.y) / n};
@@ -102,7 +102,10 @@ struct Pythagorean {
 std::vector<Pythagorean> angles() {
   std::vector<Pythagorean> out;
   for (const auto& [c, s, n] : {Pythagorean{1, 0, 1}, {3, 4, 5}, {4, 3, 5}, {5, 12, 13}, {12, 5, 13}}) {
-    out.push_back({c, s, n}), out.push_back({-s, c, n}), out.push_back({-c, -s, n}), out.push_back({s, -c, n});
+    out.push_back({c, s, n});
+    out.push_back({-s, c, n});
+    out.push_back({-c, -s, n});
+    out.push_back({s, -c, n});
   }
   return out;
 }
@@ -112,18 +115,18 @@ constexpr std::array kAll{Which::kGamma1, Which::kGamma2,    Which::kEta1,      
                           Which::kH,      Which::kDstarBack, Which::kDiameter};
 
 plane::Mark expected(const Figure& b, const Figure& a, const Pythagorean& p, Which which, const Real& level) {
-  const ShapePair pair(b.turned(p.c, p.s, p.n).region(), a.region());
+  const ShapePair pair(b.rotated(p.c, p.s, p.n).region(), a.region());
   return testing::sign_at(pair.distance(which)->sign_map(level), testing::at(0, 0));
 }
 
-TEST(TurnedPair, AgreesWithTurnedShapes) {
+TEST(RotatedPair, AgreesWithRotatedShapes) {
   Figures figures(7);
   for (int trial = 0; trial < 66; ++trial) {
     const Figure b = figures.figure(), a = figures.figure();
     const Which which = kAll[std::size_t(trial) % kAll.size()];
     const bool containment = which == Which::kEta1 || which == Which::kDelta1;
     const Real level(figures.number(0, 3) * kUnit * (containment ? -1 : 1));
-    const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
+    const RotationMap map = RotatedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
     for (const Pythagorean& p : angles()) {
       EXPECT_EQ(mark_at(map, p.angle()), expected(b, a, p, which, level))
           << "trial " << trial << " which " << int(which) << " level " << level.text() << " angle " << p.c << ","
@@ -132,7 +135,7 @@ TEST(TurnedPair, AgreesWithTurnedShapes) {
   }
 }
 
-void expect_same(const TurnMap& f, const TurnMap& g) {
+void expect_same(const RotationMap& f, const RotationMap& g) {
   ASSERT_EQ(f.at.size(), g.at.size());
   EXPECT_EQ(f.here, g.here);
   EXPECT_EQ(f.after, g.after);
@@ -142,33 +145,33 @@ void expect_same(const TurnMap& f, const TurnMap& g) {
   }
 }
 
-TEST(TurnedPair, ATurnedShapeShiftsTheMap) {
+TEST(RotatedPair, ARotatedShapeShiftsTheMap) {
   Figures figures(11);
   for (int trial = 0; trial < 6; ++trial) {
     const Figure b = figures.figure(), a = figures.figure();
     const Which which = kAll[std::size_t(trial)];
     const Real level =
         Real(figures.number(-1, 1) <= 0 ? 0 : kUnit) * Real(which == Which::kEta1 || which == Which::kDelta1 ? -1 : 1);
-    const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
+    const RotationMap map = RotatedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
     expect_same(shifted(map, Real(-90)),
-                TurnedPair(b.turned(0, 1, 1).region(), a.region(), {}, {}).sign_map(which, level));
+                RotatedPair(b.rotated(0, 1, 1).region(), a.region(), {}, {}).sign_map(which, level));
     expect_same(shifted(map, Real(90)),
-                TurnedPair(b.region(), a.turned(0, 1, 1).region(), {}, {}).sign_map(which, level));
+                RotatedPair(b.region(), a.rotated(0, 1, 1).region(), {}, {}).sign_map(which, level));
   }
 }
 
-TEST(TurnedPair, ExchangeMirrors) {
+TEST(RotatedPair, ExchangeMirrors) {
   Figures figures(13);
   for (int trial = 0; trial < 4; ++trial) {
     const Figure b = figures.figure(), a = figures.figure();
-    const TurnedPair there(b.region(), a.region(), {}, {}), back(a.region(), b.region(), {}, {});
+    const RotatedPair there(b.region(), a.region(), {}, {}), back(a.region(), b.region(), {}, {});
     expect_same(there.sign_map(Which::kGamma1, 0), mirrored(back.sign_map(Which::kGamma1, 0)));
     expect_same(there.sign_map(Which::kDelta1, 0), mirrored(back.sign_map(Which::kEta1, 0)));
   }
 }
 
-/// Depths, containment above 0, inner touchings: also where turned Pythagorean shapes fit exactly.
-TEST(TurnedPair, FreePositionsAgreeWithTurnedShapes) {
+/// Depths, containment above 0, inner touchings: also where rotated Pythagorean shapes fit exactly.
+TEST(RotatedPair, FreePositionsAgreeWithRotatedShapes) {
   Figures figures(17);
   constexpr std::array kinds{Which::kGamma1, Which::kEta1,   Which::kDelta1,
                              Which::kEta2,   Which::kDelta2, Which::kPenetration};
@@ -178,7 +181,7 @@ TEST(TurnedPair, FreePositionsAgreeWithTurnedShapes) {
     const Which which = kinds[std::size_t(trial) % kinds.size()];
     const std::int64_t tall = which == Which::kEta2 || which == Which::kDelta2 ? 6 : 3;
     const Real level = Real(figures.number(1, int(tall)) * kUnit) * Real(which == Which::kGamma1 ? -1 : 1);
-    const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
+    const RotationMap map = RotatedPair(b.region(), a.region(), {}, {}).sign_map(which, level);
     for (const Pythagorean& p : angles()) {
       const plane::Mark sign = expected(b, a, p, which, level);
       ++seen[std::size_t(sign + 1)];
@@ -193,13 +196,14 @@ TEST(TurnedPair, FreePositionsAgreeWithTurnedShapes) {
 bool is_eta(Which w) { return w == Which::kEta1 || w == Which::kEta2; }
 bool is_delta(Which w) { return w == Which::kDelta1 || w == Which::kDelta2; }
 
-PositionFunctionPointer directional(const Figure& b, const Figure& a, Which which, const Track& track) {
+PositionFunctionPointer directional(const Figure& b, const Figure& a, Which which,
+                                    const TranslationDirection& direction) {
   const ShapePair pair(b.region(), a.region());
   const Which signed_base = is_eta(which) ? Which::kEta1 : is_delta(which) ? Which::kDelta1 : Which::kGamma1;
   plane::SignMap base = pair.distance(signed_base)->sign_map(Real());
   if (which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2)
-    return std::make_shared<DirectionalFarthest>(std::move(base), track);
-  return std::make_shared<DirectionalSigned>(std::move(base), track);
+    return std::make_shared<DirectionalFarthest>(std::move(base), direction);
+  return std::make_shared<DirectionalSigned>(std::move(base), direction);
 }
 
 struct DirectionalKind {
@@ -207,9 +211,9 @@ struct DirectionalKind {
   int side;  // of the level
 };
 
-/// Along a direction, both ways and one way: the sign maps of turned shapes at the same position. The level is the
+/// Along a direction, both ways and one way: the sign maps of rotated shapes at the same position. The level is the
 /// value at one of the angles, where there is one.
-TEST(TurnedPair, DirectionalAgreesWithTurnedShapes) {
+TEST(RotatedPair, DirectionalAgreesWithRotatedShapes) {
   Figures figures(23);
   constexpr std::array<DirectionalKind, 9> kinds{{{Which::kGamma1, 1},
                                                   {Which::kGamma1, -1},
@@ -228,19 +232,19 @@ TEST(TurnedPair, DirectionalAgreesWithTurnedShapes) {
     if (is_eta(which)) a = a.scaled(3);
     if (is_delta(which)) b = b.scaled(3);
     const GridPoint way = kWays[trial % kWays.size()];
-    const Track track{way.x, way.y, trial % 2 == 0};
+    const TranslationDirection direction{way.x, way.y, trial % 2 == 0};
     Real level = Real(side * figures.number(1, 3) * kUnit);
     for (const Pythagorean& one : angles()) {
-      const auto value = directional(b.turned(one.c, one.s, one.n), a, which, track)->value({});
+      const auto value = directional(b.rotated(one.c, one.s, one.n), a, which, direction)->value({});
       if (!value || value->minus_infinity || value->value.sign() != side) continue;
       level = value->value;
       if (figures.number(0, 2) == 0) break;
     }
-    const Region turning = b.region(), fixed = a.region();
-    const TurnMap map = turned_directional({turning, fixed, {}, {}}, which, track, level);
+    const Region rotating = b.region(), fixed = a.region();
+    const RotationMap map = rotated_directional({rotating, fixed, {}, {}}, which, direction, level);
     for (const Pythagorean& p : angles()) {
-      const plane::Mark sign =
-          testing::sign_at(directional(b.turned(p.c, p.s, p.n), a, which, track)->sign_map(level), testing::at(0, 0));
+      const plane::Mark sign = testing::sign_at(
+          directional(b.rotated(p.c, p.s, p.n), a, which, direction)->sign_map(level), testing::at(0, 0));
       ++seen[trial % kinds.size()][std::size_t(sign + 1)];
       EXPECT_EQ(mark_at(map, p.angle()), sign) << "trial " << trial << " which " << int(which) << " level "
                                                << level.text() << " angle " << p.c << "," << p.s;
@@ -251,9 +255,9 @@ TEST(TurnedPair, DirectionalAgreesWithTurnedShapes) {
   }
 }
 
-/// An end that is a root of high degree lies between angles a thousandth apart at which turned shapes, on a lattice
+/// An end that is a root of high degree lies between angles a thousandth apart at which rotated shapes, on a lattice
 /// fine enough for these angles, have the signs of its two sides.
-TEST(TurnedPair, EndsAreWhereTheSignChanges) {
+TEST(RotatedPair, EndsAreWhereTheSignChanges) {
   Figures figures(29);
   constexpr std::array kinds{Which::kGamma1, Which::kEta1, Which::kDelta1, Which::kEta2};
   int ends = 0;
@@ -262,7 +266,7 @@ TEST(TurnedPair, EndsAreWhereTheSignChanges) {
     if (b.radius > 0 || a.radius > 0) continue;
     const Which which = kinds[std::size_t(trial) % kinds.size()];
     const std::int64_t steps = figures.number(2, 4) * kUnit * (which == Which::kGamma1 ? -1 : 1);
-    const TurnMap map = TurnedPair(b.region(), a.region(), {}, {}).sign_map(which, Real(steps));
+    const RotationMap map = RotatedPair(b.region(), a.region(), {}, {}).sign_map(which, Real(steps));
     for (std::size_t k = 0; k < map.at.size(); ++k) {
       for (const int side : {-1, 1}) {
         // tan of half the angle is p / q; beyond its neighbours nothing is said.
@@ -294,7 +298,7 @@ Which first_kind(Which which) {
   return which == Which::kEta2 ? Which::kEta1 : which == Which::kDelta2 ? Which::kDelta1 : which;
 }
 
-TEST(TurningAngles, BoundWhatShapesTurnedFirstAreAway) {
+TEST(RotationAngles, BoundWhatShapesRotatedFirstAreAway) {
   Figures figures(11);
   constexpr std::int64_t kFine = 1000 * kUnit;
   int decided = 0, asked = 0, above = 0, below = 0;
@@ -306,21 +310,24 @@ TEST(TurningAngles, BoundWhatShapesTurnedFirstAreAway) {
     const exact::RealPoint about{Real(kFine), Real()}, to{Real((1 + away) * kFine), Real()},
         centre{Real(2 * kFine), Real(kFine)};
     const Region still = b.region(), fixed = a.region();
-    const BoundedTurns maps = turning_angle_maps({still, fixed, about, to}, which, centre, Real(level));
+    const BoundedRotations maps = rotation_angle_maps({still, fixed, about, to}, which, centre, Real(level));
     for (const Pythagorean& p : angles()) {
-      // B stands turned about `about`; then only the turn about the centre is left.
-      const Region turned = b.turned(p.c, p.s, p.n).region();
+      // B stands rotated about `about`; then only the turn about the centre is left.
+      const Region rotated = b.rotated(p.c, p.s, p.n).region();
       const exact::RealPoint pole{(Real(p.c) * about.x - Real(p.s) * about.y) / Real(p.n),
                                   (Real(p.s) * about.x + Real(p.c) * about.y) / Real(p.n)};
       const exact::RealPoint own{centre.x - to.x + pole.x, centre.y - to.y + pole.y};
-      const TurnMap base = TurnedPair(turned, fixed, own, centre).sign_map(first_kind(which), Real());
-      const TurnMap exact =
-          is_second_kind(which) ? farthest_turning_sign_map(base, Real(level)) : turning_sign_map(base, Real(level));
+      const RotationMap base = RotatedPair(rotated, fixed, own, centre).sign_map(first_kind(which), Real());
+      const RotationMap exact =
+          is_second_kind(which) ? farthest_rotation_sign_map(base, Real(level)) : rotation_sign_map(base, Real(level));
       const int sign = mark_at(exact, Angle{}), low = mark_at(maps.low, p.angle()),
                 high = mark_at(maps.high, p.angle());
       EXPECT_LE(low, sign) << "which " << int(which) << " level " << level << " angle " << p.c << "," << p.s;
       EXPECT_GE(high, sign) << "which " << int(which) << " level " << level << " angle " << p.c << "," << p.s;
-      ++asked, decided += low == high, above += sign > 0, below += sign < 0;
+      ++asked;
+      decided += low == high;
+      above += sign > 0;
+      below += sign < 0;
     }
   }
   EXPECT_GT(decided, asked * 9 / 10);

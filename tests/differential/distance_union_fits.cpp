@@ -109,7 +109,10 @@ TEST(UnionFits, BoxInTwoBalls) {
     for (double step = 20; step > 1e-3; step *= 0.8) {
       for (int k = 0; k < 40; ++k) {
         const Vector next = space::plus(at, {step * some(random), step * some(random), step * some(random)});
-        if (space::length(next - p) < best && box_fits(next)) at = next, best = space::length(next - p);
+        if (space::length(next - p) < best && box_fits(next)) {
+          at = next;
+          best = space::length(next - p);
+        }
       }
     }
     EXPECT_GT(best, d - 1e-6) << p.x << ' ' << p.y << ' ' << p.z;

@@ -12,7 +12,7 @@
 
 #include "distance/planar/at_position.h"
 #include "distance/planar/farthest.h"
-#include "distance/planar/way_out.h"
+#include "distance/planar/penetration_depth.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/query/topology.h"
@@ -58,11 +58,12 @@ struct Count {
 };
 
 /// At some places: is it in the set, and how far out of it?
-void compare(const Region& a, const Region& b, WayOut::Of of, std::int64_t reach, std::mt19937& rng, Count& count) {
-  const SiteTree fixed(a), moving(b);
-  auto way = WayOut::make(moving, fixed, of, WayOut::When::kAlways);
+void compare(const Region& a, const Region& b, PenetrationDepth::Of of, std::int64_t reach, std::mt19937& rng,
+             Count& count) {
+  const FeatureTree fixed(a), moving(b);
+  auto way = PenetrationDepth::make(moving, fixed, of, PenetrationDepth::When::kAlways);
   ASSERT_TRUE(way);
-  const bool contact = of == WayOut::Of::kContact;
+  const bool contact = of == PenetrationDepth::Of::kContact;
   const SignedDistance d = contact ? SignedDistance::gamma1(b, a) : SignedDistance::eta1(b, a);
   for (int k = 0; k < 8; ++k) {
     auto coordinate = [&] {
@@ -102,14 +103,14 @@ void compare(const Region& a, const Region& b, WayOut::Of of, std::int64_t reach
   }
 }
 
-TEST(WayOut, SquaresWithSlotsAndHoles) {
+TEST(PenetrationDepth, SquaresWithSlotsAndHoles) {
   Count count;
   for (unsigned seed = 0; seed < 250; ++seed) {
     std::mt19937 rng(seed);
     const std::int64_t side = seed % 2 ? 4 : 1000;
     Region a = squares(rng, 5, 3 + int(rng() % 14), side), b = squares(rng, 3, 1 + int(rng() % 6), side);
-    compare(a, b, WayOut::Of::kContact, 4 * side, rng, count);
-    if (plane::LocalSum::containment(a, b)) compare(a, b, WayOut::Of::kContainment, 4 * side, rng, count);
+    compare(a, b, PenetrationDepth::Of::kContact, 4 * side, rng, count);
+    if (plane::LocalSum::containment(a, b)) compare(a, b, PenetrationDepth::Of::kContainment, 4 * side, rng, count);
     if (HasFailure()) FAIL() << "seed " << seed;
   }
   EXPECT_GT(count.found, 300);
@@ -134,7 +135,7 @@ Region rounded(std::mt19937& rng, std::int64_t size) {
   return plane::regularize(plane::subtract(all));
 }
 
-TEST(WayOut, ArcsAndHoles) {
+TEST(PenetrationDepth, ArcsAndHoles) {
   Count count;
   for (unsigned seed = 0; seed < 60; ++seed) {
     std::mt19937 rng(seed);
@@ -142,29 +143,29 @@ TEST(WayOut, ArcsAndHoles) {
     const std::int64_t size = seed % 2 ? 6 : 1000;
     const Region a = rounded(rng, 2 * size), b = rounded(rng, size);
     if (plane::is_empty(a) || plane::is_empty(b)) continue;
-    compare(a, b, WayOut::Of::kContact, 3 * size, rng, count);
-    compare(a, b, WayOut::Of::kContainment, 3 * size, rng, count);
+    compare(a, b, PenetrationDepth::Of::kContact, 3 * size, rng, count);
+    compare(a, b, PenetrationDepth::Of::kContainment, 3 * size, rng, count);
     if (HasFailure()) FAIL() << "seed " << seed;
   }
   EXPECT_GT(count.found, 100);
   EXPECT_GT(count.outside, 10);
 }
 
-TEST(WayOut, Stars) {
+TEST(PenetrationDepth, Stars) {
   Count count;
   for (unsigned seed = 0; seed < 24; ++seed) {
     std::mt19937 rng(seed);
     Region a = star(rng, 8 + 2 * int(rng() % 40), 1 << 20),
            b = star(rng, 8 + 2 * int(rng() % 40), seed % 2 ? 1 << 20 : 1 << 18);
-    compare(a, b, WayOut::Of::kContact, 1 << 20, rng, count);
-    compare(a, b, WayOut::Of::kContainment, 1 << 20, rng, count);
+    compare(a, b, PenetrationDepth::Of::kContact, 1 << 20, rng, count);
+    compare(a, b, PenetrationDepth::Of::kContainment, 1 << 20, rng, count);
     if (HasFailure()) FAIL() << "seed " << seed;
   }
   EXPECT_GT(count.found, 100);
 }
 
 /// Chosen by AtPosition where it pays: all distances as from the maps.
-TEST(WayOut, AtAPositionOfLargeShapes) {
+TEST(PenetrationDepth, AtAPositionOfLargeShapes) {
   std::mt19937 rng(3);
   auto pair = std::make_shared<ShapePair>(star(rng, 280, 1 << 20), star(rng, 300, 1 << 20));
   for (Which w : {Which::kGamma1, Which::kEta1, Which::kDelta1, Which::kPenetration, Which::kDstar, Which::kEta2,
@@ -184,7 +185,7 @@ TEST(WayOut, AtAPositionOfLargeShapes) {
 }
 
 /// Rounded stars: as the map, without it.
-TEST(WayOut, AtAPositionOfRoundedShapes) {
+TEST(PenetrationDepth, AtAPositionOfRoundedShapes) {
   std::mt19937 rng(4);
   const auto rounded_star = [&] {
     return plane::minkowski_sum(star(rng, 140, 1 << 20), plane::region_of_disc(0, 0, Real(1 << 15)));

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Exact fits on real shapes: every part P of the nesting data against its exact negative, a sheet with P cut out. P
-// fits in at the one position where it was cut, and nowhere near; the same turned by 90 degrees, and, with a clearance,
-// against the negative of P grown by it, where arcs arise. No sampling, no tolerance could find these positions.
+// fits in at the one position where it was cut, and nowhere near; the same rotated by 90 degrees, and, with a
+// clearance, against the negative of P grown by it, where arcs arise. No sampling, no tolerance could find these
+// positions.
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ std::vector<std::pair<std::string, Contour>> parts(std::size_t vertices) {
   return all;
 }
 
-Contour turned(const Contour& ring) {
+Contour rotated(const Contour& ring) {
   Contour out = ring;
   for (ContourEdge& e : out) e.start = {-e.start.y, e.start.x};
   return out;
@@ -60,8 +61,10 @@ Contour turned(const Contour& ring) {
 Region sheet_around(const Contour& ring, std::int64_t margin) {
   std::int64_t x0 = INT64_MAX, y0 = INT64_MAX, x1 = INT64_MIN, y1 = INT64_MIN;
   for (auto& e : ring) {
-    x0 = std::min(x0, e.start.x), x1 = std::max(x1, e.start.x);
-    y0 = std::min(y0, e.start.y), y1 = std::max(y1, e.start.y);
+    x0 = std::min(x0, e.start.x);
+    x1 = std::max(x1, e.start.x);
+    y0 = std::min(y0, e.start.y);
+    y1 = std::max(y1, e.start.y);
   }
   Contour box{{.start = {x0 - margin, y0 - margin}},
               {.start = {x1 + margin, y0 - margin}},
@@ -93,7 +96,7 @@ TEST(ExactFit, EveryPartInItsNegative) {
   auto all = parts(500);
   ASSERT_GT(all.size(), 100u);
   for (auto& [name, ring] : all)
-    for (const Contour& r : {ring, turned(ring)}) {
+    for (const Contour& r : {ring, rotated(ring)}) {
       Region part = region_of_rings(std::array{r});
       expect_single_fit(contact_map(negative(sheet_around(r, 1000000), part), part), name);
     }

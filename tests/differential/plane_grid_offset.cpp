@@ -208,7 +208,10 @@ TEST(GridOffset, Triangles) {
       GridPoint p[3];
       for (auto& v : p) v = {std::int64_t(rng() % 9) * size, std::int64_t(rng() % 9) * size};
       auto triangle = ring({p[0], p[1], p[2]});
-      if (triangle) parts.push_back(*triangle), --k;
+      if (triangle) {
+        parts.push_back(*triangle);
+        --k;
+      }
     }
     compare(united(parts), radius_of(rng, size), "seed " + std::to_string(seed), count);
     if (HasFatalFailure()) return;

@@ -151,14 +151,14 @@ Convex difference(const Convex& a, const Convex& b) {
     for (auto& q : b) all.push_back({p.x - q.x, p.y - q.y});
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  auto turn = [](GridPoint o, GridPoint p, GridPoint q) {
+  auto rotation = [](GridPoint o, GridPoint p, GridPoint q) {
     return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
   };
   Convex hull;
   for (int pass = 0; pass < 2; ++pass) {
     std::size_t base = hull.size();
     for (auto& p : all) {
-      while (hull.size() >= base + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      while (hull.size() >= base + 2 && rotation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
       hull.push_back(p);
     }
     hull.pop_back();
@@ -177,12 +177,16 @@ int sign_of_distance(const Convex& c, GridPoint p, std::int64_t r) {
     std::int64_t cross = dx * py - dy * px, dot = dx * px + dy * py, n = dx * dx + dy * dy;
     inside = inside && cross >= 0;
     std::int64_t left, right;  // squared distance against squared radius, times a common positive factor
-    if (dot <= 0)
-      left = px * px + py * py, right = r * r;
-    else if (dot >= n)
-      left = (p.x - b.x) * (p.x - b.x) + (p.y - b.y) * (p.y - b.y), right = r * r;
-    else
-      left = cross * cross, right = r * r * n;
+    if (dot <= 0) {
+      left = px * px + py * py;
+      right = r * r;
+    } else if (dot >= n) {
+      left = (p.x - b.x) * (p.x - b.x) + (p.y - b.y) * (p.y - b.y);
+      right = r * r;
+    } else {
+      left = cross * cross;
+      right = r * r * n;
+    }
     least = std::min(least, (left > right) - (left < right));
   }
   return inside ? -1 : least;

@@ -22,8 +22,8 @@ using exact::Real;
 CellComplex random_map(Random& random) {
   const Region a = region_of(random_shape(random, {})), b = region_of(random_shape(random, {}));
   std::vector<const CellComplex*> both{&a, &b};
-  const Mark turn = random.pick(0, 1) ? 1 : -1;
-  return overlay(both, [turn](std::span<const Mark> m) { return Mark(turn * (m[0] + m[1] - 1)); });
+  const Mark rotation = random.pick(0, 1) ? 1 : -1;
+  return overlay(both, [rotation](std::span<const Mark> m) { return Mark(rotation * (m[0] + m[1] - 1)); });
 }
 
 Window random_window(Random& random, bool rational) {
@@ -54,7 +54,7 @@ RealVector middle(const CellComplex& c, Index e) {
   auto end = [&](Index v) { return c.geometry.exact(c.vertices[v].point); };
   const RealVector p = end(c.edges[e].v0), q = end(c.edges[e].v1), m = Real::ratio(1, 2) * (p + q);
   if (!c.is_arc(e)) return m;
-  const exact::Carrier& k = c.carrier(e);
+  const exact::SupportingCurve& k = c.supporting_curve(e);
   const Real dx = m.x - k.center_x();
   return {m.x, k.center_y() + Real(int(c.edges[e].half)) * sqrt(k.w * k.w - dx * dx)};
 }
@@ -98,8 +98,8 @@ TEST(Swept, IsThePlainSumWithASegment) {
     const bool open = random.pick(0, 1);
     const Region ends = region_of(points_of({p, q}));
     const Region other = open ? subtract(std::vector<const Region*>{&segment, &ends}) : segment;
-    const CellComplex turned = remark(s, [](Mark m) { return Mark(-m); });
-    const Region mine = swept(turned, window_between(from, to),
+    const CellComplex rotated = remark(s, [](Mark m) { return Mark(-m); });
+    const Region mine = swept(rotated, window_between(from, to),
                               [open](const Sight& k) { return Mark((open ? k.inside : k.least()) < 0); });
     const Region theirs = plain_sum(s, other);
     ASSERT_TRUE(same_set(mine, theirs)) << "seed " << seed;

@@ -50,13 +50,16 @@ void compare(const Region& a, const Region& b, const std::string& what, Count& c
   ReducedConvolution curves = reduced_convolution(x, y);
   ReducedConvolution same = curves;
   const MeetingCurves meeting(same, std::pmr::new_delete_resource());
-  const Knots& knots = meeting.knots();
+  const DegenerateVertices& degenerate_vertices = meeting.degenerate_vertices();
   bool doubled = !meeting.parts_with_two_inner_sides().empty(), knotted = false;
-  for (Index k = 0; k < knots.count(); ++k) knotted |= knots.is_surrounded(k);
+  for (Index k = 0; k < degenerate_vertices.count(); ++k) knotted |= degenerate_vertices.is_surrounded(k);
   const auto sum = transversal_sum(curves, [&](exact::Geometry& g, Index point) { return solid.holds(g, point); });
-  ++count.sums, count.walked += sum.has_value();
-  count.doubled += doubled, count.doubled_and_walked += doubled && sum;
-  count.knotted += knotted, count.knotted_and_walked += knotted && sum;
+  ++count.sums;
+  count.walked += sum.has_value();
+  count.doubled += doubled;
+  count.doubled_and_walked += doubled && sum;
+  count.knotted += knotted;
+  count.knotted_and_walked += knotted && sum;
   const SignMap map = contact_map(a, b);
   expect_same(map, -1, whole_sum(a, in, b), what);
   if (sum) expect_same(*sum, -1, whole_sum(a, in, b), what + ", walked");
@@ -81,7 +84,7 @@ bool proper_crossing(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-/// Corners from a small lattice in any order, uncrossed by turning stretches round.
+/// Corners from a small lattice in any order, uncrossed by rotating stretches round.
 std::optional<Region> lattice_polygon(std::mt19937& rng, int side, int corners, std::int64_t step) {
   std::vector<GridPoint> points;
   for (std::int64_t x = 0; x < side; ++x)

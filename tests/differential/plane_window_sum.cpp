@@ -72,7 +72,8 @@ void compare(const LocalSum& local, const SignMap& whole, std::int64_t size, std
     std::int64_t x = std::int64_t(rng() % (4 * size)) - 2 * size, y = std::int64_t(rng() % (4 * size)) - 2 * size;
     if (k % 2 == 0 && !whole.vertices.empty()) {
       const exact::Point& p = whole.point(Index(rng() % whole.vertices.size()));
-      x = std::llround(p.x), y = std::llround(p.y);
+      x = std::llround(p.x);
+      y = std::llround(p.y);
     }
     std::int64_t wide = 1 + std::int64_t(rng() % std::uint64_t(size)),
                  high = 1 + std::int64_t(rng() % std::uint64_t(size));
@@ -95,7 +96,9 @@ void compare(const Region& a, const Region& b, std::int64_t size, unsigned seed,
   auto negated = [](auto& cells) {
     for (auto& c : cells) c.mark = Mark(-c.mark);
   };
-  negated(leaves.faces), negated(leaves.edges), negated(leaves.vertices);
+  negated(leaves.faces);
+  negated(leaves.edges);
+  negated(leaves.vertices);
   compare(*inner, leaves, size, rng, what + ", contained");
 }
 

@@ -3,14 +3,14 @@
 //
 // The stack of maps over angles against the exact set of angles at single positions, which another machinery finds:
 // what `inner` claims holds over the whole sector, what `outer` excludes holds nowhere in it, and the maps agree where
-// turning rounds nothing.
+// rotating rounds nothing.
 
 #include <gtest/gtest.h>
 
 #include "../unit/distance_shapes.h"
+#include "formula/language/parse.h"
+#include "formula/planar/solve_rotation.h"
 #include "planning/pose/pose_stack.h"
-#include "situation/formula/parse.h"
-#include "situation/planar/solve_turning.h"
 
 namespace findspace::planning {
 namespace {
@@ -18,10 +18,10 @@ namespace {
 using exact::Angle;
 using exact::Real;
 using exact::RealPoint;
-using plane::TurnMap;
+using plane::RotationMap;
 
-situation::World world() {
-  situation::World w;
+formula::World world() {
+  formula::World w;
   w.shapes.emplace("A", testing::polygon({{0, 0}, {900, 0}, {900, 700}, {500, 700}, {500, 300}, {0, 300}}));
   w.shapes.emplace("C", plane::region_of_disc(700, 500, 60));
   w.shapes.emplace("B", testing::polygon({{-20, -30}, {260, -30}, {260, 40}, {30, 40}, {30, 120}, {-20, 120}}));
@@ -30,15 +30,15 @@ situation::World world() {
   return w;
 }
 
-situation::Formula formula(const char* text) {
-  situation::Context c;
+formula::Formula formula(const char* text) {
+  formula::Context c;
   c.shapes = {"A", "B", "C"};
   c.moving = {"B"};
-  return situation::parse_formula(text, c);
+  return formula::parse_formula(text, c);
 }
 
 /// 1: the set has the whole sector; 0: some of it; -1: none.
-int cover(const TurnMap& set, const Real& from, const Real& to) {
+int cover(const RotationMap& set, const Real& from, const Real& to) {
   bool some = false, all = true;
   const auto see = [&](const Angle& a) { (mark_at(set, a) != 0 ? some : all) = mark_at(set, a) != 0; };
   for (int k = 0; k <= 40; ++k) see(Angle::of_degrees(from + (to - from) * Real::ratio(k, 40)));
@@ -50,16 +50,16 @@ int cover(const TurnMap& set, const Real& from, const Real& to) {
 }
 
 void compare_at_positions(const char* text) {
-  const situation::Formula f = formula(text);
+  const formula::Formula f = formula(text);
   const PoseStack stack = pose_stack(world(), f, {0, 0}, {Real(0), Real(15), Real(90), Real(110), Real(290)});
   ASSERT_EQ(stack.slices.size(), 5u);
   ASSERT_EQ(stack.sectors.size(), 5u);
-  const situation::Solver solver(world());
+  const formula::Solver solver(world());
   int inner = 0, outer = 0;
   for (int x = 40; x < 900; x += 190) {
     for (int y = 40; y < 700; y += 155) {
       const RealPoint p{x, y};
-      const TurnMap set = situation::TurnSolver(solver, {p, Real(), RealPoint{}}).feasible(f);
+      const RotationMap set = formula::RotationSolver(solver, {p, Real(), RealPoint{}}).feasible(f);
       for (const PoseSlice& s : stack.slices) {
         if (!(s.degrees / Real(90)).integer()) continue;
         EXPECT_EQ(testing::sign_at(s.region, p), mark_at(set, Angle::of_degrees(s.degrees)))
@@ -67,7 +67,8 @@ void compare_at_positions(const char* text) {
       }
       for (const PoseSector& s : stack.sectors) {
         const int truth = cover(set, s.from, s.to);
-        inner += testing::sign_at(s.inner, p), outer += testing::sign_at(s.outer, p) == 0;
+        inner += testing::sign_at(s.inner, p);
+        outer += testing::sign_at(s.outer, p) == 0;
         if (testing::sign_at(s.inner, p) != 0) {
           EXPECT_EQ(truth, 1) << text << " at " << x << "," << y;
         }
@@ -88,20 +89,22 @@ TEST(PoseStack, SectorsAreCertified) {
 
 /// Distances in rotation about a point that stands still: each slice between bounds, level 0 exact.
 void compare_in_rotation(const char* text, bool exact) {
-  const situation::Formula f = formula(text);
+  const formula::Formula f = formula(text);
   const PoseStack stack = pose_stack(world(), f, {0, 0}, {Real(0), Real(90), Real(180)});
-  const situation::Solver solver(world());
+  const formula::Solver solver(world());
   int holds = 0, fails = 0, open = 0;
   for (const PoseSlice& s : stack.slices) {
     ASSERT_EQ(s.outer.has_value(), !exact) << text;
     for (int x = 45; x < 900; x += 95) {
       for (int y = 45; y < 700; y += 85) {
         const RealPoint p{x, y};
-        const bool truth = situation::TurnSolver(solver, {p, s.degrees, RealPoint{}}).check(f).holds;
+        const bool truth = formula::RotationSolver(solver, {p, s.degrees, RealPoint{}}).check(f).holds;
         const bool in = testing::sign_at(s.region, p) != 0, possible = exact ? in : testing::sign_at(*s.outer, p) != 0;
         EXPECT_TRUE((!in || truth) && (!truth || possible))
             << text << " at " << x << "," << y << ", " << s.degrees.text();
-        holds += in, fails += !possible, open += possible && !in;
+        holds += in;
+        fails += !possible;
+        open += possible && !in;
       }
     }
   }

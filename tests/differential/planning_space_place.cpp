@@ -10,8 +10,8 @@
 #include <random>
 #include <set>
 
+#include "formula/language/parse.h"
 #include "planning/solid/space_sequence.h"
-#include "situation/formula/parse.h"
 #include "space/polytope/solid.h"
 
 namespace findspace::planning {
@@ -93,19 +93,20 @@ SpaceProblem problem_of(const std::vector<Block>& blocks, const Order& order, Fo
   problem.step = exact::Real(1);
   const auto add = [&](const std::string& name, const Block& block) {
     const plane::ShapePtr shape = shape_of(name, block);
-    situation::SpaceShape built = situation::space_shape(*shape);
+    formula::SpaceShape built = formula::space_shape(*shape);
     if (form != Form::kBoxes) built.boxes.reset();
     if (form == Form::kLines) built.body = nullptr;
     problem.shapes.emplace(name, shape);
     problem.built.emplace(name, std::move(built));
   };
   add("bin", {{{kSize, kSize, kSize}}});
-  situation::Context context;
-  context.dimension = 3, context.shapes = {"bin"}, context.moving = {"self"};
-  const auto each = std::make_shared<const situation::Formula>(situation::parse_formula("inside(self, bin)", context));
+  formula::Context context;
+  context.dimension = 3;
+  context.shapes = {"bin"};
+  context.moving = {"self"};
+  const auto each = std::make_shared<const formula::Formula>(formula::parse_formula("inside(self, bin)", context));
   context.extra = {"other"};
-  const auto pairs =
-      std::make_shared<const situation::Formula>(situation::parse_formula("clear(self, other)", context));
+  const auto pairs = std::make_shared<const formula::Formula>(formula::parse_formula("clear(self, other)", context));
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const std::string name = "block" + std::to_string(b);
     add(name, blocks[b]);
@@ -114,7 +115,7 @@ SpaceProblem problem_of(const std::vector<Block>& blocks, const Order& order, Fo
     for (std::size_t a = 0; a < b; ++a) problem.conditions.push_back({pairs, {{"self", {b, {}}}, {"other", {a, {}}}}});
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    situation::Goal goal;
+    formula::Goal goal;
     goal.form.emplace();
     (*goal.form)[static_cast<std::size_t>(order.axes[i])] = exact::Real(order.signs[i]);
     problem.goals.push_back(goal);

@@ -73,9 +73,9 @@ inline std::vector<int> extreme(const Polytope& p, const Wide3& n, int sense) {
   return best;
 }
 
-/// The hull of points in one plane, counter-clockwise about n, by turning about the polygon (gift wrapping).
+/// The hull of points in one plane, counter-clockwise about n, by rotating about the polygon (gift wrapping).
 inline std::vector<Point> planar_hull(std::vector<Point> points, const Wide3& n) {
-  const auto turn = [&](const Point& a, const Point& b, const Point& c) {
+  const auto rotation = [&](const Point& a, const Point& b, const Point& c) {
     const Wide3 w = exact::cross(b - a, c - a);
     return exact::sign(w.x) * exact::sign(n.x) + exact::sign(w.y) * exact::sign(n.y) +
            exact::sign(w.z) * exact::sign(n.z);
@@ -87,7 +87,7 @@ inline std::vector<Point> planar_hull(std::vector<Point> points, const Wide3& n)
     for (const Point& p : points) {
       if (p == at) continue;
       if (next == at) next = p;
-      const int side = turn(at, next, p);
+      const int side = rotation(at, next, p);
       const Point d = next - at, e = p - at;
       const auto length = [](const Point& v) { return int128(v.x) * v.x + int128(v.y) * v.y + int128(v.z) * v.z; };
       if (side < 0 || (side == 0 && length(e) > length(d))) next = p;

@@ -220,7 +220,7 @@ TEST(ShapeRays, AgreeWithTheDefinition) {
 
 TEST(ShapeRays, InteriorsClosuresAndBoundariesAgreeWithTheDefinition) {
   std::mt19937 random(9);
-  int events = 0, told = 0;
+  int events = 0, decided = 0;
   for (int round = 0; round < 400 && !HasFailure(); ++round) {
     SCOPED_TRACE(round);
     const ShapePtr tree = random_tree(random, 3, true);
@@ -232,10 +232,10 @@ TEST(ShapeRays, InteriorsClosuresAndBoundariesAgreeWithTheDefinition) {
       ASSERT_EQ(e.code(), ErrorCode::kUnsupported);
       continue;
     }
-    ++told;
+    ++decided;
     events += check_rays(*rays, grid, [&](const RealVector& p) { return holds(*tree, p); });
   }
-  EXPECT_GT(told, 200);
+  EXPECT_GT(decided, 200);
   EXPECT_GT(events, 2000);
 }
 
@@ -358,7 +358,8 @@ TEST(ShapeRays, BoundsHoldInTheWholeCell) {
       const bool sure = sign_at(inner[row], i, z)<0, never = sign_at(outer[row], i, z)> 0;
       ASSERT_TRUE(in || !sure) << round;
       ASSERT_FALSE(in && never) << round;
-      certain += sure, outside += never;
+      certain += sure;
+      outside += never;
     }
   }
   EXPECT_GT(certain, 1000);

@@ -111,7 +111,10 @@ inline Cells random_cells(std::mt19937& random, int count, int size) {
 inline Cells around(const Cells& inner, int margin) {
   Cell low = *inner.begin(), high = low;
   for (const Cell& c : inner) {
-    for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], c[k]), high[k] = std::max(high[k], c[k]);
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], c[k]);
+      high[k] = std::max(high[k], c[k]);
+    }
   }
   Cells cells;
   for (int x = low[0] - margin; x <= high[0] + margin; ++x) {

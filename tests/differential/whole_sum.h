@@ -54,7 +54,7 @@ inline Region whole_sum(const Region& a, bool (*wanted)(Mark), const Region& b) 
       base += p.unbounded;
     }
   Arrangement arranged = arrange(whole.curves.geometry, whole.curves.pieces);
-  Windings w = windings(arranged, whole.strands, whole.corners, base);
+  Windings w = windings(arranged, whole.chains, whole.corners, base);
   Marks m;
   for (auto k : w.faces) m.faces.push_back(k > 0);
   for (auto k : w.edges) m.edges.push_back(k > 0);

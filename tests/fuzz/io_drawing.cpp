@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Any bytes are a drawing or an Error: SVG, GeoJSON, DXF or WKT, told apart by the first byte.
+// Any bytes are a drawing or an Error: SVG, GeoJSON, DXF or WKT, decided apart by the first byte.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

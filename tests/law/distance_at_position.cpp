@@ -33,7 +33,7 @@ void expect_on_its_cell(const Feature& f, const ShapePair& pair, const RealPoint
   } else if (f.cell.dimension == 0) {
     EXPECT_LT(apart(r.geometry.exact(r.vertices[f.cell.index].point), at), kTolerance);
   } else {
-    EXPECT_LT(edge_site(r, f.cell.index).distance(number(at.x), number(at.y)), kTolerance);
+    EXPECT_LT(edge_feature(r, f.cell.index).distance(number(at.x), number(at.y)), kTolerance);
   }
 }
 

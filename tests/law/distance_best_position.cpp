@@ -13,7 +13,7 @@
 
 #include "distance/planar_least/best_position.h"
 #include "distance/rotation/rotation_in_time.h"
-#include "distance/rotation/turning_motion.h"
+#include "distance/rotation/rotation_motion.h"
 #include "law/plane_random.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -37,23 +37,23 @@ Region box(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
   return plane::region_of_rings({&ring, 1});
 }
 
-/// How far a disc at p turns about the origin until it meets one at (arm, 0); r is the sum of the radii.
-double turn_to_contact(double x, double y, double arm, double r) {
-  const double d = std::hypot(x, y), cosine = (d * d + arm * arm - r * r) / (2 * d * arm);
+/// How far a disc at p rotates about the origin until it meets one at (directed_edge, 0); r is the sum of the radii.
+double rotation_to_contact(double x, double y, double directed_edge, double r) {
+  const double d = std::hypot(x, y), cosine = (d * d + directed_edge * directed_edge - r * r) / (2 * d * directed_edge);
   if (cosine > 1) return kNone;
   if (cosine < -1) return -kNone;
   return (std::abs(std::atan2(y, x)) - std::acos(cosine)) * 180 / std::numbers::pi;
 }
 
-/// The best of f over a lattice of the box, turned so that less is better.
+/// The best of f over a lattice of the box, rotated so that less is better.
 template <class F>
-double of_lattice(const F& f, std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1, int turn) {
+double of_lattice(const F& f, std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1, int rotation) {
   constexpr int kSteps = 60;
   double best = kNone;
   for (int i = 0; i <= kSteps; ++i)
     for (int k = 0; k <= kSteps; ++k)
-      best = std::min(best, turn * f(double(x0) + double(i) / kSteps * double(x1 - x0),
-                                     double(y0) + double(k) / kSteps * double(y1 - y0)));
+      best = std::min(best, rotation * f(double(x0) + double(i) / kSteps * double(x1 - x0),
+                                         double(y0) + double(k) / kSteps * double(y1 - y0)));
   return best;
 }
 
@@ -61,18 +61,19 @@ TEST(BestPosition, OfRotationEnclosesALattice) {
   int finite = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
-    const std::int64_t arm = random.pick(3, 6), x = random.pick(-6, 3), y = random.pick(-6, 3), w = random.pick(1, 3);
+    const std::int64_t directed_edge = random.pick(3, 6), x = random.pick(-6, 3), y = random.pick(-6, 3),
+                       w = random.pick(1, 3);
     const Sense sense = seed % 2 == 0 ? Sense::kMinimum : Sense::kMaximum;
-    const int turn = sense == Sense::kMinimum ? 1 : -1;
+    const int rotation = sense == Sense::kMinimum ? 1 : -1;
     const RotationInTime f(plane::region_of_disc(Real(0), Real(0), Real(kUnit)),
-                           plane::region_of_disc(Real(arm * kUnit), Real(0), Real(kUnit)), Which::kGamma1, {}, {},
-                           {TurningPose{}});
+                           plane::region_of_disc(Real(directed_edge * kUnit), Real(0), Real(kUnit)), Which::kGamma1, {},
+                           {}, {RotatingPose{}});
     const Region s = box(x, y, x + w, y + w);
     const DiscRange range = [&](const RealPoint& p, double r) { return f.around(p, r).extremum(sense); };
     const double far = 20.0 * kUnit;
     const Extremum e = best_position(range, {s, s}, sense, {{-far, -far, far, far}, false, 1e-6, 120});
-    const auto truth = [&](double px, double py) { return turn_to_contact(px, py, double(arm), 2); };
-    const double lattice = of_lattice(truth, x, y, x + w, y + w, turn);
+    const auto truth = [&](double px, double py) { return rotation_to_contact(px, py, double(directed_edge), 2); };
+    const double lattice = of_lattice(truth, x, y, x + w, y + w, rotation);
     if (std::isinf(lattice) && lattice < 0) {
       EXPECT_TRUE(e.unbounded) << "seed " << seed;
       continue;
@@ -83,8 +84,8 @@ TEST(BestPosition, OfRotationEnclosesALattice) {
       continue;
     }
     ++finite;
-    EXPECT_LE(turn * e.bound, lattice + 1e-7) << "seed " << seed;
-    EXPECT_LE(turn * near_value(e.level), lattice + 1) << "seed " << seed;
+    EXPECT_LE(rotation * e.bound, lattice + 1e-7) << "seed " << seed;
+    EXPECT_LE(rotation * near_value(e.level), lattice + 1) << "seed " << seed;
     const auto& p = e.at.point(0);
     EXPECT_NEAR(truth(p.x / kUnit, p.y / kUnit), near_value(e.level), 1e-5) << "seed " << seed;
   }
@@ -92,10 +93,10 @@ TEST(BestPosition, OfRotationEnclosesALattice) {
 }
 
 TEST(BestPosition, OfAShapeThatTurnsInTimeIsItsNearestCorner) {
-  // A bar of half sides 2 and 1 turns by 90 degrees; its corner comes as far as sqrt(5) towards (4, 0).
+  // A bar of half sides 2 and 1 rotates by 90 degrees; its corner comes as far as sqrt(5) towards (4, 0).
   const Region a = box(-2, -1, 2, 1);
-  const TurningMotion f(plane::region_of_disc(Real(0), Real(0), Real(kUnit)), a, Which::kGamma1,
-                        {TurningPose{}, TurningPose{{}, {}, Real(90)}});
+  const RotatingMotion f(plane::region_of_disc(Real(0), Real(0), Real(kUnit)), a, Which::kGamma1,
+                         {RotatingPose{}, RotatingPose{{}, {}, Real(90)}});
   const DiscRange range = [&](const RealPoint& p, double r) {
     const auto v = f.extremum(p, Sense::kMinimum, r / 4);
     return ValueRange{v->low - r, v->high + r};

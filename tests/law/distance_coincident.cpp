@@ -3,7 +3,7 @@
 //
 // Shapes made of few circles and boxes, so that those of one and of both shapes coincide: equal circles, concentric
 // ones, rings, unions of unions, and positions that bring arcs onto each other. The value at a position, found from the
-// boundaries or by search, and the sign maps, made from sums of whole sets, are told by different means; they agree.
+// boundaries or by search, and the sign maps, made from sums of whole sets, are decided by different means; they agree.
 
 #include <gtest/gtest.h>
 

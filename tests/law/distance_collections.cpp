@@ -110,13 +110,13 @@ TEST(Collections, OverPartsOfTheMovingShape) {
   }
 }
 
-TEST(Collections, ACommonHalfTurnChangesNothing) {
+TEST(Collections, ACommonHalfRotationChangesNothing) {
   Shapes random(33);
   for (int k = 0; k < kTrials; ++k) {
     Region a = random.shape(), b = random.shape();
-    ShapePair pair(b, a), turned(plane::mirrored(b), plane::mirrored(a));
+    ShapePair pair(b, a), rotated(plane::mirrored(b), plane::mirrored(a));
     RealPoint p = random.position();
-    for (Which w : kAll) expect_equal(value(pair, w, p), value(turned, w, {-p.x, -p.y}));
+    for (Which w : kAll) expect_equal(value(pair, w, p), value(rotated, w, {-p.x, -p.y}));
   }
 }
 

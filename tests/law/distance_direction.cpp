@@ -26,13 +26,17 @@ using plane::Region;
 constexpr std::array<Which, 3> kSigned{Which::kGamma1, Which::kEta1, Which::kDelta1};
 constexpr plane::Variety kClosedShapes{.size = 5, .flat = true, .arcs = true, .plain = false};
 
-Track random_track(Random& random) {
-  Track t;
+TranslationDirection random_track(Random& random) {
+  TranslationDirection t;
   do {
-    t.dx = random.pick(-3, 3), t.dy = random.pick(-3, 3);
+    t.dx = random.pick(-3, 3);
+    t.dy = random.pick(-3, 3);
   } while (t.dx == 0 && t.dy == 0);
   exact::make_primitive(t.dx, t.dy);
-  if (random.pick(0, 1)) t.dx = -t.dx, t.dy = -t.dy;
+  if (random.pick(0, 1)) {
+    t.dx = -t.dx;
+    t.dy = -t.dy;
+  }
   t.both_ways = random.pick(0, 1);
   return t;
 }
@@ -54,9 +58,10 @@ const plane::SignMap& base_of(const ShapePair& pair, Which which) {
   return static_cast<const SignedDistance&>(*pair.distance(which)).base();
 }
 
-PositionFunctionPointer directional(const ShapePair& pair, Which which, const Track& track, bool farthest) {
-  if (farthest) return std::make_shared<DirectionalFarthest>(base_of(pair, which), track);
-  return std::make_shared<DirectionalSigned>(base_of(pair, which), track);
+PositionFunctionPointer directional(const ShapePair& pair, Which which, const TranslationDirection& direction,
+                                    bool farthest) {
+  if (farthest) return std::make_shared<DirectionalFarthest>(base_of(pair, which), direction);
+  return std::make_shared<DirectionalSigned>(base_of(pair, which), direction);
 }
 
 int sign_against(const std::optional<Value>& v, const Real& level) {
@@ -83,10 +88,10 @@ TEST(Directional, SignMapsAgreeWithValues) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     Random random(seed);
     const ShapePair pair = random_pair(random);
-    const Track track = random_track(random);
+    const TranslationDirection direction = random_track(random);
     const Which which = kSigned[std::size_t(random.pick(0, 2))];
     const bool farthest = random.pick(0, 2) == 0;
-    const auto f = directional(pair, which, track, farthest);
+    const auto f = directional(pair, which, direction, farthest);
     Real level = Real::ratio(random.pick(-6, 8), 2);
     // Half of the time a level that some position takes exactly.
     const auto taken = f->value(random_position(random));
@@ -96,8 +101,8 @@ TEST(Directional, SignMapsAgreeWithValues) {
     for (const RealPoint& p : probes(map, random)) {
       ASSERT_EQ(int(mark_of(map, locate(map, p))), sign_against(f->value(p), level))
           << "seed " << seed << " which " << int(which) << (farthest ? " farthest" : "")
-          << (track.both_ways ? " along " : " toward ") << track.dx << "," << track.dy << " level " << level.text()
-          << " at " << p.x.text() << ", " << p.y.text();
+          << (direction.both_ways ? " along " : " toward ") << direction.dx << "," << direction.dy << " level "
+          << level.text() << " at " << p.x.text() << ", " << p.y.text();
     }
   }
 }
@@ -139,10 +144,10 @@ TEST(Directional, BothWaysIsTheBetterOfTheTwo) {
     Random random(seed + 2000);
     const ShapePair pair = random_pair(random);
     const Which which = kSigned[std::size_t(random.pick(0, 2))];
-    Track track = random_track(random);
+    TranslationDirection direction = random_track(random);
     const bool farthest = random.pick(0, 1);
     auto value = [&](int sign, bool both) {
-      return directional(pair, which, {sign * track.dx, sign * track.dy, both}, farthest);
+      return directional(pair, which, {sign * direction.dx, sign * direction.dy, both}, farthest);
     };
     const RealPoint p = random_position(random);
     const auto both = value(1, true)->value(p), there = value(1, false)->value(p), back = value(-1, false)->value(p);

@@ -170,13 +170,14 @@ TEST(DistanceLaws, LeastLevelsAreLeast) {
 
 TEST(DistanceLaws, TheSmallestCircleIsTheOnlyPlaceOfTheLeastLevel) {
   Shapes random(10);
-  int told = 0, defined = 0;
+  int decided = 0, defined = 0;
   for (int k = 0; k < 5 * kTrials; ++k) {
     ShapePair pair(random.shape(), random.shape());
     for (Which w : {Which::kGamma2, Which::kEta2, Which::kDelta2}) {
       auto f = pair.distance(w);
       const auto lowest = f->lowest();
-      defined += f->defined(), told += lowest.has_value();
+      defined += f->defined();
+      decided += lowest.has_value();
       if (!lowest) continue;
       const plane::SignMap map = f->sign_map(lowest->level);
       const auto above = [](const auto& cell) { return cell.mark > 0; };
@@ -186,7 +187,7 @@ TEST(DistanceLaws, TheSmallestCircleIsTheOnlyPlaceOfTheLeastLevel) {
       EXPECT_EQ(sign_at(map, lowest->at), 0) << int(w);
     }
   }
-  EXPECT_EQ(told, defined);
+  EXPECT_EQ(decided, defined);
 }
 
 TEST(DistanceLaws, LeastOfMuIsMinusTheInradiusOrPositive) {

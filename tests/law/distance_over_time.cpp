@@ -54,9 +54,11 @@ std::pair<int, int> look(const plane::SignMap& m, const RealPoint& p, const Rela
   const plane::Section s = plane::section_of_path(m, p, path, times);
   int least = 1, most = -1;
   for (std::size_t k = 0; k < s.stops.size(); ++k) {
-    least = std::min<int>(least, s.stops[k].at), most = std::max<int>(most, s.stops[k].at);
+    least = std::min<int>(least, s.stops[k].at);
+    most = std::max<int>(most, s.stops[k].at);
     if (k + 1 == s.stops.size()) break;
-    least = std::min<int>(least, s.stops[k].after), most = std::max<int>(most, s.stops[k].after);
+    least = std::min<int>(least, s.stops[k].after);
+    most = std::max<int>(most, s.stops[k].after);
   }
   return {least, most};
 }

@@ -64,7 +64,8 @@ inline Region moved(const Region& r, const RealPoint& by) {
   Region point = plane::CellComplex::uniform(0);
   plane::Vertex v;
   v.point = point.geometry.add_real_point(by.x, by.y);
-  v.mark = 1, v.face = 0;
+  v.mark = 1;
+  v.face = 0;
   point.vertices.push_back(v);
   point.faces[0].isolated.push_back(0);
   return plane::minkowski_sum(r, point);

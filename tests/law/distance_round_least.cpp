@@ -108,7 +108,8 @@ TEST(RoundLeast, GeneralShapes) {
       const auto f = pair.distance(w);
       const Extremum e = least(*f);
       expect_right(*f, e);
-      points += e.at.edges.empty(), proven += e.proven;
+      points += e.at.edges.empty();
+      proven += e.proven;
     }
   }
   EXPECT_GT(points, 15);

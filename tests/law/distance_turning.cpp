@@ -13,8 +13,8 @@
 #include <numbers>
 
 #include "distance/rotation/rotation_in_time.h"
-#include "distance/rotation/turning_map.h"
-#include "distance/rotation/turning_positions.h"
+#include "distance/rotation/rotation_map.h"
+#include "distance/rotation/rotation_positions.h"
 #include "law/plane_random.h"
 #include "plane/complex/primitives.h"
 #include "plane/query/locate.h"
@@ -25,22 +25,23 @@ namespace {
 using exact::Real;
 using plane::Random;
 
-struct Turn {
-  double arm, from, to, reach;  // degrees; sum of the radii
-  std::vector<TurningPose> poses;
+struct ExactAngle {
+  double directed_edge, from, to, reach;  // degrees; sum of the radii
+  std::vector<RotatingPose> poses;
 };
 
 /// gamma1 at the angle, for p.
-double at_angle(const Turn& t, double x, double y, double degrees) {
+double at_angle(const ExactAngle& t, double x, double y, double degrees) {
   const double a = degrees * std::numbers::pi / 180;
-  return std::hypot(x + t.arm * std::cos(a), y + t.arm * std::sin(a)) - t.reach;
+  return std::hypot(x + t.directed_edge * std::cos(a), y + t.directed_edge * std::sin(a)) - t.reach;
 }
 
 /// Its least and greatest value: the nearest and farthest angles are that of -p, the opposite one, or an end.
-std::pair<double, double> extremes(const Turn& t, double x, double y) {
+std::pair<double, double> extremes(const ExactAngle& t, double x, double y) {
   double least = at_angle(t, x, y, t.from), most = least;
   auto take = [&](double degrees) {
-    least = std::min(least, at_angle(t, x, y, degrees)), most = std::max(most, at_angle(t, x, y, degrees));
+    least = std::min(least, at_angle(t, x, y, degrees));
+    most = std::max(most, at_angle(t, x, y, degrees));
   };
   take(t.to);
   const double toward = std::atan2(-y, -x) * 180 / std::numbers::pi;
@@ -51,21 +52,21 @@ std::pair<double, double> extremes(const Turn& t, double x, double y) {
   return {least, most};
 }
 
-TEST(Turning, ValuesAndBoundsOfADiscOnAnArm) {
+TEST(Rotation, ValuesAndBoundsOfADiscOnAnArm) {
   constexpr std::int64_t kUnit = 1000000;  // grid steps
   int decided = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     Random random(seed);
-    const std::int64_t arm = random.pick(1, 5), r = random.pick(1, 2), a = random.pick(1, 2);
+    const std::int64_t directed_edge = random.pick(1, 5), r = random.pick(1, 2), a = random.pick(1, 2);
     const std::int64_t from = random.pick(-90, 90), to = from + random.pick(20, 150);
-    Turn t{double(arm), double(from), double(to), double(r + a), {}};
+    ExactAngle t{double(directed_edge), double(from), double(to), double(r + a), {}};
     t.poses = {{{}, Real(from), Real()}, {{}, Real(to), Real()}};
-    const plane::Region b = plane::region_of_disc(Real(arm * kUnit), Real(0), Real(r * kUnit));
+    const plane::Region b = plane::region_of_disc(Real(directed_edge * kUnit), Real(0), Real(r * kUnit));
     const plane::Region fixed = plane::region_of_disc(Real(0), Real(0), Real(a * kUnit));
-    const TurningMotion f(b, fixed, Which::kGamma1, t.poses);
+    const RotatingMotion f(b, fixed, Which::kGamma1, t.poses);
     const std::int64_t level = random.pick(-1, 2);
-    const BoundedMaps low = turning_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMinimum, Real(level * kUnit));
-    const BoundedMaps high = turning_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMaximum, Real(level * kUnit));
+    const BoundedMaps low = rotation_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMinimum, Real(level * kUnit));
+    const BoundedMaps high = rotation_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMaximum, Real(level * kUnit));
     for (int k = 0; k < 12; ++k) {
       const std::int64_t x = random.pick(-7 * kUnit, 7 * kUnit), y = random.pick(-7 * kUnit, 7 * kUnit);
       const auto [least, most] = extremes(t, double(x) / kUnit, double(y) / kUnit);
@@ -102,7 +103,7 @@ double angle_to_contact(double px, double py, double ax, double ay, double reach
   return far ? std::min(180.0, gap + width) : gap - width;
 }
 
-TEST(Turning, PositionsOfADiscThatTurnsToAnother) {
+TEST(Rotation, PositionsOfADiscThatTurnsToAnother) {
   constexpr std::int64_t kUnit = 1000000;
   Random random(5);
   int decided = 0, asked = 0;
@@ -110,7 +111,7 @@ TEST(Turning, PositionsOfADiscThatTurnsToAnother) {
        {std::pair{Which::kGamma1, 20}, {Which::kGamma1, -10}, {Which::kGamma2, 60}, {Which::kGamma1, 150}}) {
     const plane::Region b = plane::region_of_disc(Real(0), Real(0), Real(kUnit));
     const plane::Region a = plane::region_of_disc(Real(6 * kUnit), Real(2 * kUnit), Real(kUnit));
-    const BoundedMaps maps = turning_position_maps(b, a, which, {Real(kUnit), Real(-kUnit)}, Real(level));
+    const BoundedMaps maps = rotation_position_maps(b, a, which, {Real(kUnit), Real(-kUnit)}, Real(level));
     for (int k = 0; k < 40; ++k) {
       const std::int64_t x = random.pick(-8 * kUnit, 10 * kUnit), y = random.pick(-8 * kUnit, 9 * kUnit);
       const double f = angle_to_contact(double(x) / kUnit - 1, double(y) / kUnit + 1, 5, 3, 2, which == Which::kGamma2);
@@ -119,13 +120,14 @@ TEST(Turning, PositionsOfADiscThatTurnsToAnother) {
       const int low = mark_of(maps.low, locate(maps.low, p)), high = mark_of(maps.high, locate(maps.high, p));
       EXPECT_LE(low, sign) << "level " << level << " at " << x << ", " << y;
       EXPECT_GE(high, sign) << "level " << level << " at " << x << ", " << y;
-      ++asked, decided += low == high;
+      ++asked;
+      decided += low == high;
     }
   }
   EXPECT_GT(decided, asked * 8 / 10);
 }
 
-/// Of a disc at p to one that goes from a to a2, both turned about (1, -1): the least or greatest over many instants.
+/// Of a disc at p to one that goes from a to a2, both rotated about (1, -1): the least or greatest over many instants.
 double over_instants(double px, double py, const std::array<double, 4>& way, double reach, bool far, Sense sense) {
   constexpr int kInstants = 2000;
   double best = angle_to_contact(px - 1, py + 1, way[0] - 1, way[1] + 1, reach, far);
@@ -138,7 +140,7 @@ double over_instants(double px, double py, const std::array<double, 4>& way, dou
   return best;
 }
 
-TEST(Turning, RotationToADiscThatMoves) {
+TEST(Rotation, RotationToADiscThatMoves) {
   constexpr std::int64_t kUnit = 1000000;
   constexpr double kSlack = 0.01;  // instants between those looked at, as a part of the radii
   Random random(7);
@@ -160,9 +162,9 @@ TEST(Turning, RotationToADiscThatMoves) {
     const std::array<double, 4> way{6, 2, 3, 5};
     const auto at = [](std::int64_t x, std::int64_t y) { return exact::RealPoint{Real(x * kUnit), Real(y * kUnit)}; };
     // A is drawn at (2, 0) and goes by (4, 2), then by (1, 5); B stands still.
-    const std::vector<TurningPose> poses{{at(-4, -2), {}, {}, at(4, 2)}, {at(-1, -5), {}, {}, at(1, 5)}};
+    const std::vector<RotatingPose> poses{{at(-4, -2), {}, {}, at(4, 2)}, {at(-1, -5), {}, {}, at(1, 5)}};
     const exact::RealPoint centre = at(1, -1);
-    const BoundedMaps maps = turning_position_maps(b, a, ask.which, centre, Real(ask.level), poses, ask.sense);
+    const BoundedMaps maps = rotation_position_maps(b, a, ask.which, centre, Real(ask.level), poses, ask.sense);
     for (int k = 0; k < 40; ++k) {
       const std::int64_t x = random.pick(-8 * kUnit, 10 * kUnit), y = random.pick(-8 * kUnit, 9 * kUnit);
       const double px = double(x) / kUnit, py = double(y) / kUnit;
@@ -178,7 +180,8 @@ TEST(Turning, RotationToADiscThatMoves) {
       if (high < 0) {
         EXPECT_LT(least ? below : f, ask.level) << "at " << px << ", " << py;
       }
-      ++asked, decided += low == high;
+      ++asked;
+      decided += low == high;
       if (k > 0) continue;
       const auto v = RotationInTime(b, a, ask.which, centre, p, poses).extremum(ask.sense);
       if (std::isinf(f)) continue;

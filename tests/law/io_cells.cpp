@@ -157,9 +157,9 @@ void expect_refused(const std::string& cells, const std::string& why) {
 }
 
 TEST(Cells, RefusesWhatIsNoSetOfCells) {
-  const auto cells = [](const std::string& carriers, const std::string& vertices, const std::string& edges) {
+  const auto cells = [](const std::string& supporting_curves, const std::string& vertices, const std::string& edges) {
     return fmt::format(R"({{"step": 1, "outside": false, "carriers": [{}], "vertices": [{}], "edges": [{}]}})",
-                       carriers, vertices, edges);
+                       supporting_curves, vertices, edges);
   };
   const std::string line = R"({"line": [0, 1, 0]})", a = R"({"at": [0, 0], "in": true})",
                     b = R"({"at": [4, 0], "in": true})";

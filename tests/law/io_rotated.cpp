@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Rotated 3D shapes: turning both bodies and the position changes no Phi-function; exactly for multiples of 90 degrees,
-// to the rounding of vertices for others. Nodes of every kind below the rotation, about every axis and a centre.
+// Rotated 3D shapes: rotating both bodies and the position changes no Phi-function; exactly for multiples of 90
+// degrees, to the rounding of vertices for others. Nodes of every kind below the rotation, about every axis and a
+// centre.
 #include <findspace/error.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ const char* const kShapes[] = {
     R"({"difference": [{"box": {"min": [0, 0, 0], "max": [4, 4, 4]}}, {"box": {"min": [1, 1, 1], "max": [3, 3, 5]}}]})",
 };
 
-std::string turned(const std::string& shape, double degrees, char axis, const char* about) {
+std::string rotated(const std::string& shape, double degrees, char axis, const char* about) {
   return fmt::format(R"({{"rotate": {}, "axis": "{}", "about": {}, "of": {}}})", degrees, axis, about, shape);
 }
 
@@ -41,8 +42,8 @@ space::RoundedPhi phi_of(const std::string& a, const std::string& b) {
   return space::RoundedPhi(p.parts, q.parts);
 }
 
-/// The position turned about the axis through the origin: a relative position knows no centre.
-std::array<double, 3> turned(const std::array<double, 3>& u, double degrees, int axis) {
+/// The position rotated about the axis through the origin: a relative position knows no centre.
+std::array<double, 3> rotated(const std::array<double, 3>& u, double degrees, int axis) {
   const double t = degrees * std::acos(-1.0) / 180, c = std::cos(t), s = std::sin(t);
   const auto i = static_cast<std::size_t>((axis + 1) % 3), j = static_cast<std::size_t>((axis + 2) % 3);
   std::array<double, 3> v = u;
@@ -66,15 +67,15 @@ TEST(Rotated, PhiIsTheSame) {
       const int axis = index++ % 3;
       const char* about = index % 2 ? "[1, 2, 3]" : "[0, 0, 0]";
       const bool quarters = std::fmod(degrees, 90) == 0;
-      // A cut of rounded surfaces would leave the grid: only bodies of convex parts are turned by odd angles here.
+      // A cut of rounded surfaces would leave the grid: only bodies of convex parts are rotated by odd angles here.
       if (!quarters && (a.find("difference") != a.npos || b.find("difference") != b.npos || a.find("prism") != a.npos ||
                         b.find("prism") != b.npos))
         continue;
       const space::RoundedPhi phi = phi_of(a, b);
       const space::RoundedPhi other =
-          phi_of(turned(a, degrees, "xyz"[axis], about), turned(b, degrees, "xyz"[axis], about));
+          phi_of(rotated(a, degrees, "xyz"[axis], about), rotated(b, degrees, "xyz"[axis], about));
       for (const auto& u : places) {
-        const auto x = phi.at(steps(u, true)).at, y = other.at(steps(turned(u, degrees, axis), quarters)).at;
+        const auto x = phi.at(steps(u, true)).at, y = other.at(steps(rotated(u, degrees, axis), quarters)).at;
         ASSERT_NEAR(x.normalised, y.normalised, quarters ? 1e-6 : 20) << a << b << degrees << "xyz"[axis];
         if (quarters) {
           ASSERT_EQ(x.state, y.state);
@@ -85,7 +86,7 @@ TEST(Rotated, PhiIsTheSame) {
 }
 
 TEST(Rotated, ANonConvexPrismStaysClosed) {
-  const std::string prism = turned(kShapes[2], 33, 'x', "[0, 0, 0]");
+  const std::string prism = rotated(kShapes[2], 33, 'x', "[0, 0, 0]");
   const Scene scene = read_scene_text(R"({"findspace": 1, "grid": 1e-3, "shapes": {"A": )" + prism + "}}", ".", "test");
   EXPECT_EQ(space::solid_of(*scene.shape("A"))->form, space::Solid::Form::kMesh);
   EXPECT_FALSE(scene.notes.empty());
@@ -95,7 +96,7 @@ TEST(Rotated, RefusesOtherAxes) {
   const auto read = [](const std::string& shape) {
     return read_scene_text(R"({"findspace": 1, "shapes": {"A": )" + shape + "}}", ".", "test");
   };
-  EXPECT_THROW(read(turned(kShapes[0], 30, 'w', "[0, 0, 0]")), Error);
+  EXPECT_THROW(read(rotated(kShapes[0], 30, 'w', "[0, 0, 0]")), Error);
   EXPECT_THROW(read(R"({"rotate": 30, "axis": "z", "of": {"box": {"min": [0, 0], "max": [1, 1]}}})"), Error);
 }
 

@@ -29,7 +29,7 @@ using plane::Region;
 ReadContext whole_steps() {
   ReadContext context;
   context.grid = Grid(Real(1));
-  context.unit = situation::Unit::kMillimetre;
+  context.unit = formula::Unit::kMillimetre;
   return context;
 }
 
@@ -83,7 +83,7 @@ TEST(TouchingRings, ReadBackAsTheSameSet) {
     if (plane::is_empty(set)) continue;
     touching += touches_itself(set);
     ReadContext context = whole_steps();
-    const std::string svg = shape_svg(set, Real(1), "s", situation::Unit::kMillimetre).text;
+    const std::string svg = shape_svg(set, Real(1), "s", formula::Unit::kMillimetre).text;
     ASSERT_TRUE(same_set(plane::build(*read_svg(svg, "s.svg", {}, context)).region, set)) << svg;
     if (discs) continue;  // WKT gives arcs by points on the grid: they touch no longer
     const std::string wkt = region_wkt(set, Real(1)).text;

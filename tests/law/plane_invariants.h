@@ -21,9 +21,11 @@ inline std::string edge_fault(const CellComplex& c, Index e) {
   const auto& g = c.geometry;
   Index p = c.vertices[d.v0].point, q = c.vertices[d.v1].point;
   if (g.compare_xy(p, q) >= 0) return at("ends out of order at edge", e);
-  if (!g.lies_on(p, d.carrier) || !g.lies_on(q, d.carrier)) return at("an end off its carrier at edge", e);
-  if (g.carriers[d.carrier].circle != (d.half != 0)) return at("half of a line at edge", e);
-  if (d.half != 0 && (g.above_center(p, d.carrier) * d.half < 0 || g.above_center(q, d.carrier) * d.half < 0))
+  if (!g.lies_on(p, d.supporting_curve) || !g.lies_on(q, d.supporting_curve))
+    return at("an end off its carrier at edge", e);
+  if (g.supporting_curves[d.supporting_curve].circle != (d.half != 0)) return at("half of a line at edge", e);
+  if (d.half != 0 &&
+      (g.above_center(p, d.supporting_curve) * d.half < 0 || g.above_center(q, d.supporting_curve) * d.half < 0))
     return at("an end on the other half of the circle at edge", e);
   if (d.mark == c.faces[c.face(2 * e)].mark && d.mark == c.faces[c.face(2 * e + 1)].mark) return at("needless edge", e);
   return {};
@@ -98,7 +100,8 @@ inline std::string fault(const CellComplex& c) {
   std::vector<Index> degree(c.vertices.size(), 0);
   for (Index e = 0; e < c.edges.size(); ++e) {
     if (std::string f = invariants::edge_fault(c, e); !f.empty()) return f;
-    ++degree[c.edges[e].v0], ++degree[c.edges[e].v1];
+    ++degree[c.edges[e].v0];
+    ++degree[c.edges[e].v1];
   }
   for (Index h = 0; h < c.half_edges.size(); ++h)
     if (std::string f = invariants::half_edge_fault(c, h); !f.empty()) return f;

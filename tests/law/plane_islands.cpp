@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Sets of many islands, with holes, islands in holes, points, chains, discs and walls that touch: what is near a window
-// is the set itself there, and a sound complex. So are sets written side by side.
+// Sets of many boundary_components, with holes, boundary_components in holes, points, chains, discs and walls that
+// touch: what is near a window is the set itself there, and a sound complex. So are sets written side by side.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -10,7 +10,7 @@
 #include "../unit/plane_topology_sets.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/side_by_side.h"
-#include "plane/query/islands.h"
+#include "plane/query/boundary_components.h"
 #include "plane_invariants.h"
 
 namespace findspace::plane {
@@ -84,16 +84,17 @@ TEST(SideBySide, WhatIsNotBoundedIsTogetherWithAll) {
   EXPECT_EQ(groups_apart(pointers(empty)).size(), 1u);
 }
 
-TEST(Islands, NearIsTheSetThere) {
+TEST(BoundaryComponents, NearIsTheSetThere) {
   std::mt19937 random(7);
   std::size_t left_out = 0, several = 0;
   for (int k = 0; k < 150; ++k) {
     const Region set = random_set(random);
-    const Islands islands(set);
-    several += islands.size() > 3;
+    const BoundaryComponents boundary_components(set);
+    several += boundary_components.size() > 3;
     const auto x = static_cast<std::int64_t>(random() % 300), y = static_cast<std::int64_t>(random() % 300);
     const PieceBox window{double(x), double(y), double(x + 50), double(y + 40)};
-    const Region there = box(x, y, x + 50, y + 40), near = islands.near(set, window), part = within(near, window);
+    const Region there = box(x, y, x + 50, y + 40), near = boundary_components.near(set, window),
+                 part = within(near, window);
     EXPECT_EQ(fault(near), "");
     EXPECT_EQ(fault(part), "");
     EXPECT_TRUE(same_set(near & there, set & there)) << k;
@@ -105,17 +106,17 @@ TEST(Islands, NearIsTheSetThere) {
   EXPECT_GT(several, 100u);
 }
 
-TEST(Islands, AllOfThemAreTheWholeSet) {
+TEST(BoundaryComponents, AllOfThemAreTheWholeSet) {
   std::mt19937 random(8);
   for (int k = 0; k < 50; ++k) {
-    const Region set = random_set(random), all = Islands(set).near(set, *extent(set));
+    const Region set = random_set(random), all = BoundaryComponents(set).near(set, *extent(set));
     EXPECT_EQ(all.edges.size(), set.edges.size());
     EXPECT_EQ(all.vertices.size(), set.vertices.size());
     EXPECT_TRUE(same_set(all, set)) << k;
   }
 }
 
-TEST(Islands, OfNothingAreNone) { EXPECT_EQ(Islands(CellComplex::uniform(0)).size(), 0u); }
+TEST(BoundaryComponents, OfNothingAreNone) { EXPECT_EQ(BoundaryComponents(CellComplex::uniform(0)).size(), 0u); }
 
 }  // namespace
 }  // namespace findspace::plane

@@ -94,19 +94,19 @@ void check_motions(const ShapePtr& a, const ShapePtr& b, const ShapePtr&) {
   expect_same(translate_of(mirror(set), by), mirror(translate_of(set, {-5, 3})), "mirror and translate");
 }
 
-void check_quarter_turns(const ShapePtr& a, const ShapePtr& b, const ShapePtr&) {
+void check_quarter_rotations(const ShapePtr& a, const ShapePtr& b, const ShapePtr&) {
   ShapePtr set = without(a, b);
-  auto turn = [](const ShapePtr& s, int degrees) { return rotate_of(s, {1, -2}, degrees); };
-  expect_same(turn(turn(set, 90), 270), set, "a full turn");
-  expect_same(turn(turn(set, -450), 90), set, "a full turn");
-  expect_same(turn(turn(set, 90), 90), turn(set, 180), "a half turn");
-  expect_same(without(turn(a, 90), turn(b, 90)), turn(set, 90), "turn of a difference");
-  expect_same(turn(set, 180), translate_of(node(Kind::kMirror, {set}), {2, -4}), "half turn and reflection");
+  auto rotation = [](const ShapePtr& s, int degrees) { return rotate_of(s, {1, -2}, degrees); };
+  expect_same(rotation(rotation(set, 90), 270), set, "a full turn");
+  expect_same(rotation(rotation(set, -450), 90), set, "a full turn");
+  expect_same(rotation(rotation(set, 90), 90), rotation(set, 180), "a half turn");
+  expect_same(without(rotation(a, 90), rotation(b, 90)), rotation(set, 90), "turn of a difference");
+  expect_same(rotation(set, 180), translate_of(node(Kind::kMirror, {set}), {2, -4}), "half turn and reflection");
   expect_same(rotate_of(set, {3, 4}, 90), translate_of(rotate_of(set, {}, 90), {7, 1}), "another centre");
 }
 
 TEST_F(SetLaws, Motions) { rounds({}, check_motions); }
-TEST_F(SetLaws, QuarterTurns) { rounds({}, check_quarter_turns); }
+TEST_F(SetLaws, QuarterRotations) { rounds({}, check_quarter_rotations); }
 
 /// Is p in the closed polygon?
 bool in_ring(const Contour& ring, const exact::RealPoint& p) {

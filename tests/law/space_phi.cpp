@@ -43,7 +43,7 @@ TEST(PhiLaws, SwapAndTransposedContacts_3_4) {
     for (PlainFacet& f : back) {
       f.plane.normal = -f.plane.normal;
       for (Point& p : f.circuit) p = -p;
-      std::reverse(f.circuit.begin(), f.circuit.end());  // reflection turns the sense about the outward normal
+      std::reverse(f.circuit.begin(), f.circuit.end());  // reflection rotates the sense about the outward normal
       std::reverse(f.contact.begin(), f.contact.end());
       f.circuit = from_smallest(f.circuit);
     }
@@ -120,12 +120,12 @@ TEST(PhiLaws, LipschitzAndConvex_8) {
   }
 }
 
-TEST(PhiLaws, LeavingByTheWayOutEndsInContact_2_2) {
+TEST(PhiLaws, Leaving_By_The_Penetration_Depth_Ends_In_Contact_2_2) {
   RandomPolytopes random(16);
   for (int round = 0; round < kRounds; ++round) {
     const auto [a, b] = random.pair();
     const PhiFunction phi(a, b);
-    const Vector u = draw(random, phi), t = phi.way_out(u);
+    const Vector u = draw(random, phi), t = phi.penetration_depth(u);
     if (phi.sign(u) >= 0) continue;
     ASSERT_NEAR(phi.max_form({u.x + t.x, u.y + t.y, u.z + t.z}), 0, 4 * phi.error_bound(u));
     const double depth = phi.depth(u);

@@ -79,7 +79,10 @@ class CutOracle {
       space::RealVector low = at(part.vertices()[0], a.scale), high = low;
       for (const space::Point& v : part.vertices()) {
         const space::RealVector c = at(v, a.scale);
-        for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], c[k]), high[k] = std::max(high[k], c[k]);
+        for (std::size_t k = 0; k < 3; ++k) {
+          low[k] = std::min(low[k], c[k]);
+          high[k] = std::max(high[k], c[k]);
+        }
       }
       regions_.emplace_back(low, high);
       for (const space::Plane& plane : part.planes()) regions_.back().cut(half_space(plane, a.scale, {}));

@@ -256,12 +256,12 @@ TEST_F(Program, PictureAtAnInstant) {
     "B": {"box": {"min": [-1, -1], "max": [1, 1]}}}, "motion": {"time": [0, 2],
     "A": {"path": [[0, 0], [6, 2]], "angles": [0, 180]}, "B": {"path": [[0, 0], [0, 4]]}})";
   const std::string there = R"({"findspace": 1, "shapes": {"A": {"box": {"min": [1, 1], "max": [3, 5]}},
-    "B": {"box": {"min": [-1, 1], "max": [1, 3]}}})";  // A turned by 90 degrees and moved by (3, 1), B by (0, 2)
+    "B": {"box": {"min": [-1, 1], "max": [1, 3]}}})";  // A rotated by 90 degrees and moved by (3, 1), B by (0, 2)
   run("check scene.json --at 9,1 --time 1 -o moving.svg", moving + rest + "}");
   run("check scene.json --at 9,1 -o there.svg", there + rest + "}");
   std::string at_instant = read("moving.svg"), standing = read("there.svg");
   for (std::size_t at; (at = at_instant.find(", at time 1")) != std::string::npos;) at_instant.erase(at, 11);
-  const auto words = [](std::string text) {  // turning may leave edges in another order, rings another beginning
+  const auto words = [](std::string text) {  // rotating may leave edges in another order, rings another beginning
     for (char& c : text) c = std::string_view("MLZ\"").find(c) != std::string_view::npos ? ' ' : c;
     std::istringstream in(text);
     return std::set<std::string>{std::istream_iterator<std::string>(in), {}};

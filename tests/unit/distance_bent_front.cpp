@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "distance/planar_features/bent_front.h"
+#include "distance/planar_features/curved_level_curve.h"
 
 namespace findspace::distance {
 namespace {
@@ -15,58 +15,59 @@ using exact::Real;
 
 /// Between the point (0, 0) and the line y = 2 above it: at a level the place (sqrt(4 level - 4), 2 - level) on the
 /// right. On the line x = 0 moved by p where p.x is the place's x.
-Front parabola(const Real& scale = 1) {
-  const auto f = corner_front(Front::line(scale, 0, 0, 0), Front::ring(0, 0, 0, 1), Front::line(0, 1, 2, -1), 5, 0);
+LevelCurve parabola(const Real& scale = 1) {
+  const auto f =
+      corner_front(LevelCurve::line(scale, 0, 0, 0), LevelCurve::ring(0, 0, 0, 1), LevelCurve::line(0, 1, 2, -1), 5, 0);
   return *f;
 }
 
-std::vector<Real> levels(const Front& f, const Front& g) { return bent_levels(std::array{&f, &g}, 0, 100); }
-std::vector<Real> levels(const Front& f, const Front& g, const Front& h) {
-  return bent_levels(std::array{&f, &g, &h}, 0, 100);
+std::vector<Real> levels(const LevelCurve& f, const LevelCurve& g) { return curved_levels(std::array{&f, &g}, 0, 100); }
+std::vector<Real> levels(const LevelCurve& f, const LevelCurve& g, const LevelCurve& h) {
+  return curved_levels(std::array{&f, &g, &h}, 0, 100);
 }
 
-TEST(BentFront, IsALineInItsPlace) {
-  const auto all = levels(parabola(), Front::line(2, 0, 8, 0));
+TEST(CurvedLevelCurve, IsALineInItsPlace) {
+  const auto all = levels(parabola(), LevelCurve::line(2, 0, 8, 0));
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0], Real(5));
-  EXPECT_TRUE(levels(parabola(), Front::line(1, 0, -4, 0)).empty());  // that is the other side
-  EXPECT_TRUE(levels(parabola(), Front::line(0, 1, 4, 0)).empty());
+  EXPECT_TRUE(levels(parabola(), LevelCurve::line(1, 0, -4, 0)).empty());  // that is the other side
+  EXPECT_TRUE(levels(parabola(), LevelCurve::line(0, 1, 4, 0)).empty());
 }
 
-TEST(BentFront, IsAnotherBentLine) {
+TEST(CurvedLevelCurve, IsAnotherBentLine) {
   // sqrt(4 l - 4) = 8 - sqrt(9 l - 9).
-  Front g = Front::line(1, 0, 8, 0);
+  LevelCurve g = LevelCurve::line(1, 0, 8, 0);
   g.bend = std::make_shared<Bend>(Bend{-1, {-9, 9, 0}, {}, {}});
   const auto all = levels(parabola(), g);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0], Real::ratio(89, 25));
 }
 
-TEST(BentFront, TouchesACircle) {
+TEST(CurvedLevelCurve, TouchesACircle) {
   // 10 - sqrt(4 l - 4) = l.
-  const auto all = levels(parabola(), Front::ring(10, 0, 0, 1));
+  const auto all = levels(parabola(), LevelCurve::ring(10, 0, 0, 1));
   ASSERT_GE(all.size(), 1u);
   EXPECT_EQ(all[0], Real(12) - sqrt(Real(40)));
 }
 
-TEST(BentFront, MeetsTwoLines) {
+TEST(CurvedLevelCurve, MeetsTwoLines) {
   // y = level and x + y = 8: sqrt(4 l - 4) + l = 8.
   for (const int scale : {1, 3}) {
-    const auto all = levels(parabola(scale), Front::line(0, 1, 0, 1), Front::line(1, 1, 8, 0));
+    const auto all = levels(parabola(scale), LevelCurve::line(0, 1, 0, 1), LevelCurve::line(1, 1, 8, 0));
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0], Real(10) - sqrt(Real(32)));
   }
 }
 
-TEST(BentFront, MeetsALineAndACircle) {
-  const auto all = levels(parabola(), Front::line(0, 1, 3, 0), Front::ring(1, 0, 0, 1));
+TEST(CurvedLevelCurve, MeetsALineAndACircle) {
+  const auto all = levels(parabola(), LevelCurve::line(0, 1, 3, 0), LevelCurve::ring(1, 0, 0, 1));
   ASSERT_EQ(all.size(), 1u);
   const Real &l = all[0], x = sqrt(Real(4) * l - Real(4)) - Real(1);
   EXPECT_EQ((x * x + Real(9) - l * l).sign(), 0);
 }
 
-TEST(BentFront, MeetsTwoCircles) {
-  const auto all = levels(parabola(), Front::ring(1, 0, 0, 1), Front::ring(0, 7, 1, 1));
+TEST(CurvedLevelCurve, MeetsTwoCircles) {
+  const auto all = levels(parabola(), LevelCurve::ring(1, 0, 0, 1), LevelCurve::ring(0, 7, 1, 1));
   ASSERT_GE(all.size(), 1u);
   const Real &l = all[0], x = sqrt(Real(4) * l - Real(4));
   // The difference of the circles' equations: 2x - 14y + 48 = 2l + 1.
@@ -75,21 +76,21 @@ TEST(BentFront, MeetsTwoCircles) {
   EXPECT_NEAR(near.to_double(), 0, 1e-9);
 }
 
-TEST(BentFront, TwoThatAreBentAlike) {
+TEST(CurvedLevelCurve, TwoThatAreBentAlike) {
   // Mirrored ones, x = sqrt(4 l - 4) and y = sqrt(4 l - 4), and a circle about the origin of radius |l - 2|.
-  Front g = parabola();
+  LevelCurve g = parabola();
   std::swap(g.a, g.b);
-  const auto all = levels(parabola(), g, Front::ring(0, 0, -2, 1));
+  const auto all = levels(parabola(), g, LevelCurve::ring(0, 0, -2, 1));
   ASSERT_EQ(all.size(), 2u);
   for (const Real& l : all) EXPECT_EQ((Real(8) * l - Real(8) - (l - Real(2)) * (l - Real(2))).sign(), 0);
 }
 
 /// The same place on a circle about (3, 0) of radius 2 moved by p: a circle of radius 2 about the place less (3, 0).
-Front on_an_arc() {
-  return *corner_front(Front::ring(3, 0, 2, 0), Front::ring(0, 0, 0, 1), Front::line(0, 1, 2, -1), 5, 0);
+LevelCurve on_an_arc() {
+  return *corner_front(LevelCurve::ring(3, 0, 2, 0), LevelCurve::ring(0, 0, 0, 1), LevelCurve::line(0, 1, 2, -1), 5, 0);
 }
 
-TEST(BentFront, AnArcsIsACircleThatMoves) {
+TEST(CurvedLevelCurve, AnArcsIsACircleThatMoves) {
   // About (sqrt(4 l - 4) - 3, 2 - l), radius 2; at level 5 about (1, -3).
   EXPECT_NEAR(on_an_arc().gap(3, -3, 5), 0, 1e-12);
   EXPECT_NEAR(on_an_arc().gap(1, 0, 5), 1, 1e-12);
@@ -98,23 +99,23 @@ TEST(BentFront, AnArcsIsACircleThatMoves) {
   EXPECT_NEAR(parabola().gap(1, 7, 5), 3, 1e-12);
 }
 
-TEST(BentFront, AnArcsTouchesALine) {
+TEST(CurvedLevelCurve, AnArcsTouchesALine) {
   // y = -1 - level above it and the circle's top 4 - level never meet; y = 4 - 2 level does at 0, x = 3 at level 5.
-  const auto all = levels(on_an_arc(), Front::line(1, 0, 3, 0));
+  const auto all = levels(on_an_arc(), LevelCurve::line(1, 0, 3, 0));
   EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Real& l) { return l == Real(5); }));
-  EXPECT_TRUE(levels(on_an_arc(), Front::line(0, 1, -1, -1)).empty());
+  EXPECT_TRUE(levels(on_an_arc(), LevelCurve::line(0, 1, -1, -1)).empty());
 }
 
-TEST(BentFront, AnArcsTouchesACircle) {
+TEST(CurvedLevelCurve, AnArcsTouchesACircle) {
   // About (-3, 2) of radius level: 4 l - 4 + l^2 = (l + 2)^2 never, = (l - 2)^2 at level 1.
-  const auto all = levels(on_an_arc(), Front::ring(-3, 2, 0, 1));
+  const auto all = levels(on_an_arc(), LevelCurve::ring(-3, 2, 0, 1));
   ASSERT_FALSE(all.empty());
   for (const Real& l : all) EXPECT_EQ(l, Real(1));
 }
 
-TEST(BentFront, AnArcsMeetsTwoLines) {
+TEST(CurvedLevelCurve, AnArcsMeetsTwoLines) {
   // Through (1, level - 8): (sqrt(4 l - 4) - 4)^2 + (10 - 2 l)^2 = 4.
-  const auto all = levels(on_an_arc(), Front::line(1, 0, 1, 0), Front::line(0, 1, -8, 1));
+  const auto all = levels(on_an_arc(), LevelCurve::line(1, 0, 1, 0), LevelCurve::line(0, 1, -8, 1));
   for (const Real& l : all) {
     const Real x = sqrt(Real(4) * l - Real(4)) - Real(4), y = Real(10) - Real(2) * l;
     EXPECT_EQ((x * x + y * y - Real(4)).sign(), 0);
@@ -122,11 +123,11 @@ TEST(BentFront, AnArcsMeetsTwoLines) {
   EXPECT_EQ(all.size(), 2u);
 }
 
-TEST(BentFront, TwoThatAreBentOtherwise) {
+TEST(CurvedLevelCurve, TwoThatAreBentOtherwise) {
   // sqrt(4 l - 4) = 8 - sqrt(9 l - 9) again, x + 0 y both, and y = 0: three lines through one point.
-  Front g = Front::line(1, 1, 8, 0);
+  LevelCurve g = LevelCurve::line(1, 1, 8, 0);
   g.bend = std::make_shared<Bend>(Bend{-1, {-9, 9, 0}, {}, {}});
-  const auto all = levels(parabola(), g, Front::line(0, 1, 0, 0));
+  const auto all = levels(parabola(), g, LevelCurve::line(0, 1, 0, 0));
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0], Real::ratio(89, 25));
 }

@@ -70,7 +70,7 @@ class Nameless : public TDistance {
   plane::SignMap sign_map(const Real& level) const override { return f_->sign_map(level); }
   std::optional<Value> value(const exact::RealPoint& p) const override { return f_->value(p); }
   exact::RealPoint seed() const override { return at(5, 5); }
-  std::vector<NearFront> fronts(const exact::RealPoint&, double) const override { return {}; }
+  std::vector<NearLevelCurve> fronts(const exact::RealPoint&, double) const override { return {}; }
 
  private:
   inline static const std::array<exact::RealPoint, 2> kEnds{at(0, 0), at(300, 100)};

@@ -20,7 +20,8 @@ Vector somewhere(const Tetrahedron& t, std::mt19937& random) {
   double weights = 0;
   for (const Vector& v : t) {
     const double w = -std::log(std::uniform_real_distribution<double>(1e-9, 1)(random));
-    sum = space::plus(sum, space::scaled(w, v)), weights += w;
+    sum = space::plus(sum, space::scaled(w, v));
+    weights += w;
   }
   return space::scaled(1 / weights, sum);
 }
@@ -30,7 +31,7 @@ TEST(FieldBoxes, WhatIsSaidToBeWithinIs) {
   const FieldBoxes boxes({1, 0, -1}, 20, 7, [&](const Vector& x) { return ++calls, to_ring(x); });
   std::mt19937 random(3);
   const auto pick = [&](double far) { return std::uniform_real_distribution<double>(-far, far)(random); };
-  int told = 0, clear = 0;
+  int decided = 0, clear = 0;
   for (int round = 0; round < 3000; ++round) {
     const Vector at{pick(14), pick(14), pick(4)};
     Tetrahedron t;
@@ -41,10 +42,11 @@ TEST(FieldBoxes, WhatIsSaidToBeWithinIs) {
     for (const Vector& v : t) greatest = std::max(greatest, to_ring(v));
     const bool within = boxes.within(t, most);
     ASSERT_TRUE(!within || greatest <= most) << round;
-    told += within, clear += greatest < most - 0.6;
+    decided += within;
+    clear += greatest < most - 0.6;
   }
-  EXPECT_GT(told, 300);
-  EXPECT_GE(told, clear);
+  EXPECT_GT(decided, 300);
+  EXPECT_GE(decided, clear);
   EXPECT_FALSE(boxes.within({Vector{9, 0, 0}, {10, 0, 0}, {10, 1, 0}, {10, 0, 40}}, 100));  // beyond the cube
   const int made = calls;
   boxes.within({Vector{9, 0, 0}, {10, 0, 0}, {10, 1, 0}, {10, 0, 1}}, -0.5);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "distance/search/matrix_game.h"
+#include "distance/search/lp_bound.h"
 
 namespace findspace::distance {
 namespace {
@@ -24,13 +24,13 @@ double least_of_mix(const std::vector<Column>& columns, const Column& rows) {
   return least;
 }
 
-TEST(MatrixGame, OneColumn) {
-  EXPECT_EQ(matrix_game({{1, 5, 2, 0}}).value, 5);
-  EXPECT_EQ(matrix_game({{0, 0, 0, 0}}).value, 0);
+TEST(LpBound, OneColumn) {
+  EXPECT_EQ(lp_bound({{1, 5, 2, 0}}).value, 5);
+  EXPECT_EQ(lp_bound({{0, 0, 0, 0}}).value, 0);
 }
 
 /// Distances to planes of one plane differ by rounding: whatever the tableau makes of that, the value is not too low.
-TEST(MatrixGame, ColumnsThatAreNearlyTheSame) {
+TEST(LpBound, ColumnsThatAreNearlyTheSame) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int round = 0; round < 20000; ++round) {
@@ -46,9 +46,9 @@ TEST(MatrixGame, ColumnsThatAreNearlyTheSame) {
         columns.push_back(other);
       }
     }
-    const GameValue game = matrix_game(columns);
-    ASSERT_GE(game.value, least_of_mix(columns, game.rows) - 1e-14) << round;
-    ASSERT_NEAR(game.value, matrix_game(kinds_only).value, 1e-6) << round;
+    const LpBound bound_of_lp = lp_bound(columns);
+    ASSERT_GE(bound_of_lp.value, least_of_mix(columns, bound_of_lp.rows) - 1e-14) << round;
+    ASSERT_NEAR(bound_of_lp.value, lp_bound(kinds_only).value, 1e-6) << round;
   }
 }
 

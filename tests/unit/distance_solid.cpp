@@ -102,7 +102,8 @@ TEST(SolidPair, BallCoversBox) {
   const SolidPair pair(shared(ball(0, 0, 0, 9)), shared(box_body({{{{-4, -4, -4}, {4, 4, 4}}}})));
   EXPECT_NEAR(value(pair, Which::kDelta1, place(1, 0, 0)), std::hypot(5, 4, 4) - 9, 1e-12);  // no sign: test
   EXPECT_NEAR(value(pair, Which::kDelta1, place(0, 0, 0)), std::sqrt(48) - 9, 1e-12);        // no sign: test
-  // Outside: the foot on one sphere would leave the octant, so the nearest point of the lens lies on four at once.
+  // Outside: the projection on one sphere would leave the octant, so the nearest point of the lens lies on four at
+  // once.
   const double reach = std::sqrt(81 - 32) - 4;
   EXPECT_NEAR(value(pair, Which::kDelta1, place(20, 0, 0)), 20 - reach, 1e-12);  // no sign: test
   EXPECT_NEAR(value(pair, Which::kDelta2, place(20, 0, 0)), 20 + reach, 1e-12);  // no sign: test

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "distance/planar/shape_pair.h"
-#include "distance/planar_features/site_pairs.h"
+#include "distance/planar_features/feature_pair_search.h"
 #include "distance_shapes.h"
 #include "plane/query/topology.h"
 
@@ -117,17 +117,17 @@ TEST(Values, InsideARoomOfTwoParts) {
 
 TEST(FarthestPair, DiameterIsNotTwiceTheRadius) {
   Region t = polygon({{0, 0}, {8, 1}, {4, 7}});
-  auto d = farthest_pair(SiteTree(t), SiteTree(t), at(0, 0));
+  auto d = farthest_pair(FeatureTree(t), FeatureTree(t), at(0, 0));
   EXPECT_EQ(d.distance * d.distance, Real(65));
 }
 
 TEST(FarthestPair, Arcs) {
   Region a = plane::region_of_disc(0, 0, 3), b = plane::region_of_disc(1, 0, 2);
-  auto d = farthest_pair(SiteTree(a), SiteTree(b), at(9, 0));
+  auto d = farthest_pair(FeatureTree(a), FeatureTree(b), at(9, 0));
   EXPECT_EQ(d.distance, Real(15));
   EXPECT_EQ(d.first.x, Real(-3));
   EXPECT_EQ(d.second.x, Real(12));
-  EXPECT_EQ(farthest_pair(SiteTree(a), SiteTree(a), at(0, 0)).distance, Real(6));
+  EXPECT_EQ(farthest_pair(FeatureTree(a), FeatureTree(a), at(0, 0)).distance, Real(6));
 }
 
 }  // namespace

@@ -10,12 +10,12 @@ namespace {
 
 Real decimal(const char* text) { return Real::parse_decimal(text); }
 
-const Turn kThirty{sqrt(Real(3)) / Real(2), Real::ratio(1, 2)};
-const Turn kSixty = kThirty + kThirty;
+const ExactAngle kThirty{sqrt(Real(3)) / Real(2), Real::ratio(1, 2)};
+const ExactAngle kSixty = kThirty + kThirty;
 
 TEST(Angle, RationalDegreesAreRecognised) {
-  const Turn eighth{sqrt(Real::ratio(1, 2)), sqrt(Real::ratio(1, 2))};
-  const Turn sixteenth{sqrt(Real(2) + sqrt(Real(2))) / Real(2), sqrt(Real(2) - sqrt(Real(2))) / Real(2)};
+  const ExactAngle eighth{sqrt(Real::ratio(1, 2)), sqrt(Real::ratio(1, 2))};
+  const ExactAngle sixteenth{sqrt(Real(2) + sqrt(Real(2))) / Real(2), sqrt(Real(2) - sqrt(Real(2))) / Real(2)};
   EXPECT_EQ(compare(Angle{kThirty, {}}, Angle::of_degrees(30)), 0);
   EXPECT_EQ(compare(Angle{kSixty, {}}, Angle::of_degrees(780)), 0);
   EXPECT_EQ(compare(Angle{-eighth, {}}, Angle::of_degrees(-45)), 0);
@@ -41,19 +41,19 @@ TEST(Angle, PlacesNearZero) {
   EXPECT_EQ(compare(Angle::of_degrees(decimal("-1e-30")), Angle{}), 1);
 }
 
-TEST(Angle, SolvesForTurns) {
-  EXPECT_EQ(turns_where(0, 0, 0).size(), 0u);
-  EXPECT_EQ(turns_where(3, 4, 6).size(), 0u);
-  const auto touching = turns_where(3, 4, 5);
+TEST(Angle, SolvesForRotations) {
+  EXPECT_EQ(rotations_where(0, 0, 0).size(), 0u);
+  EXPECT_EQ(rotations_where(3, 4, 6).size(), 0u);
+  const auto touching = rotations_where(3, 4, 5);
   ASSERT_EQ(touching.size(), 1u);
   EXPECT_EQ(touching[0].cos, Real::ratio(3, 5));
-  for (const Turn& t : turns_where(2, -1, 1)) EXPECT_EQ(Real(2) * t.cos - t.sin, Real(1));
-  EXPECT_EQ(turns_where(2, -1, 1).size(), 2u);
+  for (const ExactAngle& t : rotations_where(2, -1, 1)) EXPECT_EQ(Real(2) * t.cos - t.sin, Real(1));
+  EXPECT_EQ(rotations_where(2, -1, 1).size(), 2u);
 }
 
 TEST(Angle, BetweenIsStrictlyBetween) {
   for (const auto& [from, to] : {std::pair{10, 20}, {350, 10}, {20, 10}, {0, 180}, {90, 90}}) {
-    const Turn p = Turn::near(from, 30), q = Turn::near(to, 30), m = between(p, q);
+    const ExactAngle p = ExactAngle::near(from, 30), q = ExactAngle::near(to, 30), m = between(p, q);
     EXPECT_EQ(m.cos * m.cos + m.sin * m.sin, Real(1));
     const double way = (m + -p).degrees(), whole = (q + -p).degrees();
     EXPECT_GT(way, 0);
@@ -63,7 +63,8 @@ TEST(Angle, BetweenIsStrictlyBetween) {
   }
   // Closer than doubles tell: by about 1e-14 degrees.
   const Real t = Real::ratio(1, int128(1) << 53), below = Real(1) + t * t;
-  const Turn p = Turn::near(33, 20), q = p + Turn{(Real(1) - t * t) / below, (t + t) / below}, m = between(p, q);
+  const ExactAngle p = ExactAngle::near(33, 20), q = p + ExactAngle{(Real(1) - t * t) / below, (t + t) / below},
+                   m = between(p, q);
   EXPECT_EQ((m + -p).sin.sign(), 1);
   EXPECT_EQ((q + -m).sin.sign(), 1);
 }

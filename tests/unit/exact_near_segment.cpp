@@ -35,16 +35,16 @@ TEST(NearSegment, Grid) {
 TEST(NearSegment, Slanted) {
   Geometry g;
   const GridSegment s{100, 50, 300, 450};  // direction (1, 2)
-  const auto line = g.add(Carrier::displaced_line(2, -1, 150, Real(3)));
+  const auto line = g.add(SupportingCurve::displaced_line(2, -1, 150, Real(3)));
   // Where the perpendiculars in the middle and at an end meet the displaced line.
-  for (const int foot : {700, 1200, 200}) {
-    const auto across = g.add_line(1, 2, foot);
+  for (const int projection : {700, 1200, 200}) {
+    const auto across = g.add_line(1, 2, projection);
     expect_distance(g, g.add_crossing(line, across, 0), s, 3);
   }
   // Where the displaced line leaves the circle of the same radius about an end, and a point further on.
-  const auto circle = g.add(Carrier::circle_at(300, 450, Real(3)));
+  const auto circle = g.add(SupportingCurve::circle_at(300, 450, Real(3)));
   expect_distance(g, g.add_crossing(line, circle, 0), s, 3);
-  const auto beyond = g.add_crossing(line, g.add_line(1, 2, 1205), 0);  // 5 / sqrt(5) past the foot of the end
+  const auto beyond = g.add_crossing(line, g.add_line(1, 2, 1205), 0);  // 5 / sqrt(5) past the projection of the end
   expect_distance(g, beyond, s, sqrt(Real(14)));
 }
 

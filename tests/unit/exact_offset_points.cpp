@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The first stage of lines and of the corners of offsets: the error bounds hold, also where corners are flat and far
-// from the origin, and the points are those that the carriers define.
+// from the origin, and the points are those that the supporting_curves define.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -37,7 +37,8 @@ class Corners {
     return w;
   }
   Way beside(Way w) {
-    w.a += number(1), w.b += number(1);
+    w.a += number(1);
+    w.b += number(1);
     if (w.a == 0 && w.b == 0) w.b = 1;
     make_primitive(w.a, w.b);
     return w;
@@ -54,17 +55,17 @@ TEST(LineFilter, HoldsTheUnitNormalAndTheDistance) {
     const std::int64_t x = some.number(std::int64_t(1) << (k % 55)), y = some.number(std::int64_t(1) << (k % 55));
     Geometry g;
     const std::uint32_t line = g.add_line(w.a, w.b, int128(w.a) * x + int128(w.b) * y);
-    const std::uint32_t parallel = g.add_parallel(Carrier(g.carriers[line]), y, x);
+    const std::uint32_t parallel = g.add_parallel(SupportingCurve(g.supporting_curves[line]), y, x);
     const Real n = length(w.a, w.b);
     for (std::uint32_t l : {line, parallel}) {
-      EXPECT_TRUE(holds(g.carriers[l].x, Real(w.a) / n));
-      EXPECT_TRUE(holds(g.carriers[l].y, Real(w.b) / n));
-      EXPECT_TRUE(holds(g.carriers[l].z, Real(g.carriers[l].c) / n)) << k;
+      EXPECT_TRUE(holds(g.supporting_curves[l].x, Real(w.a) / n));
+      EXPECT_TRUE(holds(g.supporting_curves[l].y, Real(w.b) / n));
+      EXPECT_TRUE(holds(g.supporting_curves[l].z, Real(g.supporting_curves[l].c) / n)) << k;
     }
   }
 }
 
-TEST(OffsetPoints, TheErrorsHoldAndThePointsAreThoseOfTheCarriers) {
+TEST(OffsetPoints, TheErrorsHoldAndThePointsAreThoseOfTheSupportingCurves) {
   Corners some;
   int flat = 0;
   for (int k = 0; k < 400; ++k) {
@@ -75,9 +76,9 @@ TEST(OffsetPoints, TheErrorsHoldAndThePointsAreThoseOfTheCarriers) {
     Geometry g;
     const std::uint32_t p = g.add_line(v.a, v.b, int128(v.a) * x + int128(v.b) * y);
     const std::uint32_t q = g.add_line(w.a, w.b, int128(w.a) * x + int128(w.b) * y);
-    const std::uint32_t i = g.add_displaced(Carrier(g.carriers[p]), sum);
-    const std::uint32_t j = g.add_displaced(Carrier(g.carriers[q]), other);
-    const std::uint32_t circle = g.add(Carrier::circle_at(x, y, r));
+    const std::uint32_t i = g.add_displaced(SupportingCurve(g.supporting_curves[p]), sum);
+    const std::uint32_t j = g.add_displaced(SupportingCurve(g.supporting_curves[q]), other);
+    const std::uint32_t circle = g.add(SupportingCurve::circle_at(x, y, r));
     const std::uint32_t crossing = add_shifted_crossing(g, {i, approx(sum)}, {j, approx(other)}, x, y);
     const std::uint32_t touch = add_shifted_touch(g, {i, approx(sum)}, circle, x, y);
     for (std::uint32_t c : {crossing, touch}) {

@@ -9,7 +9,7 @@
 
 #include "exact/number/polynomial_root.h"
 #include "exact/number/stages.h"
-#include "exact/planar/turn_polynomial.h"
+#include "exact/planar/rotation_polynomial.h"
 
 namespace findspace::exact {
 namespace {
@@ -108,21 +108,22 @@ TEST(PolynomialRoot, RandomPolynomialsWithKnownRoots) {
   }
 }
 
-TEST(TurnPolynomial, ZeroesAreTheAngles) {
+TEST(RotationPolynomial, ZeroesAreTheAngles) {
   // 4 cos^3 - 3 cos = cos of three times the angle.
   constexpr double kQuarter = 1.5707963267948966;
   for (int quarter = 0; quarter < 4; ++quarter) {
-    const TurnPolynomial c = TurnPolynomial::linear(0, 1, 0, quarter);
-    const TurnPolynomial p = Real(4) * (c * c * c) - Real(3) * c - TurnPolynomial::constant(Real::ratio(1, 2));
-    std::vector<Turn> turns = p.turns_between((quarter - 0.5) * kQuarter, (quarter + 0.5) * kQuarter, quarter);
+    const RotationPolynomial c = RotationPolynomial::linear(0, 1, 0, quarter);
+    const RotationPolynomial p = Real(4) * (c * c * c) - Real(3) * c - RotationPolynomial::constant(Real::ratio(1, 2));
+    std::vector<ExactAngle> rotations =
+        p.rotations_between((quarter - 0.5) * kQuarter, (quarter + 0.5) * kQuarter, quarter);
     std::size_t count = 0;
     for (int degrees : {20, 100, 140, 220, 260, 340}) {
       const double from = 90 * quarter - 45;
       if (std::fmod(degrees - from + 360, 360) <= 90) ++count;
     }
-    ASSERT_EQ(turns.size(), count);
-    for (const Turn& t : turns) {
-      const Turn three = t + t + t;
+    ASSERT_EQ(rotations.size(), count);
+    for (const ExactAngle& t : rotations) {
+      const ExactAngle three = t + t + t;
       EXPECT_EQ(three.cos, Real::ratio(1, 2));
       EXPECT_EQ(t.cos * t.cos + t.sin * t.sin, Real(1));
       EXPECT_EQ(compare(Angle{three, {}}, Angle::of_degrees(three.sin.sign() > 0 ? 60 : 300)), 0);

@@ -45,13 +45,18 @@ TEST(Primitive, RandomVectorsOfAllSizes) {
 TEST(Primitive, LongAndAwkwardVectors) {
   constexpr std::int64_t kMost = std::int64_t(1) << 50;
   std::vector<Normal> all{{kMost, 1}, {1, -kMost}, {kMost, kMost - 1}, {-kMost, -kMost}, {kMost, 0}, {0, -kMost}};
-  for (std::int64_t d : {3, 7, 1'000'003})
-    all.push_back({kMost / d * d, d}), all.push_back({kMost / 2 / d * d, -2 * d});
+  for (std::int64_t d : {3, 7, 1'000'003}) {
+    all.push_back({kMost / d * d, d});
+    all.push_back({kMost / 2 / d * d, -2 * d});
+  }
   for (std::int64_t a = 1, b = 1; b < kMost / 6; b += a, a = b - a) {  // Fibonacci numbers need the most steps
     all.push_back({a, b});
     all.push_back({6 * b, -6 * a});
   }
-  for (std::int64_t b = 1; b < kMost / 5; b *= 3) all.push_back({2 * b + 1, 2 * b}), all.push_back({5 * b + 1, 2 * b});
+  for (std::int64_t b = 1; b < kMost / 5; b *= 3) {
+    all.push_back({2 * b + 1, 2 * b});
+    all.push_back({5 * b + 1, 2 * b});
+  }
   expect_as_one_by_one(all);
 }
 

@@ -67,14 +67,14 @@ TEST(ZeroProof, NotOfOneFactorOfAPolynomial) {
   EXPECT_EQ((x[0] - root(2)).sign(), 0);
 }
 
-/// A point turned by the angle that puts it onto a circle lies on it; the point and the radius being made of roots.
-TEST(ZeroProof, TurnedPointsLieWhereTheyWereTurnedTo) {
+/// A point rotated by the angle that puts it onto a circle lies on it; the point and the radius being made of roots.
+TEST(ZeroProof, RotatedPointsLieWhereTheyWereRotatedTo) {
   std::mt19937 random(5);
   const auto number = [&] { return Real(std::uniform_int_distribution<int>(1, 1 << 20)(random)); };
   stage_counts() = {};
   for (int trial = 0; trial < 20; ++trial) {
     const Real x = number() + sqrt(number()), y = number() - sqrt(number()), level = number() / Real(3);
-    for (const Turn& t : turns_where(x, y, level)) {
+    for (const ExactAngle& t : rotations_where(x, y, level)) {
       const Real off = x * t.cos + y * t.sin - level, unit = t.cos * t.cos + t.sin * t.sin - 1;
       EXPECT_EQ(off.sign(), 0);
       EXPECT_EQ(unit.sign(), 0);

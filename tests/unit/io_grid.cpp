@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The way of decimals onto the grid: to the nearest point, ties away from zero, with the move told; its limit.
+// The way of decimals onto the grid: to the nearest point, ties away from zero, with the move decided; its limit.
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 

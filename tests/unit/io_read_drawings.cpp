@@ -74,7 +74,7 @@ TEST(ReadSvg, StandsAsThePictureShows) {
     EXPECT_LE(e.start.y, 0);
     if (!e.arc) continue;
     found = true;
-    EXPECT_TRUE(e.ccw);  // the ring has been turned, the arc still bulges away from the centre
+    EXPECT_TRUE(e.ccw);  // the ring has been rotated, the arc still bulges away from the centre
     EXPECT_EQ(e.arc->cx.sign(), 0);
     EXPECT_EQ(e.arc->cy.sign(), 0);
   }
@@ -99,9 +99,9 @@ TEST(ReadSvg, Elements) {
 TEST(ReadSvg, Transforms) {
   EXPECT_EQ(svg("<g transform='translate(10)'><g transform='scale(2)'><circle r='3'/></g></g>")->points[0],
             (GridPoint{10, 0}));
-  ShapePtr turned = svg("<circle cx='5' r='3' transform='rotate(90)'/>");
-  EXPECT_EQ(turned->points[0], (GridPoint{0, -5}));
-  EXPECT_EQ(turned->amount.integer(), exact::int128(3));
+  ShapePtr rotated = svg("<circle cx='5' r='3' transform='rotate(90)'/>");
+  EXPECT_EQ(rotated->points[0], (GridPoint{0, -5}));
+  EXPECT_EQ(rotated->amount.integer(), exact::int128(3));
   EXPECT_EQ(svg("<circle cx='10' r='3' transform='rotate(30)'/>")->points[0], (GridPoint{9, -5}));
   EXPECT_EQ(svg("<circle cx='10' r='3' transform='rotate(30)'/>")->amount.integer(), exact::int128(3));
   EXPECT_EQ(svg("<circle cx='1' cy='2' r='5' transform='matrix(0.6 0.8 -0.8 0.6 4 4)'/>")->amount.integer(),

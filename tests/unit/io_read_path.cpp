@@ -16,7 +16,7 @@ using plane::GridPoint;
 using plane::Shape;
 using plane::ShapePtr;
 
-/// Writes down what it is told.
+/// Writes down what it is decided.
 class Recorder : public PathSink {
  public:
   std::string log;

@@ -168,7 +168,7 @@ TEST(Scene, Primitives) {
   EXPECT_EQ(polygon->kind, Shape::Kind::kRings);
   ASSERT_EQ(polygon->contours.size(), 2u);
   EXPECT_EQ(polygon->contours[0].size(), 4u);
-  EXPECT_EQ(polygon->contours[0][1].start, (GridPoint{4000000, 0}));  // turned
+  EXPECT_EQ(polygon->contours[0][1].start, (GridPoint{4000000, 0}));  // rotated
   auto box = with_shape(R"({"box": {"min": [-1,-2], "max": [3,4]}})").shapes[0];
   EXPECT_EQ(box->contours[0][1].start, (GridPoint{3000000, -2000000}));
   auto polyline = with_shape(R"({"polyline": [[0,0],[1,0],[1,1],[0,0]]})").shapes[0];
@@ -199,9 +199,9 @@ TEST(Scene, ConstructiveNodes) {
   auto moved = with_shape(R"({"translate": [1, 2.5], "of": "b"})").shapes[0];
   EXPECT_EQ(moved->points[0], (GridPoint{1000000, 2500000}));
   EXPECT_EQ(moved->children[0]->name, "b");
-  auto turned = with_shape(R"({"rotate": 22.5, "about": [1, 0], "of": "b"})").shapes[0];
-  EXPECT_EQ(compare(turned->degrees, exact::Real::ratio(45, 2)), 0);
-  EXPECT_EQ(turned->points[0], (GridPoint{1000000, 0}));
+  auto rotated = with_shape(R"({"rotate": 22.5, "about": [1, 0], "of": "b"})").shapes[0];
+  EXPECT_EQ(compare(rotated->degrees, exact::Real::ratio(45, 2)), 0);
+  EXPECT_EQ(rotated->points[0], (GridPoint{1000000, 0}));
   auto eroded = with_shape(R"({"offset": -0.1, "of": "b"})").shapes[0];
   EXPECT_EQ(eroded->amount.integer(), exact::int128(-100000));
 }

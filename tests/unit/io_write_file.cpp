@@ -82,7 +82,10 @@ TEST_F(WriteFile, TakesTextPieceByPiece) {
     spool.append(part);
     all += part;
   }
-  write_files({{folder_ / "a", {}, [&](const Sink& sink) { spool.copy_to(sink), spool.copy_to(sink); }}});
+  write_files({{folder_ / "a", {}, [&](const Sink& sink) {
+                  spool.copy_to(sink);
+                  spool.copy_to(sink);
+                }}});
   EXPECT_EQ(read(folder_ / "a"), all + all);
   const auto fails = [&](const Sink& sink) {
     sink("half");

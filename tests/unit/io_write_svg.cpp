@@ -102,7 +102,8 @@ TEST(Svg, ArrowsSayHowShapesMove) {
   const std::string way = xml.select_node("/svg/g/path[@class='arrow']").node().attribute("d").value();
   EXPECT_EQ(std::count(way.begin(), way.end(), 'M'), 4);
   EXPECT_LT(std::stod(way.substr(way.find('L') + 1)), right);
-  p.position.reset(), p.of_positions = false;
+  p.position.reset();
+  p.of_positions = false;
   EXPECT_EQ(count(picture_svg(p), "arrow"), 0);
 }
 
@@ -110,9 +111,15 @@ TEST(Svg, DistancesAreDimensionLines) {
   const Region none = Region::uniform(0), box = plane::box(0, 0, 9, 4);
   const plane::Summary summary = plane::summarize(none, Real(1));
   Picture p;
-  p.step = Real(1), p.region = &none, p.summary = &summary, p.of_positions = false;
-  p.fixed = {{"A", &box}}, p.moving = {{"B", &box}};
-  p.position = {20, 0}, p.nearest = {14, 0}, p.nearest_text = "nearest";
+  p.step = Real(1);
+  p.region = &none;
+  p.summary = &summary;
+  p.of_positions = false;
+  p.fixed = {{"A", &box}};
+  p.moving = {{"B", &box}};
+  p.position = {20, 0};
+  p.nearest = {14, 0};
+  p.nearest_text = "nearest";
   const DimensionLine fails{{9, 2}, {20, 2}, "11", true}, same{{20, 2}, {9, 2}, "11", false};
   const DimensionLine meets{{9, 4}, {9, 4}, "0", false};
   p.dimensions = without_repetition({same, fails, meets});
@@ -122,7 +129,8 @@ TEST(Svg, DistancesAreDimensionLines) {
   EXPECT_EQ(count(svg, "dimension fails end"), 2);
   EXPECT_EQ(count(svg, "dimension"), 1) << "a ring, where two places are one";
   EXPECT_EQ(count(svg, "nearest"), 1);
-  p.nearest.reset(), p.dimensions.clear();
+  p.nearest.reset();
+  p.dimensions.clear();
   for (const char* style : {"dimension", "dimension fails", "nearest"}) EXPECT_EQ(count(picture_svg(p), style), 0);
 }
 

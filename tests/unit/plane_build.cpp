@@ -138,12 +138,12 @@ TEST(Build, SharedShapesAreBuiltOnce) {
 }
 
 TEST(Build, RotationsReportWhatTheyRounded) {
-  ShapePtr turned = rotate_of(box_of(0, 0, 1000, 1000), {}, 30);
-  BuildResult one = build(*node(Kind::kUnion, {turned, translate_of(turned, {5000, 0})}));
+  ShapePtr rotated = rotate_of(box_of(0, 0, 1000, 1000), {}, 30);
+  BuildResult one = build(*node(Kind::kUnion, {rotated, translate_of(rotated, {5000, 0})}));
   EXPECT_EQ(one.rounding.points, 3);  // built once; the corner at the centre stays
   EXPECT_GT(one.rounding.largest, 0);
   EXPECT_LE(one.rounding.largest, 0.7072);
-  EXPECT_EQ(build(*rotate_of(turned, {}, 90)).rounding.points, 3);
+  EXPECT_EQ(build(*rotate_of(rotated, {}, 90)).rounding.points, 3);
   EXPECT_EQ(build(*rotate_of(box_of(0, 0, 1000, 1000), {3, 4}, 270)).rounding.points, 0);
 }
 

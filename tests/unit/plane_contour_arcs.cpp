@@ -186,9 +186,9 @@ Oracle oracle_of(const Span& s) {
 }
 
 long double angle_from(const Oracle& o, long double x, long double y) {
-  long double turn = std::atan2(y - o.cy, x - o.cx) - std::atan2(o.ay - o.cy, o.ax - o.cx);
-  while (turn < 0) turn += 2 * 3.14159265358979323846L;
-  return turn;
+  long double rotation = std::atan2(y - o.cy, x - o.cx) - std::atan2(o.ay - o.cy, o.ax - o.cx);
+  while (rotation < 0) rotation += 2 * 3.14159265358979323846L;
+  return rotation;
 }
 
 /// Least distance of a point to the edge.

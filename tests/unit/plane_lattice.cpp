@@ -68,7 +68,8 @@ bool touches(const LatticeEdge& e, double x, double y, double side) {
       continue;
     }
     double a = (low - start) / step, b = (low + side - start) / step;
-    from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
   }
   return from <= to;
 }

@@ -36,7 +36,7 @@ inline Region box(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_
 
 inline Region disc(std::int64_t x, std::int64_t y, const exact::Real& r) {
   PieceBuilder b;
-  b.circle(b.geometry.add(exact::Carrier::circle_at(x, y, r)));
+  b.circle(b.geometry.add(exact::SupportingCurve::circle_at(x, y, r)));
   return closed_set(b);
 }
 

@@ -22,7 +22,7 @@ int mark_at(const Region& s, const Real& x, const Real& y) {
   return mark_of(s, locate(s, p));
 }
 
-Region turn(const Region& s, const Real& degrees, Rounding& rounding, GridPoint about = {}) {
+Region rotation(const Region& s, const Real& degrees, Rounding& rounding, GridPoint about = {}) {
   return rotated(s, about, degrees, 1, rounding);
 }
 
@@ -54,23 +54,23 @@ TEST(Translate, RefusesToLeaveTheGrid) {
 
 TEST(Rotate, EmptySetAndPlane) {
   Rounding rounding;
-  EXPECT_TRUE(is_empty(turn(Region::uniform(0), 90, rounding)));
-  EXPECT_TRUE(is_whole(turn(Region::uniform(1), 17, rounding)));
+  EXPECT_TRUE(is_empty(rotation(Region::uniform(0), 90, rounding)));
+  EXPECT_TRUE(is_whole(rotation(Region::uniform(1), 17, rounding)));
   EXPECT_EQ(rounding.points, 0);
 }
 
 TEST(Rotate, LonelyPointIsRounded) {
   Rounding rounding;
-  Region s = turn(region_of(points_of({{10, 0}})), 60, rounding);
+  Region s = rotation(region_of(points_of({{10, 0}})), 60, rounding);
   EXPECT_EQ(mark_at(s, 5, 9), 1);  // (5, 8.66)
   EXPECT_EQ(rounding.points, 1);
   EXPECT_NEAR(rounding.largest, 9 - 5 * std::sqrt(3), 1e-9);
 }
 
-TEST(Rotate, QuarterTurnsAreExact) {
+TEST(Rotate, QuarterRotationsAreExact) {
   Rounding rounding;
   Region s = region_of(node(Kind::kDifference, {disc_of({3, 0}, Real::ratio(5, 2)), box_of(0, 0, 9, 9)}));
-  Region t = turn(s, 90, rounding, {1, 1});  // (x, y) -> (2 - y, x)
+  Region t = rotation(s, 90, rounding, {1, 1});  // (x, y) -> (2 - y, x)
   EXPECT_EQ(rounding.points, 0);
   for (int x = -20; x <= 20; ++x)
     for (int y = -20; y <= 20; ++y)
@@ -80,7 +80,7 @@ TEST(Rotate, QuarterTurnsAreExact) {
 
 TEST(Rotate, CentreStaysAndRadiusStays) {
   Rounding rounding;
-  Region s = turn(region_of(disc_of({4, 5}, sqrt(Real(2)))), 33, rounding, {4, 5});
+  Region s = rotation(region_of(disc_of({4, 5}, sqrt(Real(2)))), 33, rounding, {4, 5});
   EXPECT_TRUE(same_set(s, region_of(disc_of({4, 5}, sqrt(Real(2))))));
   EXPECT_EQ(rounding.points, 0);
 }
@@ -92,7 +92,7 @@ TEST(Rotate, TwelveTimesThirtyDegrees) {
                                disc_of({5000000, 0}, 300000)});
   Rounding rounding;
   Region s = region_of(slot), t = s;
-  for (int k = 0; k < 12; ++k) t = turn(t, 30, rounding, {17, 23});
+  for (int k = 0; k < 12; ++k) t = rotation(t, 30, rounding, {17, 23});
   EXPECT_EQ(fault(t), "");
   EXPECT_LE(rounding.largest, std::sqrt(0.5) + 1e-9);
   EXPECT_GT(rounding.points, 0);
@@ -106,7 +106,7 @@ TEST(Rotate, OpenAndClosedSidesStay) {
   ShapePtr square = node(Kind::kUnion, {node(Kind::kDifference, {box_of(0, 0, 900, 900), chain_of({{0, 0}, {900, 0}})}),
                                         chain_of({{300, 0}, {600, 0}})});
   Rounding rounding;
-  Region s = turn(region_of(square), 45, rounding);
+  Region s = rotation(region_of(square), 45, rounding);
   EXPECT_EQ(fault(s), "");
   EXPECT_FALSE(is_open(s));
   EXPECT_FALSE(is_closed(s));
@@ -121,7 +121,7 @@ TEST(Rotate, PunctureAndCrackStay) {
   ShapePtr set = node(Kind::kDifference, {node(Kind::kDifference, {box_of(0, 0, 900, 900), points_of({{200, 700}})}),
                                           chain_of({{300, 300}, {600, 300}})});
   Rounding rounding;
-  Region s = turn(region_of(set), 10, rounding);
+  Region s = rotation(region_of(set), 10, rounding);
   EXPECT_EQ(fault(s), "");
   EXPECT_EQ(s.vertices.size(), 7u);
   EXPECT_EQ(s.edges.size(), 5u);
@@ -130,7 +130,7 @@ TEST(Rotate, PunctureAndCrackStay) {
 TEST(Rotate, CircleWithoutOnePoint) {
   ShapePtr set = node(Kind::kDifference, {node(Kind::kBoundary, {disc_of({0, 0}, 500)}), points_of({{300, 400}})});
   Rounding rounding;
-  Region s = turn(region_of(set), 20, rounding);
+  Region s = rotation(region_of(set), 20, rounding);
   EXPECT_EQ(fault(s), "");
   EXPECT_EQ(s.faces.size(), 2u);
   int missing = 0;
@@ -141,7 +141,7 @@ TEST(Rotate, CircleWithoutOnePoint) {
 TEST(Rotate, ShortEdgesFallTogether) {
   Region comb = region_of(polygon_of({{0, 0}, {100, 0}, {100, 100}, {99, 100}, {0, 99}}));
   Rounding rounding;
-  for (int degrees : {7, 23, 45, 71, 123, 200, 301}) EXPECT_EQ(fault(turn(comb, degrees, rounding)), "") << degrees;
+  for (int degrees : {7, 23, 45, 71, 123, 200, 301}) EXPECT_EQ(fault(rotation(comb, degrees, rounding)), "") << degrees;
 }
 
 TEST(Rotate, SaysWhereAShapeCrossesItself) {
@@ -150,7 +150,7 @@ TEST(Rotate, SaysWhereAShapeCrossesItself) {
   int refused = 0;
   for (int degrees = 1; degrees < 90; ++degrees) {
     try {
-      EXPECT_EQ(fault(turn(needle, degrees, rounding)), "");
+      EXPECT_EQ(fault(rotation(needle, degrees, rounding)), "");
     } catch (const Error& e) {
       ++refused;
       EXPECT_EQ(e.code(), ErrorCode::kGeometry);
@@ -163,10 +163,10 @@ TEST(Rotate, SaysWhereAShapeCrossesItself) {
 TEST(Rotate, LargeCoordinates) {
   const std::int64_t far = std::int64_t(1) << 39;
   Rounding rounding;
-  Region s = turn(region_of(box_of(-far, -far, far, far)), 45, rounding);
+  Region s = rotation(region_of(box_of(-far, -far, far, far)), 45, rounding);
   EXPECT_LE(rounding.largest, std::sqrt(0.5) + 1e-9);
   EXPECT_EQ(mark_at(s, 0, std::int64_t(far * std::sqrt(2)) - 1), 1);
-  EXPECT_THROW(turn(region_of(box_of(-2 * far, -2 * far, 2 * far, 2 * far)), 45, rounding), Error);
+  EXPECT_THROW(rotation(region_of(box_of(-2 * far, -2 * far, 2 * far, 2 * far)), 45, rounding), Error);
 }
 
 }  // namespace

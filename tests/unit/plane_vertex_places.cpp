@@ -13,9 +13,9 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::Geometry;
 using exact::Real;
+using exact::SupportingCurve;
 
 /// Lines, displaced lines and circles with grid data up to `reach`, and all their meetings.
 Geometry crossings(std::mt19937& random, std::int64_t reach, int count) {
@@ -24,17 +24,18 @@ Geometry crossings(std::mt19937& random, std::int64_t reach, int count) {
   for (int k = 0; k < count; ++k) {
     std::int64_t a = number(random), b = number(random);
     if (k % 3 == 2) {
-      g.add(Carrier::circle_at(a, b, Real::ratio(1 + std::abs(number(random)), 1 + k % 4)));
+      g.add(SupportingCurve::circle_at(a, b, Real::ratio(1 + std::abs(number(random)), 1 + k % 4)));
       continue;
     }
     if (a == 0 && b == 0) b = 1;
     exact::make_primitive(a, b);
     const exact::int128 c = exact::int128(a) * number(random) + exact::int128(b) * number(random);
-    g.add(k % 3 == 0 ? Carrier::line(a, b, c) : Carrier::displaced_line(a, b, c, Real::ratio(1 + k, 3)));
+    g.add(k % 3 == 0 ? SupportingCurve::line(a, b, c)
+                     : SupportingCurve::displaced_line(a, b, c, Real::ratio(1 + k, 3)));
   }
-  for (Index i = 0; i < g.carriers.size(); ++i) {
-    for (Index j = i + 1; j < g.carriers.size(); ++j) {
-      if (same_carrier(g.carriers[i], g.carriers[j])) continue;
+  for (Index i = 0; i < g.supporting_curves.size(); ++i) {
+    for (Index j = i + 1; j < g.supporting_curves.size(); ++j) {
+      if (same_supporting_curve(g.supporting_curves[i], g.supporting_curves[j])) continue;
       const Geometry::Meeting m = g.meet(i, j);
       for (int k = 0; k < m.count; ++k) g.add_crossing(i, j, m.root[std::size_t(k)]);
     }
@@ -65,9 +66,9 @@ TEST(VertexPlaces, NearTheExactOnes) {
 
 TEST(VertexPlaces, OfTangencies) {
   Geometry g;
-  const auto big = g.add(Carrier::circle_at(0, 0, Real(500'000)));
+  const auto big = g.add(SupportingCurve::circle_at(0, 0, Real(500'000)));
   const auto line = g.add_line(3, 4, 2'500'000);
-  const auto inside = g.add(Carrier::circle_at(1, 0, Real(499'999)));
+  const auto inside = g.add(SupportingCurve::circle_at(1, 0, Real(499'999)));
   for (const auto other : {line, inside}) {
     const Geometry::Meeting m = g.meet(big, other);
     ASSERT_EQ(m.count, 1);
@@ -81,13 +82,14 @@ TEST(VertexPlaces, OfTangencies) {
 
 TEST(VertexPlaces, OfCrossingsUnderSmallAngles) {
   Geometry g;
-  const auto first = g.add(Carrier::displaced_line(1'000'000, 1'000'001, 1'000'000, Real::ratio(1, 3)));
-  const auto second = g.add(Carrier::displaced_line(999'999, 1'000'000, 999'999, Real::ratio(1, 3)));
+  const auto first = g.add(SupportingCurve::displaced_line(1'000'000, 1'000'001, 1'000'000, Real::ratio(1, 3)));
+  const auto second = g.add(SupportingCurve::displaced_line(999'999, 1'000'000, 999'999, Real::ratio(1, 3)));
   g.add_crossing(first, second, 0);  // the sines: 10^-12
-  const auto circle = g.add(Carrier::circle_at(0, 0, Real(7)));
+  const auto circle = g.add(SupportingCurve::circle_at(0, 0, Real(7)));
   const Real low = Real(7) - Real::ratio(1, std::int64_t(1) << 40);
-  const auto grazing = g.add(Carrier::displaced_line(0, 1, 0, low));
-  const auto near = g.add(Carrier::circle_at(Real(), Real(14) - Real::ratio(1, std::int64_t(1) << 40), Real(7)));
+  const auto grazing = g.add(SupportingCurve::displaced_line(0, 1, 0, low));
+  const auto near =
+      g.add(SupportingCurve::circle_at(Real(), Real(14) - Real::ratio(1, std::int64_t(1) << 40), Real(7)));
   for (const auto other : {grazing, near}) {
     const Geometry::Meeting m = g.meet(circle, other);
     ASSERT_EQ(m.count, 2);

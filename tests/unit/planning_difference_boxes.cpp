@@ -20,8 +20,14 @@ using space::IntervalBox;
 
 IntervalBox on_x(std::optional<int> from, bool from_in, std::optional<int> to, bool to_in) {
   IntervalBox out;
-  if (from) out[0].from = Real(*from), out[0].from_in = from_in;
-  if (to) out[0].to = Real(*to), out[0].to_in = to_in;
+  if (from) {
+    out[0].from = Real(*from);
+    out[0].from_in = from_in;
+  }
+  if (to) {
+    out[0].to = Real(*to);
+    out[0].to_in = to_in;
+  }
   return out;
 }
 
@@ -89,7 +95,10 @@ TEST(DifferenceBoxes, BoundsAreThoseOfAllPositions) {
     for (std::size_t b = 1; b < 4; ++b) {
       const Interval k = boxes.range(b, 0)[0];
       int low = 99, high = -99;
-      for (const auto& p : all) low = std::min(low, p[b]), high = std::max(high, p[b]);
+      for (const auto& p : all) {
+        low = std::min(low, p[b]);
+        high = std::max(high, p[b]);
+      }
       const Real from = Real(4) * *k.from, to = Real(4) * *k.to;
       EXPECT_TRUE(k.from_in ? from == Real(low) : from < Real(low) && Real(low) <= from + Real(3)) << "round " << round;
       EXPECT_TRUE(k.to_in ? to == Real(high) : to > Real(high) && Real(high) >= to - Real(3)) << "round " << round;

@@ -136,7 +136,8 @@ TEST(PairSystem, ThreeThatExcludeEachOther) {
     const Region segment = [&] {
       const std::vector<plane::GridPoint> ends{{0, 0}, {n, 0}};
       plane::Contour chain(2);
-      chain[0].start = ends[0], chain[1].start = ends[1];
+      chain[0].start = ends[0];
+      chain[1].start = ends[1];
       return plane::region_of_chain(chain);
     }();
     PairSystem system{{segment, segment, segment}, {{{0, 1}, apart}, {{0, 2}, apart}, {{1, 2}, apart}}};

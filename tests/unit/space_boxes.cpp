@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Sets of boxes: degenerate cells, topological operations, sums, summaries; convex regions and the nearest uncovered
+// Sets of boxes: degenerate cells, topological operations, sums, summaries; convex regions and the nearest complement
 // points.
 #include <gtest/gtest.h>
 
-#include "space/body/open_cover.h"
+#include "space/body/open_union.h"
 #include "space/box/box_summary.h"
 #include "space/box/convex_set.h"
 #include "space/polytope/min_ball.h"
@@ -135,29 +135,29 @@ TEST(ConvexSet, SummaryOfGrownSets) {
   EXPECT_EQ(shell.components.at(0).dimension, 2);
 }
 
-TEST(OpenCover, SlitsAndEmptyComplements) {
+TEST(OpenUnion, SlitsAndEmptyComplements) {
   const auto slab = [](std::int64_t from, std::int64_t to) {  // from < x < to
-    return OpenCover::Planes{HalfSpace(place(-1, 0, 0), Real(from)), HalfSpace(place(1, 0, 0), Real(-to))};
+    return OpenUnion::Planes{HalfSpace(place(-1, 0, 0), Real(from)), HalfSpace(place(1, 0, 0), Real(-to))};
   };
-  OpenCover cover;
+  OpenUnion cover;
   cover.add(everywhere(), slab(0, 3));
   cover.add(everywhere(), slab(3, 9));
   EXPECT_FALSE(cover.covers(place(3, 5, 5)));
   EXPECT_TRUE(cover.covers(place(2, 5, 5)));
-  EXPECT_EQ(*cover.nearest_uncovered(place(4, 5, 5)), place(3, 5, 5));
-  EXPECT_EQ(*cover.nearest_uncovered(place(7, 5, 5)), place(9, 5, 5));
+  EXPECT_EQ(*cover.nearest_in_complement(place(4, 5, 5)), place(3, 5, 5));
+  EXPECT_EQ(*cover.nearest_in_complement(place(7, 5, 5)), place(9, 5, 5));
   EXPECT_EQ(*cover.nearest_touching(place(-2, 1, 1)), place(0, 1, 1));
   cover.add(everywhere(), slab(2, 4));
-  EXPECT_EQ(*cover.nearest_uncovered(place(4, 5, 5)), place(0, 5, 5));
-  OpenCover all;
-  all.add(everywhere(), OpenCover::Planes{HalfSpace(place(1, 0, 0), Real(-1))});
-  all.add(everywhere(), OpenCover::Planes{HalfSpace(place(-1, 1, 0), Real(0))});
-  all.add(everywhere(), OpenCover::Planes{HalfSpace(place(-1, -1, 0), Real(0))});
-  EXPECT_FALSE(all.nearest_uncovered(place(0, 0, 0)));
+  EXPECT_EQ(*cover.nearest_in_complement(place(4, 5, 5)), place(0, 5, 5));
+  OpenUnion all;
+  all.add(everywhere(), OpenUnion::Planes{HalfSpace(place(1, 0, 0), Real(-1))});
+  all.add(everywhere(), OpenUnion::Planes{HalfSpace(place(-1, 1, 0), Real(0))});
+  all.add(everywhere(), OpenUnion::Planes{HalfSpace(place(-1, -1, 0), Real(0))});
+  EXPECT_FALSE(all.nearest_in_complement(place(0, 0, 0)));
 }
 
 /// Beside the edge of a box: two of its planes are nearer than numbers tell, of a place so far from the third.
-TEST(OpenCover, FindsACornerBesidePlanes) {
+TEST(OpenUnion, FindsACornerBesidePlanes) {
   std::vector<HalfSpace> box;
   for (std::size_t k = 0; k < 3; ++k) {
     RealVector n;

@@ -48,7 +48,8 @@ inline Mesh knobbly_ball(int n, std::int64_t radius, unsigned seed) {
 inline Body body_of(const Mesh& mesh) {
   plane::Shape shape;
   Solid solid;
-  solid.form = Solid::Form::kMesh, solid.mesh = mesh;
+  solid.form = Solid::Form::kMesh;
+  solid.mesh = mesh;
   shape.solid = std::make_shared<const Solid>(std::move(solid));
   return body(shape);
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "space/body/cell_parts.h"
-#include "space/body/cut_body.h"
+#include "space/body/csg_solid.h"
 #include "space/body/erosion.h"
 #include "unit/solid_shapes.h"
 
@@ -95,15 +95,15 @@ TEST(Erosion, OfAnLByABoxIsALAgain) {
   const Body left = body(*node(Kind::kMinkowskiDifference, {both, block({0, 0, 0}, {2, 2, 2})}));
   EXPECT_EQ(six_volumes(left), Real(6 * 3 * (10 * 2 + 2 * 8)));
   EXPECT_THROW(body(*offset(both, Real(-1))), Error);  // round at the inner edge
-  const CutBody round = cut_body(*offset(both, Real(-1)));
-  EXPECT_EQ(round.rooms.size(), 1u);
-  ASSERT_EQ(round.pillars.size(), 1u);
-  EXPECT_EQ(round.pillars[0].parts[0].radius, Real(round.pillars[0].scale));
+  const CsgSolid round = csg_solid(*offset(both, Real(-1)));
+  EXPECT_EQ(round.containers.size(), 1u);
+  ASSERT_EQ(round.obstacles.size(), 1u);
+  EXPECT_EQ(round.obstacles[0].parts[0].radius, Real(round.obstacles[0].scale));
 }
 
 TEST(Erosion, OfABowlMovesItsWallsAndItsHollow) {
   const ShapePtr bowl = node(Kind::kDifference, {block({-20, -20, -20}, {20, 20, 20}), ball({0, 0, 20}, 15)});
-  const CutBody shrunk = cut_body(*offset(bowl, Real(-1)));
+  const CsgSolid shrunk = csg_solid(*offset(bowl, Real(-1)));
   ASSERT_EQ(shrunk.parts.size(), 1u);
   EXPECT_EQ(bounds(shrunk).high[0], Real(19));
   ASSERT_EQ(shrunk.parts[0].without.size(), 1u);
@@ -111,7 +111,8 @@ TEST(Erosion, OfABowlMovesItsWallsAndItsHollow) {
 }
 
 TEST(Erosion, OfRoundShapesByPolytopesIsWhatTheirCopiesHaveInCommon) {
-  const CutBody lens = cut_body(*node(Kind::kMinkowskiDifference, {ball({0, 0, 0}, 10), block({0, 0, 0}, {2, 2, 2})}));
+  const CsgSolid lens =
+      csg_solid(*node(Kind::kMinkowskiDifference, {ball({0, 0, 0}, 10), block({0, 0, 0}, {2, 2, 2})}));
   ASSERT_EQ(lens.parts.size(), 1u);
   EXPECT_EQ(lens.parts[0].within.size(), 8u);
   EXPECT_EQ(bounds(lens).low[0], Real(-8));

@@ -69,10 +69,10 @@ TEST(LongestChord, AsInBruteForce) {
     const auto length_at = [&](const Vector& x) {
       double from = -1e9, to = 1e9;
       for (const HalfSpace& h : region.planes()) {
-        const double slope = dot(h.unit, rounded(u)), at = -h.shadow_value(x) / slope;
+        const double slope = dot(h.unit, rounded(u)), at = -h.approx_value(x) / slope;
         if (slope > 1e-12) to = std::min(to, at);
         if (slope < -1e-12) from = std::max(from, at);
-        if (std::fabs(slope) <= 1e-12 && h.shadow_value(x) > 1e-9) return -1.0;
+        if (std::fabs(slope) <= 1e-12 && h.approx_value(x) > 1e-9) return -1.0;
       }
       return to - from;
     };

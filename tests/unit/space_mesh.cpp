@@ -89,17 +89,17 @@ TEST(Mesh, TurnsShellsByTheirNesting) {
   Mesh as_stated = right;
   EXPECT_TRUE(clean(as_stated, 1).empty());
   EXPECT_TRUE(six_volumes(as_stated) == volume);
-  const auto turn = [](Mesh& m, std::size_t from, std::size_t to) {
+  const auto rotation = [](Mesh& m, std::size_t from, std::size_t to) {
     for (std::size_t f = from; f < to; ++f) std::reverse(m.faces[f].begin(), m.faces[f].end());
   };
   for (const auto& [from, to] : {std::pair{0, 24}, {18, 24}, {0, 18}, {7, 9}, {0, 1}, {1, 5}, {13, 20}}) {
     Mesh m = right;
-    turn(m, std::size_t(from), std::size_t(to));
+    rotation(m, std::size_t(from), std::size_t(to));
     EXPECT_EQ(clean(m, 1).size(), 1u) << from;
     EXPECT_TRUE(six_volumes(m) == volume) << from;
   }
   Mesh filled = right;
-  turn(filled, 6, 12);  // what would be a cavity points outward
+  rotation(filled, 6, 12);  // what would be a cavity points outward
   EXPECT_THROW(clean(filled, 1), Error);
 }
 
@@ -121,7 +121,10 @@ TEST(Mesh, WeldsAndSplitsEdges) {
   Mesh soup;
   const auto add = [&](std::vector<Point> corners) {
     std::vector<int> face;
-    for (const Point& p : corners) face.push_back(static_cast<int>(soup.vertices.size())), soup.vertices.push_back(p);
+    for (const Point& p : corners) {
+      face.push_back(static_cast<int>(soup.vertices.size()));
+      soup.vertices.push_back(p);
+    }
     soup.faces.push_back(face);
   };
   for (std::size_t f = 0; f < m.faces.size(); ++f) {
@@ -166,7 +169,7 @@ TEST(ConvexParts, OfAnLAUAndAStar) {
 }
 
 TEST(ConvexParts, OfASolidWithACavity) {
-  // A cube with a cubic bubble: two nested surfaces, the inner one turned inward.
+  // A cube with a cubic bubble: two nested surfaces, the inner one rotated inward.
   Mesh outer = cube(6), inner = cube(2);
   for (const auto& face : inner.faces) {
     outer.faces.emplace_back(face.rbegin(), face.rend());
@@ -201,10 +204,10 @@ TEST(ConvexParts, OfTreesOfShapes) {
 /// A torus of n by m quadrilaterals in triangles, on a fine grid.
 Mesh torus(int n, int m) {
   Mesh mesh;
-  const double turn = 2 * std::acos(-1.0);
+  const double rotation = 2 * std::acos(-1.0);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < m; ++j) {
-      const double a = turn * i / n, b = turn * j / m, r = 10000 + 3000 * std::cos(b);
+      const double a = rotation * i / n, b = rotation * j / m, r = 10000 + 3000 * std::cos(b);
       mesh.vertices.push_back(
           {std::llround(r * std::cos(a)), std::llround(r * std::sin(a)), std::llround(3000 * std::sin(b))});
     }

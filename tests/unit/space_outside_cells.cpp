@@ -20,7 +20,8 @@ std::array<int, 2> holding(const std::vector<OutsideCell>& cells, const RealVect
   for (const OutsideCell& cell : cells) {
     int highest = -1;
     for (const HalfSpace& h : cell.planes) highest = std::max(highest, h.value(p).sign());
-    count[0] += highest <= 0, count[1] += highest < 0;
+    count[0] += highest <= 0;
+    count[1] += highest < 0;
   }
   return count;
 }

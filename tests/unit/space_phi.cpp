@@ -54,7 +54,7 @@ TEST(PhiFunction, TiesAreAllActive) {
   EXPECT_EQ(phi.active({2, 1, 0}).size(), 1u);
   EXPECT_EQ(phi.active({std::nextafter(2, 3), 2, 2}).size(), 1u);
   EXPECT_EQ(phi.depth({0.5, 0, 0}), 1.5);
-  EXPECT_EQ(phi.way_out({0.5, 0, 0}).x, 1.5);
+  EXPECT_EQ(phi.penetration_depth({0.5, 0, 0}).x, 1.5);
   EXPECT_EQ(phi.depth({9, 0, 0}), 0);
   EXPECT_THROW(phi.max_form({std::nan(""), 0, 0}), Error);
   EXPECT_THROW(phi.sign({std::numeric_limits<double>::infinity(), 0, 0}), Error);

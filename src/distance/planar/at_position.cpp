@@ -26,7 +26,7 @@ namespace {
 constexpr double kClearlyOut = 0x1p-26;  // of the scale: a directed Hausdorff distance beyond needs no map
 
 /// Vertex v of one shape, moved by p, lies in the set.
-bool is_inside(const SiteTree& of, Index v, const SiteTree& set, const RealPoint& p) {
+bool is_inside(const FeatureTree& of, Index v, const FeatureTree& set, const RealPoint& p) {
   const exact::Point& at = of.region().point(v);
   double x = at.x + near_value(p.x), y = at.y + near_value(p.y);
   if (auto in = set.contains(x, y, set.nearest(x, y))) return *in;
@@ -34,7 +34,7 @@ bool is_inside(const SiteTree& of, Index v, const SiteTree& set, const RealPoint
 }
 
 /// Every piece of the boundary of `inner`, moved by p, lies in the set: 1; none does: -1; else 0.
-int pieces_inside(const SiteTree& inner, const SiteTree& set, const RealPoint& p) {
+int pieces_inside(const FeatureTree& inner, const FeatureTree& set, const RealPoint& p) {
   int found = 0;
   for (Index v : inner.representatives()) {
     int side = is_inside(inner, v, set, p) ? 1 : -1;
@@ -103,7 +103,7 @@ const FarthestFromSet& AtPosition::farthest_search(bool back) const {
 
 /// mu(B + p, A), or mu(A, B + p) if `back`.
 std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, double floor) const {
-  const SiteTree &from = back ? fixed() : moving(), &to = back ? moving() : fixed();
+  const FeatureTree &from = back ? fixed() : moving(), &to = back ? moving() : fixed();
   if (!is_bounded(from.region())) return std::nullopt;
   const RealPoint by = back ? -p : p;
   double scale = from.scale() + to.scale() + std::abs(near_value(p.x)) + std::abs(near_value(p.y));
@@ -124,9 +124,12 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
     place = search(scale * kHardlyOut);
     if (!place) return Measured{};
   }
-  const SitePair near = place->nearest ? *place->nearest : nearest_point(to, place->at);
+  const FeaturePair near = place->nearest ? *place->nearest : nearest_point(to, place->at);
   Feature out{!back, place->cell, place->at}, in{back, near.first_cell, near.first};
-  if (back) out.at = out.at + p, in.at = in.at + p;
+  if (back) {
+    out.at = out.at + p;
+    in.at = in.at + p;
+  }
   Measured m{place->value, std::nullopt, std::nullopt, {out, in}};
   if (back) std::swap(m.witness[0], m.witness[1]);
   return m;
@@ -135,9 +138,9 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
 bool AtPosition::bounded() const { return is_bounded(searched_->moving()) && is_bounded(searched_->fixed()); }
 
 /// How far B + p (or A, if `back`) sticks out of the other along the line through the middles of their boxes.
-double AtPosition::sticks_out(bool back, double px, double py) const {
-  const SiteTree &b = moving(), &a = fixed();
-  const SiteBox &s = a.nodes()[0].box, &t = b.nodes()[0].box;
+double AtPosition::protrudes(bool back, double px, double py) const {
+  const FeatureTree &b = moving(), &a = fixed();
+  const FeatureBox &s = a.nodes()[0].box, &t = b.nodes()[0].box;
   const double sign = back ? -1 : 1, dx = t.x0 + t.x1 + 2 * px - s.x0 - s.x1, dy = t.y0 + t.y1 + 2 * py - s.y0 - s.y1,
                size = plain_length(dx, dy), ux = size > 0 ? sign * dx / size : 1, uy = size > 0 ? sign * dy / size : 0;
   const double ahead = b.extreme(ux, uy).height + ux * px + uy * py - a.extreme(ux, uy).height;
@@ -150,7 +153,7 @@ std::optional<Measured> AtPosition::hausdorff(const RealPoint& p) const {
   const double px = near_value(p.x), py = near_value(p.y);
   const double scale = moving().scale() + fixed().scale() + std::abs(px) + std::abs(py);
   const bool plain = !moving().has_arcs() && !fixed().has_arcs() && !moving().empty() && !fixed().empty() && bounded();
-  const double out = plain ? sticks_out(false, px, py) : 0, back_out = plain ? sticks_out(true, px, py) : 0;
+  const double out = plain ? protrudes(false, px, py) : 0, back_out = plain ? protrudes(true, px, py) : 0;
   const bool back = back_out > out;
   auto f = directed(back, p);
   if (!f) return std::nullopt;
@@ -175,7 +178,7 @@ std::vector<Feature> AtPosition::common_point(const Standing& s, const RealPoint
     return features(distance::common_point(fixed(), moving(), p));
   }
   for (bool moves : {true, false}) {
-    const SiteTree &inner = moves ? moving() : fixed(), &set = moves ? fixed() : moving();
+    const FeatureTree &inner = moves ? moving() : fixed(), &set = moves ? fixed() : moving();
     for (Index v : inner.representatives()) {
       if (!is_inside(inner, v, set, moves ? p : -p)) continue;
       return corner_features(moves, v, p);
@@ -218,10 +221,10 @@ std::optional<Measured> AtPosition::diameter(const RealPoint& p) const {
     const RealPoint origin{Real(), Real()};
     diameters_ = {farthest_pair(fixed(), fixed(), origin), farthest_pair(moving(), moving(), origin)};
   });
-  SitePair k = farthest_pair(fixed(), moving(), p);
+  FeaturePair k = farthest_pair(fixed(), moving(), p);
   Measured m{k.distance, std::nullopt, std::nullopt, features(k)};
   for (int i = 0; i < 2; ++i) {
-    const SitePair& own = *diameters_[std::size_t(i)];
+    const FeaturePair& own = *diameters_[std::size_t(i)];
     if (own.distance <= m.value) continue;
     RealPoint by = i ? p : RealPoint{Real(), Real()};
     m.value = own.distance;
@@ -254,7 +257,7 @@ std::optional<Measured> AtPosition::measured(Which which, const RealPoint& p) co
       return signed_distance(which, Kind::kAround, p);
     case Which::kGamma2: {
       if (!bounded()) return std::nullopt;
-      SitePair k = farthest_pair(fixed(), moving(), p);
+      FeaturePair k = farthest_pair(fixed(), moving(), p);
       return Measured{k.distance, std::nullopt, std::nullopt, features(k)};
     }
     case Which::kEta2:

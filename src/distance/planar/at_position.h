@@ -6,7 +6,7 @@
 // (gamma1 < 0, eta, delta) the pair are the points that come together: B + p moved by (point of A) - (point of B)
 // touches A there, and the move is as long as the value. Values come from the boundaries alone where these decide:
 // shapes that are clearly apart or clearly inside each other, gamma2, mu, h, Hausdorff and diameter; gamma1 < 0, eta1 >
-// 0 and delta1 > 0 from the boundary of the sum near p (way_out.h) where its map is large; else from the
+// 0 and delta1 > 0 from the boundary of the sum near p (penetration_depth.h) where its map is large; else from the
 // map of the family (t_distance.h), which is made once. Guarantee: as the families'. Cost: about log n boxes for
 // boundaries, a map where these meet; of d1 where a vertex is found inside the other shape, not even trees are made.
 // Prepared once, asked at many positions; threads: safe. Keywords: witness, closest
@@ -17,11 +17,11 @@
 #include <mutex>
 
 #include "distance/planar/farthest_from_set.h"
-#include "distance/planar/peak_boxes.h"
+#include "distance/planar/max_min_boxes.h"
+#include "distance/planar/penetration_depth.h"
 #include "distance/planar/shape_pair.h"
-#include "distance/planar/way_out.h"
 #include "distance/planar_features/common_corner.h"
-#include "distance/planar_features/site_pairs.h"
+#include "distance/planar_features/feature_pair_search.h"
 
 namespace findspace::distance {
 
@@ -44,7 +44,7 @@ struct Measured {
 inline constexpr double kHardlyOut = 0x1p-36;
 
 /// A pair of A and B + p as features, B's first.
-inline std::vector<Feature> features(const SitePair& k) {
+inline std::vector<Feature> features(const FeaturePair& k) {
   return {{true, k.second_cell, k.second}, {false, k.first_cell, k.first}};
 }
 
@@ -60,8 +60,8 @@ class AtPosition {
 
  private:
   struct Prepared {
-    SiteTree tree;
-    PeakBoxes boxes;
+    FeatureTree tree;
+    MaxMinBoxes boxes;
 
     explicit Prepared(const plane::Region& r) : tree(r), boxes(tree) {}
   };
@@ -75,8 +75,8 @@ class AtPosition {
     explicit Shape(const plane::Region& r);
     const Prepared& prepared() const;
   };
-  const SiteTree& moving() const { return shapes_[0].prepared().tree; }
-  const SiteTree& fixed() const { return shapes_[1].prepared().tree; }
+  const FeatureTree& moving() const { return shapes_[0].prepared().tree; }
+  const FeatureTree& fixed() const { return shapes_[1].prepared().tree; }
   /// How B + p and A stand, as far as their boundaries tell.
   struct Standing {
     enum class Kind {
@@ -85,21 +85,21 @@ class AtPosition {
       kAround,
       kMixed,
       kClose
-    } kind;                        // kInside: B + p in the inside of A; kClose: boundaries meet, or nearly
-    std::optional<SitePair> pair;  // of nearest boundary points, unless kClose
+    } kind;                           // kInside: B + p in the inside of A; kClose: boundaries meet, or nearly
+    std::optional<FeaturePair> pair;  // of nearest boundary points, unless kClose
   };
   std::optional<Measured> measured(Which which, const exact::RealPoint& p) const;
   Standing standing(const exact::RealPoint& p) const;
   std::optional<Measured> signed_distance(Which which, Standing::Kind quick, const exact::RealPoint& p) const;
   std::optional<Measured> by_map(Which which, const exact::RealPoint& p) const;
   std::optional<Measured> signed_value(Which which, const Standing& s, const exact::RealPoint& p) const;
-  const WayOut* way_out(Which which) const;
+  const PenetrationDepth* penetration_depth(Which which) const;
   /// Of a pair with arcs: the place of B + p farthest from A, or of A from B + p if `back`.
   const FarthestFromSet& farthest_search(bool back) const;
   std::optional<Measured> farthest(Which which, const exact::RealPoint& p) const;
   /// A value of `floor` or less may come out as 0.
   std::optional<Measured> directed(bool back, const exact::RealPoint& p, double floor = 0) const;
-  double sticks_out(bool back, double px, double py) const;
+  double protrudes(bool back, double px, double py) const;
   std::optional<Measured> hausdorff(const exact::RealPoint& p) const;
   std::optional<Measured> plain(const exact::RealPoint& p) const;
   std::optional<Measured> diameter(const exact::RealPoint& p) const;
@@ -113,11 +113,12 @@ class AtPosition {
   std::shared_ptr<const ShapePair> pair_, searched_;  // as given; near the origin: all that is private speaks of that
   std::array<Shape, 2> shapes_;                       // B, A
   mutable std::array<std::once_flag, 3> ways_made_;
-  mutable std::array<std::unique_ptr<const WayOut>, 3> ways_;  // of gamma1, eta1, delta1; null where there is none
+  mutable std::array<std::unique_ptr<const PenetrationDepth>, 3>
+      ways_;  // of gamma1, eta1, delta1; null where there is none
   mutable std::array<std::once_flag, 2> searches_made_;
   mutable std::array<std::unique_ptr<const FarthestFromSet>, 2> searches_;
   mutable std::once_flag diameters_made_;
-  mutable std::array<std::optional<SitePair>, 2> diameters_;  // of A, of B
+  mutable std::array<std::optional<FeaturePair>, 2> diameters_;  // of A, of B
 };
 
 }  // namespace findspace::distance

@@ -15,7 +15,7 @@ using plane::operator-;
 
 /// The points that come together when B goes from p to `position`, where it touches A.
 void AtPosition::add_contact(Measured& m, const RealPoint& position, const RealPoint& p) const {
-  SitePair k = touching_pair(fixed(), moving(), position);
+  FeaturePair k = touching_pair(fixed(), moving(), position);
   // Chains touch where they cross, too.
   if (near_value(k.distance) > (moving().scale() + fixed().scale()) * kHardlyOut)
     k = distance::common_point(fixed(), moving(), position);
@@ -34,33 +34,34 @@ std::optional<Measured> AtPosition::signed_distance(Which which, Standing::Kind 
 }
 
 /// Null where there is none, or the map serves better.
-const WayOut* AtPosition::way_out(Which which) const {
+const PenetrationDepth* AtPosition::penetration_depth(Which which) const {
   const std::size_t k = which == Which::kGamma1 ? 0 : which == Which::kEta1 ? 1 : 2;
   std::call_once(ways_made_[k], [&] {
     // A lies in B + p where A - p lies in B.
     ways_[k] = which == Which::kDelta1
-                   ? WayOut::make(fixed(), moving(), WayOut::Of::kContainment)
-                   : WayOut::make(moving(), fixed(),
-                                  which == Which::kGamma1 ? WayOut::Of::kContact : WayOut::Of::kContainment);
+                   ? PenetrationDepth::make(fixed(), moving(), PenetrationDepth::Of::kContainment)
+                   : PenetrationDepth::make(
+                         moving(), fixed(),
+                         which == Which::kGamma1 ? PenetrationDepth::Of::kContact : PenetrationDepth::Of::kContainment);
   });
   return ways_[k] && ways_[k]->pays() && !searched_->has(which) ? ways_[k].get() : nullptr;
 }
 
 /// gamma1, eta1 or delta1.
 std::optional<Measured> AtPosition::signed_value(Which which, const Standing& s, const RealPoint& p) const {
-  const WayOut* way = way_out(which);
+  const PenetrationDepth* way = penetration_depth(which);
   if (!way) return by_map(which, p);
   const bool back = which == Which::kDelta1;
   const RealPoint at = back ? -p : p;
   const bool holds = way->holds(at), positive = holds != (which == Which::kGamma1);
   Measured m;
   if (!holds) {  // their insides (or that of B and the outside of A) do not meet
-    const SitePair k = s.pair ? *s.pair : closest_pair(fixed(), moving(), p);
+    const FeaturePair k = s.pair ? *s.pair : closest_pair(fixed(), moving(), p);
     m = {positive ? k.distance : -k.distance, std::nullopt, std::nullopt, features(k)};
     if (k.distance.sign() != 0) m.nearest = p + (k.first - k.second);
     return m;
   }
-  const WayOut::Answer answer = way->nearest(at);
+  const PenetrationDepth::Answer answer = way->nearest(at);
   if (!answer.known) return by_map(which, p);
   if (!answer.nearest) {
     m.minus_infinity = true;  // of contact: it holds everywhere
@@ -85,8 +86,9 @@ std::optional<Measured> AtPosition::by_map(Which which, const RealPoint& p) cons
 
 std::optional<Measured> AtPosition::farthest(Which which, const RealPoint& p) const {
   const bool back = which == Which::kDelta2;
-  if (const WayOut* way = searched_->has(which) ? nullptr : way_out(back ? Which::kDelta1 : Which::kEta1)) {
-    WayOut::Answer answer = way->farthest(back ? -p : p);
+  if (const PenetrationDepth* way =
+          searched_->has(which) ? nullptr : penetration_depth(back ? Which::kDelta1 : Which::kEta1)) {
+    PenetrationDepth::Answer answer = way->farthest(back ? -p : p);
     if (answer.known && !answer.nearest) return std::nullopt;
     if (answer.known) {
       const RealPoint& q = answer.nearest->at;

@@ -23,7 +23,7 @@ using plane::operator-;
 
 namespace {
 
-Front turned_round(Front f) {
+LevelCurve rotated_round(LevelCurve f) {
   f.k = -f.k;  // f(level) becomes f(-level)
   return f;
 }
@@ -39,9 +39,9 @@ class CutOff : public TDistance {
     if (!defined()) return CellComplex::uniform(1);
     int above = compare(level, floor_);
     if (above < 0) return CellComplex::uniform(1);
-    int turn = negated_ ? -1 : 1;
+    int rotation = negated_ ? -1 : 1;
     SignMap m = f_->sign_map(negated_ ? -level : level);
-    return plane::remark(std::move(m), [=](Mark k) { return Mark(above > 0 ? turn * k : turn * k > 0); });
+    return plane::remark(std::move(m), [=](Mark k) { return Mark(above > 0 ? rotation * k : rotation * k > 0); });
   }
 
   std::optional<Value> value(const RealPoint& p) const override {
@@ -55,10 +55,10 @@ class CutOff : public TDistance {
 
   RealPoint seed() const override { return f_->seed(); }
 
-  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
-    auto out = f_->fronts(p, room);
+  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
+    auto out = f_->fronts(p, tolerance);
     if (negated_)
-      for (NearFront& n : out) n.front = turned_round(std::move(n.front));
+      for (NearLevelCurve& n : out) n.front = rotated_round(std::move(n.front));
     return out;
   }
 
@@ -103,8 +103,8 @@ class Greater : public TDistance {
 
   RealPoint seed() const override { return f_->seed(); }
 
-  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
-    auto out = f_->fronts(p, room), more = g_->fronts(p, room);
+  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
+    auto out = f_->fronts(p, tolerance), more = g_->fronts(p, tolerance);
     out.insert(out.end(), more.begin(), more.end());
     return out;
   }
@@ -137,9 +137,9 @@ class Reflected : public TDistance {
     return {-p.x, -p.y};
   }
 
-  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
-    auto out = f_->fronts({-p.x, -p.y}, room);
-    for (NearFront& n : out) n.front = n.front.reflected();
+  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
+    auto out = f_->fronts({-p.x, -p.y}, tolerance);
+    for (NearLevelCurve& n : out) n.front = n.front.reflected();
     return out;
   }
 
@@ -170,9 +170,9 @@ class Displaced : public TDistance {
 
   RealPoint seed() const override { return f_->seed() - by_; }
 
-  std::vector<NearFront> fronts(const RealPoint& p, double room) const override {
-    auto out = f_->fronts(p + by_, room);
-    for (NearFront& n : out) n.front = n.front.moved(by_);
+  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
+    auto out = f_->fronts(p + by_, tolerance);
+    for (NearLevelCurve& n : out) n.front = n.front.moved(by_);
     return out;
   }
 

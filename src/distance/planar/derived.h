@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// T-distances made of others (distances.md 3.4, 3.5): cut off below (d1, h, diameter: max(floor, f)), turned round and
+// T-distances made of others (distances.md 3.4, 3.5): cut off below (d1, h, diameter: max(floor, f)), rotated round and
 // cut off (penetration, d*: max(0, -f)), the greater of two (Hausdorff), seen from the other shape (f(-p)), and between
 // shapes that are somewhere else (f(p + by)). Guarantee: exact where the operands are; zero sets of positive area (d1 =
 // 0, h = 0, d* = 0) are kept. Cost: that of the operands, one overlay for the greater of two.

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/planar/track_value.h"
+#include "distance/planar/translation_value.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate.h"
 #include "plane/query/topology.h"
@@ -25,13 +25,13 @@ namespace {
 
 bool up_to_zero(Mark m) { return m <= 0; }
 
-Section track_section(const SignMap& map, const Track& track, const RealPoint& p) {
-  return section(map, p, {Real(track.dx), Real(track.dy)});
+Section track_section(const SignMap& map, const TranslationDirection& direction, const RealPoint& p) {
+  return section(map, p, {Real(direction.dx), Real(direction.dy)});
 }
 
-/// A distance along the track from a section's parameter.
-Value at_parameter(const Real& t, const Track& track, const RealPoint& p, int sign) {
-  const Real dx(track.dx), dy(track.dy);
+/// A distance along the direction from a section's parameter.
+Value at_parameter(const Real& t, const TranslationDirection& direction, const RealPoint& p, int sign) {
+  const Real dx(direction.dx), dy(direction.dy);
   return {Real(sign) * abs(t) * sqrt(dx * dx + dy * dy), RealPoint{p.x + t * dx, p.y + t * dy}};
 }
 
@@ -47,23 +47,24 @@ Real extent(const CellComplex& m) {
     least = std::min({least, p.x - p.error, p.y - p.error});
     most = std::max({most, p.x + p.error, p.y + p.error});
   }
-  for (const exact::Carrier& k : m.geometry.carriers)
+  for (const exact::SupportingCurve& k : m.geometry.supporting_curves)
     if (k.circle) widest = std::max(widest, k.z.value + k.z.error);
   return Real::from_double(std::ceil(2 * (most - least + 2 * widest)) + 1);
 }
 
 }  // namespace
 
-DirectionalSigned::DirectionalSigned(SignMap base, const Track& track)
-    : base_(std::move(base)), track_(track), defined_(any_mark(base_, up_to_zero)) {}
+DirectionalSigned::DirectionalSigned(SignMap base, const TranslationDirection& direction)
+    : base_(std::move(base)), direction_(direction), defined_(any_mark(base_, up_to_zero)) {}
 
 SignMap DirectionalSigned::sign_map(const Real& level) const {
   if (!defined_) return CellComplex::uniform(1);
   const int side = level.sign();
   if (side == 0) return base_;
-  const bool both = track_.both_ways;
-  const Real room = abs(level);
-  const plane::Window window = plane::window_along(track_.dx, track_.dy, both ? -room : Real(0), room);
+  const bool both = direction_.both_ways;
+  const Real tolerance = abs(level);
+  const plane::Window window =
+      plane::window_along(direction_.dx, direction_.dy, both ? -tolerance : Real(0), tolerance);
   // t = 0 is inside the window, or (one way) its start, which then counts as what is inside.
   if (side > 0) {
     return swept(base_, window, [both](const Sight& s) {
@@ -80,22 +81,22 @@ SignMap DirectionalSigned::sign_map(const Real& level) const {
 std::optional<Value> DirectionalSigned::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
   if (mark_of(base_, locate(base_, p)) == 0) return Value{Real(), std::nullopt};
-  const auto found = nearest_change(track_section(base_, track_, p), track_.both_ways);
+  const auto found = nearest_change(track_section(base_, direction_, p), direction_.both_ways);
   if (!found) return std::nullopt;
-  if (!found->lowest) return at_parameter(found->t, track_, p, found->sign);
+  if (!found->lowest) return at_parameter(found->t, direction_, p, found->sign);
   Value least;
   least.minus_infinity = true;
   return least;
 }
 
-DirectionalFarthest::DirectionalFarthest(SignMap base, const Track& track)
-    : base_(std::move(base)), track_(track), defined_(base_.faces[0].mark > 0 && any_mark(base_, up_to_zero)) {}
+DirectionalFarthest::DirectionalFarthest(SignMap base, const TranslationDirection& direction)
+    : base_(std::move(base)), direction_(direction), defined_(base_.faces[0].mark > 0 && any_mark(base_, up_to_zero)) {}
 
 /// -1 where C is met at less than the level, 0 where at the level only, +1 elsewhere.
 SignMap DirectionalFarthest::near_map(const Real& level) const {
-  const bool both = track_.both_ways;
+  const bool both = direction_.both_ways;
   if (level.sign() == 0) return remark(base_, [](Mark m) { return Mark(m <= 0 ? 0 : 1); });
-  return swept(base_, plane::window_along(track_.dx, track_.dy, both ? -level : Real(0), level),
+  return swept(base_, plane::window_along(direction_.dx, direction_.dy, both ? -level : Real(0), level),
                [both](const Sight& s) {
                  if (s.inside <= 0 || (!both && s.start <= 0)) return Mark(-1);
                  return Mark(s.least() <= 0 ? 0 : 1);
@@ -106,8 +107,8 @@ SignMap DirectionalFarthest::near_map(const Real& level) const {
 SignMap DirectionalFarthest::far_map(const Real& level, bool forward) const {
   // A position with C within the level has nothing of it farther off than the level and the extent of C.
   const Real most = Real(2) * level + extent(base_);
-  const plane::Window window = forward ? plane::window_along(track_.dx, track_.dy, level, most)
-                                       : plane::window_along(track_.dx, track_.dy, -most, -level);
+  const plane::Window window = forward ? plane::window_along(direction_.dx, direction_.dy, level, most)
+                                       : plane::window_along(direction_.dx, direction_.dy, -most, -level);
   return swept(base_, window, [forward](const Sight& s) {
     const Mark near = forward ? s.start : s.end, far = forward ? s.end : s.start;
     return Mark(s.inside <= 0 || far <= 0 ? 1 : near <= 0 ? 0 : -1);
@@ -116,7 +117,7 @@ SignMap DirectionalFarthest::far_map(const Real& level, bool forward) const {
 
 std::vector<SignMap> DirectionalFarthest::parts(const Real& level) const {
   std::vector<SignMap> maps{near_map(level), far_map(level, true)};
-  if (track_.both_ways) maps.push_back(far_map(level, false));
+  if (direction_.both_ways) maps.push_back(far_map(level, false));
   return maps;
 }
 
@@ -131,9 +132,9 @@ SignMap DirectionalFarthest::sign_map(const Real& level) const {
 
 std::optional<Value> DirectionalFarthest::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
-  const auto found = farthest_place(track_section(base_, track_, p), track_.both_ways);
+  const auto found = farthest_place(track_section(base_, direction_, p), direction_.both_ways);
   if (!found) return std::nullopt;
-  return Value{at_parameter(found->t, track_, p, 1).value, std::nullopt};
+  return Value{at_parameter(found->t, direction_, p, 1).value, std::nullopt};
 }
 
 }  // namespace findspace::distance

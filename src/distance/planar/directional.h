@@ -19,7 +19,7 @@
 namespace findspace::distance {
 
 /// A direction, as a primitive integer vector, and whether t may be negative.
-struct Track {
+struct TranslationDirection {
   std::int64_t dx = 1, dy = 0;
   bool both_ways = true;
 };
@@ -27,7 +27,7 @@ struct Track {
 /// From the sign map at level 0 of gamma1, eta1 or delta1 (- on O, 0 on C \ O).
 class DirectionalSigned : public PositionFunction {
  public:
-  DirectionalSigned(plane::SignMap base, const Track& track);
+  DirectionalSigned(plane::SignMap base, const TranslationDirection& direction);
 
   bool defined() const override { return defined_; }
   plane::SignMap sign_map(const exact::Real& level) const override;
@@ -35,14 +35,14 @@ class DirectionalSigned : public PositionFunction {
 
  private:
   plane::SignMap base_;
-  Track track_;
+  TranslationDirection direction_;
   bool defined_;
 };
 
 /// gamma2, eta2 or delta2 from the same maps: C is where they are not +.
 class DirectionalFarthest : public PositionFunction {
  public:
-  DirectionalFarthest(plane::SignMap base, const Track& track);
+  DirectionalFarthest(plane::SignMap base, const TranslationDirection& direction);
 
   bool defined() const override { return defined_; }
   plane::SignMap sign_map(const exact::Real& level) const override;
@@ -56,7 +56,7 @@ class DirectionalFarthest : public PositionFunction {
   plane::SignMap far_map(const exact::Real& level, bool forward) const;
 
   plane::SignMap base_;
-  Track track_;
+  TranslationDirection direction_;
   bool defined_;
 };
 

@@ -39,9 +39,9 @@ SignMap point_map(const RealPoint& p) { return point_set({&p, 1}, 0, 1); }
 }  // namespace
 
 Farthest::Farthest(const SignMap& base) : set_(plane::remark(base, [](Mark m) { return Mark(m <= 0); })) {
-  sites_ = distance::sites(set_, [](Mark m) { return m > 0; });
-  std::erase_if(sites_, [](const Site& s) { return !s.is_vertex() && !s.arc; });
-  defined_ = set_.faces[0].mark == 0 && !sites_.empty();
+  features_ = distance::features(set_, [](Mark m) { return m > 0; });
+  std::erase_if(features_, [](const BoundaryFeature& s) { return !s.is_vertex() && !s.arc; });
+  defined_ = set_.faces[0].mark == 0 && !features_.empty();
 }
 
 Farthest Farthest::from_point(const RealPoint& q) { return Farthest(point_map(q)); }
@@ -60,22 +60,22 @@ SignMap Farthest::sign_map(const Real& level) const {
 
 Farthest::Best Farthest::best(const RealPoint& p) const {
   double x = near_value(p.x), y = near_value(p.y), most = 0, scale = std::abs(x) + std::abs(y);
-  for (const Site& s : sites_) {
+  for (const BoundaryFeature& s : features_) {
     most = std::max(most, s.farthest(x, y));
     scale = std::max({scale, std::abs(s.x0), std::abs(s.y0)});
   }
-  double room = (scale + most) * 0x1p-44;
+  double tolerance = (scale + most) * 0x1p-44;
   std::optional<Best> best;
-  for (const Site& s : sites_) {
-    if (s.farthest(x, y) < most - room) continue;
-    Front f = far_front(set_, s);
+  for (const BoundaryFeature& s : features_) {
+    if (s.farthest(x, y) < most - tolerance) continue;
+    LevelCurve f = far_level_curve(set_, s);
     Real dx = f.a - p.x, dy = f.b - p.y, d = sqrt(dx * dx + dy * dy);
     Best k{d - f.c, {f.a, f.b}};
     if (s.arc && s.has_direction(s.cx - x, s.cy - y)) {
       k.at = d.sign() == 0 ? set_.geometry.exact(set_.vertices[set_.edges[s.cell.index].v0].point)
                            : RealPoint{f.a - f.c * dx / d, f.b - f.c * dy / d};
     } else if (s.arc) {
-      continue;  // its ends are sites
+      continue;  // its ends are features
     }
     if (!best || k.distance.to_double() > best->distance.to_double()) best = k;
   }
@@ -91,23 +91,23 @@ RealPoint Farthest::farthest_point(const RealPoint& p) const { return best(p).at
 
 std::optional<TDistance::Lowest> Farthest::lowest() const {
   if (!defined_) return std::nullopt;
-  const auto c = smallest_circle(set_, sites_);
+  const auto c = smallest_circle(set_, features_);
   return c ? std::optional(Lowest{c->radius, c->center}) : std::nullopt;
 }
 
 RealPoint Farthest::seed() const {
-  const Site& s = sites_.front();
+  const BoundaryFeature& s = features_.front();
   return set_.geometry.exact(s.is_vertex() ? set_.vertices[s.cell.index].point
                                            : set_.vertices[set_.edges[s.cell.index].v0].point);
 }
 
-std::vector<NearFront> Farthest::fronts(const RealPoint& p, double room) const {
+std::vector<NearLevelCurve> Farthest::fronts(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y), most = 0;
-  for (const Site& s : sites_) most = std::max(most, s.farthest(x, y));
-  std::vector<NearFront> out;
-  for (const Site& s : sites_) {
+  for (const BoundaryFeature& s : features_) most = std::max(most, s.farthest(x, y));
+  std::vector<NearLevelCurve> out;
+  for (const BoundaryFeature& s : features_) {
     double d = s.arc ? std::hypot(x - s.cx, y - s.cy) + s.r : s.farthest(x, y);
-    if (std::abs(most - d) <= room) out.push_back({far_front(set_, s), std::abs(most - d)});
+    if (std::abs(most - d) <= tolerance) out.push_back({far_level_curve(set_, s), std::abs(most - d)});
   }
   return out;
 }

@@ -10,7 +10,7 @@
 // smallest_circle.h. Keywords: farthest point, reach, diameter.
 #pragma once
 
-#include "distance/planar_features/sites.h"
+#include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/t_distance.h"
 
 namespace findspace::distance {
@@ -26,7 +26,7 @@ class Farthest : public TDistance {
   plane::SignMap sign_map(const exact::Real& level) const override;
   std::optional<Value> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
-  std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const override;
+  std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
   std::optional<Lowest> lowest() const override;
 
   /// A point of C farthest from p.
@@ -40,7 +40,7 @@ class Farthest : public TDistance {
   Best best(const exact::RealPoint& p) const;
 
   plane::Region set_;
-  std::vector<Site> sites_;  // vertices and arcs
+  std::vector<BoundaryFeature> features_;  // vertices and arcs
   bool defined_ = true;
 };
 

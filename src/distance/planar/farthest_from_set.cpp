@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/planar/peak_search.h"
-#include "distance/planar_features/bent_front.h"
+#include "distance/planar/max_min_search.h"
+#include "distance/planar_features/curved_level_curve.h"
 #include "plane/query/nearest.h"
 
 namespace findspace::distance {
@@ -23,83 +23,85 @@ namespace {
 
 // Of the scale.
 constexpr double kSamePlace = 0x1p-20, kRounded = 0x1p-42, kNothingMore = 0x1p-45, kSurelyLess = 0x1p-46;
-constexpr PeakEffort kCoarse{0x1p-24}, kFine{0x1p-44};
-constexpr std::size_t kMostPeaks = 10;
+constexpr MaxMinEffort kCoarse{0x1p-24}, kFine{0x1p-44};
+constexpr std::size_t kMostMaxMins = 10;
 
 bool inside(Mark m) { return m > 0; }
 
 RealPoint operator+(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
 
-/// Whether the level can be the peak's value. That of a place on an edge may still grow beside it, but not fall. Other
-/// fronts meet there, too: the ridge between two lines goes on past the end of an edge, at levels less than the peak's.
-bool is_value(const Real& level, const Peak& peak, double scale) {
+/// Whether the level can be the max_min's value. That of a place on an edge may still grow beside it, but not fall.
+/// Other fronts meet there, too: the ridge between two lines goes on past the end of an edge, at levels less than the
+/// max_min's.
+bool is_value(const Real& level, const MaxMinPlace& max_min, double scale) {
   const auto i = level.interval();
-  if (i.hi < peak.value - scale * kSurelyLess) return false;
-  return peak.cell.dimension == 1 || i.lo <= peak.value + scale * kRounded;
+  if (i.hi < max_min.value - scale * kSurelyLess) return false;
+  return max_min.cell.dimension == 1 || i.lo <= max_min.value + scale * kRounded;
 }
 
 /// In p: where the edge's greatest distance from the inside of a circle of A is `level`: its least distance to the
 /// centre is r - level.
-std::vector<Front> hollow_fronts(const Front& edge, const Front& circle) {
+std::vector<LevelCurve> hollow_fronts(const LevelCurve& edge, const LevelCurve& circle) {
   if (edge.circle) {
     Real x = circle.a - edge.a, y = circle.b - edge.b;
-    return {Front::ring(x, y, circle.c + edge.c, circle.k), Front::ring(x, y, edge.c - circle.c, -circle.k)};
+    return {LevelCurve::ring(x, y, circle.c + edge.c, circle.k), LevelCurve::ring(x, y, edge.c - circle.c, -circle.k)};
   }
   Real n = sqrt(edge.a * edge.a + edge.b * edge.b), c = edge.a * circle.a + edge.b * circle.b - edge.c;
-  return {Front::line(edge.a, edge.b, c - n * circle.c, -n * circle.k),
-          Front::line(edge.a, edge.b, c + n * circle.c, n * circle.k)};
+  return {LevelCurve::line(edge.a, edge.b, c - n * circle.c, -n * circle.k),
+          LevelCurve::line(edge.a, edge.b, c + n * circle.c, n * circle.k)};
 }
 
 }  // namespace
 
 FarthestFromSet::FarthestFromSet(const Region& b, const Region& a)
-    : b_(b), a_(a), a_sites_(sites(a, inside)), b_sites_(sites(b, inside)), a_reach_(a, a_sites_) {
-  for (const auto* list : {&a_sites_, &b_sites_})
-    for (const Site& s : *list)
+    : b_(b), a_(a), a_features_(features(a, inside)), b_features_(features(b, inside)), a_reach_(a, a_features_) {
+  for (const auto* list : {&a_features_, &b_features_})
+    for (const BoundaryFeature& s : *list)
       scale_ = std::max({scale_, std::abs(s.x0), std::abs(s.y0), std::abs(s.x1), std::abs(s.y1), std::abs(s.r)});
 }
 
-std::vector<Index> FarthestFromSet::near_sites(double x, double y, double room) const {
+std::vector<Index> FarthestFromSet::near_features(double x, double y, double tolerance) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const Site& s : a_sites_) least = std::min(least, s.distance(x, y));
+  for (const BoundaryFeature& s : a_features_) least = std::min(least, s.distance(x, y));
   std::vector<Index> out;
-  for (Index k = 0; k < a_sites_.size(); ++k)
-    if (a_sites_[k].distance(x, y) <= least + room) out.push_back(k);
+  for (Index k = 0; k < a_features_.size(); ++k)
+    if (a_features_[k].distance(x, y) <= least + tolerance) out.push_back(k);
   return out;
 }
 
 double FarthestFromSet::scale(double px, double py) const { return scale_ + std::abs(px) + std::abs(py); }
 
 /// One for each place, the first ones.
-std::vector<Peak> FarthestFromSet::distinct(const std::vector<Peak>& all, double scale) {
-  std::vector<Peak> out;
-  for (const Peak& k : all) {
-    bool known = std::any_of(out.begin(), out.end(), [&](const Peak& u) {
+std::vector<MaxMinPlace> FarthestFromSet::distinct(const std::vector<MaxMinPlace>& all, double scale) {
+  std::vector<MaxMinPlace> out;
+  for (const MaxMinPlace& k : all) {
+    bool known = std::any_of(out.begin(), out.end(), [&](const MaxMinPlace& u) {
       return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * kSamePlace;
     });
     if (!known) out.push_back(k);
-    if (out.size() == kMostPeaks) break;
+    if (out.size() == kMostMaxMins) break;
   }
   return out;
 }
 
-std::vector<Peak> FarthestFromSet::peaks(double px, double py, double room, double least_value,
-                                         const PeakEffort& effort) const {
+std::vector<MaxMinPlace> FarthestFromSet::max_mins(double px, double py, double tolerance, double least_value,
+                                                   const MaxMinEffort& effort) const {
   double scale = this->scale(px, py);
-  const PeakSets sets{a_, b_, a_sites_, b_sites_, a_reach_};
-  return distinct(PeakSearch(sets, px, py, {scale, room, least_value, effort}).run(), scale);
+  const MaxMinSets sets{a_, b_, a_features_, b_features_, a_reach_};
+  return distinct(MaxMinSearch(sets, px, py, {scale, tolerance, least_value, effort}).run(), scale);
 }
 
 std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, double least_value) const {
   const double px = near_value(p.x), py = near_value(p.y), scale = this->scale(px, py);
   std::optional<FarthestPlace> best;
-  auto take = [&](const std::vector<Peak>& all) {
-    for (const Peak& k : distinct(all, scale)) {
+  auto take = [&](const std::vector<MaxMinPlace>& all) {
+    for (const MaxMinPlace& k : distinct(all, scale)) {
       FarthestPlace place = exact_place(k, p);
       if (!best || place.value.to_double() > best->value.to_double()) best = std::move(place);
     }
   };
-  PeakSearch search({a_, b_, a_sites_, b_sites_, a_reach_}, px, py, {scale, scale * kSamePlace, least_value, kCoarse});
+  MaxMinSearch search({a_, b_, a_features_, b_features_, a_reach_}, px, py,
+                      {scale, scale * kSamePlace, least_value, kCoarse});
   take(search.run());
   // Where an arc crosses a parabola no formula gives the place, and what was taken for it is less than the greatest.
   // Only what is more is looked for; all that is about as far would be too much where a ridge touches an edge.
@@ -111,35 +113,35 @@ std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, doubl
 /// The event's level is the distance to A there, not only to some of its parts.
 bool FarthestFromSet::is_distance(const Event& e) const {
   double x = near_value(e.at->x), y = near_value(e.at->y), least = std::numeric_limits<double>::infinity();
-  for (const Site& s : a_sites_) least = std::min(least, s.distance(x, y));
+  for (const BoundaryFeature& s : a_features_) least = std::min(least, s.distance(x, y));
   return std::abs(near_value(e.level) - least) <= (scale_ + std::abs(x) + std::abs(y)) * kRounded;
 }
 
-FarthestPlace FarthestFromSet::exact_place(const Peak& peak, const RealPoint& p) const {
-  if (peak.cell.dimension == 0) {
-    RealPoint at = b_.geometry.exact(b_.vertices[peak.cell.index].point) + p;
-    return {plane::nearest(a_, inside, at)->distance, at, peak.cell};
+FarthestPlace FarthestFromSet::exact_place(const MaxMinPlace& max_min, const RealPoint& p) const {
+  if (max_min.cell.dimension == 0) {
+    RealPoint at = b_.geometry.exact(b_.vertices[max_min.cell.index].point) + p;
+    return {plane::nearest(a_, inside, at)->distance, at, max_min.cell};
   }
   double px = near_value(p.x), py = near_value(p.y);
-  double scale = std::max(this->scale(px, py), scale_ + std::abs(peak.x) + std::abs(peak.y));
-  std::vector<Front> fronts;
-  for (Index k : near_sites(peak.x, peak.y, scale * kSamePlace))
-    if (fronts.size() < kMostPeaks) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
-  std::optional<Front> edge;
-  std::optional<Site> edge_part;
-  if (peak.cell.dimension == 1) {
-    edge_part = edge_site(b_, peak.cell.index);
+  double scale = std::max(this->scale(px, py), scale_ + std::abs(max_min.x) + std::abs(max_min.y));
+  std::vector<LevelCurve> fronts;
+  for (Index k : near_features(max_min.x, max_min.y, scale * kSamePlace))
+    if (fronts.size() < kMostMaxMins) fronts.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
+  std::optional<LevelCurve> edge;
+  std::optional<BoundaryFeature> edge_part;
+  if (max_min.cell.dimension == 1) {
+    edge_part = edge_feature(b_, max_min.cell.index);
     edge = still_front(b_, *edge_part).moved({-p.x, -p.y});
   }
   std::optional<FarthestPlace> best;
   auto take = [&](const std::vector<Event>& all) {
     for (const Event& e : all) {
       if (!e.at || (best && near_value(e.level) <= near_value(best->value))) continue;
-      if (!is_value(e.level, peak, scale)) continue;
+      if (!is_value(e.level, max_min, scale)) continue;
       double x = near_value(e.at->x), y = near_value(e.at->y);
-      if (!(std::hypot(x - peak.x, y - peak.y) <= scale * kSamePlace) || !is_distance(e)) continue;
+      if (!(std::hypot(x - max_min.x, y - max_min.y) <= scale * kSamePlace) || !is_distance(e)) continue;
       if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * kRounded)) continue;
-      best = FarthestPlace{e.level, *e.at, peak.cell};
+      best = FarthestPlace{e.level, *e.at, max_min.cell};
     }
   };
   for (std::size_t i = 0; i < fronts.size(); ++i) {
@@ -152,33 +154,35 @@ FarthestPlace FarthestFromSet::exact_place(const Peak& peak, const RealPoint& p)
     }
   }
   if (best) return *best;
-  RealPoint at{Real::from_double(peak.x), Real::from_double(peak.y)};
-  return {plane::nearest(a_, inside, at)->distance, at, peak.cell};
+  RealPoint at{Real::from_double(max_min.x), Real::from_double(max_min.y)};
+  return {plane::nearest(a_, inside, at)->distance, at, max_min.cell};
 }
 
-void FarthestFromSet::add_fronts(const Peak& peak, const RealPoint& p, double room, std::vector<NearFront>& out) const {
+void FarthestFromSet::add_fronts(const MaxMinPlace& max_min, const RealPoint& p, double tolerance,
+                                 std::vector<NearLevelCurve>& out) const {
   const double px = near_value(p.x), py = near_value(p.y);
-  auto put = [&](const Front& f) { out.push_back({f, f.gap(px, py, peak.value)}); };
-  if (peak.cell.dimension == 2) return put(Front::ring(Real(), Real(), -exact_place(peak, p).value, 1));
-  std::vector<Front> fronts;
-  for (Index k : near_sites(peak.x, peak.y, room)) fronts.push_back(near_front(a_, a_sites_[k], peak.x, peak.y, 1));
-  if (peak.cell.dimension == 0) {
-    RealPoint b = b_.geometry.exact(b_.vertices[peak.cell.index].point);
-    for (const Front& f : fronts) put(f.moved(b));
+  auto put = [&](const LevelCurve& f) { out.push_back({f, f.gap(px, py, max_min.value)}); };
+  if (max_min.cell.dimension == 2) return put(LevelCurve::ring(Real(), Real(), -exact_place(max_min, p).value, 1));
+  std::vector<LevelCurve> fronts;
+  for (Index k : near_features(max_min.x, max_min.y, tolerance))
+    fronts.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
+  if (max_min.cell.dimension == 0) {
+    RealPoint b = b_.geometry.exact(b_.vertices[max_min.cell.index].point);
+    for (const LevelCurve& f : fronts) put(f.moved(b));
     return;
   }
-  Front edge = still_front(b_, edge_site(b_, peak.cell.index));
+  LevelCurve edge = still_front(b_, edge_feature(b_, max_min.cell.index));
   for (std::size_t i = 0; i < fronts.size(); ++i) {
     if (fronts[i].circle && fronts[i].k.sign() < 0)
-      for (const Front& f : hollow_fronts(edge, fronts[i])) put(f);
+      for (const LevelCurve& f : hollow_fronts(edge, fronts[i])) put(f);
     if (edge.circle) {
       // The far side of the arc: the front of its centre at level - radius.
-      Front f = fronts[i];
+      LevelCurve f = fronts[i];
       f.c -= f.k * edge.c;
       put(f.moved({edge.a, edge.b}));
     }
     for (std::size_t j = 0; j < i; ++j)
-      if (const auto corner = corner_front(edge, fronts[i], fronts[j], peak.x, peak.y)) put(*corner);
+      if (const auto corner = corner_front(edge, fronts[i], fronts[j], max_min.x, max_min.y)) put(*corner);
   }
 }
 

@@ -17,19 +17,19 @@
 #include <vector>
 
 #include "distance/planar/farthest_place.h"
-#include "distance/planar_features/site_reach.h"
+#include "distance/planar_features/voronoi_cells.h"
 #include "plane/query/locate.h"
 
 namespace findspace::distance {
 
 /// A place of B + p where d(., A) has (about) a local maximum.
-struct Peak {
+struct MaxMinPlace {
   double value = 0, x = 0, y = 0;  // the place itself, in A's coordinates
   plane::Cell cell{};              // of B; dimension 2 for a place inside B
 };
 
 /// How far a search goes.
-struct PeakEffort {
+struct MaxMinEffort {
   double short_part;  // of the scale: a part of an edge this short is a place
   long most_ranges = std::numeric_limits<long>::max();
 };
@@ -39,27 +39,29 @@ class FarthestFromSet {
   /// Keeps references; both closed, B bounded.
   FarthestFromSet(const plane::Region& b, const plane::Region& a);
 
-  /// Peaks of value at least greatest - room and more than `least_value`, the greatest first, one for each place, as
-  /// far as the effort goes.
-  std::vector<Peak> peaks(double px, double py, double room, double least_value, const PeakEffort& effort) const;
-  /// The exact distance to A in the place of the peak.
-  FarthestPlace exact_place(const Peak& peak, const exact::RealPoint& p) const;
+  /// Peaks of value at least greatest - tolerance and more than `least_value`, the greatest first, one for each place,
+  /// as far as the effort goes.
+  std::vector<MaxMinPlace> max_mins(double px, double py, double tolerance, double least_value,
+                                    const MaxMinEffort& effort) const;
+  /// The exact distance to A in the place of the max_min.
+  FarthestPlace exact_place(const MaxMinPlace& max_min, const exact::RealPoint& p) const;
   /// The farthest place if its value is more than `least_value`.
   std::optional<FarthestPlace> greatest(const exact::RealPoint& p, double least_value) const;
-  /// Fronts (in p) that decide the peak's value, as far as they can be given.
-  void add_fronts(const Peak& peak, const exact::RealPoint& p, double room, std::vector<NearFront>& out) const;
+  /// Fronts (in p) that decide the max_min's value, as far as they can be given.
+  void add_fronts(const MaxMinPlace& max_min, const exact::RealPoint& p, double tolerance,
+                  std::vector<NearLevelCurve>& out) const;
 
   /// The size of the numbers at p; rounding is relative to it.
   double scale(double px, double py) const;
 
  private:
-  static std::vector<Peak> distinct(const std::vector<Peak>& all, double scale);
+  static std::vector<MaxMinPlace> distinct(const std::vector<MaxMinPlace>& all, double scale);
   bool is_distance(const Event& e) const;
-  std::vector<plane::Index> near_sites(double x, double y, double room) const;
+  std::vector<plane::Index> near_features(double x, double y, double tolerance) const;
 
   const plane::Region &b_, &a_;
-  std::vector<Site> a_sites_, b_sites_;
-  SiteReach a_reach_;
+  std::vector<BoundaryFeature> a_features_, b_features_;
+  VoronoiCells a_reach_;
   double scale_ = 1;
 };
 

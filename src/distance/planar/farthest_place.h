@@ -6,26 +6,26 @@
 // Method: branch and bound with the best place known so far. Boxes around parts of B's boundary (d is 1-Lipschitz),
 // then parts of edges (the distance to one part of A is convex along an edge, so its ends bound it), then boxes of the
 // plane in which d has no direction to grow in, for places inside B: a matter of A alone, kept for the next position
-// (peak_boxes.h). Numbers choose the places; values are exact.
+// (max_min_boxes.h). Numbers choose the places; values are exact.
 // Guarantee: as farthest_from_set.h, which also does arcs. Cost: trees are given; a query mostly costs little more than
 // some hundred nearest neighbours. Source: Taha, Hanbury 2015 for early breaks; Alt, Behrends, Blömer 1995 for where
 // the maximum can lie. Keywords: directed Hausdorff distance, branch and bound, medial axis.
 #pragma once
 
-#include "distance/planar/peak_boxes.h"
+#include "distance/planar/max_min_boxes.h"
 #include "distance/planar_features/exact_pairs.h"
 
 namespace findspace::distance {
 
 struct FarthestPlace {
-  exact::Real value;                  // d(at, A)
-  exact::RealPoint at;                // of B + p
-  plane::Cell cell;                   // of B; dimension 2: inside
-  std::optional<SitePair> nearest{};  // the nearest point of A, where it is known
+  exact::Real value;                     // d(at, A)
+  exact::RealPoint at;                   // of B + p
+  plane::Cell cell;                      // of B; dimension 2: inside
+  std::optional<FeaturePair> nearest{};  // the nearest point of A, where it is known
 };
 
 /// The farthest place if its value is more than `least_value`. No arcs; `boxes` are those of A.
-std::optional<FarthestPlace> farthest_place(const SiteTree& b, const SiteTree& a, const PeakBoxes& boxes,
+std::optional<FarthestPlace> farthest_place(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes,
                                             const exact::RealPoint& p, double least_value);
 
 }  // namespace findspace::distance

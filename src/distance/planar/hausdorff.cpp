@@ -22,7 +22,7 @@ using plane::SignMap;
 namespace {
 
 constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;  // of the scale
-constexpr PeakEffort kToFindFronts{0x1p-24, 3000};             // a place near the peak tells them
+constexpr MaxMinEffort kToFindFronts{0x1p-24, 3000};           // a place near the max_min tells them
 constexpr double kPlaceRoom = 0x1p-21;                         // of the scale: what such a place may be off
 
 }  // namespace
@@ -63,16 +63,17 @@ RealPoint DirectedHausdorff::seed() const {
   return {p.x - q.x, p.y - q.y};
 }
 
-std::vector<NearFront> DirectedHausdorff::fronts(const RealPoint& p, double room) const {
+std::vector<NearLevelCurve> DirectedHausdorff::fronts(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
-  room = std::max(room, search_.scale(x, y) * kPlaceRoom);
-  auto peaks = search_.peaks(x, y, room, search_.scale(x, y) * kClearlyOut, kToFindFronts);
-  std::vector<NearFront> out;
-  if (peaks.empty() || peaks[0].value < room) out = containment().defined() ? containment().fronts(p, room) : out;
-  for (const Peak& k : peaks) {
+  tolerance = std::max(tolerance, search_.scale(x, y) * kPlaceRoom);
+  auto max_mins = search_.max_mins(x, y, tolerance, search_.scale(x, y) * kClearlyOut, kToFindFronts);
+  std::vector<NearLevelCurve> out;
+  if (max_mins.empty() || max_mins[0].value < tolerance)
+    out = containment().defined() ? containment().fronts(p, tolerance) : out;
+  for (const MaxMinPlace& k : max_mins) {
     std::size_t first = out.size();
-    search_.add_fronts(k, p, room, out);
-    for (std::size_t i = first; i < out.size(); ++i) out[i].gap = std::max(out[i].gap, peaks[0].value - k.value);
+    search_.add_fronts(k, p, tolerance, out);
+    for (std::size_t i = first; i < out.size(); ++i) out[i].gap = std::max(out[i].gap, max_mins[0].value - k.value);
   }
   return out;
 }

@@ -8,7 +8,7 @@
 #include <limits>
 #include <queue>
 
-#include "distance/planar_features/site_pairs.h"
+#include "distance/planar_features/feature_pair_search.h"
 
 namespace findspace::distance {
 
@@ -27,7 +27,7 @@ constexpr double kTinyBox = 0x1p-44;    // if these are few, and here in any cas
 
 }  // namespace
 
-PlaceSearch::PlaceSearch(const SiteTree& b, const SiteTree& a, const PeakBoxes& boxes, const RealPoint& p,
+PlaceSearch::PlaceSearch(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes, const RealPoint& p,
                          double least_value)
     : a_(a),
       b_(b),
@@ -39,13 +39,13 @@ PlaceSearch::PlaceSearch(const SiteTree& b, const SiteTree& a, const PeakBoxes& 
       slack_(scale_ * kSlack),
       best_(least_value) {}
 
-bool PlaceSearch::in_a(Spot at, const SiteTree::Near& near) const {
+bool PlaceSearch::in_a(Spot at, const FeatureTree::Near& near) const {
   if (auto in = a_.contains(at.x, at.y, near)) return *in;
   if (near.distance <= slack_) return true;
   return mark_of(a_.region(), locate(a_.region(), {Real::from_double(at.x), Real::from_double(at.y)})) > 0;
 }
 
-bool PlaceSearch::in_b(Spot at, const SiteTree::Near& near) const {
+bool PlaceSearch::in_b(Spot at, const FeatureTree::Near& near) const {
   double x = at.x - px_, y = at.y - py_;
   if (auto in = b_.contains(x, y, near)) return *in;
   return near.distance <= slack_ ||
@@ -69,23 +69,23 @@ void PlaceSearch::record(const Seen& seen, Cell cell, double error) {
 
 /// The corner of B farthest from the middle of A in the direction of B's: often the place, or near it.
 Index PlaceSearch::start() {
-  const SiteBox &s = a_.nodes()[0].box, &t = b_.nodes()[0].box;
+  const FeatureBox &s = a_.nodes()[0].box, &t = b_.nodes()[0].box;
   const auto v = b_.extreme(t.x0 + t.x1 + 2 * px_ - s.x0 - s.x1, t.y0 + t.y1 + 2 * py_ - s.y0 - s.y1);
   const Seen seen = see({v.x + px_, v.y + py_}, kNone);
   record(seen, {0, v.vertex});
-  return seen.near.site;
+  return seen.near.feature;
 }
 
 /// The distance to one part of A is convex, so a corner of the box has the greatest.
-double PlaceSearch::most(const SiteBox& box, Index site) const {
-  const Site& s = a_.sites()[site];
+double PlaceSearch::most(const FeatureBox& box, Index feature) const {
+  const BoundaryFeature& s = a_.features()[feature];
   return std::sqrt(std::max(std::max(s.squared_distance(box.x0, box.y0), s.squared_distance(box.x1, box.y0)),
                             std::max(s.squared_distance(box.x0, box.y1), s.squared_distance(box.x1, box.y1))));
 }
 
 /// A box of B's boundary in its place.
-SiteBox PlaceSearch::placed(Index node) const {
-  const SiteBox& box = b_.nodes()[node].box;
+FeatureBox PlaceSearch::placed(Index node) const {
+  const FeatureBox& box = b_.nodes()[node].box;
   return {box.x0 + px_, box.y0 + py_, box.x1 + px_, box.y1 + py_};
 }
 
@@ -107,64 +107,65 @@ void PlaceSearch::walk_boundary() {
     Entry e = todo.top();
     todo.pop();
     if (e.bound <= best_ + slack_) break;
-    const SiteTree::Node& n = b_.nodes()[e.node];
+    const FeatureTree::Node& n = b_.nodes()[e.node];
     if (!e.sharp) {
-      const SiteBox box = placed(e.node);
+      const FeatureBox box = placed(e.node);
       const Spot c{(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
       const double radius = plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2;
       const auto near = a_.nearest(c.x, c.y, e.guess);
-      const double bound = most(box, near.site);
+      const double bound = most(box, near.feature);
       if (bound <= best_ + slack_) continue;
       if (!in_a(c, near))
-        push({bound, e.node, near.site, true});
+        push({bound, e.node, near.feature, true});
       else if (near.distance <= radius)
-        push({std::min(bound, radius), e.node, near.site, true});
+        push({std::min(bound, radius), e.node, near.feature, true});
       continue;
     }
     if (n.right == kNone) {
-      for (Index k = n.first; k < n.last; ++k) visit_edge(b_.sites()[k], e.guess);
+      for (Index k = n.first; k < n.last; ++k) visit_edge(b_.features()[k], e.guess);
       continue;
     }
     for (Index child : {e.node + 1, n.right}) push({most(placed(child), e.guess), child, e.guess});
   }
 }
 
-/// Where along the part the nearest sites of its ends are equally far, from 0 to 1.
+/// Where along the part the nearest features of its ends are equally far, from 0 to 1.
 double PlaceSearch::split(const Seen& s, const Seen& t) const {
   double low = 0, high = 1;
   for (int k = 0; k < 60 && high - low > 0x1p-52; ++k) {
     double m = (low + high) / 2;
     Spot at{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)};
-    (to_site(at, s.near.site) < to_site(at, t.near.site) ? low : high) = m;
+    (to_feature(at, s.near.feature) < to_feature(at, t.near.feature) ? low : high) = m;
   }
   return (low + high) / 2;
 }
 
-void PlaceSearch::visit_edge(const Site& edge, Index guess) {
+void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
   const auto& region = b_.region();
   const Spot from{edge.x0 + px_, edge.y0 + py_}, to{edge.x1 + px_, edge.y1 + py_};
   // The distance to one part of A is convex along the edge.
-  if (std::max(to_site(from, guess), to_site(to, guess)) <= best_ + slack_) return;
+  if (std::max(to_feature(from, guess), to_feature(to, guess)) <= best_ + slack_) return;
   Seen first = see(from, guess);
   record(first, {0, edge.is_vertex() ? edge.cell.index : region.edges[edge.cell.index].v0});
   if (edge.is_vertex()) return;
-  Seen last = see(to, first.near.site);
+  Seen last = see(to, first.near.feature);
   record(last, {0, region.edges[edge.cell.index].v1});
   std::vector<std::pair<Seen, Seen>> parts{{first, last}};
   while (!parts.empty()) {
     const Seen s = parts.back().first, t = parts.back().second;
     parts.pop_back();
     const double size = plain_length(t.at.x - s.at.x, t.at.y - s.at.y);
-    double bound = std::min({std::max(s.near.distance, to_site(t.at, s.near.site)),
-                             std::max(to_site(s.at, t.near.site), t.near.distance), (s.value + t.value + size) / 2});
+    double bound =
+        std::min({std::max(s.near.distance, to_feature(t.at, s.near.feature)),
+                  std::max(to_feature(s.at, t.near.feature), t.near.distance), (s.value + t.value + size) / 2});
     if (bound <= best_ + slack_ || size <= scale_ * kShortPart) continue;
     double covered = (s.inside ? s.near.distance : 0) + (t.inside ? t.near.distance : 0);
     if (covered >= size) continue;  // all inside A
     auto on_part = [&](double m) { return Spot{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)}; };
-    double m = s.near.site != t.near.site ? split(s, t) : 0.5;
-    if (m > 0x1p-30 && m < 1 - 0x1p-30) record(see(on_part(m), s.near.site), edge.cell);
+    double m = s.near.feature != t.near.feature ? split(s, t) : 0.5;
+    if (m > 0x1p-30 && m < 1 - 0x1p-30) record(see(on_part(m), s.near.feature), edge.cell);
     if (m < 0.125 || m > 0.875) m = 0.5;  // where both are equally far at an end, splitting there leads nowhere
-    Seen middle = see(on_part(m), s.near.site);
+    Seen middle = see(on_part(m), s.near.feature);
     parts.push_back({s, middle});
     parts.push_back({middle, t});
   }
@@ -174,9 +175,9 @@ void PlaceSearch::visit_edge(const Site& edge, Index guess) {
 void PlaceSearch::search_inside() {
   const auto& faces = b_.region().faces;
   if (std::none_of(faces.begin(), faces.end(), [](const plane::Face& f) { return f.mark > 0; })) return;
-  const SiteBox reach = placed(0);
+  const FeatureBox reach = placed(0);
   struct Entry {
-    PeakBoxes::Part part;
+    MaxMinBoxes::Part part;
     Index guess;
   };
   std::vector<Entry> stack{{{}, kNone}};
@@ -185,16 +186,16 @@ void PlaceSearch::search_inside() {
     stack.pop_back();
     const Spot middle = boxes_.middle(e.part);
     const double half = boxes_.half(e.part), radius = half * std::sqrt(2.0);
-    const SiteBox box{middle.x - half, middle.y - half, middle.x + half, middle.y + half};
+    const FeatureBox box{middle.x - half, middle.y - half, middle.x + half, middle.y + half};
     if (box.x0 >= reach.x1 || box.x1 <= reach.x0 || box.y0 >= reach.y1 || box.y1 <= reach.y0) continue;
     if (e.guess != kNone && most(box, e.guess) <= best_ + slack_) continue;
     const auto look = boxes_.look(e.part, e.guess);
-    if (look.barren || most(box, look.near.site) <= best_ + slack_) continue;
+    if (look.barren || most(box, look.near.feature) <= best_ + slack_) continue;
     const auto to_b = b_.nearest(middle.x - px_, middle.y - py_);
     const bool in = in_b(middle, to_b);
     if (!in && to_b.distance > radius) continue;
     const Seen seen{middle, look.inside ? 0 : look.near.distance, look.near, look.inside};
-    if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the peak stays
+    if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max_min stays
     if (half <= scale_ * kSmallBox && !seen.inside) {
       const bool few = parts_near(middle, seen.value + kMeetingRoom * 4 * radius).size() <= kMostParts;
       if (few || half <= scale_ * kTinyBox) {
@@ -202,7 +203,7 @@ void PlaceSearch::search_inside() {
         continue;
       }
     }
-    for (int k = 0; k < 4; ++k) stack.push_back({e.part.quarter(k), look.near.site});
+    for (int k = 0; k < 4; ++k) stack.push_back({e.part.quarter(k), look.near.feature});
   }
 }
 

@@ -21,7 +21,7 @@ inline constexpr double kMeetingRoom = 8;      // of a found place's error: so n
 struct Seen {
   Spot at;
   double value = 0;
-  SiteTree::Near near{};
+  FeatureTree::Near near{};
   bool inside = false;
 };
 
@@ -33,31 +33,31 @@ struct Found {
 
 class PlaceSearch {
  public:
-  PlaceSearch(const SiteTree& b, const SiteTree& a, const PeakBoxes& boxes, const exact::RealPoint& p,
+  PlaceSearch(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes, const exact::RealPoint& p,
               double least_value);
 
   std::optional<FarthestPlace> run();
 
  private:
-  bool in_a(Spot at, const SiteTree::Near& near) const;
-  bool in_b(Spot at, const SiteTree::Near& near) const;
+  bool in_a(Spot at, const FeatureTree::Near& near) const;
+  bool in_b(Spot at, const FeatureTree::Near& near) const;
   Seen see(Spot at, plane::Index guess) const;
-  double to_site(Spot at, plane::Index site) const { return a_.sites()[site].distance(at.x, at.y); }
+  double to_feature(Spot at, plane::Index feature) const { return a_.features()[feature].distance(at.x, at.y); }
   void record(const Seen& seen, plane::Cell cell, double error = 0);
   plane::Index start();
-  double most(const SiteBox& box, plane::Index site) const;
-  SiteBox placed(plane::Index node) const;
+  double most(const FeatureBox& box, plane::Index feature) const;
+  FeatureBox placed(plane::Index node) const;
   void walk_boundary();
-  void visit_edge(const Site& edge, plane::Index guess);
+  void visit_edge(const BoundaryFeature& edge, plane::Index guess);
   double split(const Seen& s, const Seen& t) const;
   void search_inside();
   FarthestPlace exact_vertex(const Found& f) const;
-  std::vector<Site> parts_near(Spot at, double reach) const;
-  bool is_in_b(const Found& f, const exact::RealPoint& at, double room) const;
+  std::vector<BoundaryFeature> parts_near(Spot at, double reach) const;
+  bool is_in_b(const Found& f, const exact::RealPoint& at, double tolerance) const;
   std::optional<FarthestPlace> exact_meeting(const Found& f) const;
 
-  const SiteTree &a_, &b_;
-  const PeakBoxes& boxes_;
+  const FeatureTree &a_, &b_;
+  const MaxMinBoxes& boxes_;
   const exact::RealPoint& p_;
   double px_, py_, scale_, slack_, best_;
   std::vector<Found> found_;

@@ -9,7 +9,7 @@
 #include "distance/planar/derived.h"
 #include "distance/planar/farthest.h"
 #include "distance/planar/hausdorff.h"
-#include "distance/planar_features/site_pairs.h"
+#include "distance/planar_features/feature_pair_search.h"
 #include "plane/base/real_vector.h"
 #include "plane/complex/extent.h"
 #include "plane/query/moved.h"
@@ -69,7 +69,7 @@ TDistancePointer ShapePair::diameter() const {
   auto gamma2 = distance(Which::kGamma2);
   if (!gamma2->defined()) return gamma2;
   const RealPoint origin{Real(), Real()};
-  const SiteTree a(a_), b(b_);
+  const FeatureTree a(a_), b(b_);
   return cut_off(gamma2, std::max(farthest_pair(a, a, origin).distance, farthest_pair(b, b, origin).distance));
 }
 

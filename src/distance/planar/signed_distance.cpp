@@ -54,19 +54,19 @@ RealPoint SignedDistance::seed() const {
   return base_.geometry.exact(base_.vertices[0].point);
 }
 
-std::vector<NearFront> SignedDistance::fronts(const RealPoint& p, double room) const {
+std::vector<NearLevelCurve> SignedDistance::fronts(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
   Mark at = mark_of(base_, locate(base_, p));
-  std::vector<NearFront> out;
+  std::vector<NearLevelCurve> out;
   for (int sign : {-1, 1}) {
     // Outside the distance to marks <= 0 counts, inside minus that to marks >= 0.
     if (at * sign < 0) continue;
-    auto all = distance::sites(base_, [sign](Mark m) { return m * sign <= 0; });
+    auto all = distance::features(base_, [sign](Mark m) { return m * sign <= 0; });
     double least = std::numeric_limits<double>::infinity();
-    for (const Site& s : all) least = std::min(least, s.distance(x, y));
-    for (const Site& s : all) {
+    for (const BoundaryFeature& s : all) least = std::min(least, s.distance(x, y));
+    for (const BoundaryFeature& s : all) {
       double gap = s.distance(x, y) - least;
-      if (gap <= room) out.push_back({near_front(base_, s, x, y, sign), gap});
+      if (gap <= tolerance) out.push_back({near_level_curve(base_, s, x, y, sign), gap});
     }
   }
   return out;

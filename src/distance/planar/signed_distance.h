@@ -13,7 +13,7 @@
 
 #include <optional>
 
-#include "distance/planar_features/sites.h"
+#include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/t_distance.h"
 #include "plane/offset/level.h"
 #include "plane/query/nearest.h"
@@ -38,7 +38,7 @@ class SignedDistance : public TDistance {
   /// f at a position; nothing if undefined.
   std::optional<Value> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
-  std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const override;
+  std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
   /// 0: the least level of sets without interior.
   std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
 

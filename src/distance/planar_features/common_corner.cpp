@@ -16,37 +16,37 @@ using plane::Region;
 
 namespace {
 
-constexpr double kRoom = 0x1p-44;  // of the coordinates: more than doubles lose
+constexpr double kTolerance = 0x1p-44;  // of the coordinates: more than doubles lose
 
 /// +1 where the place is above the edge, whose ends lie on both sides of it, -1 below; 0 where numbers cannot tell.
-int height(const Region& r, Index edge, double x, double y, double room) {
+int height(const Region& r, Index edge, double x, double y, double tolerance) {
   const Edge& e = r.edges[edge];
   const exact::Point &p = r.point(e.v0), &q = r.point(e.v1);
-  room += p.error + q.error;
+  tolerance += p.error + q.error;
   if (e.half == 0) {
     const double low = std::min(p.y, q.y), high = std::max(p.y, q.y);
-    if (y > high + room) return 1;
-    if (y < low - room) return -1;
+    if (y > high + tolerance) return 1;
+    if (y < low - tolerance) return -1;
     const double ahead = (q.x - p.x) * (y - p.y), up = (q.y - p.y) * (x - p.x), width = q.x - p.x + high - low;
-    if (std::abs(ahead - up) <= 4 * room * width) return 0;
+    if (std::abs(ahead - up) <= 4 * tolerance * width) return 0;
     return ahead > up ? 1 : -1;
   }
-  const exact::Carrier& k = r.carrier(edge);
+  const exact::SupportingCurve& k = r.supporting_curve(edge);
   const double dy = (y - k.y.value) * e.half, gap = std::hypot(x - k.x.value, y - k.y.value) - k.z.value;
-  const double near = 4 * (room + k.z.value * kRoom + k.x.error + k.y.error + k.z.error);
+  const double near = 4 * (tolerance + k.z.value * kTolerance + k.x.error + k.y.error + k.z.error);
   if (dy < -near || gap < -near) return -e.half;  // on the side of the chord
   return dy > near && gap > near ? e.half : 0;
 }
 
 /// The place lies in an open face of the set: 1, outside: 0; or -1.
-int side(const Region& r, double x, double y, double room) {
+int side(const Region& r, double x, double y, double tolerance) {
   bool inside = r.faces[0].mark > 0;
   for (Index e = 0; e < r.edges.size(); ++e) {
     const exact::Point &p = r.point(r.edges[e].v0), &q = r.point(r.edges[e].v1);
-    const double left = p.error + room, right = q.error + room;
+    const double left = p.error + tolerance, right = q.error + tolerance;
     if (x < p.x - left || x > q.x + right) continue;
     if (x <= p.x + left || x >= q.x - right) return -1;
-    const int above = height(r, e, x, y, room);
+    const int above = height(r, e, x, y, tolerance);
     if (above == 0) return -1;
     const auto within = [&](Index h) { return r.faces[r.face(h)].mark > 0; };
     if (above < 0 && within(2 * e) != within(2 * e + 1)) inside = !inside;
@@ -61,11 +61,16 @@ Boxed::Boxed(const Region& r) : region(r) {
   double x0 = kFar, y0 = kFar, x1 = -kFar, y1 = -kFar;
   for (const plane::Vertex& v : region.vertices) {
     const exact::Point& p = region.geometry.points[v.point];
-    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+    x0 = std::min(x0, p.x);
+    x1 = std::max(x1, p.x);
+    y0 = std::min(y0, p.y);
+    y1 = std::max(y1, p.y);
   }
   if (x0 > x1) return;
-  half_width = (x1 - x0) / 2, half_height = (y1 - y0) / 2;
-  x = x0 + half_width, y = y0 + half_height;
+  half_width = (x1 - x0) / 2;
+  half_height = (y1 - y0) / 2;
+  x = x0 + half_width;
+  y = y0 + half_height;
   scale += std::max({std::abs(x0), std::abs(x1), std::abs(y0), std::abs(y1)});
 }
 
@@ -80,12 +85,15 @@ std::optional<Index> vertex_within(const Boxed& of, const Boxed& in, double dx, 
     if (of.region.vertices[v].mark <= 0) continue;
     const exact::Point& p = of.region.point(v);
     const double x = p.x + shift_x, y = p.y + shift_y, squared = x * x + y * y;
-    if (squared < least) least = squared, best = v;
+    if (squared < least) {
+      least = squared;
+      best = v;
+    }
   }
   if (best == kNone) return std::nullopt;
   const exact::Point& p = of.region.point(best);
-  const double room = (of.scale + in.scale + std::abs(dx) + std::abs(dy)) * kRoom + p.error;
-  return side(in.region, p.x + dx, p.y + dy, room) == 1 ? std::optional(best) : std::nullopt;
+  const double tolerance = (of.scale + in.scale + std::abs(dx) + std::abs(dy)) * kTolerance + p.error;
+  return side(in.region, p.x + dx, p.y + dy, tolerance) == 1 ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace findspace::distance

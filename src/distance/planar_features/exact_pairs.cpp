@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/planar_features/sites.h"
+#include "distance/planar_features/boundary_features.h"
 
 namespace findspace::distance {
 
@@ -31,7 +31,7 @@ Centre centre(const Region& r, Cell cell, const RealPoint& by) {
     RealPoint at = r.geometry.exact(r.vertices[cell.index].point);
     return {{at.x + by.x, at.y + by.y}, Real()};
   }
-  const exact::Carrier& k = r.carrier(cell.index);
+  const exact::SupportingCurve& k = r.supporting_curve(cell.index);
   return {{k.center_x() + by.x, k.center_y() + by.y}, k.w};
 }
 
@@ -42,10 +42,10 @@ RealPoint towards(const Centre& from, const Real& dx, const Real& dy, const Real
   return {from.at.x + dx * length / d, from.at.y + dy * length / d};
 }
 
-/// Foot of the perpendicular from the centre (radius 0 or less than the distance) on an edge moved by `by`, if it lies
-/// there.
-std::optional<SitePair> line_pair(const Region& lines, Index edge, const RealPoint& by, const Centre& c) {
-  const exact::Carrier& k = lines.carrier(edge);
+/// Projection of the perpendicular from the centre (radius 0 or less than the distance) on an edge moved by `by`, if it
+/// lies there.
+std::optional<FeaturePair> line_pair(const Region& lines, Index edge, const RealPoint& by, const Centre& c) {
+  const exact::SupportingCurve& k = lines.supporting_curve(edge);
   Real a(k.a), b(k.b), x = c.at.x - by.x, y = c.at.y - by.y;
   auto along = [&](Index v) {
     RealPoint end = lines.geometry.exact(lines.vertices[v].point);
@@ -54,16 +54,16 @@ std::optional<SitePair> line_pair(const Region& lines, Index edge, const RealPoi
   if (along(lines.edges[edge].v0) * along(lines.edges[edge].v1) > 0) return std::nullopt;
   Real n2 = a * a + b * b, h = a * x + b * y - k.offset();
   Real d = abs(h) / sqrt(n2);
-  RealPoint foot{c.at.x - a * h / n2, c.at.y - b * h / n2};
-  SitePair out{d - c.radius, foot, c.at, {}, {}};
-  if (c.radius.sign() != 0) out.second = towards(c, foot.x - c.at.x, foot.y - c.at.y, d, c.radius);
+  RealPoint projection{c.at.x - a * h / n2, c.at.y - b * h / n2};
+  FeaturePair out{d - c.radius, projection, c.at, {}, {}};
+  if (c.radius.sign() != 0) out.second = towards(c, projection.x - c.at.x, projection.y - c.at.y, d, c.radius);
   return out;
 }
 
 /// The nearest points of two circles that lie apart, or one inside the other; or the farthest points.
 enum class Between { kApart, kInside, kFar };
 
-SitePair centre_pair(const Centre& f, const Centre& g, Between how) {
+FeaturePair centre_pair(const Centre& f, const Centre& g, Between how) {
   Real dx = g.at.x - f.at.x, dy = g.at.y - f.at.y, d = sqrt(dx * dx + dy * dy);
   if (how == Between::kFar)
     return {d + f.radius + g.radius, towards(f, dx, dy, d, -f.radius), towards(g, dx, dy, d, g.radius), {}, {}};
@@ -79,15 +79,16 @@ SitePair centre_pair(const Centre& f, const Centre& g, Between how) {
 bool is_on_arc(const Region& r, Cell arc, const RealPoint& by, const RealPoint& at) {
   const plane::Edge& e = r.edges[arc.index];
   const auto x_of = [&](Index v) { return r.geometry.exact(r.vertices[v].point).x + by.x; };
-  return (at.y - r.carrier(arc.index).center_y() - by.y).sign() * e.half >= 0 && at.x >= x_of(e.v0) &&
+  return (at.y - r.supporting_curve(arc.index).center_y() - by.y).sign() * e.half >= 0 && at.x >= x_of(e.v0) &&
          at.x <= x_of(e.v1);
 }
 
 }  // namespace
 
-std::optional<SitePair> exact_pair(const Region& a, const Region& b, const RealPoint& p, const Candidate& k, bool far) {
+std::optional<FeaturePair> exact_pair(const Region& a, const Region& b, const RealPoint& p, const Candidate& k,
+                                      bool far) {
   const RealPoint origin{Real(), Real()};
-  SitePair out;
+  FeaturePair out;
   if (is_line(a, k.first)) {
     auto found = line_pair(a, k.first.index, origin, centre(b, k.second, p));
     if (!found) return std::nullopt;
@@ -112,14 +113,15 @@ std::optional<SitePair> exact_pair(const Region& a, const Region& b, const RealP
         return std::nullopt;
     }
   }
-  out.first_cell = k.first, out.second_cell = k.second;
+  out.first_cell = k.first;
+  out.second_cell = k.second;
   return out;
 }
 
-std::optional<SitePair> exact_pair(const Region& a, Cell cell, const RealPoint& at) {
+std::optional<FeaturePair> exact_pair(const Region& a, Cell cell, const RealPoint& at) {
   const RealPoint origin{Real(), Real()};
   const Centre place{at, Real()};
-  std::optional<SitePair> out;
+  std::optional<FeaturePair> out;
   if (is_line(a, cell)) {
     out = line_pair(a, cell.index, origin, place);
   } else {
@@ -133,8 +135,8 @@ std::optional<SitePair> exact_pair(const Region& a, Cell cell, const RealPoint& 
 }
 
 /// The common point of two straight edges that cross.
-SitePair crossing(const Region& a, const Region& b, Cell s, Cell t, const RealPoint& p) {
-  const exact::Carrier &f = a.carrier(s.index), &g = b.carrier(t.index);
+FeaturePair crossing(const Region& a, const Region& b, Cell s, Cell t, const RealPoint& p) {
+  const exact::SupportingCurve &f = a.supporting_curve(s.index), &g = b.supporting_curve(t.index);
   Real c = f.offset(), d = g.offset() + Real(g.a) * p.x + Real(g.b) * p.y;
   Real n(exact::int128(f.a) * g.b - exact::int128(f.b) * g.a);
   RealPoint at{(c * Real(g.b) - d * Real(f.b)) / n, (Real(f.a) * d - Real(g.a) * c) / n};

@@ -12,7 +12,7 @@
 
 namespace findspace::distance {
 
-struct SitePair {
+struct FeaturePair {
   exact::Real distance;
   exact::RealPoint first, second;       // the points, of A and of B + p
   plane::Cell first_cell, second_cell;  // vertices or edges of A and of B
@@ -24,15 +24,15 @@ struct Candidate {
   plane::Cell first, second;
 };
 
-/// The nearest (or farthest, if `far`) points of two features, of B moved by p. Nothing where a foot is not on its
-/// edge.
-std::optional<SitePair> exact_pair(const plane::Region& a, const plane::Region& b, const exact::RealPoint& p,
-                                   const Candidate& k, bool far);
+/// The nearest (or farthest, if `far`) points of two features, of B moved by p. Nothing where a projection is not on
+/// its edge.
+std::optional<FeaturePair> exact_pair(const plane::Region& a, const plane::Region& b, const exact::RealPoint& p,
+                                      const Candidate& k, bool far);
 /// The point of a vertex or an edge of A nearest to a place (`second`); on an arc in the direction of the place.
-/// Nothing where the foot is not on the edge.
-std::optional<SitePair> exact_pair(const plane::Region& a, plane::Cell cell, const exact::RealPoint& at);
+/// Nothing where the projection is not on the edge.
+std::optional<FeaturePair> exact_pair(const plane::Region& a, plane::Cell cell, const exact::RealPoint& at);
 /// The common point of two straight edges that cross.
-SitePair crossing(const plane::Region& a, const plane::Region& b, plane::Cell s, plane::Cell t,
-                  const exact::RealPoint& p);
+FeaturePair crossing(const plane::Region& a, const plane::Region& b, plane::Cell s, plane::Cell t,
+                     const exact::RealPoint& p);
 
 }  // namespace findspace::distance

@@ -11,47 +11,55 @@
 #include <cmath>
 #include <limits>
 
+#include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/exact_pairs.h"
-#include "distance/planar_features/sites.h"
 
 namespace findspace::distance {
 
 inline constexpr double kPairMeets = 0x1p-40;  // of the size of the coordinates: what is closer may be one point
 
-/// A site seen as what its end points and its inside are; moved to its place.
+/// A feature seen as what its end points and its inside are; moved to its place.
 struct Placed {
-  Site s;
+  BoundaryFeature s;
   std::array<plane::Index, 2> vertex;  // equal for an isolated vertex
 };
 
-inline Placed placed(const plane::Region& r, const Site& site, double px, double py) {
-  Placed out{site, {site.cell.index, site.cell.index}};
-  if (!site.is_vertex()) out.vertex = {r.edges[site.cell.index].v0, r.edges[site.cell.index].v1};
-  Site& s = out.s;
-  s.x0 += px, s.x1 += px, s.cx += px, s.y0 += py, s.y1 += py, s.cy += py;
+inline Placed placed(const plane::Region& r, const BoundaryFeature& feature, double px, double py) {
+  Placed out{feature, {feature.cell.index, feature.cell.index}};
+  if (!feature.is_vertex()) out.vertex = {r.edges[feature.cell.index].v0, r.edges[feature.cell.index].v1};
+  BoundaryFeature& s = out.s;
+  s.x0 += px;
+  s.x1 += px;
+  s.cx += px;
+  s.y0 += py;
+  s.y1 += py;
+  s.cy += py;
   return out;
 }
 
 inline double cross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
-/// They cross, the ends of each further than `room` from the line of the other.
-inline bool segments_cross(const Site& s, const Site& t, double room) {
+/// They cross, the ends of each further than `tolerance` from the line of the other.
+inline bool segments_cross(const BoundaryFeature& s, const BoundaryFeature& t, double tolerance) {
   double dx = s.x1 - s.x0, dy = s.y1 - s.y0, ex = t.x1 - t.x0, ey = t.y1 - t.y0;
   double a = cross(dx, dy, t.x0 - s.x0, t.y0 - s.y0), b = cross(dx, dy, t.x1 - s.x0, t.y1 - s.y0);
   double c = cross(ex, ey, s.x0 - t.x0, s.y0 - t.y0), d = cross(ex, ey, s.x1 - t.x0, s.y1 - t.y0);
   if ((a > 0) == (b > 0) || (c > 0) == (d > 0)) return false;
-  double wide = plain_length(dx, dy) * room, high = plain_length(ex, ey) * room;
+  double wide = plain_length(dx, dy) * tolerance, high = plain_length(ex, ey) * tolerance;
   return std::min(std::abs(a), std::abs(b)) > wide && std::min(std::abs(c), std::abs(d)) > high;
 }
 
-/// Within `room` of the site, for a place on its line or circle.
-inline bool is_on(const Site& s, double x, double y, double room) { return s.distance(x, y) <= room; }
+/// Within `tolerance` of the feature, for a place on its line or circle.
+inline bool is_on(const BoundaryFeature& s, double x, double y, double tolerance) {
+  return s.distance(x, y) <= tolerance;
+}
 
-/// The first place where an arc and another site meet or seem to that `wanted(x, y)` takes.
+/// The first place where an arc and another feature meet or seem to that `wanted(x, y)` takes.
 template <class Wanted>
-std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const Site& other, double room, Wanted&& wanted) {
+std::optional<std::array<double, 2>> arc_meeting(const BoundaryFeature& arc, const BoundaryFeature& other,
+                                                 double tolerance, Wanted&& wanted) {
   if (other.is_vertex()) {
-    const bool on = is_on(arc, other.x0, other.y0, room) && wanted(other.x0, other.y0);
+    const bool on = is_on(arc, other.x0, other.y0, tolerance) && wanted(other.x0, other.y0);
     return on ? std::optional(std::array{other.x0, other.y0}) : std::nullopt;
   }
   double ux, uy, fx, fy, h2;
@@ -59,18 +67,23 @@ std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const Site& ot
     double dx = other.cx - arc.cx, dy = other.cy - arc.cy, d = plain_length(dx, dy);
     if (d == 0) return std::nullopt;
     double along = (d * d + arc.r * arc.r - other.r * other.r) / (2 * d);
-    ux = -dy / d, uy = dx / d, fx = arc.cx + along * dx / d, fy = arc.cy + along * dy / d,
+    ux = -dy / d;
+    uy = dx / d;
+    fx = arc.cx + along * dx / d;
+    fy = arc.cy + along * dy / d;
     h2 = arc.r * arc.r - along * along;
   } else {
     double dx = other.x1 - other.x0, dy = other.y1 - other.y0, n = plain_length(dx, dy);
-    ux = dx / n, uy = dy / n;
+    ux = dx / n;
+    uy = dy / n;
     double t = (arc.cx - other.x0) * ux + (arc.cy - other.y0) * uy;
-    fx = other.x0 + t * ux, fy = other.y0 + t * uy;
+    fx = other.x0 + t * ux;
+    fy = other.y0 + t * uy;
     double off = plain_length(fx - arc.cx, fy - arc.cy);
     h2 = (arc.r - off) * (arc.r + off);
   }
-  if (h2 < -room * arc.r) return std::nullopt;
-  double h = std::sqrt(std::max(0.0, h2)), wide = room + std::sqrt(room * arc.r) * (h2 < room * arc.r);
+  if (h2 < -tolerance * arc.r) return std::nullopt;
+  double h = std::sqrt(std::max(0.0, h2)), wide = tolerance + std::sqrt(tolerance * arc.r) * (h2 < tolerance * arc.r);
   for (double side : {-h, h}) {
     const double x = fx + side * ux, y = fy + side * uy;
     if (is_on(arc, x, y, wide) && is_on(other, x, y, wide) && wanted(x, y)) return std::array{x, y};
@@ -78,15 +91,16 @@ std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const Site& ot
   return std::nullopt;
 }
 
-inline std::optional<std::array<double, 2>> arc_meeting(const Site& arc, const Site& other, double room) {
-  return arc_meeting(arc, other, room, [](double, double) { return true; });
+inline std::optional<std::array<double, 2>> arc_meeting(const BoundaryFeature& arc, const BoundaryFeature& other,
+                                                        double tolerance) {
+  return arc_meeting(arc, other, tolerance, [](double, double) { return true; });
 }
 
-/// Two edges cross, and still do when one is moved by `room`: within reach of the place where they meet, short of all
-/// ends, both bend by less than an eighth of what they part. `slack`: what the place may be off.
-inline bool edges_cross(const Site& s, const Site& t, double room, double slack) {
-  if (!s.arc && !t.arc) return segments_cross(s, t, room + slack);
-  const auto tangent = [](const Site& e, double x, double y) {
+/// Two edges cross, and still do when one is moved by `tolerance`: within reach of the place where they meet, short of
+/// all ends, both bend by less than an eighth of what they part. `slack`: what the place may be off.
+inline bool edges_cross(const BoundaryFeature& s, const BoundaryFeature& t, double tolerance, double slack) {
+  if (!s.arc && !t.arc) return segments_cross(s, t, tolerance + slack);
+  const auto tangent = [](const BoundaryFeature& e, double x, double y) {
     const double dx = e.arc ? e.cy - y : e.x1 - e.x0, dy = e.arc ? x - e.cx : e.y1 - e.y0, n = plain_length(dx, dy);
     return std::array{dx / n, dy / n};
   };
@@ -94,25 +108,25 @@ inline bool edges_cross(const Site& s, const Site& t, double room, double slack)
     const auto u = tangent(s, x, y), v = tangent(t, x, y);
     const double sine = std::abs(cross(u[0], u[1], v[0], v[1]));
     double reach = std::numeric_limits<double>::infinity();
-    for (const Site* e : {&s, &t}) {
+    for (const BoundaryFeature* e : {&s, &t}) {
       reach = std::min({reach, plain_length(x - e->x0, y - e->y0), plain_length(x - e->x1, y - e->y1)});
       if (e->arc) reach = std::min(reach, e->r * sine / 4);
     }
-    return reach * sine / 2 > room + slack + slack / sine;
+    return reach * sine / 2 > tolerance + slack + slack / sine;
   };
   return (s.arc ? arc_meeting(s, t, slack, wanted) : arc_meeting(t, s, slack, wanted)).has_value();
 }
 
-inline bool may_meet(const Site& s, const Site& t, double room) {
-  if (s.arc) return arc_meeting(s, t, room).has_value();
-  if (t.arc) return arc_meeting(t, s, room).has_value();
+inline bool may_meet(const BoundaryFeature& s, const BoundaryFeature& t, double tolerance) {
+  if (s.arc) return arc_meeting(s, t, tolerance).has_value();
+  if (t.arc) return arc_meeting(t, s, tolerance).has_value();
   return !s.is_vertex() && !t.is_vertex() && segments_cross(s, t, 0);
 }
 
-/// Calls take(candidate) for the pairs of features of two sites that can be nearest.
+/// Calls take(candidate) for the pairs of features of two features that can be nearest.
 template <class Take>
 void nearest_features(const Placed& p, const Placed& q, Take&& take) {
-  const Site &s = p.s, &t = q.s;
+  const BoundaryFeature &s = p.s, &t = q.s;
   for (int i = 0; i < (s.is_vertex() ? 1 : 2); ++i) {
     double x = i ? s.x1 : s.x0, y = i ? s.y1 : s.y0;
     for (int k = 0; k < (t.is_vertex() ? 1 : 2); ++k)
@@ -126,15 +140,15 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
   if (s.arc && t.arc) {
     double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
     if (d == 0) return;
-    double room = (s.r + t.r) * kPairMeets;  // circles that touch may seem to cross
-    if (d > s.r + t.r - room && s.has_direction(dx, dy) && t.has_direction(-dx, -dy))
+    double tolerance = (s.r + t.r) * kPairMeets;  // circles that touch may seem to cross
+    if (d > s.r + t.r - tolerance && s.has_direction(dx, dy) && t.has_direction(-dx, -dy))
       take(Candidate{std::abs(d - s.r - t.r), s.cell, t.cell});
     double turn = s.r > t.r ? 1 : -1;
-    if (d < std::abs(s.r - t.r) + room && s.has_direction(turn * dx, turn * dy) &&
+    if (d < std::abs(s.r - t.r) + tolerance && s.has_direction(turn * dx, turn * dy) &&
         t.has_direction(turn * dx, turn * dy))
       take(Candidate{std::abs(std::abs(s.r - t.r) - d), s.cell, t.cell});
   } else if ((s.arc && !t.is_vertex()) || (t.arc && !s.is_vertex())) {
-    const Site &arc = s.arc ? s : t, &line = s.arc ? t : s;
+    const BoundaryFeature &arc = s.arc ? s : t, &line = s.arc ? t : s;
     double dx = line.x1 - line.x0, dy = line.y1 - line.y0,
            at = ((arc.cx - line.x0) * dx + (arc.cy - line.y0) * dy) / (dx * dx + dy * dy);
     double fx = line.x0 + at * dx - arc.cx, fy = line.y0 + at * dy - arc.cy, d = plain_length(fx, fy);
@@ -147,7 +161,7 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
 inline constexpr double kOneCentre = 0x1p-46;  // of the coordinates, no sign: exact_pair decides
 
 /// Points of both arcs lie opposite each other, seen from a common centre.
-inline bool are_opposite(const Site& s, const Site& t) {
+inline bool are_opposite(const BoundaryFeature& s, const BoundaryFeature& t) {
   const double low = std::max((s.x0 - s.cx) / s.r, (t.cx - t.x1) / t.r),
                high = std::min((s.x1 - s.cx) / s.r, (t.cx - t.x0) / t.r);
   return s.half != t.half && low <= high;
@@ -156,7 +170,7 @@ inline bool are_opposite(const Site& s, const Site& t) {
 /// Of arcs about one centre the farthest points are ends of one or of both.
 template <class Take>
 void farthest_features(const Placed& p, const Placed& q, Take&& take) {
-  const Site &s = p.s, &t = q.s;
+  const BoundaryFeature &s = p.s, &t = q.s;
   for (int i = 0; i < (s.is_vertex() ? 1 : 2); ++i) {
     double x = i ? s.x1 : s.x0, y = i ? s.y1 : s.y0;
     for (int k = 0; k < (t.is_vertex() ? 1 : 2); ++k)

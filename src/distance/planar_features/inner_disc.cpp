@@ -18,24 +18,24 @@ struct Cell {
   bool operator<(const Cell& o) const { return most < o.most; }  // the most promising on top
 };
 
-Cell cell(const SiteTree& tree, double x, double y, double half) {
+Cell cell(const FeatureTree& tree, double x, double y, double half) {
   double depth = depth_in(tree, x, y).value_or(0);
   return {x, y, half, depth, depth + half * std::sqrt(2.0)};
 }
 
 }  // namespace
 
-std::optional<double> depth_in(const SiteTree& tree, double x, double y) {
+std::optional<double> depth_in(const FeatureTree& tree, double x, double y) {
   auto near = tree.nearest(x, y);
   auto inside = tree.contains(x, y, near);
   if (!inside) return std::nullopt;
   return *inside ? near.distance : -near.distance;
 }
 
-InnerDisc inner_disc(const SiteTree& tree) {
+InnerDisc inner_disc(const FeatureTree& tree) {
   InnerDisc best;
   if (tree.empty()) return best;
-  const SiteBox& box = tree.nodes()[0].box;
+  const FeatureBox& box = tree.nodes()[0].box;
   std::priority_queue<Cell> cells;
   cells.push(cell(tree, (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, std::max(box.x1 - box.x0, box.y1 - box.y0) / 2));
   for (int k = 0; k < kMostCells && !cells.empty(); ++k) {

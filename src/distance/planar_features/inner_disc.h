@@ -6,7 +6,7 @@
 // some hundred point queries at most. Keywords: pole of inaccessibility, inscribed circle.
 #pragma once
 
-#include "distance/planar_features/site_tree.h"
+#include "distance/planar_features/feature_tree.h"
 
 namespace findspace::distance {
 
@@ -14,9 +14,9 @@ struct InnerDisc {
   double x = 0, y = 0, radius = 0;  // 0: none found
 };
 
-InnerDisc inner_disc(const SiteTree& tree);
+InnerDisc inner_disc(const FeatureTree& tree);
 
 /// How deep a place lies in a set, negative outside; nothing where numbers cannot tell.
-std::optional<double> depth_in(const SiteTree& tree, double x, double y);
+std::optional<double> depth_in(const FeatureTree& tree, double x, double y);
 
 }  // namespace findspace::distance

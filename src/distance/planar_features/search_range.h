@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "distance/planar_features/sites.h"
+#include "distance/planar_features/boundary_features.h"
 
 namespace findspace::distance {
 
@@ -21,37 +21,38 @@ struct SearchRange {
   using List = std::vector<plane::Index>;
 
   double bound = 0;
-  int edge = -1;                          // of the sites of B, or a box
+  int edge = -1;                          // of the features of B, or a box
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // box
   double t0 = 0, t1 = 1;                  // part of the edge
   List a, b;                              // parts of A's boundary; parts of B's (boxes only)
   bool operator<(const SearchRange& other) const { return bound < other.bound; }
 };
 
-/// Ranges of a set whose sites are moved by (px, py).
-class MovedSites {
+/// Ranges of a set whose features are moved by (px, py).
+class MovedFeatures {
  public:
-  MovedSites(const std::vector<Site>& sites, double px, double py) : sites_(sites), px_(px), py_(py) {}
+  MovedFeatures(const std::vector<BoundaryFeature>& features, double px, double py)
+      : features_(features), px_(px), py_(py) {}
 
-  const Site& operator[](std::size_t k) const { return sites_[k]; }
-  std::size_t size() const { return sites_.size(); }
+  const BoundaryFeature& operator[](std::size_t k) const { return features_[k]; }
+  std::size_t size() const { return features_.size(); }
   /// A point of the moved edge.
   Spot on_edge(int edge, double t) const;
   /// At least the length of the part.
   double length(const SearchRange& part) const;
   /// At least the greatest distance of a point of the range from the nearest of its parts of A.
-  double bound(const SearchRange& r, const std::vector<Site>& a) const;
+  double bound(const SearchRange& r, const std::vector<BoundaryFeature>& a) const;
   /// The places inside a part of an edge where the distance to one part of A can be greatest.
-  std::vector<Spot> peaks(const SearchRange& part, const Site& a) const;
+  std::vector<Spot> max_mins(const SearchRange& part, const BoundaryFeature& a) const;
 
  private:
   std::vector<Spot> hull(const SearchRange& r) const;
-  Site arc_part(const SearchRange& part) const;
+  BoundaryFeature arc_part(const SearchRange& part) const;
   double farthest(const SearchRange& r, const std::vector<Spot>& hull, double x, double y) const;
   double nearest(const SearchRange& r, const std::vector<Spot>& hull, double x, double y) const;
-  double most(const Site& s, const SearchRange& r, const std::vector<Spot>& hull) const;
+  double most(const BoundaryFeature& s, const SearchRange& r, const std::vector<Spot>& hull) const;
 
-  const std::vector<Site>& sites_;
+  const std::vector<BoundaryFeature>& features_;
   double px_, py_;
 };
 

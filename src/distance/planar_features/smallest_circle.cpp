@@ -46,8 +46,10 @@ Round around(Points& points) {
   Round best;
   const auto offer = [&](const Round& c, const Points& on) {
     if (c.r < 0 || (best.r >= 0 && c.r >= best.r)) return;
-    if (std::all_of(points.begin(), points.end(), [&](const auto& p) { return c.holds(p); }))
-      best = c, best.through = on;
+    if (std::all_of(points.begin(), points.end(), [&](const auto& p) { return c.holds(p); })) {
+      best = c;
+      best.through = on;
+    }
   };
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -59,8 +61,8 @@ Round around(Points& points) {
   return best;
 }
 
-/// The point of the site farthest from (x, y).
-std::array<double, 2> farthest_point(const Site& s, double x, double y) {
+/// The point of the feature farthest from (x, y).
+std::array<double, 2> farthest_point(const BoundaryFeature& s, double x, double y) {
   const double dx = s.cx - x, dy = s.cy - y, d = plain_length(dx, dy);
   if (s.arc && d > 0 && s.has_direction(dx, dy)) return {s.cx + s.r * dx / d, s.cy + s.r * dy / d};
   if (plain_length(s.x0 - x, s.y0 - y) >= plain_length(s.x1 - x, s.y1 - y)) return {s.x0, s.y0};
@@ -68,13 +70,14 @@ std::array<double, 2> farthest_point(const Site& s, double x, double y) {
 }
 
 /// The circle to rounding.
-Round rounded(std::span<const Site> sites) {
-  Points points{{sites[0].x0, sites[0].y0}};
-  Round c{sites[0].x0, sites[0].y0, 0, points};
+Round rounded(std::span<const BoundaryFeature> features) {
+  Points points{{features[0].x0, features[0].y0}};
+  Round c{features[0].x0, features[0].y0, 0, points};
   for (int round = 0; round < kMostRounds; ++round) {
-    const auto far = std::max_element(sites.begin(), sites.end(), [&](const Site& s, const Site& t) {
-      return s.farthest(c.x, c.y) < t.farthest(c.x, c.y);
-    });
+    const auto far =
+        std::max_element(features.begin(), features.end(), [&](const BoundaryFeature& s, const BoundaryFeature& t) {
+          return s.farthest(c.x, c.y) < t.farthest(c.x, c.y);
+        });
     const auto p = farthest_point(*far, c.x, c.y);
     if (c.holds(p)) break;
     points.push_back(p);
@@ -89,15 +92,15 @@ Real cross(const RealPoint& u, const RealPoint& v) { return u.x * v.y - u.y * v.
 
 class Proof {
  public:
-  Proof(const plane::Region& set, std::span<const Site> sites, const Round& about)
-      : set_(set), sites_(sites), about_(about) {
-    for (const Site& s : sites)
+  Proof(const plane::Region& set, std::span<const BoundaryFeature> features, const Round& about)
+      : set_(set), features_(features), about_(about) {
+    for (const BoundaryFeature& s : features)
       if (s.farthest(about.x, about.y) > about.r - kSame * size()) touching_.push_back(&s);
     // Those where the rounded circle touches first.
     std::stable_sort(touching_.begin(), touching_.end(),
-                     [&](const Site* s, const Site* t) { return off_touch(*s) < off_touch(*t); });
+                     [&](const BoundaryFeature* s, const BoundaryFeature* t) { return off_touch(*s) < off_touch(*t); });
     if (touching_.size() > kMostTouching) touching_.resize(kMostTouching);
-    for (const Site* s : touching_) fronts_.push_back(far_front(set, *s));
+    for (const BoundaryFeature* s : touching_) fronts_.push_back(far_level_curve(set, *s));
   }
 
   std::optional<Circle> run() const {
@@ -115,7 +118,7 @@ class Proof {
   double size() const { return about_.r + std::abs(about_.x) + std::abs(about_.y); }
   bool near(double a, double b) const { return std::abs(a - b) <= kSame * size(); }
 
-  double off_touch(const Site& s) const {
+  double off_touch(const BoundaryFeature& s) const {
     const auto far = farthest_point(s, about_.x, about_.y);
     double least = exact::kInfinity;
     for (const auto& p : about_.through) least = std::min(least, plain_length(p[0] - far[0], p[1] - far[1]));
@@ -134,11 +137,11 @@ class Proof {
   }
 
   /// The arc has a point at the greatest distance from the centre.
-  bool reaches(const Site& s, const RealPoint& off) const {
+  bool reaches(const BoundaryFeature& s, const RealPoint& off) const {
     if (s.is_vertex() || (off.x.sign() == 0 && off.y.sign() == 0)) return true;
     // The direction from the arc's own centre to that point is `off`: in the arc's half, between its ends.
     const plane::Edge& e = set_.edges[s.cell.index];
-    const exact::Carrier& k = set_.carrier(s.cell.index);
+    const exact::SupportingCurve& k = set_.supporting_curve(s.cell.index);
     const RealPoint first = set_.geometry.exact(set_.vertices[e.v0].point),
                     second = set_.geometry.exact(set_.vertices[e.v1].point);
     if (off.y.sign() * s.half < 0) return false;
@@ -162,34 +165,34 @@ class Proof {
 
   /// Nothing of C is outside the circle.
   bool holds_all(const Circle& c, const std::vector<std::size_t>& made_of) const {
-    for (std::size_t k = 0; k < sites_.size(); ++k) {
-      const Site& s = sites_[k];
+    for (std::size_t k = 0; k < features_.size(); ++k) {
+      const BoundaryFeature& s = features_[k];
       const auto is = [&](std::size_t m) { return touching_[m] == &s; };
       if (std::any_of(made_of.begin(), made_of.end(), is)) continue;
       if (s.farthest(about_.x, about_.y) < about_.r - kInside * size()) continue;
-      const Front f = far_front(set_, s);
+      const LevelCurve f = far_level_curve(set_, s);
       const Real x = f.a - c.center.x, y = f.b - c.center.y;
       const auto full = [&](std::size_t m) { return same_circle(fronts_[m], f); };
       if (std::any_of(made_of.begin(), made_of.end(), full)) continue;
-      // Of an arc that does not reach the direction from the centre its ends count, which are sites.
+      // Of an arc that does not reach the direction from the centre its ends count, which are features.
       if (s.arc && !reaches(s, {x, y})) continue;
       if (compare(sqrt(x * x + y * y) - f.c, c.radius) > 0) return false;
     }
     return true;
   }
 
-  static bool same_circle(const Front& f, const Front& g) { return f.a == g.a && f.b == g.b && f.c == g.c; }
+  static bool same_circle(const LevelCurve& f, const LevelCurve& g) { return f.a == g.a && f.b == g.b && f.c == g.c; }
 
   const plane::Region& set_;
-  std::span<const Site> sites_;
+  std::span<const BoundaryFeature> features_;
   Round about_;
-  std::vector<const Site*> touching_;
-  std::vector<Front> fronts_;
+  std::vector<const BoundaryFeature*> touching_;
+  std::vector<LevelCurve> fronts_;
 };
 
 }  // namespace
 
-std::optional<Circle> smallest_circle(const plane::Region& set, std::span<const Site> vertices_and_arcs) {
+std::optional<Circle> smallest_circle(const plane::Region& set, std::span<const BoundaryFeature> vertices_and_arcs) {
   if (vertices_and_arcs.empty()) return std::nullopt;
   if (set.vertices.size() == 1 && set.edges.empty()) return Circle{set.geometry.exact(set.vertices[0].point), Real()};
   return Proof(set, vertices_and_arcs, rounded(vertices_and_arcs)).run();

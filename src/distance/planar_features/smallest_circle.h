@@ -13,7 +13,7 @@
 #include <optional>
 #include <span>
 
-#include "distance/planar_features/sites.h"
+#include "distance/planar_features/boundary_features.h"
 
 namespace findspace::distance {
 
@@ -22,6 +22,6 @@ struct Circle {
   exact::Real radius;
 };
 
-std::optional<Circle> smallest_circle(const plane::Region& set, std::span<const Site> vertices_and_arcs);
+std::optional<Circle> smallest_circle(const plane::Region& set, std::span<const BoundaryFeature> vertices_and_arcs);
 
 }  // namespace findspace::distance

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "distance/planar_features/front.h"
+#include "distance/planar_features/level_curve.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::distance {
@@ -43,8 +43,8 @@ class TDistance : public PositionFunction {
  public:
   /// A position where a search may begin.
   virtual exact::RealPoint seed() const = 0;
-  /// The fronts with a gap of at most `room` at p.
-  virtual std::vector<NearFront> fronts(const exact::RealPoint& p, double room) const = 0;
+  /// The fronts with a gap of at most `tolerance` at p.
+  virtual std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const = 0;
   /// The least value and the only position that has it, where the family can tell by itself.
   struct Lowest {
     exact::Real level;

@@ -10,8 +10,8 @@
 #include <limits>
 #include <vector>
 
+#include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/point_set.h"
-#include "distance/planar_features/sites.h"
 #include "plane/base/parallel.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -34,7 +34,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Mark kPossible = 1, kCertain = 2;
 constexpr std::size_t kAtOnce = 8, kMostVertices = 200, kMostPlaces = 32;
 
-/// A value of f at a position of S; turned so that less is better.
+/// A value of f at a position of S; rotated so that less is better.
 struct Sample {
   double value = kInfinity;
   RealPoint at;
@@ -77,7 +77,7 @@ bool is_cell(const PieceBox& b) { return b.x1 - b.x0 <= 1 && b.y1 - b.y0 <= 1; }
 class Search {
  public:
   Search(const DiscRange& f, const PositionBounds& s, Sense sense, const SearchWindow& window)
-      : f_(f), s_(s), window_(window), turn_(sense == Sense::kMinimum ? 1 : -1) {}
+      : f_(f), s_(s), window_(window), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run() {
     if (plane::is_empty(s_.possible)) return {};
@@ -87,10 +87,10 @@ class Search {
   }
 
  private:
-  /// Of f turned so that less is better.
+  /// Of f rotated so that less is better.
   ValueRange range(const RealPoint& p, double r) const {
     const ValueRange v = f_(p, r);
-    return turn_ > 0 ? v : ValueRange{-v.high, -v.low};
+    return rotation_ > 0 ? v : ValueRange{-v.high, -v.low};
   }
 
   bool start() {
@@ -100,7 +100,7 @@ class Search {
         });
     const Mark outside = both.faces[0].mark;
     if (outside != 0 && !window_.worse_outside) look_outside(outside);
-    if (outside != 0 && window_.worse_outside && turn_ < 0) return false;
+    if (outside != 0 && window_.worse_outside && rotation_ < 0) return false;
     PieceBox box = window_.box;
     const auto extent = plane::extent(both);
     if (outside == 0 && extent) box = *extent;
@@ -205,10 +205,10 @@ class Search {
     Extremum e;
     if (best_.value == -kInfinity) return without_bound();
     e.proven = best_.value == kInfinity && low == kInfinity;  // undefined everywhere
-    e.bound = turn_ * low;
+    e.bound = rotation_ * low;
     if (best_.value == kInfinity) return e;
     e.exists = true;
-    e.level = Real::from_double(turn_ * best_.value);
+    e.level = Real::from_double(rotation_ * best_.value);
     places(e);
     return e;
   }
@@ -236,7 +236,7 @@ class Search {
   const DiscRange& f_;
   PositionBounds s_;
   const SearchWindow& window_;
-  int turn_;
+  int rotation_;
   Sample best_;
   double outside_ = kInfinity;
   std::size_t count_ = 0;

@@ -9,7 +9,7 @@
 #include <limits>
 #include <optional>
 
-#include "distance/planar_features/sites.h"
+#include "distance/planar_features/boundary_features.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/piece_builder.h"
@@ -30,7 +30,7 @@ Real value_at(const LinearForm& f, const RealPoint& p) { return Real(f.a) * p.x 
 /// The farthest points of an arc's circle in the direction of the form and against it, where they lie inside the arc.
 void add_arc_values(const Region& s, Index e, const LinearForm& form, std::vector<Real>& out) {
   if (form.b == 0) return;  // arcs are cut at their leftmost and rightmost points
-  const exact::Carrier& k = s.carrier(e);
+  const exact::SupportingCurve& k = s.supporting_curve(e);
   const Index from = s.vertices[s.edges[e].v0].point, to = s.vertices[s.edges[e].v1].point;
   const bool above = s.edges[e].half > 0;
   const Real along =
@@ -80,7 +80,7 @@ Region line_across(const Region& s, const LinearForm& form, const Real& value) {
     size = std::max({size, std::abs(p.x) + 2, std::abs(p.y) + 2});
   }
   for (Index e = 0; e < s.edges.size(); ++e)
-    if (s.is_arc(e)) size = std::max(size, size + 2 * s.carrier(e).z.value);
+    if (s.is_arc(e)) size = std::max(size, size + 2 * s.supporting_curve(e).z.value);
   // The coordinate along the line is the larger one of its direction (-b, a); the set lies within `size` of the origin.
   const Real reach = Real::from_double(std::ceil(size));
   const bool steep = std::abs(form.a) > std::abs(form.b);
@@ -90,12 +90,14 @@ Region line_across(const Region& s, const LinearForm& form, const Real& value) {
   };
   plane::PieceBuilder b;
   const RealPoint from = point(-reach), to = point(reach);
-  Index line = b.geometry.add(exact::Carrier::line(form.a, form.b, value));
+  Index line = b.geometry.add(exact::SupportingCurve::line(form.a, form.b, value));
   Index p = b.geometry.add_real_point(from.x, from.y), q = b.geometry.add_real_point(to.x, to.y);
   b.segment(line, p, q, b.geometry.compare_xy(p, q) < 0);
   plane::Arrangement a = plane::arrange(std::move(b.geometry), std::move(b.pieces));
   plane::Marks m;
-  m.faces.assign(a.face_count, 0), m.edges.assign(a.edge_count(), 1), m.vertices.assign(a.vertex_count(), 1);
+  m.faces.assign(a.face_count, 0);
+  m.edges.assign(a.edge_count(), 1);
+  m.vertices.assign(a.vertex_count(), 1);
   return plane::extract(a, m);
 }
 

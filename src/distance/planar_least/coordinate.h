@@ -3,7 +3,7 @@
 //
 // The least or greatest value of a linear form a*x + b*y over a set of positions, and the positions that have it:
 // points and straight edges (distances.md 4.4, 6.2); a coordinate is such a form. Guarantee: exact; attained or not is
-// told from the marks. Cost: linear in the cells, one overlay. Keywords: bottom-left, extreme point, lexicographic
+// decided from the marks. Cost: linear in the cells, one overlay. Keywords: bottom-left, extreme point, lexicographic
 // minimum, support function.
 #pragma once
 

@@ -29,11 +29,11 @@ using plane::operator*;
 
 namespace {
 
-/// Distances of two places on one line along the track, in vectors of the track.
+/// Distances of two places on one line along the direction, in vectors of the direction.
 class Lengths {
  public:
-  Lengths(const SignMap& base, const Track& track)
-      : base_(base), d_{Real(track.dx), Real(track.dy)}, square_(dot(d_, d_)), found_{Real()} {
+  Lengths(const SignMap& base, const TranslationDirection& direction)
+      : base_(base), d_{Real(direction.dx), Real(direction.dy)}, square_(dot(d_, d_)), found_{Real()} {
     for (const plane::Vertex& v : base.vertices) add_line(base.geometry.exact(v.point));
     for (Index e = 0; e < base.edges.size(); ++e) {
       if (!base.is_arc(e)) continue;
@@ -58,7 +58,7 @@ class Lengths {
   };
 
   Arc arc_of(Index e) const {
-    const exact::Carrier& k = base_.carrier(e);
+    const exact::SupportingCurve& k = base_.supporting_curve(e);
     return {{k.center_x(), k.center_y()}, k.w};
   }
 
@@ -81,12 +81,12 @@ class Lengths {
   }
 
   void add_arc_and_line(const Arc& a, Index f) {
-    const exact::Carrier& k = base_.carrier(f);
+    const exact::SupportingCurve& k = base_.supporting_curve(f);
     const RealVector normal{Real(k.a), Real(k.b)};
     const Real slope = dot(normal, d_);
     if (slope.sign() == 0) return;
-    const Real middle = k.offset() - dot(normal, a.center), room = a.radius * sqrt(dot(normal, normal));
-    for (const Real& r : {room, -room}) found_.push_back(abs((middle + r) / slope));
+    const Real middle = k.offset() - dot(normal, a.center), tolerance = a.radius * sqrt(dot(normal, normal));
+    for (const Real& r : {tolerance, -tolerance}) found_.push_back(abs((middle + r) / slope));
   }
 
   const SignMap& base_;
@@ -97,17 +97,17 @@ class Lengths {
 
 }  // namespace
 
-Extremum least_directional(const SignMap& base, const Track& track, bool farthest) {
+Extremum least_directional(const SignMap& base, const TranslationDirection& direction, bool farthest) {
   std::unique_ptr<PositionFunction> f;
   if (farthest)
-    f = std::make_unique<DirectionalFarthest>(base, track);
+    f = std::make_unique<DirectionalFarthest>(base, direction);
   else
-    f = std::make_unique<DirectionalSigned>(base, track);
+    f = std::make_unique<DirectionalSigned>(base, direction);
   Extremum e;
   if (!f->defined() || (!farthest && base.faces[0].mark < 0)) return e;
-  const Lengths lengths(base, track);
-  const Real unit =
-      sqrt(Real(track.dx) * Real(track.dx) + Real(track.dy) * Real(track.dy)) / Real(track.both_ways ? 2 : 1);
+  const Lengths lengths(base, direction);
+  const Real unit = sqrt(Real(direction.dx) * Real(direction.dx) + Real(direction.dy) * Real(direction.dy)) /
+                    Real(direction.both_ways ? 2 : 1);
   std::vector<Real> levels;
   for (const Real& l : lengths.all()) levels.push_back(farthest ? l * unit : -(l * unit));
   if (!farthest) std::reverse(levels.begin(), levels.end());

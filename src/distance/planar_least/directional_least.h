@@ -16,6 +16,6 @@
 namespace findspace::distance {
 
 /// Of DirectionalSigned, or DirectionalFarthest if `farthest`, of the same base map.
-Extremum least_directional(const plane::SignMap& base, const Track& track, bool farthest);
+Extremum least_directional(const plane::SignMap& base, const TranslationDirection& direction, bool farthest);
 
 }  // namespace findspace::distance

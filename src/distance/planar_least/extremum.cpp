@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kMostProbes = 120;
 constexpr double kMost = 0x1p44;    // no level lies beyond: coordinates are below 2^40
-constexpr double kPlace = 0x1p-42;  // of the scale: so near the best positions are told
+constexpr double kPlace = 0x1p-42;  // of the scale: so near the best positions are decided
 
 /// A number between the two with few digits.
 double simple_between(double low, double high) {
@@ -45,16 +45,16 @@ class Search {
         s_(s),
         closure_(plane::closure(s)),
         whole_(plane::is_whole(s)),
-        turn_(sense == Sense::kMinimum ? 1 : -1) {}
+        rotation_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run(const std::optional<Bracket>& known);
 
  private:
-  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, turn_); }
+  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, rotation_); }
   RealPoint start() const {
     return whole_ || closure_.vertices.empty() ? f_.seed() : closure_.geometry.exact(closure_.vertices[0].point);
   }
-  double number(const Real& level) const { return turn_ * near_value(level); }
+  double number(const Real& level) const { return rotation_ * near_value(level); }
   bool reaches(const Real& level);
   bool accept(const Real& level);
   double extent() const;
@@ -73,8 +73,8 @@ class Search {
   const Region& s_;
   Region closure_;
   bool whole_;
-  int turn_;
-  double bad_ = 0, good_ = 0, scale_ = 1;  // turned so that less is better: the extremum is in (bad, good]
+  int rotation_;
+  double bad_ = 0, good_ = 0, scale_ = 1;  // rotated so that less is better: the extremum is in (bad, good]
   CellComplex reached_;                    // of the last level that was reached
   std::vector<Real> refused_;
   std::optional<Bracket> known_;
@@ -128,11 +128,11 @@ Extremum Search::infinite(bool below) const {
 
 /// Around the extremum, from the value at some position; false where there is no bound.
 bool Search::bracket(const Real& value) {
-  good_ = turn_ * value.to_double();
+  good_ = rotation_ * value.to_double();
   scale_ = std::max(scale_, std::abs(good_));
   good_ += scale_ * 0x1p-30;
   double step = std::max(1.0, scale_ / 8);
-  for (bad_ = good_ - step; reaches(Real::from_double(turn_ * bad_)); step *= 2) {
+  for (bad_ = good_ - step; reaches(Real::from_double(rotation_ * bad_)); step *= 2) {
     bad_ = good_ - step;
     if (bad_ < -kMost) return false;
   }
@@ -143,10 +143,10 @@ bool Search::bracket(const Real& value) {
 
 /// Begins with what is known, if the level that is said to be reached is.
 bool Search::take(const Bracket& known) {
-  const double room = scale_ * 0x1p-40;  // of the numbers
-  const double good = turn_ * known.reached + room;
-  if (!reaches(Real::from_double(turn_ * good))) return false;
-  bad_ = std::min(turn_ * known.bound - room, good - 2 * room);
+  const double tolerance = scale_ * 0x1p-40;  // of the numbers
+  const double good = rotation_ * known.reached + tolerance;
+  if (!reaches(Real::from_double(rotation_ * good))) return false;
+  bad_ = std::min(rotation_ * known.bound - tolerance, good - 2 * tolerance);
   known_ = known;
   return true;
 }
@@ -164,14 +164,15 @@ bool Search::try_near(const std::vector<Real>& all, double number) {
 
 bool Search::try_candidates() {
   double low = bad_ - scale_ * 0x1p-48, high = good_ + scale_ * 0x1p-48;
-  auto all = extremum_candidates(f_, whole_ ? nullptr : &closure_, reached_, std::min(turn_ * low, turn_ * high),
-                                 std::max(turn_ * low, turn_ * high));
+  auto all =
+      extremum_candidates(f_, whole_ ? nullptr : &closure_, reached_, std::min(rotation_ * low, rotation_ * high),
+                          std::max(rotation_ * low, rotation_ * high));
   std::erase_if(all, [&](const Real& l) {
     return std::any_of(refused_.begin(), refused_.end(), [&](const Real& r) { return near_value(r) == near_value(l); });
   });
   if (all.empty()) return false;
   if (known_ && try_near(all, std::exchange(known_, std::nullopt)->reached)) return true;
-  // Candidates of one value are tried; several values are told apart by bisection first.
+  // Candidates of one value are tried; several values are decided apart by bisection first.
   double spread = std::abs(near_value(all.front()) - near_value(all.back()));
   if (spread > scale_ * 0x1p-40) return false;
   for (std::size_t k = 0; k < all.size() && k < 3; ++k) {
@@ -184,7 +185,8 @@ bool Search::try_candidates() {
 /// At the level that was accepted.
 Extremum Search::proven() {
   Extremum e;
-  e.exists = e.proven = true, e.level = level_;
+  e.exists = e.proven = true;
+  e.level = level_;
   if (value_only_) return e;
   if (!whole_) e.at = on_level(probe(level_, s_));
   e.attained = whole_ || !plane::is_empty(e.at);
@@ -194,10 +196,11 @@ Extremum Search::proven() {
 
 Extremum Search::enclosed() const {
   Extremum e;
-  e.exists = true, e.level = level_;
+  e.exists = true;
+  e.level = level_;
   if (value_only_) return e;
   const auto beyond = beyond_.interval();
-  e.bound = turn_ > 0 ? beyond.lo : beyond.hi;
+  e.bound = rotation_ > 0 ? beyond.lo : beyond.hi;
   const ComponentPoints found = one_point_a_component(reached_);
   e.within = found.within;
   e.at = point_set(found.points);
@@ -209,10 +212,11 @@ Extremum Search::enclosed() const {
 
 /// The family knows its least value, and a position of the closure of S has it.
 bool Search::take_lowest(Extremum& out) const {
-  const auto lowest = turn_ > 0 ? f_.lowest() : std::nullopt;
+  const auto lowest = rotation_ > 0 ? f_.lowest() : std::nullopt;
   if (!lowest || (!whole_ && plane::mark_of(closure_, plane::locate(closure_, lowest->at)) <= 0)) return false;
   out.exists = out.proven = true;
-  out.level = lowest->level, out.at = point_set({&lowest->at, 1});
+  out.level = lowest->level;
+  out.at = point_set({&lowest->at, 1});
   out.attained = whole_ || plane::mark_of(s_, plane::locate(s_, lowest->at)) > 0;
   return true;
 }
@@ -220,13 +224,15 @@ bool Search::take_lowest(Extremum& out) const {
 /// What was rounded at the ends of the bracket, by exact sign maps: (bad, good] holds the extremum.
 void Search::enclose() {
   const double width = std::max(good_ - bad_, scale_ * 0x1p-50);
-  while (!reaches(Real::from_double(turn_ * good_))) good_ += width;
-  for (double low = bad_; reaches(Real::from_double(turn_ * low));) low = good_ - width;
-  level_ = Real::from_double(turn_ * good_), beyond_ = Real::from_double(turn_ * bad_);
+  while (!reaches(Real::from_double(rotation_ * good_))) good_ += width;
+  for (double low = bad_; reaches(Real::from_double(rotation_ * low));) low = good_ - width;
+  level_ = Real::from_double(rotation_ * good_);
+  beyond_ = Real::from_double(rotation_ * bad_);
 }
 
 /// Where two opposite fronts meet, positions as good as the level lie as far apart as the square root of what it is
-/// off: the bracket is narrowed, past doubles, until they are told, or lie no nearer (curves and faces of best ones).
+/// off: the bracket is narrowed, past doubles, until they are decided, or lie no nearer (curves and faces of best
+/// ones).
 void Search::pin_down() {
   constexpr int kSteps = 12, kMostRounds = 10;
   double within = one_point_a_component(reached_).within;
@@ -247,7 +253,7 @@ void Search::pin_down() {
 Extremum Search::run(const std::optional<Bracket>& known) {
   value_only_ = known && known->value_only;
   if (plane::is_empty(s_) || !f_.defined()) return {};
-  if (turn_ < 0 && s_.faces[0].mark > 0) {
+  if (rotation_ < 0 && s_.faces[0].mark > 0) {
     Extremum e;
     e.unbounded = true;
     return e;
@@ -267,7 +273,7 @@ Extremum Search::run(const std::optional<Bracket>& known) {
     width = good_ - bad_;
     double least = std::max(std::abs(good_) * 0x1p-44, scale_ * 0x1p-50);
     if (width <= least) break;
-    reaches(Real::from_double(turn_ * simple_between(bad_, good_)));
+    reaches(Real::from_double(rotation_ * simple_between(bad_, good_)));
   }
   enclose();
   if (!value_only_) pin_down();

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/planar_features/bent_front.h"
+#include "distance/planar_features/curved_level_curve.h"
 #include "plane/base/union_find.h"
 
 namespace findspace::distance {
@@ -57,14 +57,15 @@ bool same(const Bend& f, const Bend& g) {
   return close(f.weight, g.weight) && close(f.t, g.t) && close(f.along, g.along) && close(f.across, g.across);
 }
 
-bool same(const Front& f, const Front& g) {
+bool same(const LevelCurve& f, const LevelCurve& g) {
   if (f.circle != g.circle || !f.bend != !g.bend) return false;
   if (f.bend && !same(*f.bend, *g.bend)) return false;
   return close(f.a, g.a) && close(f.b, g.b) && close(f.c, g.c) && close(f.k, g.k);
 }
 
-void add_new(std::vector<Front>& fronts, const Front& f, std::size_t most) {
-  if (fronts.size() < most && std::none_of(fronts.begin(), fronts.end(), [&](const Front& g) { return same(f, g); }))
+void add_new(std::vector<LevelCurve>& fronts, const LevelCurve& f, std::size_t most) {
+  if (fronts.size() < most &&
+      std::none_of(fronts.begin(), fronts.end(), [&](const LevelCurve& g) { return same(f, g); }))
     fronts.push_back(f);
 }
 
@@ -80,9 +81,9 @@ class Collector {
     for (const Event& e : all) take(e.level);
   }
   /// Where they meet.
-  void take_meetings(const std::vector<const Front*>& fronts) {
-    if (std::any_of(fronts.begin(), fronts.end(), [](const Front* f) { return f->bend != nullptr; }))
-      for (const Real& level : bent_levels(fronts, low_, high_)) take(level);
+  void take_meetings(const std::vector<const LevelCurve*>& fronts) {
+    if (std::any_of(fronts.begin(), fronts.end(), [](const LevelCurve* f) { return f->bend != nullptr; }))
+      for (const Real& level : curved_levels(fronts, low_, high_)) take(level);
     else
       take(fronts.size() == 2 ? events(*fronts[0], *fronts[1]) : events(*fronts[0], *fronts[1], *fronts[2]));
   }
@@ -112,19 +113,20 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
   double scale = 1;
   std::vector<Place> near = places(reached);
   for (const Place& p : near) scale = std::max({scale, std::abs(p.x), std::abs(p.y)});
-  double width = high - low, room = 4 * (width + std::sqrt(width * scale));
-  std::vector<Front> moving, still;
+  double width = high - low, tolerance = 4 * (width + std::sqrt(width * scale));
+  std::vector<LevelCurve> moving, still;
   for (const Place& p : near) {
-    auto fronts = f.fronts({Real::from_double(p.x), Real::from_double(p.y)}, room);
+    auto fronts = f.fronts({Real::from_double(p.x), Real::from_double(p.y)}, tolerance);
     std::stable_sort(fronts.begin(), fronts.end(),
-                     [](const NearFront& u, const NearFront& v) { return u.gap < v.gap; });
-    for (const NearFront& n : fronts)
+                     [](const NearLevelCurve& u, const NearLevelCurve& v) { return u.gap < v.gap; });
+    for (const NearLevelCurve& n : fronts)
       if (!n.front.bend) out.take(events(n.front));
     for (std::size_t k = 0; k < fronts.size() && k < kMostAtPlace; ++k) add_new(moving, fronts[k].front, kMostFronts);
   }
   if (over) {
-    for (const Site& s : sites(*over, [](plane::Mark m) { return m > 0; })) {
-      bool close = std::any_of(near.begin(), near.end(), [&](const Place& p) { return s.distance(p.x, p.y) <= room; });
+    for (const BoundaryFeature& s : features(*over, [](plane::Mark m) { return m > 0; })) {
+      bool close =
+          std::any_of(near.begin(), near.end(), [&](const Place& p) { return s.distance(p.x, p.y) <= tolerance; });
       if (!close) continue;
       if (!s.is_vertex())
         add_new(still, still_front(*over, s), kMostFronts);
@@ -132,9 +134,9 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
         out.take(v->value);
     }
   }
-  std::vector<const Front*> all;
-  for (const Front& m : moving) all.push_back(&m);
-  for (const Front& s : still) all.push_back(&s);
+  std::vector<const LevelCurve*> all;
+  for (const LevelCurve& m : moving) all.push_back(&m);
+  for (const LevelCurve& s : still) all.push_back(&s);
   for (std::size_t i = 0; i < moving.size(); ++i) {
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       out.take_meetings({all[i], all[j]});

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "distance/planar_features/sites.h"
+#include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/t_distance.h"
 
 namespace findspace::distance {

@@ -24,7 +24,7 @@ constexpr double kMost = 0x1p44;  // no level lies beyond: coordinates are below
 class LevelSearch {
  public:
   LevelSearch(const PositionFunction& f, const Region& s, Sense sense)
-      : f_(f), s_(s), turn_(sense == Sense::kMinimum ? 1 : -1) {}
+      : f_(f), s_(s), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run(bool continuous) {
     Extremum out;
@@ -34,19 +34,21 @@ class LevelSearch {
     narrow(0.25);
     if (whole_number(out, continuous)) return out;
     narrow(0x1p-20);
-    out.level = level(good_), out.attained = true;
+    out.level = level(good_);
+    out.attained = true;
     out.at = point_set(one_point_a_component(probe(level(good_), s_)).points);
     return out;
   }
 
  private:
-  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, turn_); }
-  Real level(double number) const { return Real::from_double(turn_ * number); }
+  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, rotation_); }
+  Real level(double number) const { return Real::from_double(rotation_ * number); }
   bool reaches(double number) const { return !plane::is_empty(probe(level(number), s_)); }
 
   /// The extremum into (bad, good], less being better; false where there is none.
   bool bracket(Extremum& out) {
-    good_ = 1, bad_ = -1;
+    good_ = 1;
+    bad_ = -1;
     for (; good_ < kMost && !reaches(good_); good_ *= 2) bad_ = good_;
     if (good_ >= kMost) return false;
     for (; bad_ > -kMost && reaches(bad_); bad_ *= 2) good_ = bad_;
@@ -79,7 +81,7 @@ class LevelSearch {
 
   const PositionFunction& f_;
   const Region& s_;
-  int turn_;
+  int rotation_;
   double bad_ = 0, good_ = 0;
 };
 

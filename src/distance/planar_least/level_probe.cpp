@@ -14,9 +14,9 @@ namespace findspace::distance {
 using plane::CellComplex;
 using plane::Mark;
 
-CellComplex probe(const PositionFunction& f, const exact::Real& level, const plane::Region& over, int turn) {
+CellComplex probe(const PositionFunction& f, const exact::Real& level, const plane::Region& over, int rotation) {
   plane::SignMap m = f.sign_map(level);
-  const auto rule = [turn](Mark k) { return Mark(turn * k < 0 ? kBeyond : k == 0 ? kOn : 0); };
+  const auto rule = [rotation](Mark k) { return Mark(rotation * k < 0 ? kBeyond : k == 0 ? kOn : 0); };
   if (plane::is_whole(over)) return plane::remark(std::move(m), rule);
   const std::array<const CellComplex*, 2> both{&m, &over};
   return plane::overlay(both, [&](std::span<const Mark> k) { return k[1] > 0 ? rule(k[0]) : Mark(0); });

@@ -13,7 +13,7 @@ namespace findspace::distance {
 inline constexpr plane::Mark kOn = 1, kBeyond = 2;
 
 /// `turn`: +1 where less is beyond, -1 where more is.
-plane::CellComplex probe(const PositionFunction& f, const exact::Real& level, const plane::Region& over, int turn);
+plane::CellComplex probe(const PositionFunction& f, const exact::Real& level, const plane::Region& over, int rotation);
 /// The positions at the level, as a region.
 plane::Region on_level(plane::CellComplex probed);
 

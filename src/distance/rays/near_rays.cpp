@@ -92,7 +92,8 @@ class Walk {
     const double middle = (from + to) / 2;
     searches_ += kHard;
     if (!(from < middle && middle < to)) return put(from, to, 0);
-    leave(from, middle), leave(middle, to);
+    leave(from, middle);
+    leave(middle, to);
   }
 
   /// From the end `from` of a stretch on which the function is less than 0 towards `to`, by the nearest places: the end
@@ -121,7 +122,8 @@ class Walk {
                  behind = last_is_end ? std::min(to, last + pad) : last;
     if (before < first) put(before, first, 0);
     if (last < behind) put(last, behind, 0);
-    leave(from, before), leave(behind, to);
+    leave(from, before);
+    leave(behind, to);
   }
 
   /// A place says that the function is hardly more than 0 about `in`.
@@ -129,7 +131,8 @@ class Walk {
     const double most = kHardly * blur(), near = reaches(v.beyond, in, from, most, blur() / 64),
                  far = reaches(v.beyond, in, to, most, blur() / 64);
     put(near, far, 0);
-    leave(from, near), leave(far, to);
+    leave(from, near);
+    leave(far, to);
   }
 
   /// The function is hardly less than 0 on what is left from `from` to `to`, and by a place hardly more on a part of
@@ -142,7 +145,8 @@ class Walk {
       if (there.low > blur()) {
         const double first = std::max(from, middle - there.low), last = std::min(to, middle + there.low);
         put(first, last, 1);
-        leave(from, first), leave(last, to);
+        leave(from, first);
+        leave(last, to);
         return;
       }
     }

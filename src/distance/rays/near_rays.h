@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "distance/rays/line_signs.h"
-#include "distance/search/front_search.h"
+#include "distance/search/boundary_search.h"
 #include "space/rays/ray_map.h"
 
 namespace findspace::distance {

@@ -18,15 +18,18 @@ using space::RealVector;
 
 namespace {
 
-RayCover cover_of(const space::OpenCover& cover, const Bounds3& a, const Bounds3& b, bool outside) {
+RayCover cover_of(const space::OpenUnion& cover, const Bounds3& a, const Bounds3& b, bool outside) {
   RayCover out;
-  for (std::size_t k = 0; k < cover.size(); ++k)
-    out.sets.push_back(cover.planes(k)), out.extents.push_back(cover.extent(k));
+  for (std::size_t k = 0; k < cover.size(); ++k) {
+    out.sets.push_back(cover.planes(k));
+    out.extents.push_back(cover.extent(k));
+  }
   out.low = outside ? space::minus(a.low, b.low) : space::minus(a.low, b.high);
   out.high = outside ? space::minus(a.high, b.high) : space::minus(a.high, b.low);
   for (int k = 0; k < 3; ++k) {
     out.all = out.all || out.high[k] < out.low[k];
-    out.low[k] -= Real(1), out.high[k] += Real(1);
+    out.low[k] -= Real(1);
+    out.high[k] += Real(1);
   }
   out.beyond = outside;
   return out;
@@ -34,8 +37,8 @@ RayCover cover_of(const space::OpenCover& cover, const Bounds3& a, const Bounds3
 
 }  // namespace
 
-space::OpenCover RayCover::lazy() const {
-  space::OpenCover out;
+space::OpenUnion RayCover::lazy() const {
+  space::OpenUnion out;
   for (std::size_t k = 0; k < sets.size(); ++k) out.add(extents[k], sets[k]);
   return out;
 }
@@ -59,8 +62,10 @@ ConvexRegion difference_core(const space::BodyPart& a, const space::BodyPart& b)
   const std::array<double, 6> ends{extent.low.x,  extent.low.y,  extent.low.z,
                                    extent.high.x, extent.high.y, extent.high.z};
   RealVector low, high;
-  for (std::size_t k = 0; k < 3; ++k)
-    low[k] = Real::from_double(std::floor(ends[k]) - 1), high[k] = Real::from_double(std::ceil(ends[k + 3]) + 1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = Real::from_double(std::floor(ends[k]) - 1);
+    high[k] = Real::from_double(std::ceil(ends[k + 3]) + 1);
+  }
   return cut_from(low, high, planes);
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "space/body/body.h"
-#include "space/body/open_cover.h"
+#include "space/body/open_union.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::distance {
@@ -20,7 +20,7 @@ struct RayCover {
   space::RealVector low, high;    // the frontier lies inside
   bool beyond = false;            // what lies outside this box is covered
   bool all = false;               // everything is: nothing fits
-  space::OpenCover lazy() const;  // the same sets
+  space::OpenUnion lazy() const;  // the same sets
 };
 
 /// U. Both bodies bounded, without radii.

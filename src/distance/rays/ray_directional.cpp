@@ -7,7 +7,7 @@
 #include "distance/rays/ray_covers.h"
 #include "distance/rays/ray_signs.h"
 #include "distance/rays/round_directional.h"
-#include "space/body/cover_frontier.h"
+#include "space/body/union_frontier.h"
 #include "space/rays/piece_rays.h"
 #include "space/rays/ray_sources.h"
 #include "space/rays/swept_pieces.h"
@@ -64,7 +64,7 @@ ClosedSets closures(const RayCover& cover) {
 /// What the open sets leave.
 ClosedSets rest(const RayCover& cover) {
   ClosedSets out;
-  for (ConvexRegion& piece : space::uncovered_pieces(cover.lazy(), cover.low, cover.high))
+  for (ConvexRegion& piece : space::complement_pieces(cover.lazy(), cover.low, cover.high))
     out.regions.push_back({std::move(piece), Real()});
   for (ConvexRegion& piece : space::cover_frontier(cover.sets, cover.low, cover.high))
     out.regions.push_back({std::move(piece), Real()});
@@ -97,7 +97,7 @@ class Directional {
   Source farthest_map(const ClosedSets& closed, const Real& level) const;
   /// From p at most `reach` along the way: sums of what is met with the way back.
   Source within(const ClosedSets& sets, const Real& reach) const;
-  DirectionalWish wish(bool farthest) const { return {unit_, both_ways_, farthest}; }
+  DirectionalQuery query(bool farthest) const { return {unit_, both_ways_, farthest}; }
   const RayGrid& grid() const { return grid_; }
 
  private:
@@ -201,7 +201,7 @@ Source eta(const Directional& maker, const Body& b, const Body& a, const Real& l
            const RayGrid& grid) {
   if (a.outside && farthest) return space::constant_rays(grid, 1);
   if (a.outside) return space::negated_rays(gamma(maker, b, bounded(a), -level, false));
-  if (fit_by_values(b, a)) return round_fit_map(level, maker.wish(farthest), b, a, grid);
+  if (fit_by_values(b, a)) return round_fit_map(level, maker.query(farthest), b, a, grid);
   const RayCover cover = outside_sets(b, a);
   if (cover.all) return space::constant_rays(grid, 1);
   return farthest ? maker.farthest_map(rest(cover), level) : space::negated_rays(maker.signed_map(cover, -level));
@@ -213,7 +213,7 @@ Source gamma(const Directional& maker, const Body& b, const Body& a, const Real&
     if (farthest) return maker.farthest_map(closed, level);
     if (level.sign() > 0) return maker.within(closed, level);
     if (closed.regions.size() == 1) return maker.depth_map(closed.regions[0], level);
-    return round_depth_map(level, maker.wish(false), b, a, maker.grid());
+    return round_depth_map(level, maker.query(false), b, a, maker.grid());
   }
   const RayCover cover = overlap_sets(b, a);
   return farthest ? maker.farthest_map(closures(cover), level) : maker.signed_map(cover, level);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "distance/planar/track_value.h"
+#include "distance/planar/translation_value.h"
 
 namespace findspace::distance {
 
@@ -14,8 +14,8 @@ using space::RayEvent;
 using space::RayPosition;
 using space::RayRow;
 
-RayRuns::RayRuns(Rows zero, const RunWish& wish, const Real& level, const space::RayGrid& grid)
-    : zero_(std::move(zero)), wish_(wish), level_(level), grid_(grid) {}
+RayRuns::RayRuns(Rows zero, const RunQuery& query, const Real& level, const space::RayGrid& grid)
+    : zero_(std::move(zero)), query_(query), level_(level), grid_(grid) {}
 
 /// The line as the direction sees it.
 Section RayRuns::section(const RayRow& row, int i) const {
@@ -25,7 +25,7 @@ Section RayRuns::section(const RayRow& row, int i) const {
     const RayEvent& event = row.events[static_cast<std::size_t>(e)];
     out.stops.push_back({event.at.to_real(), event.here, event.after});
   }
-  if (wish_.forward || wish_.both_ways) return out;
+  if (query_.forward || query_.both_ways) return out;
   Section back{out.stops.empty() ? out.before : out.stops.back().after, {}};
   for (std::size_t k = out.stops.size(); k-- > 0;)
     back.stops.push_back({-out.stops[k].t, out.stops[k].at, k > 0 ? out.stops[k - 1].after : out.before});
@@ -36,12 +36,12 @@ Section RayRuns::section(const RayRow& row, int i) const {
 int RayRuns::sign(const Section& line, const Real& at) const {
   Section seen = line;
   for (Section::Stop& stop : seen.stops) stop.t -= at;
-  if (wish_.farthest) {
+  if (query_.farthest) {
     const bool bounded = line.before > 0 && (line.stops.empty() || line.stops.back().after > 0);
-    const auto found = bounded ? farthest_place(seen, wish_.both_ways) : std::nullopt;
+    const auto found = bounded ? farthest_place(seen, query_.both_ways) : std::nullopt;
     return found ? compare(abs(found->t), level_) : 1;
   }
-  const auto found = nearest_change(seen, wish_.both_ways);
+  const auto found = nearest_change(seen, query_.both_ways);
   if (!found) return 1;
   return found->lowest ? -1 : compare(Real(found->sign) * abs(found->t), level_);
 }
@@ -70,7 +70,7 @@ Real RayRuns::root(int patch, int, int, int) const {
 
 RayRow RayRuns::row(int j) const {
   const RayRow zero = zero_(j);
-  const bool turned = !wish_.forward && !wish_.both_ways;
+  const bool turned = !query_.forward && !query_.both_ways;
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
     const Section line = section(zero, i);

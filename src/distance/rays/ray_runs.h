@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The sign map at any level of a distance along the very direction that the lines run in, read off the signs at level 0
-// on each line (track_value.h says how a value follows from them): a place where the sign can change is an end on the
-// line moved by the level. So it holds for shapes of every kind of which the plain distance has a sign map: round ones,
-// surfaces, differences. Guarantee: as the sign map at level 0: exact where that is. Cost: the square of the ends on a
-// line. Keywords: directional penetration depth, run-length morphology.
+// on each line (translation_value.h says how a value follows from them): a place where the sign can change is an end on
+// the line moved by the level. So it holds for shapes of every kind of which the plain distance has a sign map: round
+// ones, surfaces, differences. Guarantee: as the sign map at level 0: exact where that is. Cost: the square of the ends
+// on a line. Keywords: directional penetration depth, run-length morphology.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@
 
 namespace findspace::distance {
 
-struct RunWish {
+struct RunQuery {
   bool farthest = false;  // gamma2, eta2, delta2; else gamma1, eta1, delta1
   bool both_ways = false;
   bool forward = true;  // one way: by growing place
@@ -27,7 +27,7 @@ class RayRuns : public space::RaySource, private space::RayRoots {
  public:
   using Rows = std::function<space::RayRow(int)>;
   /// `zero`: of gamma1, eta1 or delta1 at level 0; the level in parts of a grid step.
-  RayRuns(Rows zero, const RunWish& wish, const exact::Real& level, const space::RayGrid& grid);
+  RayRuns(Rows zero, const RunQuery& query, const exact::Real& level, const space::RayGrid& grid);
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
@@ -39,7 +39,7 @@ class RayRuns : public space::RaySource, private space::RayRoots {
   exact::Real root(int patch, int which, int i, int j) const override;
 
   Rows zero_;
-  RunWish wish_;
+  RunQuery query_;
   exact::Real level_;
   space::RayGrid grid_;
   mutable std::mutex guard_;

@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 
-#include "distance/rays/stick_out_rays.h"
+#include "distance/rays/protrusion_rays.h"
 #include "distance/rays/value_rays.h"
-#include "distance/search/solid_mu.h"
-#include "space/body/cover_frontier.h"
+#include "distance/search/solid_protrusion.h"
 #include "space/body/position_covers.h"
+#include "space/body/union_frontier.h"
 
 namespace findspace::distance {
 
@@ -122,11 +122,11 @@ Source RaySignMaker::eta1(const Real& level) const {
         return RaySignMaker(plain->first, plain->second, grid_).eta1(level);
     }
     if (a_.convex() && (level.sign() <= 0 || (b_.convex() && a_.parts[0].point() && b_.parts[0].point()))) {
-      const Real room = a_.parts[0].radius - b_.parts[0].radius;
-      const bool never = b_.convex() && a_.parts[0].point() && b_.parts[0].point() && room.sign() < 0;
+      const Real tolerance = a_.parts[0].radius - b_.parts[0].radius;
+      const bool never = b_.convex() && a_.parts[0].point() && b_.parts[0].point() && tolerance.sign() < 0;
       return never ? constant(1) : mu(level);
     }
-    return mu(level);  // at level 0: of what has no room they have the same sign
+    return mu(level);  // at level 0: of what has no tolerance they have the same sign
   }
   const RayCover complement = outside_sets(b_, a_);
   if (complement.all) return constant(1);
@@ -151,9 +151,9 @@ Source RaySignMaker::eta2(const Real& level) const {
   if (a_.round()) {
     if (const auto plain = without_radius(b_, a_); plain && !a_.parts[0].point())
       return RaySignMaker(plain->first, plain->second, grid_).eta2(level);
-    const Real room = a_.parts[0].radius - b_.parts[0].radius;
-    if (room.sign() < 0) return constant(1);
-    all.emplace_back(real(a_.parts[0].center - b_.parts[0].center), level - room);
+    const Real tolerance = a_.parts[0].radius - b_.parts[0].radius;
+    if (tolerance.sign() < 0) return constant(1);
+    all.emplace_back(real(a_.parts[0].center - b_.parts[0].center), level - tolerance);
     return balls(all);
   }
   const RayCover complement = outside_sets(b_, a_);
@@ -225,7 +225,7 @@ Source RaySignMaker::mu(const Real& level) const {
   }
   if (level.sign() < 0 || (level.sign() == 0 && (a_.outside || !a_.round()))) return eta1(level);
   if (by_values(Which::kMu, level, b_, a_)) return values(Which::kMu, level);
-  return std::make_unique<StickOutRays>(
+  return std::make_unique<ProtrusionRays>(
       b_, field_of_parts(a_), level, [&](const Real& l) { return vertices_near(l); }, grid_);
 }
 

@@ -16,7 +16,7 @@ using space::Body;
 using space::RayGrid;
 using Source = space::RaySourcePointer;
 
-/// Of mu(B, A), or of eta1 where nothing has room.
+/// Of mu(B, A), or of eta1 where nothing has tolerance.
 bool searched(const Real& level, const Body& a, bool mu) {
   return !a.convex() && !a.outside && (level.sign() == 0 ? a.round() : mu && level.sign() > 0);
 }

@@ -7,7 +7,7 @@
 //                frontier (cover_frontier.h) against -l;
 //   eta1, delta1 minus the signed distance to the union that is the complement of E, D;
 //   mu           to a convex A: over all vertices of B; not above 0 it is eta1; above it, and in unions of round parts
-//                at 0, by search (stick_out_rays.h);
+//                at 0, by search (protrusion_rays.h);
 //   gamma2, eta2, delta2, diameter   intersections of balls about the farthest candidates;  d1, h, dstar, penetration
 //   from these. Guarantee: exact on every line, round fronts included, but where the frontier itself is round and has
 //   to
@@ -25,7 +25,7 @@
 
 namespace findspace::distance {
 
-/// Whether the sign map is found by search (stick_out_rays.h), so that 0 means a value near the level.
+/// Whether the sign map is found by search (protrusion_rays.h), so that 0 means a value near the level.
 bool found_by_search(Which which, const exact::Real& level, const space::Body& b, const space::Body& a);
 
 /// Both bodies of one scale, B not `outside`; the level in their steps, the grid in grid steps.

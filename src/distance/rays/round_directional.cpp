@@ -6,11 +6,11 @@
 
 #include <algorithm>
 
+#include "distance/rays/depth_values.h"
 #include "distance/rays/ray_covers.h"
 #include "distance/rays/ray_signs.h"
 #include "distance/rays/value_rays.h"
-#include "distance/rays/way_values.h"
-#include "distance/search/front_room.h"
+#include "distance/search/free_space.h"
 #include "space/body/position_covers.h"
 #include "space/rays/ray_sources.h"
 
@@ -32,11 +32,11 @@ struct Positions {
   Vector low, high;
 };
 
-/// Rules along the ways of a wish.
+/// Constraints along the ways of a query.
 class Sweeper {
  public:
-  Sweeper(const DirectionalWish& wish, std::int64_t scale, const RayGrid& grid)
-      : unit_(space::rounded(wish.unit)), both_ways_(wish.both_ways), scale_(scale), grid_(grid) {}
+  Sweeper(const DirectionalQuery& query, std::int64_t scale, const RayGrid& grid)
+      : unit_(space::rounded(query.unit)), both_ways_(query.both_ways), scale_(scale), grid_(grid) {}
 
   /// Forward, or both ways, as far as that.
   Way way(double reach) const { return {unit_, both_ways_ ? -reach : 0, reach}; }
@@ -111,7 +111,7 @@ ConvexDistance corner_distance(const Body& b, const BodyPart& a) {
   };
   std::vector<Corner> corners;
   for (const BodyPart& part : b.parts) {
-    for (const space::Point& v : part.vertices()) corners.push_back({exact::shadow(v), part.radius.to_double()});
+    for (const space::Point& v : part.vertices()) corners.push_back({exact::approx(v), part.radius.to_double()});
   }
   return [corners, to = grown_distance({a.planes(), space::real(a.center), a.radius})](const Vector& p) {
     double most = -exact::kInfinity;
@@ -133,7 +133,7 @@ Positions fits(const Body& b, const Body& a) {
     core.scale = b.scale;
     core.parts.push_back(part);
     core.parts[0].radius = Real();
-    const space::OpenCover cover = space::outside_cover(core, cells);
+    const space::OpenUnion cover = space::outside_cover(core, cells);
     for (std::size_t k = 0; k < cover.size(); ++k)
       out.out.push_back(grown_distance({cover.planes(k), {}, part.radius}));
   }
@@ -142,13 +142,13 @@ Positions fits(const Body& b, const Body& a) {
 
 }  // namespace
 
-Source round_depth_map(const Real& level, const DirectionalWish& wish, const Body& b, const Body& a,
+Source round_depth_map(const Real& level, const DirectionalQuery& query, const Body& b, const Body& a,
                        const RayGrid& grid) {
-  const Sweeper sweep(wish, b.scale, grid);
+  const Sweeper sweep(query, b.scale, grid);
   return sweep.held(overlaps(b, a), sweep.way(-level.to_double()));
 }
 
-Source round_fit_map(const Real& level, const DirectionalWish& wish, const Body& b, const Body& a,
+Source round_fit_map(const Real& level, const DirectionalQuery& query, const Body& b, const Body& a,
                      const RayGrid& grid) {
   if (a.round() && !a.convex())
     throw Error(ErrorCode::kUnsupported,
@@ -156,10 +156,10 @@ Source round_fit_map(const Real& level, const DirectionalWish& wish, const Body&
   const Positions places = fits(b, a);
   const Vector size = places.high - places.low;
   const bool never = size.x < 0 || size.y < 0 || size.z < 0;
-  if (never || (wish.farthest && level.sign() < 0)) return space::constant_rays(grid, 1);
-  const Sweeper sweep(wish, b.scale, grid);
+  if (never || (query.farthest && level.sign() < 0)) return space::constant_rays(grid, 1);
+  const Sweeper sweep(query, b.scale, grid);
   const double reach = std::fabs(level.to_double());
-  if (!wish.farthest)
+  if (!query.farthest)
     return level.sign() > 0 ? sweep.met(places, sweep.way(reach)) : sweep.kept(places, sweep.way(reach));
   std::vector<Source> all;
   // At level 0 only what is met at once counts.
@@ -169,7 +169,7 @@ Source round_fit_map(const Real& level, const DirectionalWish& wish, const Body&
   // From within the level of a place no other place is farther than this.
   const double most = reach + space::length(size) + 1;
   all.push_back(space::negated_rays(sweep.met(places, sweep.stretch(reach, most))));
-  if (wish.both_ways) all.push_back(space::negated_rays(sweep.met(places, sweep.stretch(-most, -reach))));
+  if (query.both_ways) all.push_back(space::negated_rays(sweep.met(places, sweep.stretch(-most, -reach))));
   return space::greatest_rays(std::move(all));
 }
 

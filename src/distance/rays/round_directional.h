@@ -9,8 +9,8 @@
 // In a convex round A the greatest distance of B's corners takes the place of -w. On stretches these extremes
 // (way_values.h) change by no more than the length of a step of p, so value_rays.h tells their signs on lines.
 // Guarantee: as there: 0 within 2^-30 of the sizes. Error(kUnsupported) where A is a union of round parts, and where
-// fits without room leave no sign. Cost: as value_rays.h. Source: distances.md 7.1. Keywords: directional penetration
-// depth, partial Minkowski sum.
+// fits without tolerance leave no sign. Cost: as value_rays.h. Source: distances.md 7.1. Keywords: directional
+// penetration depth, partial Minkowski sum.
 #pragma once
 
 #include <memory>
@@ -22,18 +22,18 @@
 namespace findspace::distance {
 
 /// As of ray_directional_map, the vector of length 1.
-struct DirectionalWish {
+struct DirectionalQuery {
   space::RealVector unit;
   bool both_ways = true;
   bool farthest = false;  // eta2
 };
 
 /// gamma1 at a level below 0 of bounded bodies.
-std::unique_ptr<space::RaySource> round_depth_map(const exact::Real& level, const DirectionalWish& wish,
+std::unique_ptr<space::RaySource> round_depth_map(const exact::Real& level, const DirectionalQuery& query,
                                                   const space::Body& b, const space::Body& a,
                                                   const space::RayGrid& grid);
 /// eta1 at a level other than 0, or eta2; bounded bodies, one of them round.
-std::unique_ptr<space::RaySource> round_fit_map(const exact::Real& level, const DirectionalWish& wish,
+std::unique_ptr<space::RaySource> round_fit_map(const exact::Real& level, const DirectionalQuery& query,
                                                 const space::Body& b, const space::Body& a, const space::RayGrid& grid);
 
 }  // namespace findspace::distance

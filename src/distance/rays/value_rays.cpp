@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/solid_mu.h"
+#include "distance/search/solid_protrusion.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
@@ -106,14 +106,14 @@ void ValueRays::look(Walk& walk, double from, double to) const {
   // What is left between stretches whose signs are known is often less than the blur, and mostly not near the front.
   const bool near = reach < std::min(blur, to - from) / 2;
   const double part = near ? blur / 2 : reach;
-  std::vector<SignStretch> told;
-  if (v->ball) told = chords(walk, *v->ball);
-  const bool in_ball =
-      std::any_of(told.begin(), told.end(), [&](const SignStretch& s) { return s.from < middle && middle < s.to; });
-  if (!near || !in_ball) told.push_back({middle - part, middle + part, near ? 0 : v->high < 0 ? -1 : 1});
-  std::sort(told.begin(), told.end(), [](const SignStretch& s, const SignStretch& t) { return s.from < t.from; });
+  std::vector<SignStretch> decided;
+  if (v->ball) decided = chords(walk, *v->ball);
+  const bool in_ball = std::any_of(decided.begin(), decided.end(),
+                                   [&](const SignStretch& s) { return s.from < middle && middle < s.to; });
+  if (!near || !in_ball) decided.push_back({middle - part, middle + part, near ? 0 : v->high < 0 ? -1 : 1});
+  std::sort(decided.begin(), decided.end(), [](const SignStretch& s, const SignStretch& t) { return s.from < t.from; });
   double done = from;
-  for (const SignStretch& s : told) {
+  for (const SignStretch& s : decided) {
     if (!(s.to > done) || !(s.from < to)) continue;
     if (s.from > done) look(walk, done, s.from);
     walk.known.push_back({std::max(s.from, done), std::min(s.to, to), s.sign});
@@ -126,16 +126,16 @@ std::vector<SignStretch> ValueRays::chords(const Walk& walk, const SignBall& bal
   const space::Vector start = space::rounded(walk.line.start), unit = space::rounded(walk.line.unit);
   const space::Vector way = ball.center - start;
   const double at = space::dot(way, unit), apart = space::length(way - space::scaled(at, unit)),
-               room = 0x1p-42 * (size_ + space::length(start));
-  const double radius = ball.radius + (ball.beyond ? room : -room);
+               tolerance = 0x1p-42 * (size_ + space::length(start));
+  const double radius = ball.radius + (ball.beyond ? tolerance : -tolerance);
   const bool meets = radius > apart;
   const double half = meets ? std::sqrt((radius - apart) * (radius + apart)) : 0;
   if (!ball.beyond) {
-    if (!(half > room)) return {};
-    return {{at - half + room, at + half - room, ball.sign}};
+    if (!(half > tolerance)) return {};
+    return {{at - half + tolerance, at + half - tolerance, ball.sign}};
   }
   if (!meets) return {{-exact::kInfinity, exact::kInfinity, ball.sign}};
-  return {{-exact::kInfinity, at - half - room, ball.sign}, {at + half + room, exact::kInfinity, ball.sign}};
+  return {{-exact::kInfinity, at - half - tolerance, ball.sign}, {at + half + tolerance, exact::kInfinity, ball.sign}};
 }
 
 RayRow ValueRays::row(int j) const {

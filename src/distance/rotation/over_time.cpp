@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/planar_features/sites.h"
+#include "distance/planar_features/boundary_features.h"
 #include "plane/build/path_region.h"
 #include "plane/build/swept.h"
 #include "plane/complex/overlay.h"
@@ -89,9 +89,17 @@ class PathSearch {
     double f = look(leg, low), g = look(leg, high);
     for (int k = 0; k < kSteps; ++k) {
       if (f < g) {
-        to = high, high = low, g = f, low = to - kGolden * (to - from), f = look(leg, low);
+        to = high;
+        high = low;
+        g = f;
+        low = to - kGolden * (to - from);
+        f = look(leg, low);
       } else {
-        from = low, low = high, f = g, high = from + kGolden * (to - from), g = look(leg, high);
+        from = low;
+        low = high;
+        f = g;
+        high = from + kGolden * (to - from);
+        g = look(leg, high);
       }
     }
   }

@@ -10,8 +10,8 @@
 #include <queue>
 #include <utility>
 
-#include "distance/rotation/turned_pair.h"
-#include "distance/rotation/turning.h"
+#include "distance/rotation/rotated_pair.h"
+#include "distance/rotation/rotation.h"
 #include "plane/build/transform.h"
 
 namespace findspace::distance {
@@ -21,7 +21,7 @@ using exact::Real;
 using exact::RealPoint;
 using plane::Mark;
 using plane::Region;
-using plane::TurnMap;
+using plane::RotationMap;
 
 namespace {
 
@@ -42,9 +42,9 @@ Real upward(double r) {
 }
 
 /// There is an angle with contact, or where it fits.
-bool is_met(const TurnMap& base) { return farthest_turning(base, Angle{}) < kInfinity; }
+bool is_met(const RotationMap& base) { return farthest_rotation(base, Angle{}) < kInfinity; }
 
-TurnMap base_map(const TurnedPair& pair, Which which, const Real& level) {
+RotationMap base_map(const RotatedPair& pair, Which which, const Real& level) {
   const Which plain = plain_of(which);
   return plain == Which::kGamma1 ? pair.nearest_point(level) : pair.sign_map(plain, level);
 }
@@ -52,7 +52,7 @@ TurnMap base_map(const TurnedPair& pair, Which which, const Real& level) {
 }  // namespace
 
 RotationInTime::RotationInTime(Region b, Region a, Which which, RealPoint centre, RealPoint p,
-                               std::vector<TurningPose> poses)
+                               std::vector<RotatingPose> poses)
     : b_(std::move(b)),
       a_(std::move(a)),
       which_(which),
@@ -62,46 +62,46 @@ RotationInTime::RotationInTime(Region b, Region a, Which which, RealPoint centre
       b_reach_(reach(b_)),
       a_reach_(reach(a_)) {}
 
-BoundedTurns RotationInTime::circles(const PartOfLeg& part) const {
-  const TurningPose &from = poses_[part.leg], &to = poses_[std::min(part.leg + 1, poses_.size() - 1)];
+BoundedRotations RotationInTime::circles(const PartOfLeg& part) const {
+  const RotatingPose &from = poses_[part.leg], &to = poses_[std::min(part.leg + 1, poses_.size() - 1)];
   const Real mid = Real::ratio(1, 2) * (part.from + part.to);
   const double share = near_value(part.to - part.from) / 2;
   const RealPoint a_at = between(from.fixed_at, to.fixed_at, mid),
                   from_b_at{from.at.x + from.fixed_at.x, from.at.y + from.fixed_at.y},
                   to_b_at{to.at.x + to.fixed_at.x, to.at.y + to.fixed_at.y}, b_at = between(from_b_at, to_b_at, mid);
   plane::Rounding rounding;
-  const TurnedPair pair(rotated(b_, {0, 0}, between(from.moving, to.moving, mid), 1, rounding),
-                        rotated(a_, {0, 0}, between(from.fixed, to.fixed, mid), 1, rounding),
-                        {centre_.x - p_.x - b_at.x, centre_.y - p_.y - b_at.y},
-                        {centre_.x - a_at.x, centre_.y - a_at.y});
+  const RotatedPair pair(rotated(b_, {0, 0}, between(from.moving, to.moving, mid), 1, rounding),
+                         rotated(a_, {0, 0}, between(from.fixed, to.fixed, mid), 1, rounding),
+                         {centre_.x - p_.x - b_at.x, centre_.y - p_.y - b_at.y},
+                         {centre_.x - a_at.x, centre_.y - a_at.y});
   const double radians = std::numbers::pi / 180;
   const double way = length(from_b_at, to_b_at) + length(from.fixed_at, to.fixed_at) +
                      radians * (std::abs(near_value(to.moving - from.moving)) * b_reach_ +
                                 std::abs(near_value(to.fixed - from.fixed)) * a_reach_);
   // Ends of an arc carry its bulge along: twice what they moved, for both shapes.
   const Real off = upward(4 * rounding.largest + share * way + radius_);
-  TurnMap low = base_map(pair, which_, off);
+  RotationMap low = base_map(pair, which_, off);
   if (off.sign() == 0) return {low, low};
   return {std::move(low), base_map(pair, which_, -off)};
 }
 
 SignRange RotationInTime::signs(const PartOfLeg& part, const Real& level) const {
-  const BoundedTurns c = circles(part);
+  const BoundedRotations c = circles(part);
   if (!is_second_kind(which_)) {
-    const auto sign = [&](const TurnMap& base) { return mark_at(turning_sign_map(base, level), Angle{}); };
+    const auto sign = [&](const RotationMap& base) { return mark_at(rotation_sign_map(base, level), Angle{}); };
     return {sign(c.low), sign(c.high)};
   }
-  const auto sign = [&](const TurnMap& base) { return mark_at(farthest_turning_sign_map(base, level), Angle{}); };
+  const auto sign = [&](const RotationMap& base) { return mark_at(farthest_rotation_sign_map(base, level), Angle{}); };
   if (is_met(c.high)) return {sign(c.high), sign(c.low)};
   return {Mark(is_met(c.low) && level.sign() >= 0 ? -1 : 1), 1};
 }
 
 /// The second kind is greater the more angles there are with contact, and infinite without any.
 ValueRange RotationInTime::values(const PartOfLeg& part) const {
-  const BoundedTurns c = circles(part);
-  ValueRange v{turning_distance(c.low, Angle{}), turning_distance(c.high, Angle{})};
+  const BoundedRotations c = circles(part);
+  ValueRange v{rotation_distance(c.low, Angle{}), rotation_distance(c.high, Angle{})};
   if (is_second_kind(which_)) {
-    v = is_met(c.high) ? ValueRange{farthest_turning(c.high, Angle{}), farthest_turning(c.low, Angle{})}
+    v = is_met(c.high) ? ValueRange{farthest_rotation(c.high, Angle{}), farthest_rotation(c.low, Angle{})}
                        : ValueRange{std::max(0.0, v.low), kInfinity};
   }
   return {v.low - kRoundingOfAngle, v.high + kRoundingOfAngle};
@@ -111,14 +111,16 @@ ValueRange RotationInTime::instant(std::size_t leg, const Real& s) const { retur
 
 RotationInTime RotationInTime::around(RealPoint p, double radius) const {
   RotationInTime out = *this;
-  out.p_ = std::move(p), out.radius_ = radius;
-  out.first_parts_ = kFirstPartsOfDisc, out.most_parts_ = kPartsOfDisc;
+  out.p_ = std::move(p);
+  out.radius_ = radius;
+  out.first_parts_ = kFirstPartsOfDisc;
+  out.most_parts_ = kPartsOfDisc;
   return out;
 }
 
 ValueRange RotationInTime::extremum(Sense sense) const {
   if (poses_.size() == 1) return instant(0, Real());
-  // Turned round for a supremum, so that the least value is looked for.
+  // Rotated round for a supremum, so that the least value is looked for.
   const bool least = sense == Sense::kMinimum;
   struct Part {
     PartOfLeg part;
@@ -138,7 +140,8 @@ ValueRange RotationInTime::extremum(Sense sense) const {
     queue.push({std::move(part), low});
   };
   for (std::size_t leg = 0; leg + 1 < poses_.size(); ++leg) {
-    look(leg, Real(0)), look(leg, Real(1));
+    look(leg, Real(0));
+    look(leg, Real(1));
     for (int k = 0; k < first_parts_; ++k) add({leg, Real::ratio(k, first_parts_), Real::ratio(k + 1, first_parts_)});
   }
   for (int k = 0; k < most_parts_ && best - queue.top().low > kCloseEnough; k += 2) {

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A rotational distance f(t) (turning.h) at one position while the shapes are translated and turn: how far B has to
+// A rotational distance f(t) (rotating.h) at one position while the shapes are translated and turn: how far B has to
 // turn about a point that stands still until the answer at that time changes. f jumps; but over a short time the plain
 // distance at any turn changes by at most the way of the shapes, so that the circles of signs at the middle of the
 // time, taken at levels off by that way, bound f over the whole of it. Guarantee: certified bounds; at an instant
-// between two turned shapes exact but for the rounding of turned vertices. Extrema over time: by halving the time where
-// the bound is worst. Cost: two maps as turned_pair.h for a piece of time, up to 150 of those. Source: distances.md
-// 7.2, 7.3. With a radius all of this holds at every position that is not farther from p. Keywords: angular clearance
-// over time.
+// between two rotated shapes exact but for the rounding of rotated vertices. Extrema over time: by halving the time
+// where the bound is worst. Cost: two maps as rotated_pair.h for a piece of time, up to 150 of those. Source:
+// distances.md 7.2, 7.3. With a radius all of this holds at every position that is not farther from p. Keywords:
+// angular clearance over time.
 #pragma once
 
 #include <vector>
 
 #include "distance/planar_least/best_position.h"
-#include "distance/rotation/turning_levels.h"
-#include "distance/rotation/turning_motion.h"
+#include "distance/rotation/rotation_levels.h"
+#include "distance/rotation/rotation_motion.h"
 
 namespace findspace::distance {
 
@@ -29,7 +29,7 @@ class RotationInTime {
  public:
   /// Closed shapes; `which`: gamma, eta or delta; `centre` and the position `p` in grid steps.
   RotationInTime(plane::Region b, plane::Region a, Which which, exact::RealPoint centre, exact::RealPoint p,
-                 std::vector<TurningPose> poses);
+                 std::vector<RotatingPose> poses);
 
   /// The signs that f minus a level (degrees) may have.
   SignRange signs(const PartOfLeg& part, const exact::Real& level) const;
@@ -42,14 +42,14 @@ class RotationInTime {
   RotationInTime around(exact::RealPoint p, double radius) const;
 
  private:
-  BoundedTurns circles(const PartOfLeg& part) const;
+  BoundedRotations circles(const PartOfLeg& part) const;
 
   static constexpr int kMostParts = 150, kFirstParts = 8;  // of all the time; of it around a position less will do
 
   plane::Region b_, a_;
   Which which_;
   exact::RealPoint centre_, p_;
-  std::vector<TurningPose> poses_;
+  std::vector<RotatingPose> poses_;
   double b_reach_, a_reach_, radius_ = 0;
   int first_parts_ = kFirstParts, most_parts_ = kMostParts;
 };

@@ -25,7 +25,7 @@ struct Basis {
   bool holds(int k) const { return std::find(all().begin(), all().end(), k) != all().end(); }
 };
 
-/// The dual simplex of foot_search.h for a single set, in doubles.
+/// The dual simplex of projection_search.h for a single set, in doubles.
 class PlanesDistance {
  public:
   explicit PlanesDistance(std::vector<NearPlane> planes) : planes_(std::move(planes)) {}
@@ -39,7 +39,10 @@ class PlanesDistance {
       double most = slack;
       for (int i = 0; i < static_cast<int>(planes_.size()); ++i) {
         const double out = gap(i, x) + dot(unit(i), y);
-        if (out > most && !basis.holds(i)) most = out, worst = i;
+        if (out > most && !basis.holds(i)) {
+          most = out;
+          worst = i;
+        }
       }
       if (worst < 0 || !exchange(basis, worst, x, y)) break;
     }
@@ -50,7 +53,7 @@ class PlanesDistance {
   const Vector& unit(int i) const { return planes_[static_cast<std::size_t>(i)].unit; }
   double gap(int i, const Vector& x) const { return dot(unit(i), x) + planes_[static_cast<std::size_t>(i)].shift; }
 
-  /// The foot of x on plane `fresh` and some of the basis that keeps below all of them.
+  /// The projection of x on plane `fresh` and some of the basis that keeps below all of them.
   bool exchange(Basis& basis, int fresh, const Vector& x, Vector& y) const {
     for (int kept = 0; kept < (1 << basis.count); ++kept) {
       if (kept == 7) break;  // four planes
@@ -59,21 +62,21 @@ class PlanesDistance {
       for (std::size_t i = 0; i < basis.count; ++i) {
         if (kept >> i & 1) on.push(basis.plane[i]);
       }
-      const auto foot = foot_on(on.all(), x);
-      if (!foot) continue;
+      const auto projection = projection_on(on.all(), x);
+      if (!projection) continue;
       const auto planes = basis.all();
       const bool below = std::all_of(planes.begin(), planes.end(), [&](int i) {
-        return gap(i, x) + dot(unit(i), *foot) <= 0x1p-44 * (space::size_of(x) + 1);
+        return gap(i, x) + dot(unit(i), *projection) <= 0x1p-44 * (space::size_of(x) + 1);
       });
       if (!below) continue;
       basis = on;
-      y = *foot;
+      y = *projection;
       return true;
     }
     return false;
   }
 
-  std::optional<Vector> foot_on(std::span<const int> on, const Vector& x) const {
+  std::optional<Vector> projection_on(std::span<const int> on, const Vector& x) const {
     // Gram-Schmidt on the normals, then back substitution for the multipliers.
     const std::size_t n = on.size();
     std::array<std::array<double, 4>, 3> g{};

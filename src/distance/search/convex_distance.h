@@ -5,7 +5,7 @@
 // Guarantee: to about 2^-44 of the coordinates. Keywords: point to polytope distance, point to polygon distance.
 #pragma once
 
-#include "distance/search/solid_peak.h"
+#include "distance/search/solid_max_min.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::distance {

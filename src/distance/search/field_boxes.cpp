@@ -35,8 +35,8 @@ struct FieldBoxes::Asked {
       Vector n{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
       if (space::dot(n, f) > 0) n = space::scaled(-1, n);
       // Of a flat one the planes say nothing that is known for certain.
-      const double room = 0x1p-40 * space::size_of(n) * (space::size_of(low) + space::size_of(high));
-      planes[k] = {n, space::dot(n, a) + room, space::size_of(n)};
+      const double tolerance = 0x1p-40 * space::size_of(n) * (space::size_of(low) + space::size_of(high));
+      planes[k] = {n, space::dot(n, a) + tolerance, space::size_of(n)};
     }
     least_half = std::max(smallest, space::length(high - low) / 64);
   }

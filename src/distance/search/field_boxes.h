@@ -13,7 +13,7 @@
 #include <functional>
 #include <memory>
 
-#include "distance/search/solid_peak.h"
+#include "distance/search/solid_max_min.h"
 
 namespace findspace::distance {
 

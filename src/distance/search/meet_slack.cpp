@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/matrix_game.h"
+#include "distance/search/lp_bound.h"
 #include "exact/number/interval.h"
 
 namespace findspace::distance {
@@ -33,10 +33,13 @@ std::optional<Line> solved(std::span<const Row> rows) {
   std::array<Vector, 3> dual;
   double det = 1;
   if (rows.size() == 1) {
-    dual[0] = rows[0].w, det = space::dot(rows[0].w, rows[0].w);
+    dual[0] = rows[0].w;
+    det = space::dot(rows[0].w, rows[0].w);
   } else if (rows.size() == 2) {
     const Vector c = space::cross(rows[0].w, rows[1].w);
-    dual[0] = space::cross(rows[1].w, c), dual[1] = space::cross(c, rows[0].w), det = space::dot(c, c);
+    dual[0] = space::cross(rows[1].w, c);
+    dual[1] = space::cross(c, rows[0].w);
+    det = space::dot(c, c);
   } else if (rows.size() == 3) {
     for (std::size_t k = 0; k < 3; ++k) dual[k] = space::cross(rows[(k + 1) % 3].w, rows[(k + 2) % 3].w);
     det = space::dot(rows[0].w, dual[0]);
@@ -106,10 +109,10 @@ class Game {
     for (Column& c : all) {
       for (double& entry : c) entry -= lowest;
     }
-    const GameValue game = matrix_game(all);
+    const LpBound lp = lp_bound(all);
     Vector x;
-    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(game.rows[v], about_[v]));
-    return {game.value + lowest, x};
+    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(lp.rows[v], about_[v]));
+    return {lp.value + lowest, x};
   }
 
   double offer(const Vector& x) {
@@ -157,7 +160,7 @@ class Game {
     if (const auto line = solved({rows.data(), count})) offer_on(*first, *line);
   }
 
-  /// The place as deep as the bound below planes that is nearest to `start`: the game's own is any of those.
+  /// The place as deep as the bound below planes that is nearest to `start`: the linear program's own is any of those.
   void offer_below(std::span<const MeetSet* const> planes, double bound, const Vector& start) {
     std::array<Row, 3> rows{};
     if (planes.size() > rows.size()) return;

@@ -3,15 +3,15 @@
 //
 // The slack of what half-spaces and balls have in common: the greatest t for which a place is t inside each of them,
 //     max over x in a tetrahedron of min over the sets of -(signed distance of x);
-// more than 0 where they have interior in common. The place is found by cutting planes (a matrix game of the planes and
-// of tangents of the balls), finished in closed form where it is as deep in one to four of the sets. Guarantee:
-// doubles; the value is that at `place`, so never more than the true one but for rounding, mostly that to 2^-46 of the
-// sizes. Cost: some ten microseconds. Keywords: Chebyshev centre, problem of Apollonius, cutting planes.
+// more than 0 where they have interior in common. The place is found by cutting planes (a linear program of the
+// planes and of tangents of the balls), finished in closed form where it is as deep in one to four of the sets.
+// Guarantee: doubles; the value is that at `place`, so never more than the true one but for rounding, mostly that to
+// 2^-46 of the sizes. Cost: some ten microseconds. Keywords: Chebyshev centre, problem of Apollonius, cutting planes.
 #pragma once
 
 #include <span>
 
-#include "distance/search/solid_peak.h"
+#include "distance/search/solid_max_min.h"
 
 namespace findspace::distance {
 

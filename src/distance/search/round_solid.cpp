@@ -9,7 +9,7 @@ namespace findspace::distance {
 using space::dot;
 using space::Vector;
 
-Vector RoundSolid::foot(const Vector& x) const {
+Vector RoundSolid::projection(const Vector& x) const {
   if (way) return space::plus(x, way(x));
   const Vector e = to - from;
   const double square = dot(e, e), part = square > 0 ? std::clamp(dot(x - from, e) / square, 0.0, 1.0) : 0;
@@ -17,13 +17,13 @@ Vector RoundSolid::foot(const Vector& x) const {
 }
 
 Vector RoundSolid::pulled_in(const Vector& x) const {
-  const Vector at = foot(x), off = x - at;
+  const Vector at = projection(x), off = x - at;
   const double far = space::length(off);
   return far > radius ? space::plus(at, space::scaled(radius / far, off)) : x;
 }
 
 std::optional<std::array<double, 4>> RoundSolid::beyond_plane(const Vector& x, const Tetrahedron& corners) const {
-  const Vector at = foot(x), off = x - at;
+  const Vector at = projection(x), off = x - at;
   const double far = space::length(off);
   if (!(far > radius / 2))
     return std::nullopt;  // no sign: any plane that touches is a bound, this one would be far off
@@ -34,13 +34,13 @@ std::optional<std::array<double, 4>> RoundSolid::beyond_plane(const Vector& x, c
 
 /// A box, cut along the six ways from its lowest to its highest corner.
 std::vector<Tetrahedron> around(const RoundSolid& solid) {
-  const Vector room{solid.radius, solid.radius, solid.radius};
+  const Vector tolerance{solid.radius, solid.radius, solid.radius};
   const auto low = Vector{std::min(solid.from.x, solid.to.x), std::min(solid.from.y, solid.to.y),
                           std::min(solid.from.z, solid.to.z)} -
-                   room;
+                   tolerance;
   const auto high = space::plus(
       {std::max(solid.from.x, solid.to.x), std::max(solid.from.y, solid.to.y), std::max(solid.from.z, solid.to.z)},
-      room);
+      tolerance);
   return tetrahedra_of_box(low, high);
 }
 

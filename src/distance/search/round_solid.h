@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "distance/search/solid_peak.h"
+#include "distance/search/solid_max_min.h"
 
 namespace findspace::distance {
 
@@ -21,9 +21,9 @@ struct RoundSolid {
   /// Set: from a point to the nearest one of the convex core, whose box `from` and `to` are the corners of.
   std::function<space::Vector(const space::Vector&)> way{};
 
-  space::Vector foot(const space::Vector& x) const;  // on the segment, or the core
+  space::Vector projection(const space::Vector& x) const;  // on the segment, or the core
   /// How far x is outside, negative inside.
-  double beyond(const space::Vector& x) const { return space::length(x - foot(x)) - radius; }
+  double beyond(const space::Vector& x) const { return space::length(x - projection(x)) - radius; }
   /// x, or the nearest place of the solid.
   space::Vector pulled_in(const space::Vector& x) const;
   /// How far the corners are beyond the plane that touches the solid where it is nearest to x; none deep inside.

@@ -29,12 +29,12 @@ Touching highest(const std::vector<NearPlane>& planes, const Vector& x) {
 }  // namespace
 
 SweptPart::SweptPart(const space::BodyPart& part, const Vector& unit)
-    : unit_(unit), center_(exact::shadow(part.center)), radius_(part.radius.to_double()), point_(part.point()) {
+    : unit_(unit), center_(exact::approx(part.center)), radius_(part.radius.to_double()), point_(part.point()) {
   if (point_) return;
   for (const space::HalfSpace& h : part.planes()) planes_.push_back({h.unit, h.shift});
   const auto corners = part.vertices();
   const auto add = [&](const Point& from, const Point& to) {
-    add_silhouette(corners, exact::shadow(from), exact::shadow(to - from));
+    add_silhouette(corners, exact::approx(from), exact::approx(to - from));
   };
   if (part.core) {
     for (const space::HalfEdge& h : part.core->half_edges())
@@ -56,8 +56,9 @@ void SweptPart::add_silhouette(std::span<const Point> corners, const Vector& cor
   n = space::scaled(1 / size, n);
   double most = -exact::kInfinity, wide = 0;
   for (const Point& p : corners) {
-    const Vector v = exact::shadow(p);
-    most = std::max(most, dot(n, v)), wide = std::max(wide, space::size_of(v));
+    const Vector v = exact::approx(p);
+    most = std::max(most, dot(n, v));
+    wide = std::max(wide, space::size_of(v));
   }
   if (most > dot(n, corner) + kSame * wide) return;
   const auto same = [&](const NearPlane& h) { return space::length(h.unit - n) < kSame; };

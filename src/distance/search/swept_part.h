@@ -9,8 +9,8 @@
 
 #include <vector>
 
+#include "distance/search/boundary_search.h"
 #include "distance/search/convex_distance.h"
-#include "distance/search/front_search.h"
 #include "space/body/body.h"
 
 namespace findspace::distance {

@@ -7,21 +7,21 @@
 #include <memory>
 #include <queue>
 
-#include "distance/search/matrix_game.h"
+#include "distance/search/lp_bound.h"
 
 namespace findspace::distance {
 
 using space::plus;
 using space::scaled;
 using space::Vector;
-using Column = UnionStickOut::Column;
-using Witness = UnionStickOut::Witness;
+using Column = UnionProtrusion::Column;
+using Witness = UnionProtrusion::Witness;
 
 namespace {
 
 /// Of the size: what rounding may do, by how much B has to fit, where cells are no longer divided, and what is better
 /// than the best by less than which is not looked for.
-constexpr double kNoise = 0x1p-46, kRoom = 0x1p-45, kLeast = 0x1p-42, kBetter = 0x1p-37;
+constexpr double kNoise = 0x1p-46, kTolerance = 0x1p-45, kLeast = 0x1p-42, kBetter = 0x1p-37;
 constexpr int kMostCells = 6000;
 /// Cells of the search for what sticks out, at a corner and at a place that may be in E.
 constexpr int kRough = 1500, kFine = 20000;
@@ -31,7 +31,7 @@ constexpr int kMostChoices = 200;
 
 struct Corner {
   Vector at;
-  UnionStickOut::Farthest stuck;
+  UnionProtrusion::Farthest protrusion;
 };
 using CornerPointer = std::shared_ptr<const Corner>;
 
@@ -54,7 +54,7 @@ class Choice {
   /// The weights of the corners.
   std::optional<std::array<double, 4>> place() {
     if (columns_.empty() && witnesses_.empty()) return std::array<double, 4>{0.25, 0.25, 0.25, 0.25};
-    if (!columns_.empty()) rows_ = game();
+    if (!columns_.empty()) rows_ = lp_rows();
     if (!columns_.empty() && !rows_) return std::nullopt;
     return from(0) ? rows_ : std::nullopt;
   }
@@ -63,11 +63,11 @@ class Choice {
   bool from(std::size_t k) {
     if (k == witnesses_.size()) return true;
     for (const Column& c : witnesses_[k]) {
-      Column room = c;
-      for (double& entry : room) entry = -entry;
-      columns_.push_back(room);
+      Column tolerance = c;
+      for (double& entry : tolerance) entry = -entry;
+      columns_.push_back(tolerance);
       if (++tried_ > kMostChoices) return true;
-      const auto rows = game();
+      const auto rows = lp_rows();
       if (rows) {
         rows_ = rows;
         if (from(k + 1)) return true;
@@ -78,16 +78,19 @@ class Choice {
   }
 
   /// Where the least of the columns is greatest, if that is not below 0.
-  std::optional<std::array<double, 4>> game() const {
+  std::optional<std::array<double, 4>> lp_rows() const {
     double lowest = 0, highest = 0;
     for (const Column& c : columns_) {
-      for (const double entry : c) lowest = std::min(lowest, entry), highest = std::max(highest, entry);
+      for (const double entry : c) {
+        lowest = std::min(lowest, entry);
+        highest = std::max(highest, entry);
+      }
     }
     std::vector<Column> raised = columns_;
     for (Column& c : raised) {
       for (double& entry : c) entry -= lowest;
     }
-    const GameValue found = matrix_game(raised);
+    const LpBound found = lp_bound(raised);
     if (found.value + lowest < -noise_ - 0x1p-44 * (highest - lowest)) return std::nullopt;
     return found.rows;
   }
@@ -101,16 +104,17 @@ class Choice {
 
 class Search {
  public:
-  Search(const UnionStickOut& stick_out, const FitWish& wish, double size)
-      : stick_out_(stick_out), wish_(wish), size_(size) {
-    best_.value = wish.known, best_.known = std::isfinite(wish.known);
+  Search(const UnionProtrusion& protrusion, const FitQuery& query, double size)
+      : protrusion_(protrusion), query_(query), size_(size) {
+    best_.value = query.known;
+    best_.known = std::isfinite(query.known);
   }
 
-  FrontPlace run(std::span<const Tetrahedron> room) {
-    for (const Tetrahedron& t : room) {
+  BoundaryPlace run(std::span<const Tetrahedron> tolerance) {
+    for (const Tetrahedron& t : tolerance) {
       Cell cell;
       for (std::size_t v = 0; v < 4; ++v) cell.corner[v] = corner(t[v], 0x1p-6 * size_);
-      cell.key = wish_.floor;
+      cell.key = query_.floor;
       add(std::move(cell));
     }
     int count = 0;
@@ -122,8 +126,9 @@ class Search {
       std::size_t a = 0, b = 1;
       const double edge = longest_edge(corners(top), a, b);
       if (edge <= kLeast * size_ || count >= kMostCells) {
-        best_.whole = count < kMostCells;
-        left = top.key, best_.unsure = middle(corners(top));
+        best_.complete = count < kMostCells;
+        left = top.key;
+        best_.unresolved = middle(corners(top));
         break;
       }
       split(top, a, b, edge);
@@ -139,41 +144,46 @@ class Search {
   static Vector middle(const Tetrahedron& t) { return scaled(0.25, plus(plus(t[0], t[1]), plus(t[2], t[3]))); }
 
   CornerPointer corner(const Vector& at, double precision) const {
-    return std::make_shared<const Corner>(Corner{at, stick_out_.farthest(at, precision, kRough)});
+    return std::make_shared<const Corner>(Corner{at, protrusion_.farthest(at, precision, kRough)});
   }
 
   double objective(const Vector& x) const {
-    const double d = space::length(x - wish_.from);
-    return wish_.farthest ? -d : d;
+    const double d = space::length(x - query_.from);
+    return query_.farthest ? -d : d;
   }
   double wanted() const { return std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value; }
 
   /// At the corners, what is nowhere more than the objective.
   Column objective_below(const Tetrahedron& t) const {
     Column out;
-    const Vector at = middle(t), off = at - wish_.from;
+    const Vector at = middle(t), off = at - query_.from;
     const double d = space::length(off);
     for (std::size_t v = 0; v < 4; ++v)
-      out[v] = wish_.farthest ? objective(t[v]) : d > 0 ? d + space::dot(off, t[v] - at) / d : 0;
+      out[v] = query_.farthest ? objective(t[v]) : d > 0 ? d + space::dot(off, t[v] - at) / d : 0;
     return out;
   }
 
   void take(const Vector& x) {
     const double value = objective(x);
-    if (value < best_.value) best_.value = value, best_.place = x, best_.found = true, best_.known = false;
+    if (value < best_.value) {
+      best_.value = value;
+      best_.place = x;
+      best_.found = true;
+      best_.known = false;
+    }
   }
 
   /// Whether B fits at a place, by more than rounding; if not, about how far it sticks out. One of the witnesses often
   /// says so.
   bool fits(const Vector& x, const Cell& cell, double edge, double& out) const {
-    const double room = kRoom * size_;
+    const double tolerance = kTolerance * size_;
     out = -exact::kInfinity;
-    for (const Witness& w : cell.witnesses) out = std::max(out, stick_out_.beyond(plus(w.point, x)));
-    if (out > -room) return false;
-    const UnionStickOut::Farthest stuck =
-        stick_out_.farthest(x, std::max(0.25 * edge * edge / size_, kNoise * size_), kFine);
-    out = stuck.bound;
-    return stuck.bound <= -room;
+    for (const Witness& w : cell.witnesses) out = std::max(out, protrusion_.beyond(plus(w.point, x)));
+    if (out > -tolerance) return false;
+    const UnionProtrusion::Farthest protrusion =
+        protrusion_.farthest(x, std::max(0.25 * edge * edge / size_, kNoise * size_), kFine);
+    out = protrusion.bound;
+    return protrusion.bound <= -tolerance;
   }
 
   /// A place that may be in E, or else where E begins on the way to one that is.
@@ -182,8 +192,8 @@ class Search {
     if (!(objective(x) < wanted())) return;
     if (fits(x, cell, edge, out)) return take(x);
     if (!cell.inside) return;
-    const double deep = 2 * kRoom * size_ - cell.inside->stuck.bound;
-    double step = (out + 2 * kRoom * size_) / (out + deep);
+    const double deep = 2 * kTolerance * size_ - cell.inside->protrusion.bound;
+    double step = (out + 2 * kTolerance * size_) / (out + deep);
     for (int k = 0; k < 6 && step < 1; ++k, step *= 1.5) {
       const Vector y = plus(x, scaled(step, cell.inside->at - x));
       if (!(objective(y) < wanted())) return;
@@ -192,22 +202,22 @@ class Search {
   }
 
   /// The columns of the witnesses that say something; false where one says that B fits nowhere in the cell.
-  bool told(Cell& cell, const Tetrahedron& t, double edge, std::vector<std::vector<Column>>& out) const {
+  bool decided(Cell& cell, const Tetrahedron& t, double edge, std::vector<std::vector<Column>>& out) const {
     std::vector<Witness> kept, all;
     for (const CornerPointer& c : cell.corner) {
-      all.push_back({c->stuck.point, c->at, c->stuck.piece});
-      // As it is, too: where B has no room to spare, many points stick out, each on its own side.
-      if (!add_columns(stick_out_.holders(all.back(), t), out)) return false;
+      all.push_back({c->protrusion.point, c->at, c->protrusion.piece});
+      // As it is, too: where B has no tolerance to spare, many points stick out, each on its own side.
+      if (!add_columns(protrusion_.holders(all.back(), t), out)) return false;
     }
     all.insert(all.end(), cell.witnesses.begin(), cell.witnesses.end());
     for (Witness& w : all) {
       if (kept.size() == kMostWitnesses) break;
-      stick_out_.follow(w, middle(t), edge);
+      protrusion_.follow(w, middle(t), edge);
       const bool same = std::any_of(kept.begin(), kept.end(), [&](const Witness& other) {
         return w.piece == other.piece && space::length(w.point - other.point) <= edge / 4;
       });
       if (same) continue;
-      if (!add_columns(stick_out_.holders(w, t, edge), out)) return false;
+      if (!add_columns(protrusion_.holders(w, t, edge), out)) return false;
       kept.push_back(w);
     }
     cell.witnesses = std::move(kept);
@@ -230,13 +240,13 @@ class Search {
     std::size_t a = 0, b = 1;
     const double edge = longest_edge(t, a, b);
     for (const CornerPointer& c : cell.corner) {
-      if (c->stuck.value > edge + kNoise * size_) return;
-      if (c->stuck.bound > -kRoom * size_) continue;
+      if (c->protrusion.value > edge + kNoise * size_) return;
+      if (c->protrusion.bound > -kTolerance * size_) continue;
       cell.inside = c;
       take(c->at);
     }
     std::vector<std::vector<Column>> witnesses;
-    if (!told(cell, t, edge, witnesses)) return;
+    if (!decided(cell, t, edge, witnesses)) return;
     std::vector<Column> better;
     if (std::isfinite(wanted())) {
       better.emplace_back();
@@ -255,24 +265,27 @@ class Search {
     const CornerPointer fresh = corner(half, std::max(0.25 * edge * edge / size_, kNoise * size_));
     for (const std::size_t moved : {a, b}) {
       Cell part = cell;
-      part.corner[moved] = fresh, part.depth = cell.depth + 1;
+      part.corner[moved] = fresh;
+      part.depth = cell.depth + 1;
       add(std::move(part));
     }
   }
 
-  const UnionStickOut& stick_out_;
-  const FitWish& wish_;
+  const UnionProtrusion& protrusion_;
+  const FitQuery& query_;
   double size_;
-  FrontPlace best_;
+  BoundaryPlace best_;
   std::priority_queue<Cell> queue_;
 };
 
 }  // namespace
 
-FrontPlace best_fit(const UnionStickOut& stick_out, const Vector& low, const Vector& high, const FitWish& wish) {
-  const double size = stick_out.size(), room = 0x1p-30 * size;
-  const auto [from, to] = askew(low - Vector{room, room, room}, plus(high, {room, room, room}));
-  return Search(stick_out, wish, size).run(tetrahedra_of_box(from, to));
+BoundaryPlace best_fit(const UnionProtrusion& protrusion, const Vector& low, const Vector& high,
+                       const FitQuery& query) {
+  const double size = protrusion.size(), tolerance = 0x1p-30 * size;
+  const auto [from, to] =
+      askew(low - Vector{tolerance, tolerance, tolerance}, plus(high, {tolerance, tolerance, tolerance}));
+  return Search(protrusion, query, size).run(tetrahedra_of_box(from, to));
 }
 
 }  // namespace findspace::distance

@@ -31,8 +31,14 @@ BoxComplex seen(const BoxComplex& set, int axis, const Interval& stretch) {
 BoxComplex reached(const BoxComplex& set, const Real& reach, int axis, int way, Mark near) {
   const auto stretch = [&](bool whole) {
     Interval i{-reach, reach, whole, whole};
-    if (way > 0) i.from = Real(), i.from_in = true;
-    if (way < 0) i.to = Real(), i.to_in = true;
+    if (way > 0) {
+      i.from = Real();
+      i.from_in = true;
+    }
+    if (way < 0) {
+      i.to = Real();
+      i.to_in = true;
+    }
     return i;
   };
   const BoxComplex open = seen(set, axis, stretch(false)), closed = seen(set, axis, stretch(true));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "distance/search/matrix_game.h"
+#include "distance/search/lp_bound.h"
 
 namespace findspace::distance {
 
@@ -38,7 +38,7 @@ class Search {
     double bound = -exact::kInfinity;
     for (int k = 0; k < kMostTangents && !(least_ - bound <= 0x1p-40 * size_); ++k) {
       if (!add_tangent()) break;
-      const GameValue lowest = bounding_game(columns_, std::nullopt);
+      const LpBound lowest = bounding_lp(columns_, std::nullopt);
       bound = -lowest.value - 0x1p-42 * size_;
       Vector to{};
       for (std::size_t c = 0; c < 4; ++c) to = space::plus(to, space::scaled(lowest.rows[c], corners_[c]));
@@ -57,7 +57,11 @@ class Search {
     const RealVector p = space::real(next_);
     const SolidValue v = value_(p);
     const double value = v.value.to_double();
-    if (value < least_) least_ = value, out_.value = v.value, out_.at = p;
+    if (value < least_) {
+      least_ = value;
+      out_.value = v.value;
+      out_.at = p;
+    }
     const auto along = direction(v);
     if (!along) return false;
     std::array<double, 4> column{};
@@ -71,7 +75,10 @@ class Search {
     RealVector even = out_.at;
     for (Real& c : even) c = Real(exact::round(c));
     SolidValue v = value_(even);
-    if (v.value <= out_.value + Real::from_double(0x1p-38 * size_)) out_.value = std::move(v.value), out_.at = even;
+    if (v.value <= out_.value + Real::from_double(0x1p-38 * size_)) {
+      out_.value = std::move(v.value);
+      out_.at = even;
+    }
   }
 
   const std::function<SolidValue(const RealVector&)>& value_;

@@ -9,8 +9,8 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/solid/convex_least.h"
-#include "space/body/cover_frontier.h"
 #include "space/body/outside_cells.h"
+#include "space/body/union_frontier.h"
 #include "space/polytope/deepest.h"
 #include "space/polytope/min_ball.h"
 
@@ -23,7 +23,7 @@ namespace {
 
 /// Convex sets that are to be kept away from, each with its planes, the ones that can bound a ball.
 struct Obstacles {
-  std::vector<Tetrahedron> room;
+  std::vector<Tetrahedron> tolerance;
   std::vector<ConvexDistance> distances;
   std::vector<std::vector<HalfSpace>> planes;
 };
@@ -35,7 +35,7 @@ std::vector<HalfSpace> touched_planes(const Obstacles& all, const Vector& place,
   for (std::size_t k = 0; k < all.distances.size(); ++k) {
     if (all.distances[k](place) > radius + slack) continue;
     for (const HalfSpace& h : all.planes[k]) {
-      if (std::fabs(h.shadow_value(place) - radius) <= slack) planes.push_back(h.opposite());
+      if (std::fabs(h.approx_value(place) - radius) <= slack) planes.push_back(h.opposite());
     }
   }
   return planes;
@@ -44,8 +44,8 @@ std::vector<HalfSpace> touched_planes(const Obstacles& all, const Vector& place,
 /// Positions near a place that is known to rounding, of numbers that the true one may well have.
 std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place, double radius) {
   std::vector<RealVector> out;
-  const double room = 0x1p-20 * (radius + space::size_of(place)) + 1;
-  const Vector by{room, room, room};
+  const double tolerance = 0x1p-20 * (radius + space::size_of(place)) + 1;
+  const Vector by{tolerance, tolerance, tolerance};
   if (const auto exact = space::deepest(touched_planes(all, place, radius), space::real(place - by),
                                         space::real(space::plus(place, by))))
     out.push_back(exact->at);
@@ -61,12 +61,13 @@ std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place,
   return out;
 }
 
-/// Of a signed distance: -(peak - radius).
+/// Of a signed distance: -(max_min - radius).
 std::optional<SolidLeast> deepest_place(const Obstacles& all, const Real& radius, const RealVector& somewhere,
                                         const std::function<std::optional<SolidValue>(const RealVector&)>& value) {
   const double size = space::size_of(space::rounded(somewhere)) + radius.to_double() + 1;
-  const SolidPeak peak = all.room.empty() ? SolidPeak{} : solid_peak(all.room, all.distances, 0x1p-42 * size);
-  const Real bound = radius - Real::from_double(peak.bound + 0x1p-42 * size);
+  const SolidMaxMin max_min =
+      all.tolerance.empty() ? SolidMaxMin{} : solid_max_min(all.tolerance, all.distances, 0x1p-42 * size);
+  const Real bound = radius - Real::from_double(max_min.bound + 0x1p-42 * size);
   std::optional<SolidLeast> best;
   // Values are right to 2^-40, so what is less by less than that is no better than a likelier place.
   const Real blur = Real::from_double(0x1p-38 * size);  // no sign: it chooses among positions
@@ -75,8 +76,8 @@ std::optional<SolidLeast> deepest_place(const Obstacles& all, const Real& radius
     if (!v || (best && !(v->value < best->value - blur))) return;
     best = SolidLeast{v->value, std::min(bound, v->value), false, p};
   };
-  if (peak.value > 0) {
-    for (const RealVector& p : likely_places(all, peak.place, peak.value)) offer(p);
+  if (max_min.value > 0) {
+    for (const RealVector& p : likely_places(all, max_min.place, max_min.value)) offer(p);
   }
   if (!best) offer(somewhere);
   return best;
@@ -87,7 +88,8 @@ class Least {
   Least(const Body& b, const Body& a)
       : b_(b), a_(a), pair_(std::make_shared<const Body>(b), std::make_shared<const Body>(a)) {
     const space::Bounds3 outer = bounds(a), inner = bounds(b);
-    low_ = space::minus(outer.low, inner.high), high_ = space::minus(outer.high, inner.low);
+    low_ = space::minus(outer.low, inner.high);
+    high_ = space::minus(outer.high, inner.low);
   }
 
   std::optional<SolidLeast> of(Which which) const {
@@ -125,9 +127,12 @@ class Least {
   }
 
   Obstacles around_overlap() const {
-    const space::OpenCover cover = space::overlap_cover(b_, a_);
+    const space::OpenUnion cover = space::overlap_cover(b_, a_);
     RealVector low = low_, high = high_;
-    for (std::size_t k = 0; k < 3; ++k) low[k] -= Real(1), high[k] += Real(1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] -= Real(1);
+      high[k] += Real(1);
+    }
     std::vector<std::vector<HalfSpace>> sets;
     Obstacles all;
     for (std::size_t k = 0; k < cover.size(); ++k) {
@@ -135,7 +140,7 @@ class Least {
       ConvexRegion body(low, high);
       for (const HalfSpace& h : sets.back()) body.cut(h);
       const std::vector<Tetrahedron> more = tetrahedra(body);
-      all.room.insert(all.room.end(), more.begin(), more.end());
+      all.tolerance.insert(all.tolerance.end(), more.begin(), more.end());
     }
     for (const ConvexRegion& piece : space::cover_frontier(sets, low, high)) {
       all.distances.push_back(distance_to_flat(piece));
@@ -156,7 +161,8 @@ class Least {
   /// Where B can be at all: A's box less B's.
   bool fit_box(RealVector& low, RealVector& high) const {
     const space::Bounds3 outer = bounds(a_), inner = bounds(b_);
-    low = space::minus(outer.low, inner.low), high = space::minus(outer.high, inner.high);
+    low = space::minus(outer.low, inner.low);
+    high = space::minus(outer.high, inner.high);
     return low[0] <= high[0] && low[1] <= high[1] && low[2] <= high[2];
   }
 
@@ -172,15 +178,15 @@ class Least {
       }
     }
     const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
-    const space::OpenCover cover = space::outside_cover(core, cells);
-    const auto somewhere = space::farthest_uncovered(cover, low, high, low);
+    const space::OpenUnion cover = space::outside_cover(core, cells);
+    const auto somewhere = space::farthest_in_complement(cover, low, high, low);
     if (!somewhere) return std::nullopt;
     Obstacles all;
-    for (const ConvexRegion& piece : space::uncovered_pieces(cover, low, high)) {
+    for (const ConvexRegion& piece : space::complement_pieces(cover, low, high)) {
       const std::vector<Tetrahedron> more = tetrahedra(piece);
-      all.room.insert(all.room.end(), more.begin(), more.end());
+      all.tolerance.insert(all.tolerance.end(), more.begin(), more.end());
     }
-    if (all.room.empty() && radius.sign() == 0) return SolidLeast{Real(), Real(), true, *somewhere};
+    if (all.tolerance.empty() && radius.sign() == 0) return SolidLeast{Real(), Real(), true, *somewhere};
     for (std::size_t k = 0; k < cover.size(); ++k) {
       all.distances.push_back(distance_to(cover.planes(k)));
       all.planes.push_back(cover.planes(k));
@@ -203,11 +209,14 @@ class Least {
     if (a_.round() || b_.round()) return searched(Which::kEta2, 0);
     if (!fit_box(low, high)) return std::nullopt;
     const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
-    const space::OpenCover cover = space::outside_cover(b_, cells);
-    if (!space::farthest_uncovered(cover, low, high, low)) return std::nullopt;
+    const space::OpenUnion cover = space::outside_cover(b_, cells);
+    if (!space::farthest_in_complement(cover, low, high, low)) return std::nullopt;
     std::vector<std::vector<HalfSpace>> sets;
     for (std::size_t k = 0; k < cover.size(); ++k) sets.push_back(cover.planes(k));
-    for (std::size_t k = 0; k < 3; ++k) low[k] -= Real(1), high[k] += Real(1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] -= Real(1);
+      high[k] += Real(1);
+    }
     std::vector<RealVector> points;
     for (const ConvexRegion& piece : space::cover_frontier(sets, low, high)) {
       for (const ConvexRegion::Vertex& v : piece.vertices()) points.push_back(v.at);

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "distance/search/front_room.h"
-#include "distance/search/solid_mu.h"
+#include "distance/search/free_space.h"
+#include "distance/search/solid_protrusion.h"
 #include "distance/search/solid_value.h"
 
 namespace findspace::distance {
@@ -49,14 +49,16 @@ SolidPair::SolidPair(std::shared_ptr<const Body> b, std::shared_ptr<const Body> 
     parts->outside = false;
     a_ = std::move(parts);
   }
-  forth_.moving = b_.get(), forth_.fixed = a_.get();
-  back_.moving = a_.get(), back_.fixed = b_.get();
+  forth_.moving = b_.get();
+  forth_.fixed = a_.get();
+  back_.moving = a_.get();
+  back_.fixed = b_.get();
 }
 
 SolidValue SolidPair::gap(const RealVector& p, bool depth) const {
   if (a_->round() || b_->round()) return round_gap(p, depth);
-  std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenCover>(overlap_cover(*b_, *a_)); });
-  if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_uncovered(p), -1);
+  std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenUnion>(overlap_cover(*b_, *a_)); });
+  if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_in_complement(p), -1);
   return signed_value(p, *overlap_->nearest_touching(p), 1);
 }
 
@@ -70,10 +72,10 @@ SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
       if (planes.empty()) {
         v = with_radius(p, real(t.center - s.center), false, r);
       } else {
-        space::OpenCover core;
+        space::OpenUnion core;
         core.add(space::everywhere(), planes);
         const bool inside = core.covers(p);
-        v = with_radius(p, *(inside ? core.nearest_uncovered(p) : nearest_in(planes, p)), inside, r);
+        v = with_radius(p, *(inside ? core.nearest_in_complement(p) : nearest_in(planes, p)), inside, r);
       }
       if (!best || v.value < best->value) best = std::move(v);
     }
@@ -97,18 +99,18 @@ SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
       for (const BodyPart& s : b_->parts)
         sets.push_back({space::difference_planes(t, s), real(t.center - s.center), t.radius + s.radius});
     }
-    round_overlap_ = std::make_shared<const FrontRoom>(
-        FrontRoom::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
+    round_overlap_ = std::make_shared<const FreeSpace>(
+        FreeSpace::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
   });
   return turned(*round_overlap_->nearest(p, true));
 }
 
-SolidValue SolidPair::sticking_out(const Side& side, const RealVector& p, bool depth) const {
-  if (side.fixed->convex()) return stick_out_of_convex(*side.moving, side.fixed->parts[0], p);
+SolidValue SolidPair::protrusion(const Side& side, const RealVector& p, bool depth) const {
+  if (side.fixed->convex()) return protrusion_of_convex(*side.moving, side.fixed->parts[0], p);
   if (!side.fixed->round()) {
     if (auto inside = inside_polyhedra(side, p)) return *inside;
   }
-  SolidValue out = stick_out_of_union(*side.moving, *side.fixed, p);
+  SolidValue out = protrusion_of_union(*side.moving, *side.fixed, p);
   const bool inside = side.fixed->round() && out.value.sign() <= 0;
   return depth && inside ? depth_inside(side, p) : out;
 }
@@ -139,19 +141,19 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
     case Which::kDelta2:
       return seen_back(farthest_fit(back_, q));
     case Which::kMu:
-      return sticking_out(forth_, p);
+      return protrusion(forth_, p);
     case Which::kMuBack:
-      return points_back(sticking_out(back_, q));
+      return points_back(protrusion(back_, q));
     case Which::kHausdorff: {
-      const SolidValue forth = sticking_out(forth_, p, false), back = points_back(sticking_out(back_, q, false));
+      const SolidValue forth = protrusion(forth_, p, false), back = points_back(protrusion(back_, q, false));
       return forth.value < back.value ? back : forth;
     }
     case Which::kD1:
       return cut_off(gap(p, false), false);
     case Which::kH:
-      return cut_off(sticking_out(forth_, p, false), false);
+      return cut_off(protrusion(forth_, p, false), false);
     case Which::kHBack:
-      return cut_off(points_back(sticking_out(back_, q, false)), false);
+      return cut_off(points_back(protrusion(back_, q, false)), false);
     case Which::kDstar:
       return seen_back(clearance_inside(back_, q));
     case Which::kDstarBack:
@@ -172,7 +174,7 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
 
 /// The depth of the deepest point of B + p, which lies in the interior of A's parts.
 SolidValue SolidPair::reach_into_parts(const RealVector& p) const {
-  if (!a_->round()) return stick_out_of_cells(*b_, fit(forth_).cells, p);
+  if (!a_->round()) return protrusion_of_cells(*b_, fit(forth_).cells, p);
   if (!a_->convex()) fail("how far a shape sticks out of the complement of a union of round parts is not computed");
   // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
   const BodyPart& part = a_->parts[0];
@@ -186,7 +188,8 @@ SolidValue SolidPair::reach_into_parts(const RealVector& p) const {
   core.outside = true;
   const SolidValue v = *SolidPair(b_, std::make_shared<const Body>(std::move(core))).value(Which::kMu, p);
   out.value = v.value + part.radius;
-  out.proven = v.proven, out.error = v.error;
+  out.proven = v.proven;
+  out.error = v.error;
   return out;
 }
 

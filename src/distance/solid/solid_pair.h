@@ -9,7 +9,7 @@
 //            one ball E is an intersection of balls;  delta1: eta1 with the roles exchanged, at -p;
 //   gamma2, eta2, delta2: the farthest vertex of X, E, D, flat and single pieces of E and D included;
 //   mu       the greatest signed distance to A of a point of B: at a vertex where A is convex, else by search
-//   (solid_mu.h); of a complement the depth of the deepest point of B in what that leaves.
+//   (solid_protrusion.h); of a complement the depth of the deepest point of B in what that leaves.
 // Guarantee: signs exact, values right to 2^-40 relative, most of them exact numbers (`proven`). Where a distance is
 // not computed for a kind of body (see fail in the .cpp) Error(kUnsupported) says so. Lengths in the bodies' common
 // steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
@@ -28,8 +28,8 @@
 
 namespace findspace::distance {
 
-class FrontRoom;
-struct UnionRooms;
+class FreeSpace;
+struct UnionContainers;
 
 class SolidPair {
  public:
@@ -46,7 +46,7 @@ class SolidPair {
     struct Group {
       space::Body core;
       exact::Real radius;
-      space::OpenCover cover;
+      space::OpenUnion cover;
     };
     std::vector<space::OutsideCell> cells;
     std::vector<Group> groups;  // one for each radius
@@ -54,8 +54,8 @@ class SolidPair {
     bool round = false;  // the front of E is
     bool none = false;   // the moving one is too large
     mutable std::once_flag front_made;
-    mutable std::shared_ptr<const FrontRoom> front;
-    std::shared_ptr<const UnionRooms> in_union;  // where the fixed one is a union of round parts
+    mutable std::shared_ptr<const FreeSpace> front;
+    std::shared_ptr<const UnionContainers> in_union;  // where the fixed one is a union of round parts
   };
   struct Side {  // one of the two as moving, the other as fixed
     const space::Body* moving = nullptr;
@@ -66,17 +66,17 @@ class SolidPair {
 
   const Fit& fit(const Side& side) const;
   static std::unique_ptr<Fit> made_fit(const Side& side);
-  static const FrontRoom& front(const Side& side, const Fit& fit);
+  static const FreeSpace& front(const Side& side, const Fit& fit);
   std::optional<SolidValue> contained(const Side& side, const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
   std::optional<SolidValue> inside_polyhedra(const Side& side, const space::RealVector& p) const;
   std::optional<SolidValue> farthest_fit(const Side& side, const space::RealVector& p) const;
   /// The box holds E.
-  static std::shared_ptr<const UnionRooms> union_rooms(const space::Body& b, const space::Body& a,
-                                                       const space::Bounds3& box);
-  /// `stuck`: how far the moving body sticks out at p.
+  static std::shared_ptr<const UnionContainers> union_containers(const space::Body& b, const space::Body& a,
+                                                                 const space::Bounds3& box);
+  /// `outside`: the protrusion of the moving body at p.
   std::optional<SolidValue> into_union(const Side& side, const Fit& fit, const space::RealVector& p,
-                                       const SolidValue& stuck) const;
+                                       const SolidValue& outside) const;
   static std::optional<SolidValue> farthest_in_union(const Fit& fit, const space::RealVector& p);
   /// max(0, -eta1), also where eta1 is not computed.
   std::optional<SolidValue> clearance_inside(const Side& side, const space::RealVector& p) const;
@@ -86,7 +86,7 @@ class SolidPair {
   SolidValue gap(const space::RealVector& p, bool depth = true) const;
   SolidValue round_gap(const space::RealVector& p, bool depth) const;
   SolidValue reach(const space::RealVector& p) const;
-  SolidValue sticking_out(const Side& side, const space::RealVector& p, bool depth = true) const;
+  SolidValue protrusion(const Side& side, const space::RealVector& p, bool depth = true) const;
   SolidValue reach_into_parts(const space::RealVector& p) const;
   std::optional<SolidValue> bounded(Which which, const space::RealVector& p) const;
   std::optional<SolidValue> unbounded(Which which, const space::RealVector& p) const;
@@ -95,9 +95,9 @@ class SolidPair {
   bool outside_ = false;
   Side forth_, back_;
   mutable std::once_flag overlap_made_;
-  mutable std::unique_ptr<space::OpenCover> overlap_;
+  mutable std::unique_ptr<space::OpenUnion> overlap_;
   mutable std::once_flag round_overlap_made_;
-  mutable std::shared_ptr<const FrontRoom> round_overlap_;
+  mutable std::shared_ptr<const FreeSpace> round_overlap_;
 };
 
 /// max |v - w| + radii over two points of the body.

@@ -8,7 +8,7 @@
 //                         of rounded polytopes; else that of the parts less r in P, as (P (+) r) (-) r = P;
 //   in polyhedra          what is farther from the cover of outside cells less B's cores than their radii;
 //   in a union of round parts: solid_pair_union.cpp.
-// Guarantee: as solid_pair.h; fronts that are round are searched (front_room.h). Keywords: erosion, Minkowski
+// Guarantee: as solid_pair.h; fronts that are round are searched (free_space.h). Keywords: erosion, Minkowski
 // difference, containment.
 
 #include <findspace/error.h>
@@ -16,8 +16,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/front_room.h"
-#include "distance/search/solid_mu.h"
+#include "distance/search/free_space.h"
+#include "distance/search/solid_protrusion.h"
 #include "distance/search/solid_value.h"
 #include "distance/solid/solid_pair.h"
 
@@ -43,7 +43,7 @@ std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) {
 
 }  // namespace
 
-const FrontRoom& SolidPair::front(const Side& side, const Fit& fit) {
+const FreeSpace& SolidPair::front(const Side& side, const Fit& fit) {
   std::call_once(fit.front_made, [&] {
     const Body &b = *side.moving, &a = *side.fixed;
     const space::Bounds3 box = *fit_box(b, a);
@@ -51,8 +51,8 @@ const FrontRoom& SolidPair::front(const Side& side, const Fit& fit) {
     for (const Fit::Group& group : fit.groups) {
       for (std::size_t k = 0; k < group.cover.size(); ++k) sets.push_back({group.cover.planes(k), {}, group.radius});
     }
-    fit.front = std::make_shared<const FrontRoom>(a.convex() ? FrontRoom::inside(b, a.parts[0], box.low, box.high)
-                                                             : FrontRoom::outside(std::move(sets), box.low, box.high));
+    fit.front = std::make_shared<const FreeSpace>(a.convex() ? FreeSpace::inside(b, a.parts[0], box.low, box.high)
+                                                             : FreeSpace::outside(std::move(sets), box.low, box.high));
   });
   return *fit.front;
 }
@@ -72,13 +72,14 @@ std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
   if (a.round() && !a.convex()) {
     const auto box = fit_box(b, a);
     made->none = !box;
-    if (box) made->in_union = union_rooms(b, a, *box);
+    if (box) made->in_union = union_containers(b, a, *box);
     return made;
   }
   if (a.convex()) {
     const auto plain = without_radius(b, a);
     if (!plain) {
-      made->round = true, made->none = !fit_box(b, a);
+      made->round = true;
+      made->none = !fit_box(b, a);
       return made;
     }
     Fit::Group& group = made->groups.emplace_back();
@@ -95,7 +96,8 @@ std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
   made->groups.resize(radii.size());
   for (std::size_t k = 0; k < radii.size(); ++k) {
     Fit::Group& group = made->groups[k];
-    group.core.scale = b.scale, group.radius = radii[k];
+    group.core.scale = b.scale;
+    group.radius = radii[k];
     for (const BodyPart& part : b.parts) {
       if (part.radius != radii[k]) continue;
       group.core.parts.push_back(part);
@@ -103,7 +105,8 @@ std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
     }
     group.cover = space::outside_cover(group.core, made->cells);
   }
-  made->round = b.round(), made->none = b.round() && !fit_box(b, a);
+  made->round = b.round();
+  made->none = b.round() && !fit_box(b, a);
   return made;
 }
 
@@ -115,13 +118,13 @@ const SolidPair::Fit& SolidPair::fit(const Side& side) const {
 std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVector& p) const {
   const bool in_round = side.fixed->round() && !(side.fixed->convex() && side.fixed->parts[0].point());
   if (in_round) {
-    const SolidValue v = sticking_out(side, p);
+    const SolidValue v = protrusion(side, p);
     if (v.value.sign() <= 0) return v;  // inside both distances agree
     const Fit& f = fit(side);
     if (f.none) return std::nullopt;
     if (f.in_union) return into_union(side, f, p, v);
     if (!f.round) {
-      const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_uncovered(p);
+      const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_in_complement(p);
       return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
     }
     // Moved by as much, the way that B sticks out by, it often fits.
@@ -136,12 +139,12 @@ std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVecto
     const auto q = f.balls->nearest(p);
     if (!q) return std::nullopt;
     if (*q != p) return signed_value(p, *q, 1);
-    return sticking_out(side, p);  // inside E both distances agree
+    return protrusion(side, p);  // inside E both distances agree
   }
   if (auto v = inside_polyhedra(side, p)) return v;
   if (f.none) return std::nullopt;
   if (f.round) return front(side, f).nearest(p, false);
-  const auto q = f.groups[0].cover.nearest_uncovered(p);
+  const auto q = f.groups[0].cover.nearest_in_complement(p);
   return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
 }
 
@@ -179,7 +182,7 @@ std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVe
   } else {
     const auto box = fit_box(*side.moving, *side.fixed);
     if (!box) return std::nullopt;
-    q = farthest_uncovered(f.groups[0].cover, box->low, box->high, p);
+    q = farthest_in_complement(f.groups[0].cover, box->low, box->high, p);
   }
   if (!q) return std::nullopt;
   SolidValue out;
@@ -189,7 +192,7 @@ std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVe
 
 std::optional<SolidValue> SolidPair::clearance_inside(const Side& side, const RealVector& p) const {
   const bool in_rounds = side.fixed->round() && !side.fixed->convex();
-  if (in_rounds && sticking_out(side, p, false).value.sign() > 0) return SolidValue{};
+  if (in_rounds && protrusion(side, p, false).value.sign() > 0) return SolidValue{};
   return cut_off(contained(side, p), true);
 }
 
@@ -197,10 +200,10 @@ SolidValue SolidPair::depth_inside(const Side& side, const RealVector& p) {
   const space::Bounds3 box = bounds(*side.fixed);
   std::vector<GrownSet> sets;
   for (const BodyPart& part : side.fixed->parts) sets.push_back({part.planes(), real(part.center), part.radius});
-  const FrontRoom room = FrontRoom::outside(std::move(sets), box.low, box.high);
+  const FreeSpace tolerance = FreeSpace::outside(std::move(sets), box.low, box.high);
   std::optional<SolidValue> least;
   for (const BodyPart& part : side.moving->parts) {
-    SolidValue v = room.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
+    SolidValue v = tolerance.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
     if (!least || v.value < least->value) least = std::move(v);
   }
   least->value = -least->value;

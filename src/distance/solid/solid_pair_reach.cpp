@@ -26,24 +26,27 @@ void visit_farthest(const Body& a, const Body& b, const space::Vector& p, Visit&
   space::Vector middle;
   double count = 0, reach = 0, top = 0;
   for (const BodyPart& s : b.parts) {
-    for (const space::Point& w : s.vertices()) middle = space::plus(middle, exact::shadow(w)), ++count;
+    for (const space::Point& w : s.vertices()) {
+      middle = space::plus(middle, exact::approx(w));
+      ++count;
+    }
   }
   middle = space::scaled(1 / count, middle);
   for (const BodyPart& s : b.parts) {
     for (const space::Point& w : s.vertices())
-      reach = std::max(reach, space::length(exact::shadow(w) - middle) + s.radius.to_double());
+      reach = std::max(reach, space::length(exact::approx(w) - middle) + s.radius.to_double());
   }
   const auto each = [&](const auto& take) {
     for (const BodyPart& t : a.parts) {
       const double radius = t.radius.to_double();
       for (const space::Point& v : t.vertices()) {
-        const space::Vector at = exact::shadow(v) - p;
+        const space::Vector at = exact::approx(v) - p;
         const double most = space::length(at - middle) + reach + radius,
                      blur = space::size_of(at) + space::size_of(middle);
         if (most * (1 + 0x1p-40) + 0x1p-44 * blur < top * (1 - 0x1p-40)) continue;
         for (const BodyPart& s : b.parts) {
           const double r = radius + s.radius.to_double();
-          for (const space::Point& w : s.vertices()) take(t, s, v, w, space::length(at - exact::shadow(w)) + r);
+          for (const space::Point& w : s.vertices()) take(t, s, v, w, space::length(at - exact::approx(w)) + r);
         }
       }
     }

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/surface/contact_boxes.h"
 
-#include "distance/search/front_cells.h"
+#include "distance/search/boundary_cells.h"
 
 namespace findspace::distance {
 
@@ -26,19 +26,20 @@ ContactBoxes::ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& 
     : overlap_(*a.sheets()[0], *b.sheets()[0], side == space::TouchSide::kInside),
       planes_(overlap_.a(), a.sheets()[0]->tree, overlap_.b(), b.sheets()[0]->tree),
       depths_(b, a, side) {
-  const auto shadow = [](const space::Point& v) { return exact::shadow(v); };
+  const auto approx = [](const space::Point& v) { return exact::approx(v); };
   const bool inside = side == space::TouchSide::kInside;
   const space::RayBody &of_a = overlap_.a(), &of_b = overlap_.b();
-  const Vector low = shadow(inside ? of_a.low - of_b.low : of_a.low - of_b.high),
-               high = shadow(inside ? of_a.high - of_b.high : of_a.high - of_b.low);
-  // The bodies may be as large as each other: some room.
-  const double room = 0x1p-6 * space::length(shadow(of_b.high - of_b.low));
-  const auto whole = askew(low - Vector{room, room, room}, space::plus(high, {room, room, room}));
-  size_ = space::length(whole.first) + space::length(whole.second) + depths_.size();
+  const Vector low = approx(inside ? of_a.low - of_b.low : of_a.low - of_b.high),
+               high = approx(inside ? of_a.high - of_b.high : of_a.high - of_b.low);
+  // The bodies may be as large as each other: some tolerance.
+  const double tolerance = 0x1p-6 * space::length(approx(of_b.high - of_b.low));
+  const auto complete =
+      askew(low - Vector{tolerance, tolerance, tolerance}, space::plus(high, {tolerance, tolerance, tolerance}));
+  size_ = space::length(complete.first) + space::length(complete.second) + depths_.size();
   // B's box may be larger than A's: then B lies in A nowhere.
-  const Vector wide = whole.second - whole.first;
+  const Vector wide = complete.second - complete.first;
   const bool none = wide.x < 0 || wide.y < 0 || wide.z < 0;
-  boxes_.push_back({{whole.first, whole.second}, 0, none ? State::kOverlap : State::kNew, -1, {}});
+  boxes_.push_back({{complete.first, complete.second}, 0, none ? State::kOverlap : State::kNew, -1, {}});
 }
 
 const ContactBoxes::Box& ContactBoxes::look(int k) {
@@ -49,7 +50,8 @@ const ContactBoxes::Box& ContactBoxes::look(int k) {
   if (depths_.deeper(middle, half + 0x1p-43 * size_, likely_)) {
     box.state = State::kOverlap;
   } else if (const auto planes = planes_.near(middle, half, kFewPlanes, kFewPairs)) {
-    box.state = State::kPlanes, box.planes = half_spaces(*planes);
+    box.state = State::kPlanes;
+    box.planes = half_spaces(*planes);
   } else if (tiny(box) || box.level % kOften == kOften - 1) {
     box.state = State::kMany;
   } else {
@@ -68,7 +70,8 @@ std::optional<std::vector<HalfSpace>> ContactBoxes::many_planes(int k) const {
 
 void ContactBoxes::divide(int k) {
   Box& box = boxes_[static_cast<std::size_t>(k)];
-  box.state = State::kDivided, box.first = static_cast<int>(boxes_.size());
+  box.state = State::kDivided;
+  box.first = static_cast<int>(boxes_.size());
   for (int part = 0; part < 8; ++part) boxes_.push_back({box.of.eighth(part), box.level + 1, State::kNew, -1, {}});
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <queue>
 
-#include "distance/search/front_search.h"
+#include "distance/search/boundary_search.h"
 #include "distance/surface/surface_ball_name.h"
-#include "distance/surface/surface_peak.h"
+#include "distance/surface/surface_max_min.h"
 #include "space/polytope/extent.h"
 
 namespace findspace::distance {
@@ -19,7 +19,7 @@ using space::Vector;
 
 namespace {
 
-/// As in front_room.cpp.
+/// As in free_space.cpp.
 constexpr double kError = 0x1p-40, kMostError = 0x1p-32;
 /// Of the size: what is better than the best by less is not looked for.
 constexpr double kBetter = 0x1p-43;
@@ -44,12 +44,12 @@ class Search {
         farthest_(farthest),
         field_(*ball.surface, {}) {
     const space::RayBody& body = ball.surface->sheets()[0]->body;
-    const Vector low = exact::shadow(body.low), high = exact::shadow(body.high);
-    const double room = ball.side == space::TouchSide::kOutside ? radius_ : 0;
-    const Vector by{room, room, room};
-    const auto whole = askew(low - by, space::plus(high, by));
-    size_ = std::max(space::length(whole.first), space::length(whole.second)) + space::length(near_);
-    push({whole.first, whole.second});
+    const Vector low = exact::approx(body.low), high = exact::approx(body.high);
+    const double tolerance = ball.side == space::TouchSide::kOutside ? radius_ : 0;
+    const Vector by{tolerance, tolerance, tolerance};
+    const auto complete = askew(low - by, space::plus(high, by));
+    size_ = std::max(space::length(complete.first), space::length(complete.second)) + space::length(near_);
+    push({complete.first, complete.second});
   }
 
   BallPlace run() {
@@ -82,7 +82,11 @@ class Search {
   }
   void offer(const Vector& y) {
     const double key = key_of(y);
-    if (key < best_) best_ = key, place_ = y, found_ = true;
+    if (key < best_) {
+      best_ = key;
+      place_ = y;
+      found_ = true;
+    }
   }
 
   /// The corner of the box, or the place in it, that is best.
@@ -100,8 +104,8 @@ class Search {
     const double half = space::length(box.of.high - box.of.low) / 2, noise = 0x1p-44 * size_;
     const SurfaceField::Signed at = field_.at(middle);
     const double clear = (ball_.side == space::TouchSide::kOutside ? at.value : -at.value) - radius_;
-    const bool told = at.certain || at.distance + half < radius_;
-    if (told && clear + half < -noise) return true;
+    const bool decided = at.certain || at.distance + half < radius_;
+    if (decided && clear + half < -noise) return true;
     if (at.certain && clear - half > noise) {
       offer(best_of(box));
       return true;
@@ -119,7 +123,7 @@ class Search {
 
   /// All of the box is on the right side.
   void search(const Box& box, const std::vector<SurfaceField::Distance>& triangles) {
-    Rules rules;
+    Constraints rules;
     for (const SurfaceField::Distance& f : triangles)
       rules.keep_out.push_back([&f, r = radius_](const Vector& y) { return f(y) - r; });
     const TouchingRule away = [&](const Vector& y) {
@@ -127,23 +131,28 @@ class Search {
       return Touching{d, d > 0 ? space::scaled(1 / d, y - near_) : Vector{}};
     };
     const double most = best_ - kBetter * size_;  // what is not better need not be looked at
-    const auto room = tetrahedra_of_box(box.of.low, box.of.high);
-    FrontPlace found;
+    const auto tolerance = tetrahedra_of_box(box.of.low, box.of.high);
+    BoundaryPlace found;
     if (farthest_) {
       if (found_) rules.keep_out.push_back([&](const Vector& y) { return away(y).value + most; });
       found = farthest_allowed(
-          room, rules, [&](const Vector& y) { return away(y).value; }, size_);
-      found.value = -found.value, found.bound = -found.bound;
+          tolerance, rules, [&](const Vector& y) { return away(y).value; }, size_);
+      found.value = -found.value;
+      found.bound = -found.bound;
     } else {
       if (found_)
         rules.keep_in.push_back([&](const Vector& y) {
           const Touching at = away(y);
           return Touching{at.value - most, at.slope};
         });
-      found = nearest_allowed(room, rules, away, size_, box.key);
+      found = nearest_allowed(tolerance, rules, away, size_, box.key);
     }
-    if (found.found && found.value < best_) best_ = found.value, place_ = found.place, found_ = true;
-    if (found.found || found.unsure || !found.whole) bound_ = std::min(bound_, found.bound);
+    if (found.found && found.value < best_) {
+      best_ = found.value;
+      place_ = found.place;
+      found_ = true;
+    }
+    if (found.found || found.unresolved || !found.complete) bound_ = std::min(bound_, found.bound);
   }
 
   SolidValue value(double off) const {
@@ -156,7 +165,8 @@ class Search {
     }
     out.value = Real::from_double(std::fabs(best_));
     out.nearest = {Real::from_double(place_.x), Real::from_double(place_.y), Real::from_double(place_.z)};
-    out.proven = false, out.error = kError * size_ + off;
+    out.proven = false;
+    out.error = kError * size_ + off;
     return out;
   }
 

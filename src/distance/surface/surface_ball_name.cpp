@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "space/body/ball_meet.h"
-#include "space/body/open_cover.h"
+#include "space/body/open_union.h"
 #include "space/surface/surface_gap.h"
 
 namespace findspace::distance {
@@ -29,16 +29,16 @@ struct Touched {
 
 /// The feature of the face on which its place nearest to y lies, as doubles see it.
 void add_feature(const Sheet& sheet, int face, const Vector& y, double blur, Touched& out) {
-  const Vector foot = space::nearest_place(sheet, face, y);
+  const Vector projection = space::nearest_place(sheet, face, y);
   for (int k = 0; k < 3; ++k) {
     const Point& v = sheet.body.corner(face, k);
-    if (space::length(exact::shadow(v) - foot) > blur) continue;
+    if (space::length(exact::approx(v) - projection) > blur) continue;
     if (std::find(out.corners.begin(), out.corners.end(), v) == out.corners.end()) out.corners.push_back(v);
     return;
   }
   for (int k = 0; k < 3; ++k) {
     const Point &v = sheet.body.corner(face, k), &w = sheet.body.corner(face, (k + 1) % 3);
-    const Vector e = exact::shadow(w - v), f = foot - exact::shadow(v);
+    const Vector e = exact::approx(w - v), f = projection - exact::approx(v);
     const double off = space::length(f - space::scaled(space::dot(e, f) / space::dot(e, e), e));
     if (off > blur) continue;
     const auto edge = std::minmax(
@@ -53,9 +53,9 @@ void add_feature(const Sheet& sheet, int face, const Vector& y, double blur, Tou
 Touched touched(const SurfaceBall& ball, const Vector& y, double blur) {
   const Sheet& sheet = *ball.surface->sheets()[0];
   const double reach = ball.radius.to_double() + 2 * blur + 1;
-  const auto whole = [](double c) { return static_cast<std::int64_t>(std::floor(c)); };
-  const space::GridBox about{{whole(y.x - reach), whole(y.y - reach), whole(y.z - reach)},
-                             {whole(y.x + reach) + 1, whole(y.y + reach) + 1, whole(y.z + reach) + 1}};
+  const auto complete = [](double c) { return static_cast<std::int64_t>(std::floor(c)); };
+  const space::GridBox about{{complete(y.x - reach), complete(y.y - reach), complete(y.z - reach)},
+                             {complete(y.x + reach) + 1, complete(y.y + reach) + 1, complete(y.z + reach) + 1}};
   Touched out;
   sheet.tree.any_meeting(about, [&](int face) {
     const double d = std::sqrt(space::squared_distance(sheet, face, y));
@@ -82,7 +82,7 @@ std::optional<RealVector> on_sphere(const RealVector& from, const RealVector& x,
   return space::along(from, radius / sqrt(square), way);
 }
 
-RealVector foot_on_line(const Point& a, const Point& b, const RealVector& x) {
+RealVector projection_on_line(const Point& a, const Point& b, const RealVector& x) {
   const RealVector e = space::real(b - a), from = space::real(a);
   return space::along(from, space::dot(space::minus(x, from), e) / space::dot(e, e), e);
 }
@@ -102,9 +102,9 @@ std::vector<HalfSpace> planes_of(const SurfaceBall& ball, const std::vector<int>
 
 /// The place nearest to x that lies before all planes; nothing where fewer than `least` of these hold it.
 std::optional<RealVector> on_planes(const std::vector<HalfSpace>& planes, const RealVector& x, std::size_t least) {
-  space::OpenCover cover;
-  for (const HalfSpace& h : planes) cover.add(space::everywhere(), space::OpenCover::Planes{h});
-  auto found = cover.nearest_uncovered(x);
+  space::OpenUnion cover;
+  for (const HalfSpace& h : planes) cover.add(space::everywhere(), space::OpenUnion::Planes{h});
+  auto found = cover.nearest_in_complement(x);
   const auto holds = [&](const HalfSpace& h) { return h.sign(*found, space::rounded(*found)) == 0; };
   if (!found || std::size_t(std::count_if(planes.begin(), planes.end(), holds)) < least) return std::nullopt;
   return found;
@@ -115,14 +115,17 @@ std::optional<RealVector> on_planes(const std::vector<HalfSpace>& planes, const 
 std::optional<RealVector> on_circle(const HalfSpace& plane, const Touched& at, const RealVector& x,
                                     const Real& radius) {
   const Real square = space::dot(plane.normal, plane.normal);
-  const auto foot = [&](const RealVector& y) { return space::along(y, -(plane.value(y) / square), plane.normal); };
-  const RealVector from = foot(x);
+  const auto projection = [&](const RealVector& y) {
+    return space::along(y, -(plane.value(y) / square), plane.normal);
+  };
+  const RealVector from = projection(x);
   if (at.corners.empty()) {
     const auto& [a, b] = at.edges[0];
     if (!space::is_zero(space::cross(space::real(b - a), plane.normal))) return std::nullopt;
-    return on_sphere(foot(space::real(a)), from, radius);
+    return on_sphere(projection(space::real(a)), from, radius);
   }
-  const RealVector middle = foot(space::real(at.corners[0])), way = space::minus(middle, space::real(at.corners[0]));
+  const RealVector middle = projection(space::real(at.corners[0])),
+                   way = space::minus(middle, space::real(at.corners[0]));
   const Real rest = radius * radius - space::dot(way, way);
   return rest.sign() > 0 ? on_sphere(middle, from, sqrt(rest)) : std::nullopt;
 }
@@ -134,7 +137,7 @@ std::optional<RealVector> candidate(const SurfaceBall& ball, const Touched& at, 
   if (corner || planes.size() > 1) return std::nullopt;
   if (planes.size() == 1) return edges + corners == 1 ? on_circle(planes[0], at, x, ball.radius) : std::nullopt;
   if (edges == 1 && corners == 0)
-    return on_sphere(foot_on_line(at.edges[0].first, at.edges[0].second, x), x, ball.radius);
+    return on_sphere(projection_on_line(at.edges[0].first, at.edges[0].second, x), x, ball.radius);
   if (edges > 0 || corners == 0 || corners > space::BallMeet::kMostBalls) return std::nullopt;
   std::vector<space::Ball> balls;
   for (const Point& v : at.corners) balls.push_back({space::real(v), ball.radius});

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "distance/search/plane_feet.h"
+#include "distance/search/plane_projections.h"
 #include "distance/surface/contact_boxes.h"
 
 namespace findspace::distance {
@@ -85,20 +85,20 @@ class Search {
       no_frontier(box);
       return;
     }
-    const PlaneFeet feet(box.planes, p_, size_);
-    test(feet, feet.all(box.of.middle() - near_, reach_of(box), farthest_));
+    const PlaneProjections projections(box.planes, p_, size_);
+    test(projections, projections.all(box.of.middle() - near_, reach_of(box), farthest_));
   }
 
   static Vector reach_of(const Box& box) { return space::scaled(1.0625, box.half()); }
 
-  void test(const PlaneFeet& feet, std::vector<PlaneFeet::Foot> found) {
+  void test(const PlaneProjections& projections, std::vector<PlaneProjections::Projection> found) {
     // The least they may be, or minus the greatest.
-    for (PlaneFeet::Foot& f : found) f.key = (farthest_ ? -f.key : f.key) - 2 * f.error;
+    for (PlaneProjections::Projection& f : found) f.key = (farthest_ ? -f.key : f.key) - 2 * f.error;
     std::sort(found.begin(), found.end(),
               [](const auto& f, const auto& g) { return std::tie(f.key, f.planes) < std::tie(g.key, g.planes); });
-    for (const PlaneFeet::Foot& f : found) {
+    for (const PlaneProjections::Projection& f : found) {
       if (beyond(f.key)) break;
-      if (!boxes_.surely_overlap(space::plus(near_, f.at), 2 * f.error)) offer(feet.exact(f));
+      if (!boxes_.surely_overlap(space::plus(near_, f.at), 2 * f.error)) offer(projections.exact(f));
     }
   }
 
@@ -106,14 +106,14 @@ class Search {
   bool test_many(int k) {
     const auto planes = boxes_.many_planes(k);
     if (!planes) return false;
-    const PlaneFeet feet(*planes, p_, size_);
+    const PlaneProjections projections(*planes, p_, size_);
     const Box& box = boxes_.box(k);
     const Vector middle = box.of.middle() - near_, reach = reach_of(box);
-    test(feet, feet.some_corners(middle, reach));
-    const std::vector<bool> through = place_ ? feet.through(*place_) : std::vector<bool>(planes->size());
+    test(projections, projections.some_corners(middle, reach));
+    const std::vector<bool> through = place_ ? projections.through(*place_) : std::vector<bool>(planes->size());
     const auto others = static_cast<std::size_t>(std::count(through.begin(), through.end(), false));
     if (others * planes->size() * planes->size() > kMostCorners) return false;
-    test(feet, feet.all(middle, reach, farthest_, through));
+    test(projections, projections.all(middle, reach, farthest_, through));
     return true;
   }
 
@@ -135,7 +135,8 @@ class Search {
       if (order > 0 || (order == 0 && !(q < *place_))) return;
     }
     if (boxes_.overlap(q)) return;
-    place_ = q, square_ = square;
+    place_ = q;
+    square_ = square;
     best_ = std::sqrt(square.to_double()) * (farthest_ ? -1 : 1);
   }
 
@@ -160,7 +161,10 @@ SurfaceContact SurfaceContacts::search(const RealVector& p, bool farthest) const
   std::unique_ptr<ContactBoxes> boxes;
   {
     const std::lock_guard lock(guard_);
-    if (!free_.empty()) boxes = std::move(free_.back()), free_.pop_back();
+    if (!free_.empty()) {
+      boxes = std::move(free_.back());
+      free_.pop_back();
+    }
   }
   if (!boxes) boxes = std::make_unique<ContactBoxes>(b_, a_, side_);
   SurfaceContact found = Search(*boxes, p, farthest).run();

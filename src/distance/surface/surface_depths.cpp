@@ -19,7 +19,7 @@ constexpr std::size_t kMostBalls = 300;
 constexpr int kShrinks = 12;
 
 Vector middle_of(const space::RayBody& body, int f) {
-  const auto corner = [&](int k) { return exact::shadow(body.corner(f, k)); };
+  const auto corner = [&](int k) { return exact::approx(body.corner(f, k)); };
   return space::scaled(1.0 / 3, space::plus(corner(0), space::plus(corner(1), corner(2))));
 }
 
@@ -28,14 +28,14 @@ double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1
 /// The largest ball within the surface that touches it at the middle of the face, more or less: its centre, and a
 /// radius that is surely not too large.
 std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, const space::RayBody& body, int f) {
-  const Vector from = middle_of(body, f), normal = body.normal_shadows[static_cast<std::size_t>(f)];
+  const Vector from = middle_of(body, f), normal = body.normal_approx[static_cast<std::size_t>(f)];
   const Vector inward = space::scaled(-1 / space::length(normal), normal);
-  const Vector wide = exact::shadow(body.high - body.low);
+  const Vector wide = exact::approx(body.high - body.low);
   double radius = std::min({wide.x, wide.y, wide.z}) / 2;  // none is larger
   for (int k = 0; k < kShrinks; ++k) {
     const Vector at = space::plus(from, space::scaled(radius, inward));
     const SurfaceField::Signed there = field.at(at);
-    const Vector way = there.foot - from;
+    const Vector way = there.projection - from;
     const double along = 2 * space::dot(way, inward);
     if (there.distance >= radius * (1 - 0x1p-10) || !(along > 0)) break;
     radius = std::min(radius, space::dot(way, way) / along);
@@ -52,10 +52,10 @@ std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, c
 std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceSet& set, bool balls) {
   const space::RayBody& body = set.sheets()[0]->body;
   std::vector<Place> out;
-  for (const space::Point& v : body.points) out.push_back({exact::shadow(v)});
+  for (const space::Point& v : body.points) out.push_back({exact::approx(v)});
   for (const space::RayEdge& e : body.edges) {
-    const Vector v = exact::shadow(body.points[static_cast<std::size_t>(e.from)]),
-                 w = exact::shadow(body.points[static_cast<std::size_t>(e.to)]);
+    const Vector v = exact::approx(body.points[static_cast<std::size_t>(e.from)]),
+                 w = exact::approx(body.points[static_cast<std::size_t>(e.to)]);
     out.push_back({space::scaled(0.5, space::plus(v, w))});
   }
   for (int f = 0; f < static_cast<int>(body.faces.size()); ++f) out.push_back({middle_of(body, f)});
@@ -81,11 +81,12 @@ SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet
 void SurfaceDepths::build(Tree& tree, int node, std::span<Place> places) {
   Vector low = places[0].at, high = low;
   Node made;
-  made.least = made.most = places[0].room;
-  for (const auto& [v, room] : places) {
+  made.least = made.most = places[0].tolerance;
+  for (const auto& [v, tolerance] : places) {
     low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
     high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-    made.least = std::min(made.least, room), made.most = std::max(made.most, room);
+    made.least = std::min(made.least, tolerance);
+    made.most = std::max(made.most, tolerance);
   }
   made.middle = space::scaled(0.5, space::plus(low, high));
   for (const Place& p : places) made.radius = std::max(made.radius, space::length(p.at - made.middle));
@@ -105,7 +106,7 @@ void SurfaceDepths::build(Tree& tree, int node, std::span<Place> places) {
 double SurfaceDepths::depth(const Tree& tree, const Node& node, const Vector& position) {
   const Vector x = tree.back ? node.middle - position : space::plus(node.middle, position);
   const SurfaceField::Signed at = tree.other.at(x);
-  // Next to the surface the side is not told: 0 but for roundings.
+  // Next to the surface the side is not decided: 0 but for roundings.
   if (!at.certain) return -at.distance;
   return tree.outward ? at.value : -at.value;
 }

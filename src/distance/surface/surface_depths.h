@@ -4,9 +4,9 @@
 // Whether two solids surely overlap at all positions near one, B moved there: where a place of B lies deeper in A than
 // a position may change, the interiors meet, or less deep by the radius of a ball about it in B; so does a place of A
 // in B. The places are the corners and the middles of the edges and faces of both surfaces, and the centres of balls
-// that touch some of the faces from inside, in trees of balls. Guarantee: doubles; a depth is never told as more than
-// it is but for roundings. Cost: some dozen distances to a surface, about a microsecond each. Source: the balls as in
-// Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and the normal field". Keywords:
+// that touch some of the faces from inside, in trees of balls. Guarantee: doubles; a depth is never decided as more
+// than it is but for roundings. Cost: some dozen distances to a surface, about a microsecond each. Source: the balls as
+// in Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and the normal field". Keywords:
 // penetration depth, lower bound, bounding sphere hierarchy, shrinking ball.
 #pragma once
 
@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "distance/surface/surface_peak.h"
+#include "distance/surface/surface_max_min.h"
 #include "space/surface/touch_facets.h"
 
 namespace findspace::distance {
@@ -34,7 +34,7 @@ class SurfaceDepths {
   /// And a ball about it in the solid.
   struct Place {
     space::Vector at;
-    double room = 0;
+    double tolerance = 0;
   };
   /// A ball about places, and the least and the greatest of their rooms: a leaf holds one, others the two nodes from
   /// `first` on.
@@ -51,7 +51,7 @@ class SurfaceDepths {
   };
   static std::vector<Place> places_of(const space::SurfaceSet& set, bool balls);
   static void build(Tree& tree, int node, std::span<Place> places);
-  /// At the middle of the node; where that is not told, nothing but what is certain.
+  /// At the middle of the node; where that is not decided, nothing but what is certain.
   static double depth(const Tree& tree, const Node& node, const space::Vector& position);
   static bool deeper(const Tree& tree, const space::Vector& position, double than, int& likely);
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include <algorithm>
 
-#include "distance/surface/surface_peak.h"
+#include "distance/surface/surface_max_min.h"
 #include "space/surface/surface_gap.h"
 
 namespace findspace::distance {
@@ -40,7 +40,8 @@ void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) 
       Task one{node.first, box_gap(nodes[std::size_t(node.first)].box, x)},
           two{node.first + 1, box_gap(nodes[std::size_t(node.first) + 1].box, x)};
       if (one.gap < two.gap) std::swap(one, two);
-      stack[depth++] = one, stack[depth++] = two;
+      stack[depth++] = one;
+      stack[depth++] = two;
       continue;
     }
     for (int k = node.first; k < node.first + node.count; ++k) {
@@ -63,7 +64,10 @@ int volume(const Vector& a, const Vector& b, const Vector& c) {
   const double terms[] = {a.x * b.y * c.z,  a.y * b.z * c.x,  a.z * b.x * c.y,
                           -a.z * b.y * c.x, -a.x * b.z * c.y, -a.y * b.x * c.z};
   double sum = 0, size = 0;
-  for (const double t : terms) sum += t, size += std::fabs(t);
+  for (const double t : terms) {
+    sum += t;
+    size += std::fabs(t);
+  }
   return sum > 0x1p-48 * size ? 1 : sum < -0x1p-48 * size ? -1 : 0;
 }
 
@@ -74,7 +78,7 @@ std::optional<bool> seen_inside(const Sheet& sheet, const Vector& x) {
                               {below(x.x) + 1, below(x.y) + 1, std::int64_t{1} << 45}};
   int sum = 0;
   const bool unclear = sheet.tree.any_meeting(column, [&](int face) {
-    const auto corner = [&](int k) { return exact::shadow(sheet.body.corner(face, k)); };
+    const auto corner = [&](int k) { return exact::approx(sheet.body.corner(face, k)); };
     const Vector a = corner(0), b = corner(1), c = corner(2);
     const int ab = turn(a, b, x), bc = turn(b, c, x), ca = turn(c, a, x);
     if (ab * bc < 0 || bc * ca < 0 || ca * ab < 0) return false;
@@ -91,7 +95,7 @@ std::optional<bool> seen_inside(const Sheet& sheet, const Vector& x) {
 std::optional<bool> inside(const Sheet& sheet, const Vector& x, double away) {
   const double limit = static_cast<double>(exact::kRayLimit);
   if (!(space::size_of(x) < limit)) return false;
-  if (!(away > 0x1p-44 * (space::size_of(x) + space::size_of(exact::shadow(sheet.body.high - sheet.body.low)))))
+  if (!(away > 0x1p-44 * (space::size_of(x) + space::size_of(exact::approx(sheet.body.high - sheet.body.low)))))
     return std::nullopt;
   const Vector ways[] = {{0, 0, 0}, {0.31, 0.17, 0.09}, {-0.23, 0.29, -0.07}, {0.11, -0.37, 0.13}, {-0.19, -0.13, 0.3}};
   for (const Vector& way : ways) {
@@ -115,18 +119,21 @@ SurfaceField::Signed SurfaceField::at(const Vector& place, double known) const {
     double least = alone ? known * (1 + 0x1p-30) + 1 : exact::kInfinity;  // a margin: it only skips boxes
     int nearest = -1;
     near_faces(*sheet, x, least, [&](int face, double d) {
-      if (d < least || nearest < 0) least = d, nearest = face;
+      if (d < least || nearest < 0) {
+        least = d;
+        nearest = face;
+      }
       return true;
     });
     const auto side = inside(*sheet, x, least);
-    const Vector foot = space::plus(space::nearest_place(*sheet, nearest, x), by_);
-    offer({side.value_or(false) ? -least : least, least, side.has_value(), foot});
+    const Vector projection = space::plus(space::nearest_place(*sheet, nearest, x), by_);
+    offer({side.value_or(false) ? -least : least, least, side.has_value(), projection});
   }
   for (const auto& ball : set_.balls()) {
-    const double d = space::length(x - exact::shadow(ball.center)) - ball.radius.to_double();
-    const Vector way = x - exact::shadow(ball.center);
-    const Vector foot = space::plus(place, space::scaled(-d / space::length(way), way));
-    offer({d, std::fabs(d), true, foot});
+    const double d = space::length(x - exact::approx(ball.center)) - ball.radius.to_double();
+    const Vector way = x - exact::approx(ball.center);
+    const Vector projection = space::plus(place, space::scaled(-d / space::length(way), way));
+    offer({d, std::fabs(d), true, projection});
   }
   return out;
 }
@@ -147,7 +154,7 @@ std::optional<std::vector<SurfaceField::Distance>> SurfaceField::near(const Vect
     if (out.size() > most) return std::nullopt;
   }
   for (const auto& ball : set_.balls()) {
-    const Vector center = space::plus(exact::shadow(ball.center), by_);
+    const Vector center = space::plus(exact::approx(ball.center), by_);
     out.emplace_back([center, r = ball.radius.to_double()](const Vector& y) { return space::length(y - center) - r; });
   }
   if (out.empty() || out.size() > most) return std::nullopt;

@@ -49,12 +49,14 @@ std::optional<Answer> cut(std::optional<Answer> v, bool negated) {
 }  // namespace
 
 SurfacePair::SurfacePair(Surfaced b, Surfaced a) : b_(std::move(b)), a_(std::move(a)) {
-  forth_ = side(b_, a_), back_ = side(a_, b_);
+  forth_ = side(b_, a_);
+  back_ = side(a_, b_);
 }
 
 SurfacePair::Side SurfacePair::side(const Surfaced& moving, const Surfaced& fixed) {
   Side out;
-  out.moving = &moving, out.fixed = &fixed;
+  out.moving = &moving;
+  out.fixed = &fixed;
   if (moving.surface && fixed.surface)
     out.gaps = std::make_unique<const space::SurfaceGaps>(fixed.surface, moving.surface);
   return out;
@@ -90,10 +92,10 @@ std::optional<Answer> SurfacePair::inside(const Side& side, Which which, const R
   if (!found) return std::nullopt;
   if (*found == Relation::kInside) return Answer{gap};
   if (which != Which::kMu) return to_fit(side, which, p);
-  SolidValue out = sticking_out(side, p);
+  SolidValue out = protrusion(side, p);
   // Whether it lies inside a union of several, and how deep, is not known.
-  const bool told = one || *found == Relation::kApart || out.value > Real::from_double(out.error);
-  return told ? std::optional(Answer{std::move(out)}) : std::nullopt;
+  const bool decided = one || *found == Relation::kApart || out.value > Real::from_double(out.error);
+  return decided ? std::optional(Answer{std::move(out)}) : std::nullopt;
 }
 
 std::optional<Answer> SurfacePair::contained(const Side& side, Which which, const RealVector& p) {

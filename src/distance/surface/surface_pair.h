@@ -11,7 +11,7 @@
 //   dstar                          0 where the one does not lie in the other;
 //   gamma1, penetration            overlapping: the nearest position at which they touch from outside;
 //   eta1, eta2 in one surface      the nearest, and the farthest, position at which B touches it from inside;
-//   mu, h, hausdorff outside       at a corner of B, or by search (surface_peak.h);
+//   mu, h, hausdorff outside       at a corner of B, or by search (surface_max_min.h);
 //   delta1, delta2, mu, h back     as these with the roles exchanged.
 // Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Nothing is said of other values.
 // Cost: surface_gap.h; surface_contact.h where positions are looked for at which they touch. Source: decisions 11 (why
@@ -64,7 +64,7 @@ class SurfacePair {
   /// position at which it does.
   std::optional<Answer> depth(const space::RealVector& p) const;
   static std::optional<Answer> to_fit(const Side& side, Which which, const space::RealVector& p);
-  static SolidValue sticking_out(const Side& side, const space::RealVector& p);
+  static SolidValue protrusion(const Side& side, const space::RealVector& p);
   static std::optional<Answer> contained(const Side& side, Which which, const space::RealVector& p);
   static std::optional<Answer> inside(const Side& side, Which which, const space::RealVector& p);
   std::optional<Answer> apart(Which which, const space::RealVector& p) const;

@@ -33,22 +33,25 @@ std::optional<Answer> of_ball(const space::SurfaceSet::Ball& ball, const Surface
   const SurfaceBall of{fixed.surface.get(), ball.radius, side};
   const RealVector center = space::real(ball.center), x = space::plus(p, center);
   BallPlace place = farthest ? farthest_for_ball(of, x) : nearest_for_ball(of, x);
-  if (!place.told) return std::nullopt;
+  if (!place.decided) return std::nullopt;
   if (place.value && place.value->nearest) place.value->nearest = space::minus(*place.value->nearest, center);
   return Answer{std::move(place.value)};
 }
 
 /// Each one surface, not both convex: then parts are the quick way.
-bool told_by_contacts(const Surfaced& b, const Surfaced& a) {
+bool decided_by_contacts(const Surfaced& b, const Surfaced& a) {
   const auto one = [](const Surfaced& s) { return s.surface && s.surface->one_sheet(); };
   return one(b) && one(a) && !(b.convex && a.convex);
 }
 
 std::optional<Answer> of_contact(const SurfaceContact& contact, const RealVector& p, int sign) {
-  if (!contact.told) return std::nullopt;
+  if (!contact.decided) return std::nullopt;
   if (!contact.place) return Answer{};
   SolidValue out = signed_value(p, *contact.place, sign);
-  if (contact.error > 0) out.proven = false, out.error = contact.error;
+  if (contact.error > 0) {
+    out.proven = false;
+    out.error = contact.error;
+  }
   return Answer{std::move(out)};
 }
 
@@ -70,7 +73,7 @@ std::optional<Answer> SurfacePair::depth(const RealVector& p) const {
   if (const auto* ball = only_ball(*side.moving)) {
     out = of_ball(*ball, *side.fixed, TouchSide::kOutside, false, at);
     if (out && out->value) out->value->value = -out->value->value;
-  } else if (told_by_contacts(*side.moving, *side.fixed)) {
+  } else if (decided_by_contacts(*side.moving, *side.fixed)) {
     out = of_contact(contacts(side, TouchSide::kOutside).nearest(at), at, -1);
   }
   if (!out || !out->value) return std::nullopt;
@@ -84,7 +87,7 @@ std::optional<Answer> SurfacePair::to_fit(const Side& side, Which which, const R
     if (out && out->value && which == Which::kEta2) out->value->nearest.reset();
     return out;
   }
-  if (!told_by_contacts(*side.moving, *side.fixed)) return std::nullopt;
+  if (!decided_by_contacts(*side.moving, *side.fixed)) return std::nullopt;
   const SurfaceContacts& of = contacts(side, TouchSide::kInside);
   const bool farthest = which == Which::kEta2;
   auto out = of_contact(farthest ? of.farthest(p) : of.nearest(p), p, 1);

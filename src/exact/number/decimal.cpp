@@ -114,7 +114,10 @@ std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step
   auto read = at - begin;
   if (at != end && *at == '.') {
     const char* const point = at++;
-    for (; at != end && is_digit(*at); ++at) digits = digits * 10 + (*at - '0'), below *= 10;
+    for (; at != end && is_digit(*at); ++at) {
+      digits = digits * 10 + (*at - '0');
+      below *= 10;
+    }
     read += at - point - 1;
   }
   if (at != end || read == 0 || read > static_cast<std::ptrdiff_t>(kMostDigits)) return std::nullopt;

@@ -84,16 +84,16 @@ inline std::span<const Word> ModularTower::trimmed(std::span<const Word> a) cons
 }
 
 Coefficients ModularTower::product(std::span<const Word> a, std::span<const Word> b) const {
-  a = trimmed(a), b = trimmed(b);
+  a = trimmed(a);
+  b = trimmed(b);
   if (a.empty() || b.empty()) return {};
   Coefficients out(std::max(a.size(), b.size()));
-  std::vector<Word> scratch(4 *
-                            out.size());  // each level needs less than twice its size, the next at most half of that
-  add_product(out.data(), a, b, scratch.data());
+  std::vector<Word> arena(4 * out.size());  // each level needs less than twice its size, the next at most half of that
+  add_product(out.data(), a, b, arena.data());
   return trimmed(std::move(out));
 }
 
-void ModularTower::add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* scratch) const {
+void ModularTower::add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* arena) const {
   if (a.size() < b.size()) std::swap(a, b);
   if (b.size() == 1) {
     for (std::size_t k = 0; k < a.size(); ++k) out[k] = reduced(out[k] + std::uint64_t(a[k]) * b[0], prime_, inverse_);
@@ -105,33 +105,33 @@ void ModularTower::add_product(Word* out, std::span<const Word> a, std::span<con
   if (b.size() <= block) {
     for (std::size_t i = 0; i < degree; ++i) {
       const std::span<const Word> a_i = block_of(a, i);
-      if (!a_i.empty()) add_product(out + i * block, a_i, b, scratch);
+      if (!a_i.empty()) add_product(out + i * block, a_i, b, arena);
     }
     return;
   }
-  const std::size_t room = (2 * degree - 1) * block;
-  std::fill_n(scratch, room, 0);
+  const std::size_t tolerance = (2 * degree - 1) * block;
+  std::fill_n(arena, tolerance, 0);
   for (std::size_t i = 0; i < degree; ++i) {
     const std::span<const Word> a_i = block_of(a, i);
     for (std::size_t k = 0; !a_i.empty() && k < degree; ++k) {
       const std::span<const Word> b_k = block_of(b, k);
-      if (!b_k.empty()) add_product(scratch + (i + k) * block, a_i, b_k, scratch + room);
+      if (!b_k.empty()) add_product(arena + (i + k) * block, a_i, b_k, arena + tolerance);
     }
   }
-  reduce(scratch, level, scratch + room);
+  reduce(arena, level, arena + tolerance);
   for (std::size_t k = 0; k < degree * block; ++k) {
-    const Word s = out[k] + scratch[k];  // below 2^32
+    const Word s = out[k] + arena[k];  // below 2^32
     out[k] = s < prime_ ? s : s - prime_;
   }
 }
 
-void ModularTower::reduce(Word* blocks, std::size_t level, Word* scratch) const {
+void ModularTower::reduce(Word* blocks, std::size_t level, Word* arena) const {
   const std::vector<Coefficients>& relation = relations_[level];
   const std::size_t block = sizes_[level], degree = relation.size();
   for (std::size_t k = 2 * degree - 1; k-- > degree;) {
     const std::span<const Word> high = trimmed(std::span<const Word>(blocks + k * block, block));
     for (std::size_t i = 0; !high.empty() && i < degree; ++i)
-      if (!relation[i].empty()) add_product(blocks + (k - degree + i) * block, high, relation[i], scratch);
+      if (!relation[i].empty()) add_product(blocks + (k - degree + i) * block, high, relation[i], arena);
   }
 }
 

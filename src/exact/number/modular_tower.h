@@ -36,11 +36,11 @@ class ModularTower {
   Coefficients trimmed(Coefficients a) const;
   /// The same polynomial; none for 0.
   std::span<const Word> trimmed(std::span<const Word> a) const;
-  /// Adds a b, trimmed and neither 0, to as many coefficients as the larger has. `scratch` has room for four times as
-  /// many.
-  void add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* scratch) const;
+  /// Adds a b, trimmed and neither 0, to as many coefficients as the larger has. `arena` has tolerance for four times
+  /// as many.
+  void add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* arena) const;
   /// Of 2 n - 1 coefficients of the variable with that index, n is its degree, to the first n.
-  void reduce(Word* blocks, std::size_t level, Word* scratch) const;
+  void reduce(Word* blocks, std::size_t level, Word* arena) const;
 
   Word prime_;
   std::uint64_t inverse_;              // 2^64 / prime

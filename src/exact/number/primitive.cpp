@@ -31,7 +31,10 @@ void reduce(Lanes<kLanes>& a, const Lanes<kLanes>& b) {
 template <std::size_t kLanes>
 bool all_ended(const Lanes<kLanes>& a, const Lanes<kLanes>& b) {
   double even = 0, odd = 0;
-  for (std::size_t l = 0; l < kLanes; l += 2) even += std::abs(a[l] * b[l]), odd += std::abs(a[l + 1] * b[l + 1]);
+  for (std::size_t l = 0; l < kLanes; l += 2) {
+    even += std::abs(a[l] * b[l]);
+    odd += std::abs(a[l + 1] * b[l + 1]);
+  }
   return even + odd == 0;
 }
 
@@ -39,11 +42,17 @@ bool all_ended(const Lanes<kLanes>& a, const Lanes<kLanes>& b) {
 template <std::size_t kLanes>
 void make_primitive_few(std::span<Normal> normals) {
   Lanes<kLanes> a, b;
-  a.fill(1), b.fill(1);
-  for (std::size_t l = 0; l < normals.size(); ++l) a[l] = double(normals[l].a), b[l] = double(normals[l].b);
+  a.fill(1);
+  b.fill(1);
+  for (std::size_t l = 0; l < normals.size(); ++l) {
+    a[l] = double(normals[l].a);
+    b[l] = double(normals[l].b);
+  }
   const Lanes<kLanes> x = a, y = b;
-  do reduce(a, b), reduce(b, a);
-  while (!all_ended(a, b));
+  do {
+    reduce(a, b);
+    reduce(b, a);
+  } while (!all_ended(a, b));
   for (std::size_t l = 0; l < kLanes; ++l) {
     const double divisor = std::abs(a[l] + b[l]), side = x[l] == 0 ? y[l] : x[l];
     a[l] = side < 0 ? -divisor : divisor;

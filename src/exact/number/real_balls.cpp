@@ -21,12 +21,12 @@ void Balls::evaluate_small(const Small& value) {
   if (const auto low = static_cast<std::int64_t>(value.p); low == value.p) {
     result.set(low);
   } else {
-    set(scratch_, value.p);
-    result.set(scratch_.get_mpz_t());
+    set(arena_, value.p);
+    result.set(arena_.get_mpz_t());
   }
   if (value.q == 1) return;
-  mpz_set_si(scratch_.get_mpz_t(), value.q);
-  result.divide(result, scratch_.get_mpz_t());
+  mpz_set_si(arena_.get_mpz_t(), value.q);
+  result.divide(result, arena_.get_mpz_t());
 }
 
 void Balls::evaluate_leaf(const Step& step) {

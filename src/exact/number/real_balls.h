@@ -23,7 +23,7 @@ class Balls {
 
   std::vector<mp_limb_t> limbs_;
   std::vector<Ball> balls_;
-  mpz_class scratch_;
+  mpz_class arena_;
   int root_;
 };
 

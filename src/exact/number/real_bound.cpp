@@ -123,7 +123,10 @@ class RootedBounds {
  public:
   explicit RootedBounds(const Plan& plan) : plan_(plan), log2_degree_(log2_degree(plan)) {
     for (const Step& s : plan.steps()) {
-      if (s.kind == StepKind::kPolynomialRoot) roots_.push_back(&s), log2_degree_ += std::log2(degree_of(s));
+      if (s.kind == StepKind::kPolynomialRoot) {
+        roots_.push_back(&s);
+        log2_degree_ += std::log2(degree_of(s));
+      }
     }
     for (const Step& s : plan.steps()) fractions_.push_back(fraction_of(s));
   }

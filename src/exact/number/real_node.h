@@ -18,7 +18,7 @@ struct ClosedNode : Node {
   ClosedNode(NodeKind kind_of, Interval enclosure, Closed held, bool was_cancelled)
       : Node(kind_of, enclosure), value(std::move(held)), cancelled(was_cancelled) {}
   Closed value;
-  bool cancelled;  // doubles alone would not have told the sign
+  bool cancelled;  // doubles alone would not have decided the sign
 };
 
 /// All other kinds; b is 0 and unused for kNeg and kSqrt. Divisors are not 0 and arguments of roots are positive,

@@ -102,7 +102,8 @@ class Conjugate {
   explicit Conjugate(const ZeroShape& shape) : shape_(shape), steps_(shape.plan().steps()) {}
 
   Interval value(unsigned flipped) {
-    values_.clear(), changed_.clear();
+    values_.clear();
+    changed_.clear();
     for (std::size_t k = 0; k < steps_.size(); ++k) {
       const Step& s = steps_[k];
       const Fraction& f = shape_.fractions()[k];

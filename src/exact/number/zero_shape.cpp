@@ -115,7 +115,8 @@ Fraction ZeroShape::leaf(const Step& step, double root) {
 
 Fraction ZeroShape::sum(const Fraction& a, const Fraction& b) const {
   Fraction out;
-  out.times_a = lacking(a.below, b.below), out.times_b = lacking(b.below, a.below);
+  out.times_a = lacking(a.below, b.below);
+  out.times_b = lacking(b.below, a.below);
   out.below = a.below;
   for (const auto& [f, power] : out.times_a) out.below[f] += power;
   out.size = log2_sum(a.size + size_of(out.times_a), b.size + size_of(out.times_b));
@@ -124,14 +125,16 @@ Fraction ZeroShape::sum(const Fraction& a, const Fraction& b) const {
 
 Fraction ZeroShape::product(const Fraction& a, const Fraction& b) const {
   Fraction out;
-  out.size = up(a.size + b.size), out.below = a.below;
+  out.size = up(a.size + b.size);
+  out.below = a.below;
   for (const auto& [f, power] : b.below) out.below[f] += power;
   return out;
 }
 
 Fraction ZeroShape::quotient(const Fraction& a, const Fraction& b, int divisor) {
   Fraction out;
-  out.below = lacking(b.below, a.below), out.times_a = lacking(a.below, b.below);
+  out.below = lacking(b.below, a.below);
+  out.times_a = lacking(a.below, b.below);
   ++out.below[step_factor(divisor)];
   out.size = up(a.size + size_of(out.times_a));
   return out;
@@ -144,7 +147,8 @@ Fraction ZeroShape::square_root(const Fraction& a) {
     if (power % 2 != 0) odd[f] = 1;
   }
   Fraction out = root_of(a.size + size_of(odd));
-  out.times_a = std::move(odd), out.below = std::move(half);
+  out.times_a = std::move(odd);
+  out.below = std::move(half);
   return out;
 }
 
@@ -153,7 +157,8 @@ Fraction ZeroShape::fraction_of(const Step& step) {
   switch (step.kind) {
     case StepKind::kSmall: {
       mpz_class p, q;
-      set(p, step.small.p), set(q, step.small.q);
+      set(p, step.small.p);
+      set(q, step.small.q);
       return over(log2_of(p), q);
     }
     case StepKind::kPlainRoot:

@@ -22,8 +22,8 @@ double wrapped(double degrees) {
 }
 
 /// The turn `n` times.
-Turn times(Turn t, int128 n) {
-  Turn out;
+ExactAngle times(ExactAngle t, int128 n) {
+  ExactAngle out;
   for (; n > 0; n /= 2, t = t + t) {
     if (n % 2 != 0) out = out + t;
   }
@@ -53,14 +53,15 @@ Real cut(const Real& x, const Real& scale) {
   for (int portion = 0; portion < 3; ++portion) {
     const int128 part = floor(rest * scale / unit);
     const Real taken = Real(part) * unit / scale;
-    out += taken, rest -= taken;
+    out += taken;
+    rest -= taken;
     unit = unit / scale;
   }
   return out;
 }
 
 /// Sine and cosine of d degrees, |d| <= 180, within 2^-200.
-Turn series(const Real& d) {
+ExactAngle series(const Real& d) {
   static constexpr const char* kPi =
       "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706798";
   Real scale(int128(1) << 85);
@@ -75,37 +76,38 @@ Turn series(const Real& d) {
 }
 
 /// Sign of the angle of `t` minus d degrees, the two being near each other on the circle.
-int compare_near(const Turn& t, const Real& d) {
+int compare_near(const ExactAngle& t, const Real& d) {
   const Real r = centred(d);
   if (r.sign() == 0) return t.sin.sign();
-  const Turn s = series(r);
-  const Real gap = t.sin * s.cos - t.cos * s.sin, room = Real(1) / (Real(int128(1) << 100) * Real(int128(1) << 80));
-  if (gap > room) return 1;
-  if (gap < -room) return -1;
+  const ExactAngle s = series(r);
+  const Real gap = t.sin * s.cos - t.cos * s.sin,
+             tolerance = Real(1) / (Real(int128(1) << 100) * Real(int128(1) << 80));
+  if (gap > tolerance) return 1;
+  if (gap < -tolerance) return -1;
   if (const auto n = parts_of_circle(r)) {
-    const Turn round = times(t, *n);
+    const ExactAngle round = times(t, *n);
     if (round.sin.sign() == 0 && round.cos.sign() > 0) return 0;
   }
   throw Error(ErrorCode::kUnsupported, "two angles are too close to each other to be told apart");
 }
 
-double rough(const Angle& a) { return wrapped(a.turn.degrees() + std::fmod(a.more.to_double(), 360)); }
+double rough(const Angle& a) { return wrapped(a.rotation.degrees() + std::fmod(a.more.to_double(), 360)); }
 
 }  // namespace
 
-Turn Turn::near(double degrees, int bits) {
+ExactAngle ExactAngle::near(double degrees, int bits) {
   const double quarters = std::round(degrees / 90), rest = (degrees - 90 * quarters) * kDegree;
   const auto q = std::int64_t(1) << bits;
   const auto p = std::int64_t(std::llround(std::tan(rest / 2) * double(q)));
   const Real t = Real::ratio(p, q), one(1), below = one + t * t;
-  Turn turn{(one - t * t) / below, (t + t) / below};
-  for (int k = int(std::fmod(quarters, 4) + 4) % 4; k > 0; --k) turn = {-turn.sin, turn.cos};
-  return turn;
+  ExactAngle rotation{(one - t * t) / below, (t + t) / below};
+  for (int k = int(std::fmod(quarters, 4) + 4) % 4; k > 0; --k) rotation = {-rotation.sin, rotation.cos};
+  return rotation;
 }
 
-double Turn::degrees() const { return wrapped(std::atan2(sin.to_double(), cos.to_double()) / kDegree); }
+double ExactAngle::degrees() const { return wrapped(std::atan2(sin.to_double(), cos.to_double()) / kDegree); }
 
-std::vector<Turn> turns_where(const Real& a, const Real& b, const Real& c) {
+std::vector<ExactAngle> rotations_where(const Real& a, const Real& b, const Real& c) {
   const Real square = a * a + b * b;
   if (square.sign() == 0) return {};
   const Real rest = square - c * c;
@@ -120,7 +122,7 @@ double Angle::degrees() const {
   const double d = rough(*this);
   if (kNear < d && d < 360 - kNear) return d;
   // Near 0 or 360: on which side?
-  if (compare_near(turn, -more) >= 0) return d > 180 ? 0 : d;
+  if (compare_near(rotation, -more) >= 0) return d > 180 ? 0 : d;
   return d > 180 ? d : std::nextafter(360.0, 0.0);
 }
 
@@ -128,16 +130,16 @@ int compare(const Angle& p, const Angle& q) {
   const double a = p.degrees(), b = q.degrees();
   if (a - b > kNear) return 1;
   if (b - a > kNear) return -1;
-  return compare_near(p.turn + -q.turn, q.more - p.more);
+  return compare_near(p.rotation + -q.rotation, q.more - p.more);
 }
 
-Turn between(const Turn& from, const Turn& to) {
-  const Turn gap = to + -from;
+ExactAngle between(const ExactAngle& from, const ExactAngle& to) {
+  const ExactAngle gap = to + -from;
   if (gap.sin.sign() == 0 && gap.cos.sign() > 0) return {-from.cos, -from.sin};
   const double start = from.degrees(), width = wrapped(gap.degrees());
   for (int bits = 4; bits <= 30 && width > kNear; bits += 2) {
     if (std::ldexp(1.0, -bits) / kDegree > width) continue;
-    const Turn middle = Turn::near(wrapped(start + width / 2), bits);
+    const ExactAngle middle = ExactAngle::near(wrapped(start + width / 2), bits);
     // Strictly between where the way there, and from there on, are both shorter than the whole.
     const double there = (middle + -from).degrees(), on = (to + -middle).degrees();
     if (there > width / 4 && on > width / 4 && there + on < width * 1.5) return middle;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Exact angles. A Turn is a rotation about the origin given by its cosine and sine as exact reals with cos^2 + sin^2 =
-// 1; an Angle is a turn plus a rational number of degrees, so that "the angle of that contact, and 12.5 degrees more"
-// is a value too. Angles live on the circle: their place is in [0, 360).
+// Exact angles. A ExactAngle is a rotation about the origin given by its cosine and sine as exact reals with cos^2 +
+// sin^2 = 1; an Angle is a turn plus a rational number of degrees, so that "the angle of that contact, and 12.5 degrees
+// more" is a value too. Angles live on the circle: their place is in [0, 360).
 //
 // Guarantee: the order of two angles is exact. One with degrees added is first compared by enclosures of 180 bits;
 // where these leave it open, d = 360 k / n in lowest terms is the angle of a turn exactly if that turn n times is no
@@ -18,39 +18,39 @@
 
 namespace findspace::exact {
 
-struct Turn {
+struct ExactAngle {
   Real cos = 1, sin = 0;
 
   /// A turn of rational cosine and sine within about 2^-bits of the one given in degrees.
-  static Turn near(double degrees, int bits);
+  static ExactAngle near(double degrees, int bits);
   /// In [0, 360), correct to about 1e-13.
   double degrees() const;
-  Turn operator-() const { return {cos, -sin}; }
+  ExactAngle operator-() const { return {cos, -sin}; }
   /// One after the other.
-  friend Turn operator+(const Turn& p, const Turn& q) {
+  friend ExactAngle operator+(const ExactAngle& p, const ExactAngle& q) {
     return {p.cos * q.cos - p.sin * q.sin, p.sin * q.cos + p.cos * q.sin};
   }
   RealPoint operator()(const RealPoint& p) const { return {cos * p.x - sin * p.y, sin * p.x + cos * p.y}; }
 };
 
-/// The turns with a*cos + b*sin = c: none, one (a double root) or two. None as well where a = b = 0.
-std::vector<Turn> turns_where(const Real& a, const Real& b, const Real& c);
+/// The rotates with a*cos + b*sin = c: none, one (a double root) or two. None as well where a = b = 0.
+std::vector<ExactAngle> rotations_where(const Real& a, const Real& b, const Real& c);
 
 struct Angle {
-  Turn turn;
+  ExactAngle rotation;
   Real more;  // degrees, rational
 
   static Angle of_degrees(const Real& degrees) { return {{}, degrees}; }
   /// In [0, 360); the order of angles near 0 and 360 is decided exactly before it is rounded.
   double degrees() const;
-  Angle operator+(const Real& degrees) const { return {turn, more + degrees}; }
-  Angle operator-(const Real& degrees) const { return {turn, more - degrees}; }
+  Angle operator+(const Real& degrees) const { return {rotation, more + degrees}; }
+  Angle operator-(const Real& degrees) const { return {rotation, more - degrees}; }
 };
 
 /// By place in [0, 360): exact.
 int compare(const Angle& p, const Angle& q);
 /// A turn of rational cosine and sine (where doubles find one) strictly between two different angles without degrees
 /// added, counter-clockwise from the first. Of two equal ones: somewhere on the rest of the circle.
-Turn between(const Turn& from, const Turn& to);
+ExactAngle between(const ExactAngle& from, const ExactAngle& to);
 
 }  // namespace findspace::exact

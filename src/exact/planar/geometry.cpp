@@ -11,7 +11,7 @@ namespace findspace::exact {
 namespace {
 
 /// Squared radius times squared normal length minus squared unscaled distance: > 0 when line and circle cross.
-Real crossing_discriminant(const Carrier& line, const Carrier& circle) {
+Real crossing_discriminant(const SupportingCurve& line, const SupportingCurve& circle) {
   Real n2 = Real(int128(line.a) * line.a + int128(line.b) * line.b);
   Real h = Real(line.a) * circle.center_x() + Real(line.b) * circle.center_y() - line.offset();
   return circle.w * circle.w * n2 - h * h;
@@ -20,32 +20,45 @@ Real crossing_discriminant(const Carrier& line, const Carrier& circle) {
 }  // namespace
 
 std::uint32_t Geometry::add_line(std::int64_t a, std::int64_t b, int128 c) {
-  Carrier& l = carriers.emplace_back();
-  l.a = a, l.b = b, l.c = c;
+  SupportingCurve& l = supporting_curves.emplace_back();
+  l.a = a;
+  l.b = b;
+  l.c = c;
   set_line_filter(l);
-  return std::uint32_t(carriers.size() - 1);
+  return std::uint32_t(supporting_curves.size() - 1);
 }
 
-std::uint32_t Geometry::add_parallel(const Carrier& line, std::int64_t x, std::int64_t y) {
-  Carrier& l = carriers.emplace_back();
-  l.a = line.a, l.b = line.b, l.x = line.x, l.y = line.y;
+std::uint32_t Geometry::add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y) {
+  SupportingCurve& l = supporting_curves.emplace_back();
+  l.a = line.a;
+  l.b = line.b;
+  l.x = line.x;
+  l.y = line.y;
   l.c = int128(l.a) * x + int128(l.b) * y;
   set_distance_through(l, x, y);
-  return std::uint32_t(carriers.size() - 1);
+  return std::uint32_t(supporting_curves.size() - 1);
 }
 
-std::uint32_t Geometry::add_displaced(const Carrier& line, const Real& shift) {
-  if (integer_length(line.a, line.b)) return add(Carrier::displaced_line(line.a, line.b, line.c, shift));
-  Carrier& l = carriers.emplace_back();
+std::uint32_t Geometry::add_displaced(const SupportingCurve& line, const Real& shift) {
+  if (integer_length(line.a, line.b)) return add(SupportingCurve::displaced_line(line.a, line.b, line.c, shift));
+  SupportingCurve& l = supporting_curves.emplace_back();
   l.grid = false;
-  l.a = line.a, l.b = line.b, l.c = line.c, l.w = shift;
-  l.x = line.x, l.y = line.y, l.z = line.z + from_real(shift);
-  return std::uint32_t(carriers.size() - 1);
+  l.a = line.a;
+  l.b = line.b;
+  l.c = line.c;
+  l.w = shift;
+  l.x = line.x;
+  l.y = line.y;
+  l.z = line.z + from_real(shift);
+  return std::uint32_t(supporting_curves.size() - 1);
 }
 
 std::uint32_t Geometry::add_grid_point(std::int64_t x, std::int64_t y) {
   Point& p = points.emplace_back();
-  p.gx = x, p.gy = y, p.x = double(x), p.y = double(y);
+  p.gx = x;
+  p.gy = y;
+  p.x = double(x);
+  p.y = double(y);
   return std::uint32_t(points.size() - 1);
 }
 
@@ -66,10 +79,12 @@ std::uint32_t Geometry::add_crossing(std::uint32_t i, std::uint32_t j, int root)
   p.kind = Point::Kind::kCross;
   // The root is defined for the order (line, circle), and for two circles for the order given by the smaller index.
   if (j < i) {
-    if (carriers[i].circle && carriers[j].circle) root = -root;
+    if (supporting_curves[i].circle && supporting_curves[j].circle) root = -root;
     std::swap(i, j);
   }
-  p.i = i, p.j = j, p.root = std::int8_t(root);
+  p.i = i;
+  p.j = j;
+  p.root = std::int8_t(root);
   set_approx(p);
   points.push_back(p);
   return std::uint32_t(points.size() - 1);
@@ -78,16 +93,18 @@ std::uint32_t Geometry::add_crossing(std::uint32_t i, std::uint32_t j, int root)
 void Geometry::set_approx(Point& p) const {
   Approx x, y;
   if (p.kind == Point::Kind::kReal) {
-    x = from_real(reals[p.i].x), y = from_real(reals[p.i].y);
+    x = from_real(reals[p.i].x);
+    y = from_real(reals[p.i].y);
   } else {
-    const Carrier* s = &carriers[p.i];
-    const Carrier* t = &carriers[p.j];
+    const SupportingCurve* s = &supporting_curves[p.i];
+    const SupportingCurve* t = &supporting_curves[p.j];
     if (s->circle && !t->circle) std::swap(s, t);
     Approx root{double(p.root), 0};
     if (!t->circle && is_narrow(*s) && is_narrow(*t)) {
       NarrowPoint e = narrow_crossing(*s, *t);
       Approx det = from_int(e.weight);
-      x = from_int(e.x) / det, y = from_int(e.y) / det;
+      x = from_int(e.x) / det;
+      y = from_int(e.y) / det;
     } else if (!t->circle) {
       Approx det = from_int(cross(*s, *t)), c1 = line_offset(*s), c2 = line_offset(*t);
       x = (c1 * from_int(t->b) - c2 * from_int(s->b)) / det;
@@ -96,7 +113,8 @@ void Geometry::set_approx(Point& p) const {
       Approx h = s->x * t->x + s->y * t->y - s->z;
       if (p.root == 0 && h.sign() != 0) {  // the line touches the circle: |h| is the radius
         Approx r = h.sign() > 0 ? t->z : -t->z;
-        x = t->x - r * s->x, y = t->y - r * s->y;
+        x = t->x - r * s->x;
+        y = t->y - r * s->y;
       } else {
         Approx half = root * sqrt((t->z - h) * (t->z + h));
         x = t->x - h * s->x + half * s->y;
@@ -110,20 +128,21 @@ void Geometry::set_approx(Point& p) const {
       y = s->y + dy * k - dx * half;
     }
   }
-  p.x = x.value, p.y = y.value;
+  p.x = x.value;
+  p.y = y.value;
   p.error = std::max(x.error, y.error);
 }
 
 Geometry::Meeting Geometry::meet(std::uint32_t i, std::uint32_t j) const {
-  const Carrier* s = &carriers[i];
-  const Carrier* t = &carriers[j];
+  const SupportingCurve* s = &supporting_curves[i];
+  const SupportingCurve* t = &supporting_curves[j];
   if (!s->circle && !t->circle) return {cross(*s, *t) != 0, {0, 0}};
   if (s->circle && !t->circle) std::swap(s, t);
   auto by_sign = [](int sign) { return sign > 0 ? Meeting{2, {-1, 1}} : sign == 0 ? Meeting{1, {0, 0}} : Meeting{}; };
   if (!s->circle) {
     Approx h = s->x * t->x + s->y * t->y - s->z;
-    Approx room = (t->z - h) * (t->z + h);
-    return by_sign(room.sign() != 0 ? room.sign() : crossing_discriminant(*s, *t).sign());
+    Approx tolerance = (t->z - h) * (t->z + h);
+    return by_sign(tolerance.sign() != 0 ? tolerance.sign() : crossing_discriminant(*s, *t).sign());
   }
   Approx dx = t->x - s->x, dy = t->y - s->y, l2 = dx * dx + dy * dy;
   Approx sum = s->z + t->z, difference = s->z - t->z;
@@ -140,8 +159,8 @@ Geometry::Meeting Geometry::meet(std::uint32_t i, std::uint32_t j) const {
 }
 
 RealPoint Geometry::crossing(const Point& p) const {
-  const Carrier* s = &carriers[p.i];
-  const Carrier* t = &carriers[p.j];
+  const SupportingCurve* s = &supporting_curves[p.i];
+  const SupportingCurve* t = &supporting_curves[p.j];
   if (s->circle && !t->circle) std::swap(s, t);
   if (!t->circle) {
     Real det(cross(*s, *t)), c1 = s->offset(), c2 = t->offset();

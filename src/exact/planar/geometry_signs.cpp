@@ -21,13 +21,13 @@ struct FixedPoint {
 bool is_fixed(const Geometry& g, const Point& p) {
   if (p.kind == Point::Kind::kGrid) return true;
   if (p.kind == Point::Kind::kReal) return false;
-  const Carrier &s = g.carriers[p.i], &t = g.carriers[p.j];
+  const SupportingCurve &s = g.supporting_curves[p.i], &t = g.supporting_curves[p.j];
   return !s.circle && !t.circle && s.grid && t.grid;
 }
 
 FixedPoint fixed(const Geometry& g, const Point& p) {
   if (p.kind == Point::Kind::kGrid) return {Int256(int128(p.gx)), Int256(int128(p.gy)), 1};
-  const Carrier &s = g.carriers[p.i], &t = g.carriers[p.j];
+  const SupportingCurve &s = g.supporting_curves[p.i], &t = g.supporting_curves[p.j];
   int128 w = cross(s, t);
   Int256 x = multiply(s.c, t.b) - multiply(t.c, s.b);
   Int256 y = multiply(t.c, s.a) - multiply(s.c, t.a);
@@ -44,7 +44,7 @@ bool narrow(const Geometry& g, const Point& p, NarrowPoint& out) {
     out = {p.gx, p.gy, 1};
     return true;
   }
-  const Carrier &s = g.carriers[p.i], &t = g.carriers[p.j];
+  const SupportingCurve &s = g.supporting_curves[p.i], &t = g.supporting_curves[p.j];
   if (!is_narrow(s) || !is_narrow(t)) return false;
   out = narrow_crossing(s, t);
   return true;
@@ -78,10 +78,10 @@ int Geometry::compare_xy(std::uint32_t p, std::uint32_t q) const {
   return s != 0 ? s : compare_y(p, q);
 }
 
-int Geometry::staged_side(std::uint32_t p, std::uint32_t carrier) const {
+int Geometry::staged_side(std::uint32_t p, std::uint32_t supporting_curve) const {
   const Point& q = points[p];
-  const Carrier& k = carriers[carrier];
-  if (q.kind == Point::Kind::kCross && (q.i == carrier || q.j == carrier)) return 0;
+  const SupportingCurve& k = supporting_curves[supporting_curve];
+  if (q.kind == Point::Kind::kCross && (q.i == supporting_curve || q.j == supporting_curve)) return 0;
   Approx x = from_double(q.x, q.error), y = from_double(q.y, q.error);
   if (!k.circle) {
     Approx s = k.x * x + k.y * y - k.z;
@@ -102,32 +102,35 @@ int Geometry::staged_side(std::uint32_t p, std::uint32_t carrier) const {
 }
 
 int Geometry::above_center(std::uint32_t p, std::uint32_t circle) const {
-  const Carrier& k = carriers[circle];
+  const SupportingCurve& k = supporting_curves[circle];
   Approx s = from_double(points[p].y, points[p].error) - k.y;
   return s.certain() ? s.sign() : compare(exact_y(p), k.center_y());
 }
 
 int Geometry::right_of_center(std::uint32_t p, std::uint32_t circle) const {
-  const Carrier& k = carriers[circle];
+  const SupportingCurve& k = supporting_curves[circle];
   Approx s = from_double(points[p].x, points[p].error) - k.x;
   return s.certain() ? s.sign() : compare(exact_x(p), k.center_x());
 }
 
 std::array<Approx, 2> Geometry::tangent(std::uint32_t p, Heading h) const {
-  const Carrier& k = carriers[h.carrier];
+  const SupportingCurve& k = supporting_curves[h.supporting_curve];
   Approx dx = k.y, dy = -k.x;
-  if (k.circle)
-    dx = k.y - from_double(points[p].y, points[p].error), dy = from_double(points[p].x, points[p].error) - k.x;
+  if (k.circle) {
+    dx = k.y - from_double(points[p].y, points[p].error);
+    dy = from_double(points[p].x, points[p].error) - k.x;
+  }
   if (h.forward) return {dx, dy};
   return {-dx, -dy};
 }
 
 std::array<Real, 2> Geometry::exact_tangent(std::uint32_t p, Heading h) const {
-  const Carrier& k = carriers[h.carrier];
+  const SupportingCurve& k = supporting_curves[h.supporting_curve];
   Real dx(k.b), dy(-k.a);
   if (k.circle) {
     RealPoint e = exact(p);
-    dx = k.center_y() - e.y, dy = e.x - k.center_x();
+    dx = k.center_y() - e.y;
+    dy = e.x - k.center_x();
   }
   if (h.forward) return {dx, dy};
   return {-dx, -dy};
@@ -136,16 +139,16 @@ std::array<Real, 2> Geometry::exact_tangent(std::uint32_t p, Heading h) const {
 bool Geometry::touch_at(std::uint32_t p, std::uint32_t i, std::uint32_t j) const {
   const Point& q = points[p];
   return q.kind == Point::Kind::kCross && q.root == 0 && std::min(i, j) == q.i && std::max(i, j) == q.j &&
-         (carriers[i].circle || carriers[j].circle);
+         (supporting_curves[i].circle || supporting_curves[j].circle);
 }
 
 int Geometry::turn(std::uint32_t p, Heading h, Heading k) const {
-  const Carrier &s = carriers[h.carrier], &t = carriers[k.carrier];
+  const SupportingCurve &s = supporting_curves[h.supporting_curve], &t = supporting_curves[k.supporting_curve];
   if (!s.circle && !t.circle) {
     int c = sign_of(cross(s, t));
     return h.forward == k.forward ? c : -c;
   }
-  if (h.carrier == k.carrier || touch_at(p, h.carrier, k.carrier)) return 0;
+  if (h.supporting_curve == k.supporting_curve || touch_at(p, h.supporting_curve, k.supporting_curve)) return 0;
   auto u = tangent(p, h), v = tangent(p, k);
   Approx c = u[0] * v[1] - u[1] * v[0];
   if (c.sign() != 0) return c.sign();
@@ -154,7 +157,7 @@ int Geometry::turn(std::uint32_t p, Heading h, Heading k) const {
 }
 
 int Geometry::along(std::uint32_t p, Heading h, Heading k) const {
-  const Carrier &s = carriers[h.carrier], &t = carriers[k.carrier];
+  const SupportingCurve &s = supporting_curves[h.supporting_curve], &t = supporting_curves[k.supporting_curve];
   if (!s.circle && !t.circle) {
     int c = sign_of(int128(s.a) * t.a + int128(s.b) * t.b);
     return h.forward == k.forward ? c : -c;
@@ -167,7 +170,7 @@ int Geometry::along(std::uint32_t p, Heading h, Heading k) const {
 }
 
 int Geometry::compare_curvature(Heading h, Heading k) const {
-  const Carrier &s = carriers[h.carrier], &t = carriers[k.carrier];
+  const SupportingCurve &s = supporting_curves[h.supporting_curve], &t = supporting_curves[k.supporting_curve];
   int p = s.circle ? (h.forward ? 1 : -1) : 0, q = t.circle ? (k.forward ? 1 : -1) : 0;
   if (p != q) return p > q ? 1 : -1;
   if (p == 0) return 0;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What carrier.cpp, geometry.cpp and geometry_signs.cpp share: carriers and points as doubles with error bounds and as
-// fixed-width integers, the first two stages of their predicates. Guarantee: bounds and integers are exact or certain.
+// What supporting_curve.cpp, geometry.cpp and geometry_signs.cpp share: supporting_curves and points as doubles with
+// error bounds and as fixed-width integers, the first two stages of their predicates. Guarantee: bounds and integers
+// are exact or certain.
 #pragma once
 
 #include <algorithm>
@@ -30,10 +31,12 @@ inline Approx from_int(int128 k) {
 
 inline int sign_of(int128 k) { return (k > 0) - (k < 0); }
 
-inline int128 cross(const Carrier& p, const Carrier& q) { return int128(p.a) * q.b - int128(p.b) * q.a; }
+inline int128 cross(const SupportingCurve& p, const SupportingCurve& q) {
+  return int128(p.a) * q.b - int128(p.b) * q.a;
+}
 
 /// A grid line whose crossings with others like it have numerators below 2^126.
-inline bool is_narrow(const Carrier& l) {
+inline bool is_narrow(const SupportingCurve& l) {
   constexpr std::int64_t kNormal = std::int64_t(1) << 42;
   constexpr int128 kOffset = int128(1) << 83;
   return l.grid && !l.circle && l.a < kNormal && l.b < kNormal && l.b > -kNormal && l.c < kOffset && l.c > -kOffset;
@@ -44,13 +47,13 @@ struct NarrowPoint {
   int128 x, y, weight;
 };
 
-inline NarrowPoint narrow_crossing(const Carrier& s, const Carrier& t) {
+inline NarrowPoint narrow_crossing(const SupportingCurve& s, const SupportingCurve& t) {
   int128 w = cross(s, t), x = s.c * t.b - t.c * s.b, y = t.c * s.a - s.c * t.a;
   return w > 0 ? NarrowPoint{x, y, w} : NarrowPoint{-x, -y, -w};
 }
 
 /// The length of a line's normal: the sum of the two squares is off by at most 2 ulps, its root by at most 2.
-inline Approx normal_length(const Carrier& l) {
+inline Approx normal_length(const SupportingCurve& l) {
   double a = double(l.a), b = double(l.b), n = std::sqrt(a * a + b * b);
   return {n, n * (3 * Approx::kUnit)};
 }
@@ -64,7 +67,7 @@ inline std::optional<int128> integer_length(std::int64_t a, std::int64_t b) {
   return root * root == square ? std::optional(root) : std::nullopt;
 }
 
-inline Approx line_offset(const Carrier& l) {
+inline Approx line_offset(const SupportingCurve& l) {
   if (l.real) return from_real(l.real->x);
   return l.grid ? from_int(l.c) : from_int(l.c) + from_real(l.w) * normal_length(l);
 }
@@ -79,11 +82,11 @@ inline bool fits(const std::optional<int128>& c) {
 /// each path), its root by 2u (half of that and its own rounding), the reciprocal by 3u and a product with it by 4u, of
 /// a rounded offset by 5u; 5u and 8u cover the terms of second order. An integer over a length below 2^54 does not
 /// underflow.
-void set_line_filter(Carrier& l);
+void set_line_filter(SupportingCurve& l);
 
 /// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 5u, the rounded
 /// coordinates, the products and the sum by u each.
-inline void set_distance_through(Carrier& l, std::int64_t x, std::int64_t y) {
+inline void set_distance_through(SupportingCurve& l, std::int64_t x, std::int64_t y) {
   const double along_x = l.x.value * double(x), along_y = l.y.value * double(y);
   l.z = {along_x + along_y, (std::abs(along_x) + std::abs(along_y)) * (9 * Approx::kUnit)};
 }

@@ -13,7 +13,7 @@ namespace findspace::exact {
 
 /// A line at the signed distance `shift` along its unit normal from the grid point (x, y).
 struct ShiftedLine {
-  std::uint32_t carrier;
+  std::uint32_t supporting_curve;
   Approx shift;
 };
 

@@ -14,7 +14,7 @@ namespace findspace::exact {
 
 /// A movement that is known in doubles only, each component off by at most that.
 struct RoughMovement {
-  Shadow3 near;
+  Approx3 near;
   double off = 0;
 };
 

@@ -28,7 +28,7 @@ struct Determinant {
   }
 };
 
-Determinant determinant(const Shadow3& x, const Shadow3& y, const Shadow3& z) {
+Determinant determinant(const Approx3& x, const Approx3& y, const Approx3& z) {
   const double p = y.y * z.z, q = y.z * z.y, r = y.z * z.x, s = y.x * z.z, t = y.x * z.y, o = y.y * z.x;
   return {x.x * (p - q) + x.y * (r - s) + x.z * (t - o), std::fabs(x.x) * (std::fabs(p) + std::fabs(q)) +
                                                              std::fabs(x.y) * (std::fabs(r) + std::fabs(s)) +
@@ -76,7 +76,7 @@ Fraction between(const Fraction& a, const Fraction& b) {
 
 int sign_volume(const Grid3& a, const Grid3& b, const Grid3& c, const Grid3& d) {
   const Grid3 u = b - a, v = c - a, w = d - a;
-  const Determinant rounded = determinant(shadow(u), shadow(v), shadow(w));
+  const Determinant rounded = determinant(approx(u), approx(v), approx(w));
   if (const int sign = rounded.certain_sign(); sign != 0) return sign;
   if (rounded.size < 0x1p52) return (rounded.value > 0) - (rounded.value < 0);  // nothing was rounded
   const Wide3 n = cross(v, w);
@@ -125,7 +125,7 @@ int lexicographic_sign_cross(const Wide3& l, const Wide3& m) {
 }
 
 int sign_triple(const Wide3& l, const Wide3& m, const Wide3& n) {
-  if (const int sign = determinant(shadow(l), shadow(m), shadow(n)).certain_sign(); sign != 0) return sign;
+  if (const int sign = determinant(approx(l), approx(m), approx(n)).certain_sign(); sign != 0) return sign;
   Int512 sum = multiply(cross_term(m.y, n.z, m.z, n.y), l.x);
   sum += multiply(cross_term(m.z, n.x, m.x, n.z), l.y);
   sum += multiply(cross_term(m.x, n.y, m.y, n.x), l.z);

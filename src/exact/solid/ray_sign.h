@@ -91,8 +91,8 @@ int lexicographic_sign(const V& v) {
 }
 
 /// The sign of normal . edge.
-inline int sign_dot(const Wide3& normal, const Shadow3& normal_shadow, const Grid3& edge) {
-  const int fast = filtered_sign_dot(normal_shadow, shadow(edge));
+inline int sign_dot(const Wide3& normal, const Approx3& normal_approx, const Grid3& edge) {
+  const int fast = filtered_sign_dot(normal_approx, approx(edge));
   return fast != 2 ? fast : sign(dot(normal, edge));
 }
 

@@ -129,7 +129,7 @@ Wide3 primitive(const Wide3& n) {
   return {n.x / g, n.y / g, n.z / g};
 }
 
-Shadow3 shadow(const Wide3& n) {
+Approx3 approx(const Wide3& n) {
   const auto one = [](int128 v) {
     const auto low = static_cast<std::int64_t>(v);
     return low == v ? static_cast<double>(low) : static_cast<double>(v);
@@ -139,7 +139,7 @@ Shadow3 shadow(const Wide3& n) {
 
 int sign_plane_at(const Wide3& n, int128 d, double x, double y, double z) {
   // Filter: four roundings of the inputs, three products, three sums.
-  const Shadow3 s = shadow(n);
+  const Approx3 s = approx(n);
   const double a = s.x * x, b = s.y * y, c = s.z * z, e = static_cast<double>(d);
   const double sum = ((a + b) + c) + e;
   const double bound = 0x1p-49 * (((std::fabs(a) + std::fabs(b)) + std::fabs(c)) + std::fabs(e));

@@ -57,20 +57,20 @@ int128 gcd(int128 a, int128 b);
 /// `n` divided by the greatest common divisor of its components; `n` is not zero.
 Wide3 primitive(const Wide3& n);
 
-/// A double vector that shadows an exact one: each component is the exact one correctly rounded.
-struct Shadow3 {
+/// A double vector that approx an exact one: each component is the exact one correctly rounded.
+struct Approx3 {
   double x = 0, y = 0, z = 0;
 };
 
-inline Shadow3 shadow(const Grid3& p) { return {double(p.x), double(p.y), double(p.z)}; }
-Shadow3 shadow(const Wide3& n);
-inline Shadow3 operator-(const Shadow3& a, const Shadow3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Approx3 approx(const Grid3& p) { return {double(p.x), double(p.y), double(p.z)}; }
+Approx3 approx(const Wide3& n);
+inline Approx3 operator-(const Approx3& a, const Approx3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
-/// The sign of the dot product of two shadows of integer vectors, or 2 where doubles cannot tell. The grid factor is
+/// The sign of the dot product of two approx of integer vectors, or 2 where doubles cannot tell. The grid factor is
 /// exact (below 2^53), the normal has one rounding, each product one, the two sums two: the error is below 5 * 2^-53
 /// times the sum of the magnitudes of the products; 2^-50 covers it and the roundings of the bound itself. Where that
 /// sum is at most 2^52 everything is a small integer and nothing was rounded: ties on coarse data are decided here too.
-inline int filtered_sign_dot(const Shadow3& n, const Shadow3& e) {
+inline int filtered_sign_dot(const Approx3& n, const Approx3& e) {
   const double a = n.x * e.x, b = n.y * e.y, c = n.z * e.z;
   const double sum = (a + b) + c;
   const double size = (std::fabs(a) + std::fabs(b)) + std::fabs(c), bound = 0x1p-50 * size;

@@ -9,16 +9,16 @@
 #include <filesystem>
 
 #include "findspace/world.h"
+#include "formula/language/parse.h"
+#include "formula/planar/feasible_near.h"
+#include "formula/planar/optimize.h"
+#include "formula/planar/solve_rotation.h"
 #include "io/scene/scene.h"
 #include "io/write/write_json.h"
 #include "io/write/write_witness.h"
 #include "plane/build/build.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/in_order.h"
-#include "situation/formula/parse.h"
-#include "situation/planar/feasible_near.h"
-#include "situation/planar/optimize.h"
-#include "situation/planar/solve_turning.h"
 
 namespace findspace {
 
@@ -37,25 +37,25 @@ struct SignMap::Data {
 
 struct World::Data {
   io::Scene scene;
-  situation::Context context;
-  situation::Solver solver;
+  formula::Context context;
+  formula::Solver solver;
 
-  situation::Formula formula(std::string_view text) const { return situation::parse_formula(text, context); }
+  formula::Formula formula(std::string_view text) const { return formula::parse_formula(text, context); }
   /// Throws where the text is a coordinate or no objective at all.
-  situation::Objective distance(std::string_view text) const {
-    const situation::Objective wanted = situation::parse_objective(text, context);
-    if (wanted.kind != situation::Objective::Kind::kDistance)
+  formula::Objective distance(std::string_view text) const {
+    const formula::Objective wanted = formula::parse_objective(text, context);
+    if (wanted.kind != formula::Objective::Kind::kDistance)
       throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", text));
     return wanted;
   }
-  /// At p, in the scene's unit, the shapes turned as they are given.
-  situation::Solver::Check check(const situation::Formula& f, const exact::RealPoint& p) const {
-    const bool turning = std::any_of(f.atoms().begin(), f.atoms().end(), [](const situation::Atom& a) {
-      return a.distance.mode == situation::Mode::kTurning;
+  /// At p, in the scene's unit, the shapes rotated as they are given.
+  formula::Solver::Check check(const formula::Formula& f, const exact::RealPoint& p) const {
+    const bool rotating = std::any_of(f.atoms().begin(), f.atoms().end(), [](const formula::Atom& a) {
+      return a.distance.mode == formula::Mode::kRotation;
     });
-    return turning ? situation::TurnSolver(solver, {p, {}, {}}).check(f) : solver.check(f, p);
+    return rotating ? formula::RotationSolver(solver, {p, {}, {}}).check(f) : solver.check(f, p);
   }
-  std::string unit() const { return scene.unit ? std::string(situation::name(*scene.unit)) : ""; }
+  std::string unit() const { return scene.unit ? std::string(formula::name(*scene.unit)) : ""; }
   Region region(plane::Region r) const;
 };
 
@@ -88,8 +88,8 @@ io::Scene scene_of(const std::map<std::string, Shape>& shapes, const std::string
   return io::read_scene_text(text + "}}", std::filesystem::current_path(), "world");
 }
 
-situation::World world_of(const io::Scene& scene) {
-  situation::World world;
+formula::World world_of(const io::Scene& scene) {
+  formula::World world;
   for (const plane::ShapePtr& s : scene.shapes)
     world.shapes.emplace(s->name, plane::build(*s, scene.grid.step_size()).region);
   world.moving = scene.moving;
@@ -97,8 +97,8 @@ situation::World world_of(const io::Scene& scene) {
   return world;
 }
 
-situation::Context context_of(const io::Scene& scene) {
-  situation::Context context;
+formula::Context context_of(const io::Scene& scene) {
+  formula::Context context;
   for (const plane::ShapePtr& s : scene.shapes) context.shapes.push_back(s->name);
   context.moving = scene.moving;
   context.unit = scene.unit;
@@ -134,16 +134,16 @@ Region World::Data::region(plane::Region r) const { return make_region(plane::in
 World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options) {
   io::Scene scene = scene_of(shapes, moving, options);
   if (scene.dimension != 2) throw Error(ErrorCode::kUnsupported, "a world of three dimensions");
-  situation::Context context = context_of(scene);
-  situation::World world = world_of(scene);
+  formula::Context context = context_of(scene);
+  formula::World world = world_of(scene);
   data_ =
-      std::shared_ptr<const Data>(new Data{std::move(scene), std::move(context), situation::Solver(std::move(world))});
+      std::shared_ptr<const Data>(new Data{std::move(scene), std::move(context), formula::Solver(std::move(world))});
 }
 
 DistanceValue World::distance(std::string_view distance, const Point& p) const {
-  const situation::Objective wanted = data_->distance(distance);
-  const situation::DistanceAt d =
-      wanted.distance.mode == situation::Mode::kTurning
+  const formula::Objective wanted = data_->distance(distance);
+  const formula::DistanceAt d =
+      wanted.distance.mode == formula::Mode::kRotation
           ? data_->check(data_->formula(fmt::format("{} >= 0", distance)), real(p)).atoms.front().distance
           : data_->solver.distance_at(wanted.distance, real(p));
   std::optional<double> value = d.value;
@@ -153,7 +153,7 @@ DistanceValue World::distance(std::string_view distance, const Point& p) const {
 }
 
 SignMap World::sign_map(std::string_view distance, const Number& level) const {
-  const situation::Objective wanted = data_->distance(distance);
+  const formula::Objective wanted = data_->distance(distance);
   const exact::Real at = exact::Real::parse_decimal(level.text()) / data_->scene.grid.step();
   plane::SignMap map = data_->solver.distance(wanted.distance)->sign_map(wanted.negated ? -at : at);
   if (wanted.negated) map = plane::remark(std::move(map), [](plane::Mark m) { return plane::Mark(-m); });
@@ -162,7 +162,7 @@ SignMap World::sign_map(std::string_view distance, const Number& level) const {
 }
 
 Region World::solve(std::string_view formula) const {
-  return data_->region(situation::feasible_near(data_->solver, data_->formula(formula)));
+  return data_->region(formula::feasible_near(data_->solver, data_->formula(formula)));
 }
 
 bool World::holds(std::string_view formula, const Point& p) const {
@@ -170,9 +170,9 @@ bool World::holds(std::string_view formula, const Point& p) const {
 }
 
 Optimum World::minimize(std::string_view objective, std::string_view formula) const {
-  const situation::Objective wanted = situation::parse_objective(objective, data_->context);
-  situation::Optimum best = situation::optimize(situation::feasible_near(data_->solver, data_->formula(formula)),
-                                                wanted, distance::Sense::kMinimum, data_->solver);
+  const formula::Objective wanted = formula::parse_objective(objective, data_->context);
+  formula::Optimum best = formula::optimize(formula::feasible_near(data_->solver, data_->formula(formula)), wanted,
+                                            distance::Sense::kMinimum, data_->solver);
   return {best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
           data_->region(std::move(best.at))};
 }

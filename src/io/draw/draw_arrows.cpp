@@ -15,8 +15,8 @@ using plane::Place;
 
 namespace {
 
-constexpr double kLength = 52, kGap = 9, kTurnRadius = 30;  // pixels
-constexpr double kTurnFrom = 25, kTurnTo = 115;             // degrees, counter-clockwise
+constexpr double kLength = 52, kGap = 9, kRotationRadius = 30;  // pixels
+constexpr double kRotationFrom = 25, kRotationTo = 115;         // degrees, counter-clockwise
 
 /// The open head of an arrow that ends at a point of the picture, going along (dx, dy).
 std::string head(const Place& end, double dx, double dy) {
@@ -47,14 +47,14 @@ std::string straight(const Place& from, double dx, double dy) {
   return line(start, end) + head(end, u, v);
 }
 
-std::string turn(const Place& centre) {
+std::string rotation(const Place& centre) {
   const auto at = [&](double degrees) {
     const double a = degrees * std::numbers::pi / 180;
-    return Place{centre[0] + kTurnRadius * std::cos(a), centre[1] - kTurnRadius * std::sin(a)};
+    return Place{centre[0] + kRotationRadius * std::cos(a), centre[1] - kRotationRadius * std::sin(a)};
   };
-  const Place from = at(kTurnFrom), to = at(kTurnTo);
-  const double a = kTurnTo * std::numbers::pi / 180;
-  return fmt::format("M{} {}A{} {} 0 0 0 {} {}", pixels(from[0]), pixels(from[1]), kTurnRadius, kTurnRadius,
+  const Place from = at(kRotationFrom), to = at(kRotationTo);
+  const double a = kRotationTo * std::numbers::pi / 180;
+  return fmt::format("M{} {}A{} {} 0 0 0 {} {}", pixels(from[0]), pixels(from[1]), kRotationRadius, kRotationRadius,
                      pixels(to[0]), pixels(to[1])) +
          head(to, -std::sin(a), -std::cos(a));
 }
@@ -72,8 +72,8 @@ std::string arrows(const std::vector<Arrow>& all, const Frame& frame, const std:
       std::vector<Place> points;
       for (const Place& p : a.points) points.push_back(seen(p));
       data = way(points);
-    } else if (a.kind == Arrow::Kind::kTurn) {
-      data = turn(seen(a.points.at(0)));
+    } else if (a.kind == Arrow::Kind::kRotation) {
+      data = rotation(seen(a.points.at(0)));
     } else {
       const Place& d = a.points.at(0);
       data = straight(seen({}), d[0], d[1]);
@@ -93,7 +93,7 @@ std::vector<LegendEntry> arrow_entries(const std::vector<Arrow>& all) {
   if (has(Arrow::Kind::kWay)) out.push_back({M::kArrow, "way in time"});
   if (has(Arrow::Kind::kDirection) || has(Arrow::Kind::kBothWays))
     out.push_back({M::kArrow, "direction of the distance"});
-  if (has(Arrow::Kind::kTurn)) out.push_back({M::kArrow, "turn"});
+  if (has(Arrow::Kind::kRotation)) out.push_back({M::kArrow, "turn"});
   return out;
 }
 

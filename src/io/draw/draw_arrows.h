@@ -15,7 +15,7 @@
 namespace findspace::io {
 
 struct Arrow {
-  enum class Kind { kWay, kDirection, kBothWays, kTurn };
+  enum class Kind { kWay, kDirection, kBothWays, kRotation };
   Kind kind = Kind::kWay;
   std::vector<plane::Place> points;  // way points; or one, the direction, or the centre of the turn
   bool of_moving = false;            // points are seen from the position of the moving shape

@@ -29,13 +29,13 @@ std::vector<Place2> outline(std::vector<Place2> points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Place2> chain;
-  const auto turns = [](const Place2& a, const Place2& b, const Place2& c) {
+  const auto rotations = [](const Place2& a, const Place2& b, const Place2& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   };
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t start = chain.size();
     for (const Place2& p : points) {
-      while (chain.size() >= start + 2 && turns(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
+      while (chain.size() >= start + 2 && rotations(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
       chain.push_back(p);
     }
     chain.pop_back();
@@ -67,7 +67,7 @@ Shown part_seen(const space::BodyPart& part, const BodiesPicture::Drawn& drawn, 
   if (!part.core) return out;
   std::map<std::pair<int, int>, bool> edges;  // in front if one of its faces is
   for (int f = 0; f < part.core->facet_count(); ++f) {
-    const auto n = exact::shadow(part.core->planes()[static_cast<std::size_t>(f)].normal);
+    const auto n = exact::approx(part.core->planes()[static_cast<std::size_t>(f)].normal);
     const bool front = dot({n.x, n.y, n.z}, kTowards) > 0;
     const std::vector<int> ring = part.core->circuit(f);
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -91,7 +91,10 @@ class Drawing {
     for (const Shown& part : parts_) {
       for (const Place2& p : part.around) extend(p, part.radius);
     }
-    for (const auto& pair : picture.pairs) extend(seen(pair[0]), 0), extend(seen(pair[1]), 0);
+    for (const auto& pair : picture.pairs) {
+      extend(seen(pair[0]), 0);
+      extend(seen(pair[1]), 0);
+    }
     const double size = std::max(high_[0] - low_[0], high_[1] - low_[1]);
     scale_ = size > 0 ? (kSize - 2 * kMargin) / size : 1;
     header_ = kLine * static_cast<double>(picture.lines.size() + 1);

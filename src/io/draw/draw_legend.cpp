@@ -128,7 +128,10 @@ Block legend(const std::vector<LegendEntry>& entries, double left, double top, d
   double x = left, y = top + kLine / 2;
   for (const LegendEntry& e : entries) {
     const double needed = kSwatch + text_width(e.text);
-    if (x > left && x + needed > left + width) x = left, y += kLine;
+    if (x > left && x + needed > left + width) {
+      x = left;
+      y += kLine;
+    }
     b.svg += sign(e.mark, x, y);
     put(b.svg, "<text class=\"note\" x=\"{}\" y=\"{}\">{}</text>\n", pixels(x + kSwatch), pixels(y + kFontSize * 0.36),
         xml_escaped(e.text));

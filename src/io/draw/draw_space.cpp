@@ -115,7 +115,10 @@ class Parts {
   std::array<CellIndex, 4> faces_about(const CellIndex& c, int k) const {
     const auto i = std::size_t((k + 1) % 3), j = std::size_t((k + 2) % 3);
     std::array<CellIndex, 4> out{c, c, c, c};
-    --out[0][i], ++out[1][i], --out[2][j], ++out[3][j];
+    --out[0][i];
+    ++out[1][i];
+    --out[2][j];
+    ++out[3][j];
     return out;
   }
   bool alone(const CellIndex& c, int k) const {
@@ -124,14 +127,15 @@ class Parts {
     }
     return true;
   }
-  /// Whether a face of the picture ends or turns here.
+  /// Whether a face of the picture ends or rotates here.
   bool crease(const CellIndex& c, int k) const {
     std::array<bool, 4> drawn{};
     const auto about = faces_about(c, k);
     for (std::size_t f = 0; f < 4; ++f) {
       const auto axis = std::size_t(flat_axis(about[f]));
       CellIndex below = about[f], above = about[f];
-      --below[axis], ++above[axis];
+      --below[axis];
+      ++above[axis];
       drawn[f] = in(below) != in(above) || (in(about[f]) && !in(below));
     }
     return drawn[0] != drawn[1] || drawn[2] != drawn[3] || (drawn[0] && drawn[2]);
@@ -146,7 +150,8 @@ class Parts {
     Polygon out{{}, std::move(style), 0};
     for (const auto& [di, dj] : {std::pair{-1, -1}, std::pair{1, -1}, std::pair{1, 1}, std::pair{-1, 1}}) {
       CellIndex at = c;
-      at[i] += di, at[j] += dj;
+      at[i] += di;
+      at[j] += dj;
       out.corners.push_back(corner(at));
       out.depth += dot(out.corners.back(), kTowards) / 4;
     }
@@ -168,10 +173,16 @@ class View {
  public:
   void include(const Place3& p) {
     const double c[2] = {dot(p, kRight), dot(p, kUp)};
-    for (int k = 0; k < 2; ++k) low_[k] = std::min(low_[k], c[k]), high_[k] = std::max(high_[k], c[k]);
+    for (int k = 0; k < 2; ++k) {
+      low_[k] = std::min(low_[k], c[k]);
+      high_[k] = std::max(high_[k], c[k]);
+    }
   }
   void fit() {
-    if (!(low_[0] <= high_[0])) low_[0] = low_[1] = 0, high_[0] = high_[1] = 1;
+    if (!(low_[0] <= high_[0])) {
+      low_[0] = low_[1] = 0;
+      high_[0] = high_[1] = 1;
+    }
     scale_ = kSize / std::max({high_[0] - low_[0], high_[1] - low_[1], 1e-300});  // no sign: a picture of one point
   }
   std::string at(const Place3& p) const { return fmt::format("{:.1f},{:.1f}", x(p), y(p)); }
@@ -216,7 +227,10 @@ View view_of(const Drawing& d) {
   for (const Polygon& f : d.faces) {
     for (const Place3& p : f.corners) view.include(p);
   }
-  for (const Stroke& s : d.strokes) view.include(s.from), view.include(s.to);
+  for (const Stroke& s : d.strokes) {
+    view.include(s.from);
+    view.include(s.to);
+  }
   for (const Place3& p : d.points) view.include(p);
   view.fit();
   return view;

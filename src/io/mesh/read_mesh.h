@@ -3,7 +3,7 @@
 //
 // Meshes from files: STL (ASCII and binary), OBJ, OFF, PLY (ASCII, and binary of either byte order), 3MF, by the
 // ending. Vertices are put on the grid (decimals exactly, binary floats as the exact values they are), equal ones
-// joined, and the surface cleaned (space/mesh/mesh.h): it must be closed. What was changed is told in the context's
+// joined, and the surface cleaned (space/mesh/mesh.h): it must be closed. What was changed is decided in the context's
 // notes. Errors: Error(kFile) missing or truncated, kSyntax with the line, kGeometry not closed (with its open edges).
 #pragma once
 

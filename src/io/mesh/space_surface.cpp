@@ -40,12 +40,14 @@ class BoxSurface {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
     if (c[k] % 2 == 0 || !bounded(c, i) || !bounded(c, j)) return;
     Cell below = c, above = c;
-    --below[k], ++above[k];
+    --below[k];
+    ++above[k];
     if (in(below) == in(above)) return;
     std::vector<int> face;
     for (const auto& [di, dj] : {std::pair{-1, -1}, std::pair{1, -1}, std::pair{1, 1}, std::pair{-1, 1}}) {
       Cell corner = c;
-      corner[i] += di, corner[j] += dj;
+      corner[i] += di;
+      corner[j] += dj;
       face.push_back(vertex(corner));
     }
     if (in(above)) std::reverse(face.begin(), face.end());

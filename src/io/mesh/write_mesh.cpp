@@ -53,7 +53,10 @@ Picture fit(const Surface& s) {
   double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
   for (const Vec& v : s.vertices) {
     const double c[2] = {dot(v, kRight), dot(v, kUp)};
-    for (int k = 0; k < 2; ++k) low[k] = std::min(low[k], c[k]), high[k] = std::max(high[k], c[k]);
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], c[k]);
+      high[k] = std::max(high[k], c[k]);
+    }
   }
   Picture p;
   p.scale = (kSize - 2 * kMargin) /

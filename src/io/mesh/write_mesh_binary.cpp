@@ -111,7 +111,7 @@ std::string ply_text(const Surface& s, std::string_view title) {
 }
 
 std::string glb_text(const Surface& s, std::string_view title, std::string_view unit) {
-  const double metre = unit.empty() ? 1 : situation::factor(*situation::find_unit(unit), Unit::kMetre).to_double();
+  const double metre = unit.empty() ? 1 : formula::factor(*formula::find_unit(unit), Unit::kMetre).to_double();
   GlbBuffer buffer;
   put_triangles(buffer, s);
   put_places(buffer, s, metre);

@@ -64,11 +64,11 @@ exact::Real file_scale(const std::optional<exact::Real>& millimetres, const std:
     if (!context.unit) {
       throw Error(ErrorCode::kBadValue, "the shape's file has a unit, so the scene needs \"unit\" too", name);
     }
-    if (choice.unit) return situation::factor(*choice.unit, *context.unit);
-    return *millimetres * situation::factor(Unit::kMillimetre, *context.unit);
+    if (choice.unit) return formula::factor(*choice.unit, *context.unit);
+    return *millimetres * formula::factor(Unit::kMillimetre, *context.unit);
   }
   if (context.unit)
-    context.notes.push_back(fmt::format("{} states no unit: read as {}", name, situation::name(*context.unit)));
+    context.notes.push_back(fmt::format("{} states no unit: read as {}", name, formula::name(*context.unit)));
   return 1;
 }
 

@@ -3,7 +3,7 @@
 //
 // A scene as its file states it: shapes on the exact grid, which of them moves, and the question. Nothing is computed
 // here: shapes are trees (plane/contour/shape.h), formulas are texts with their place, for the parser of the layer
-// `situation`. The format is described in docs/scene.md. Mistakes are findspace::Error with a place such as "shape
+// `formula`. The format is described in docs/scene.md. Mistakes are findspace::Error with a place such as "shape
 // 'board', vertex 3 (scene.json:12:5)". Keywords: input file, JSON, DXF, SVG, WKT, GeoJSON.
 #pragma once
 
@@ -26,7 +26,7 @@ struct Free {
   Kind kind = Kind::kPosition;
   GridPosition through{};           // kLine
   GridPosition direction{};         // kLine: integers without a common factor, not all 0
-  GridPosition about{};             // kAngle, kPose: the point the moving shape turns about
+  GridPosition about{};             // kAngle, kPose: the point the moving shape rotates about
   std::vector<exact::Real> angles;  // kPose: degrees, in the order given
 };
 

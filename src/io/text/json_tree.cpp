@@ -87,8 +87,11 @@ class TreeBuilder {
 
   JsonValue run() {
     using namespace rapidjson;
-    if (text_.starts_with(kByteOrderMark))
-      stream_ = MemoryStream(text_.data() + 3, text_.size() - 3), mark_ = 3, end_ = 3;
+    if (text_.starts_with(kByteOrderMark)) {
+      stream_ = MemoryStream(text_.data() + 3, text_.size() - 3);
+      mark_ = 3;
+      end_ = 3;
+    }
     Reader reader;
     const ParseResult result = reader.Parse<kParseCommentsFlag | kParseValidateEncodingFlag>(stream_, *this);
     if (result.IsError()) refuse(result);

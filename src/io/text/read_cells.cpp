@@ -14,9 +14,9 @@
 namespace findspace::io {
 namespace {
 
-using exact::Carrier;
 using exact::Geometry;
 using exact::Real;
+using exact::SupportingCurve;
 using plane::Index;
 using plane::Mark;
 using Kind = JsonValue::Kind;
@@ -34,7 +34,7 @@ class CellsReader {
     find_factor(value, scale);
     const Mark outside = truth(json_.need(value, "outside", label_));
     plane::MarkedCurves curves(outside);
-    for (const JsonValue& item : list(value, "carriers")) add_carrier(curves.curves.geometry, item);
+    for (const JsonValue& item : list(value, "carriers")) add_supporting_curve(curves.curves.geometry, item);
     const auto& vertices = list(value, "vertices");
     for (const JsonValue& item : vertices) points_.push_back(point(curves.curves.geometry, item));
     ends_.assign(vertices.size(), 0);
@@ -96,7 +96,7 @@ class CellsReader {
       const Unit given = json_.placed(label_, *name, [&] { return parse_unit(json_.text(*name, "\"unit\"", label_)); });
       if (!json_.context().unit)
         json_.fail(ErrorCode::kBadValue, "the cells have a unit, so the scene needs \"unit\" too", label_, *name);
-      unit = situation::factor(given, *json_.context().unit);
+      unit = formula::factor(given, *json_.context().unit);
     }
     const Real size = number(step);
     if (size.sign() <= 0) json_.fail(ErrorCode::kBadValue, "\"step\" must be more than 0", label_, step);
@@ -112,7 +112,7 @@ class CellsReader {
     return value.items;
   }
 
-  void add_carrier(Geometry& g, const JsonValue& item) const {
+  void add_supporting_curve(Geometry& g, const JsonValue& item) const {
     static constexpr std::array<std::string_view, 3> kKeys{"line", "shift", "circle"};
     json_.expect(item, Kind::kObject, "a carrier", label_);
     json_.check_keys(item, kKeys, label_);
@@ -120,23 +120,23 @@ class CellsReader {
       const auto& n = numbers_of(*circle, 3, "a circle [x, y, radius]");
       const Real radius = number(n[2]) * factor_;
       if (radius.sign() <= 0) json_.fail(ErrorCode::kBadValue, "a radius must be more than 0", label_, item);
-      g.add(Carrier::circle_at(number(n[0]) * factor_, number(n[1]) * factor_, radius));
+      g.add(SupportingCurve::circle_at(number(n[0]) * factor_, number(n[1]) * factor_, radius));
       return;
     }
     g.add(line(item));
   }
 
-  Carrier line(const JsonValue& item) const {
+  SupportingCurve line(const JsonValue& item) const {
     constexpr std::int64_t kMost = std::int64_t(1) << 42;
     const auto& n = numbers_of(json_.need(item, "line", label_), 3, "a line [a, b, c]");
     std::int64_t a = whole(n[0], -kMost, kMost, "a normal"), b = whole(n[1], -kMost, kMost, "a normal");
     if (a == 0 && b == 0) json_.fail(ErrorCode::kBadValue, "a line needs a normal", label_, item);
     const Real parts(exact::make_primitive(a, b)), c = number(n[2]) * factor_ / parts;
     const JsonValue* shift = item.find("shift");
-    if (shift == nullptr) return Carrier::line(a, b, c);
+    if (shift == nullptr) return SupportingCurve::line(a, b, c);
     const Real by = number(*shift) * factor_ / Real(parts.sign());
-    if (const auto k = c.integer()) return Carrier::displaced_line(a, b, *k, by);
-    return Carrier::line(a, b, c + by * sqrt(Real(exact::int128(a) * a + exact::int128(b) * b)));
+    if (const auto k = c.integer()) return SupportingCurve::displaced_line(a, b, *k, by);
+    return SupportingCurve::line(a, b, c + by * sqrt(Real(exact::int128(a) * a + exact::int128(b) * b)));
   }
 
   Index point(Geometry& g, const JsonValue& item) const {
@@ -157,9 +157,10 @@ class CellsReader {
 
   Index crossing(Geometry& g, const JsonValue& item) const {
     const auto& n = numbers_of(json_.need(item, "on", label_), 2, "\"on\"");
-    const Index i = index(n[0], g.carriers.size(), "a carrier"), j = index(n[1], g.carriers.size(), "a carrier");
+    const Index i = index(n[0], g.supporting_curves.size(), "a carrier"),
+                j = index(n[1], g.supporting_curves.size(), "a carrier");
     const auto root = static_cast<int>(whole(json_.need(item, "root", label_), -1, 1, "\"root\""));
-    if (i >= j || exact::same_carrier(g.carriers[i], g.carriers[j]))
+    if (i >= j || exact::same_supporting_curve(g.supporting_curves[i], g.supporting_curves[j]))
       fail("a vertex is on two carriers [i, j], i < j", item);
     const Geometry::Meeting meeting = g.meet(i, j);
     const auto end = meeting.root.begin() + meeting.count;
@@ -175,19 +176,19 @@ class CellsReader {
     const Geometry& g = out.curves.geometry;
     const auto member = [&](const char* key) -> const JsonValue& { return json_.need(item, key, label_); };
     plane::Piece piece;
-    piece.carrier = index(member("on"), g.carriers.size(), "a carrier");
+    piece.supporting_curve = index(member("on"), g.supporting_curves.size(), "a carrier");
     const Index from = index(member("from"), points_.size(), "a vertex");
     const Index to = index(member("to"), points_.size(), "a vertex");
     ends_[from] = ends_[to] = 1;
     piece.p0 = points_[from];
     piece.p1 = points_[to];
-    const bool circle = g.carriers[piece.carrier].circle;
+    const bool circle = g.supporting_curves[piece.supporting_curve].circle;
     if (circle) piece.half = static_cast<std::int8_t>(whole(member("half"), -1, 1, "\"half\" (1 upper, -1 lower)"));
     if (circle != (item.find("half") != nullptr) || (circle && piece.half == 0))
       fail("an edge has a \"half\", 1 or -1, where it is on a circle", item);
     for (const Index p : {piece.p0, piece.p1}) {
-      if (!g.lies_on(p, piece.carrier)) fail("an end of an edge is not on its carrier", item);
-      if (circle && g.above_center(p, piece.carrier) * piece.half < 0)
+      if (!g.lies_on(p, piece.supporting_curve)) fail("an end of an edge is not on its carrier", item);
+      if (circle && g.above_center(p, piece.supporting_curve) * piece.half < 0)
         fail("an end of an edge is on the other half of its circle", item);
     }
     if (g.compare_xy(piece.p0, piece.p1) >= 0) fail("an edge runs to the right (or straight up)", item);

@@ -16,7 +16,7 @@ std::string count(std::int64_t n, const char* one, const char* many) {
 std::vector<std::string> ReadContext::summary() const {
   std::vector<std::string> all = notes;
   if (rounding.points > 0) {
-    std::string blank_unit = unit ? fmt::format(" {}", situation::name(*unit)) : "";
+    std::string blank_unit = unit ? fmt::format(" {}", formula::name(*unit)) : "";
     all.push_back(fmt::format("{} rounded to the grid, largest move {:.2g}{}",
                               count(rounding.points, "point", "points"), rounding.largest * grid.step_size(),
                               blank_unit));

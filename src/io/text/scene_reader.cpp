@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "exact/number/decimal.h"
-#include "situation/formula/lexer.h"
-#include "situation/formula/names.h"
+#include "formula/language/lexer.h"
+#include "formula/language/names.h"
 
 namespace findspace::io {
 
@@ -123,14 +123,14 @@ GridPosition SceneReader::position(const JsonValue& value, int dimension, const 
 }
 
 std::string suggestion(std::string_view wrong, const std::vector<std::string>& names) {
-  std::string nearest = situation::nearest(wrong, names);
+  std::string nearest = formula::nearest(wrong, names);
   return nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest);
 }
 
 std::string choice(std::string_view what, std::string_view wrong, const std::vector<std::string>& names) {
   const std::string near = suggestion(wrong, names);
   if (!near.empty() || names.empty()) return near;
-  return fmt::format("; the {} are {}", what, situation::listed(names));
+  return fmt::format("; the {} are {}", what, formula::listed(names));
 }
 
 }  // namespace findspace::io

@@ -22,9 +22,9 @@ std::size_t skip_digits(std::string_view text, std::size_t i) {
 }  // namespace
 
 Unit parse_unit(std::string_view name) {
-  if (auto unit = situation::find_unit(name)) return *unit;
+  if (auto unit = formula::find_unit(name)) return *unit;
   throw Error(ErrorCode::kUnknownName,
-              fmt::format("unknown unit '{}'; the units are {}", name, fmt::join(situation::kUnitNames, ", ")));
+              fmt::format("unknown unit '{}'; the units are {}", name, fmt::join(formula::kUnitNames, ", ")));
 }
 
 std::size_t scan_number(std::string_view text) {

@@ -12,12 +12,12 @@
 #include <string_view>
 
 #include "exact/number/real.h"
+#include "formula/language/units.h"
 #include "plane/contour/shape.h"
-#include "situation/formula/units.h"
 
 namespace findspace::io {
 
-using situation::Unit;
+using formula::Unit;
 
 /// `um mm cm m in mil`; throws Error(kUnknownName).
 Unit parse_unit(std::string_view name);

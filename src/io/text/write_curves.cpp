@@ -42,8 +42,8 @@ void CurveNet::find_joints() {
     const Index k = c_.clockwise(h);
     if (k == h || c_.clockwise(k) != h || !c_.is_arc(h / 2) || !c_.is_arc(k / 2)) continue;
     const bool same_mark = c_.edges[h / 2].mark == c_.edges[k / 2].mark && c_.edges[h / 2].mark == c_.vertices[v].mark;
-    joint_[v] = same_mark && (c_.edges[h / 2].carrier == c_.edges[k / 2].carrier ||
-                              exact::same_carrier(c_.carrier(h / 2), c_.carrier(k / 2)));
+    joint_[v] = same_mark && (c_.edges[h / 2].supporting_curve == c_.edges[k / 2].supporting_curve ||
+                              exact::same_supporting_curve(c_.supporting_curve(h / 2), c_.supporting_curve(k / 2)));
   }
 }
 
@@ -114,7 +114,10 @@ std::vector<plane::Place> CurveNet::extremes(const Curve& arc) const {
 plane::Bounds CurveNet::bounds(const Curve& curve) const {
   plane::Bounds b{at(curve.from), at(curve.from)};
   auto see = [&b](const plane::Place& p) {
-    for (int i : {0, 1}) b.low[i] = std::min(b.low[i], p[i]), b.high[i] = std::max(b.high[i], p[i]);
+    for (int i : {0, 1}) {
+      b.low[i] = std::min(b.low[i], p[i]);
+      b.high[i] = std::max(b.high[i], p[i]);
+    }
   };
   see(at(curve.to));
   if (curve.arc) {

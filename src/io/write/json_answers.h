@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // What the answers of `check` and `measure` share in the plane and in space (docs/results.md): atoms, distances with
-// their witnesses, the nearest feasible position, the extreme value of a map. Templates over situation::AtomAt,
+// their witnesses, the nearest feasible position, the extreme value of a map. Templates over formula::AtomAt,
 // DistanceAt and NearestFeasible and their like in space; `witness` gives the members of a "witness" object.
 #pragma once
 
@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
+#include "formula/language/text.h"
 #include "io/write/json_text.h"
-#include "situation/formula/text.h"
 
 namespace findspace::io {
 
@@ -28,7 +28,7 @@ void put_atoms(std::string& out, const Atoms& atoms, Witness witness) {
         distances[a.distance.text] = a.distance.value;
         const std::string lacks = a.lacks ? fmt::format(R"( "lacks": {},)", json_number(*a.lacks)) : "";
         return fmt::format(R"({{"text": {}, "value": {}, "true": {},{} "witness": {{{}}}}})",
-                           json_string(situation::text(a.atom)), number(a.distance.value), truth(a.holds), lacks,
+                           json_string(formula::text(a.atom)), number(a.distance.value), truth(a.holds), lacks,
                            witness(a.distance));
       },
       true);

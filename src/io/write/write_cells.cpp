@@ -12,8 +12,8 @@
 namespace findspace::io {
 namespace {
 
-using exact::Carrier;
 using exact::Real;
+using exact::SupportingCurve;
 using plane::Index;
 using plane::kNone;
 
@@ -22,10 +22,10 @@ class CellsText {
   explicit CellsText(const plane::Region& region) : c_(region) {}
 
   std::string text(const Real& step, std::string_view unit) {
-    number_carriers();
+    number_supporting_curves();
     const std::string size = number(step);
     std::string body =
-        fmt::format(",\n    \"outside\": {},\n    \"carriers\": {}", truth(c_.faces[0].mark), carriers());
+        fmt::format(",\n    \"outside\": {},\n    \"carriers\": {}", truth(c_.faces[0].mark), supporting_curves());
     body += fmt::format(",\n    \"vertices\": {},\n    \"edges\": {}}}", vertices(), edges());
     std::string head = fmt::format("{{\"step\": {}", size);
     if (!unit.empty()) head += fmt::format(", \"unit\": {}", json_string(unit));
@@ -50,21 +50,21 @@ class CellsText {
     return json_string(numbers_.text(x));
   }
 
-  /// Only carriers of edges and of vertices' definitions, in their order: the roots of crossings depend on it.
-  void number_carriers() {
-    carrier_number_.assign(c_.geometry.carriers.size(), kNone);
-    for (const plane::Edge& e : c_.edges) carrier_number_[e.carrier] = 0;
+  /// Only supporting_curves of edges and of vertices' definitions, in their order: the roots of crossings depend on it.
+  void number_supporting_curves() {
+    supporting_curve_number_.assign(c_.geometry.supporting_curves.size(), kNone);
+    for (const plane::Edge& e : c_.edges) supporting_curve_number_[e.supporting_curve] = 0;
     for (const plane::Vertex& v : c_.vertices) {
       const exact::Point& p = c_.geometry.points[v.point];
-      if (p.kind == exact::Point::Kind::kCross) carrier_number_[p.i] = carrier_number_[p.j] = 0;
+      if (p.kind == exact::Point::Kind::kCross) supporting_curve_number_[p.i] = supporting_curve_number_[p.j] = 0;
     }
     Index next = 0;
-    for (Index& n : carrier_number_) {
+    for (Index& n : supporting_curve_number_) {
       if (n != kNone) n = next++;
     }
   }
 
-  std::string carrier(const Carrier& k) {
+  std::string supporting_curve(const SupportingCurve& k) {
     if (k.circle) {
       return fmt::format("{{\"circle\": [{}, {}, {}]}}", number(k.center_x()), number(k.center_y()), number(k.w));
     }
@@ -73,17 +73,18 @@ class CellsText {
     return fmt::format("{{\"line\": [{}, {}, {}]{}}}", k.a, k.b, number(offset), shift);
   }
 
-  std::string carriers() {
+  std::string supporting_curves() {
     std::vector<std::string> items;
-    for (std::size_t k = 0; k < c_.geometry.carriers.size(); ++k) {
-      if (carrier_number_[k] != kNone) items.push_back(carrier(c_.geometry.carriers[k]));
+    for (std::size_t k = 0; k < c_.geometry.supporting_curves.size(); ++k) {
+      if (supporting_curve_number_[k] != kNone) items.push_back(supporting_curve(c_.geometry.supporting_curves[k]));
     }
     return lines(items);
   }
 
   std::string place(const exact::Point& p) {
     if (p.kind == exact::Point::Kind::kCross) {
-      return fmt::format("\"on\": [{}, {}], \"root\": {}", carrier_number_[p.i], carrier_number_[p.j], int(p.root));
+      return fmt::format("\"on\": [{}, {}], \"root\": {}", supporting_curve_number_[p.i], supporting_curve_number_[p.j],
+                         int(p.root));
     }
     if (p.kind == exact::Point::Kind::kGrid) return fmt::format("\"at\": [{}, {}]", number(p.gx), number(p.gy));
     const exact::RealPoint& at = c_.geometry.reals[p.i];
@@ -106,14 +107,15 @@ class CellsText {
       const plane::Edge& edge = c_.edges[e];
       const std::string half = edge.half == 0 ? "" : fmt::format(", \"half\": {}", int(edge.half));
       items.push_back(fmt::format(R"({{"on": {}{}, "from": {}, "to": {}, "in": {}, "left": {}, "right": {}}})",
-                                  carrier_number_[edge.carrier], half, edge.v0, edge.v1, truth(edge.mark),
-                                  truth(c_.faces[c_.face(2 * e)].mark), truth(c_.faces[c_.face(2 * e + 1)].mark)));
+                                  supporting_curve_number_[edge.supporting_curve], half, edge.v0, edge.v1,
+                                  truth(edge.mark), truth(c_.faces[c_.face(2 * e)].mark),
+                                  truth(c_.faces[c_.face(2 * e + 1)].mark)));
     }
     return lines(items);
   }
 
   const plane::Region& c_;
-  std::vector<Index> carrier_number_;
+  std::vector<Index> supporting_curve_number_;
   exact::RealWriter numbers_;
 };
 

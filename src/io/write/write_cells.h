@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A set of the plane by its boundary, exactly, as JSON that reads back as the same set (read_cells.h): the carriers of
-// its edges, its vertices, its edges, and for every cell whether it belongs. Guarantee: nothing is lost: open ends,
-// slots, cracks and isolated points, arcs of any radius, vertices that are no decimals. Cost: linear. The format is
-// described in docs/scene.md. Keywords: boundary representation, B-rep, serialisation.
+// A set of the plane by its boundary, exactly, as JSON that reads back as the same set (read_cells.h): the
+// supporting_curves of its edges, its vertices, its edges, and for every cell whether it belongs. Guarantee: nothing is
+// lost: open ends, slots, cracks and isolated points, arcs of any radius, vertices that are no decimals. Cost: linear.
+// The format is described in docs/scene.md. Keywords: boundary representation, B-rep, serialisation.
 #pragma once
 
 #include <string>

@@ -105,9 +105,9 @@ class Constructive {
 
   std::optional<std::string> disc(const plane::Face& face) const {
     const std::vector<Index> walk = ring(face.outer);
-    const exact::Carrier& k = c_.carrier(walk[0] / 2);
+    const exact::SupportingCurve& k = c_.supporting_curve(walk[0] / 2);
     const bool whole = k.circle && k.grid && std::all_of(walk.begin(), walk.end(), [&](Index h) {
-                         return exact::same_carrier(c_.carrier(h / 2), k);
+                         return exact::same_supporting_curve(c_.supporting_curve(h / 2), k);
                        });
     if (!whole || !face.inner.empty()) return std::nullopt;
     const auto x = decimal(k.a), y = decimal(k.b), r = decimal(k.w);
@@ -238,7 +238,7 @@ std::string constructive_json(const Region& region, const Real& step) {
 
 std::string constructive_scene(const Region& region, std::string_view name, const Scene& like) {
   std::string out = "{\n  \"findspace\": 1,\n";
-  if (like.unit) out += fmt::format("  \"unit\": {},\n", json_string(situation::name(*like.unit)));
+  if (like.unit) out += fmt::format("  \"unit\": {},\n", json_string(formula::name(*like.unit)));
   out += fmt::format("  \"grid\": {},\n", json_number(like.grid.step().to_double()));
   return out +
          fmt::format("  \"shapes\": {{{}: {}}}\n}}\n", json_string(name), constructive_json(region, like.grid.step()));

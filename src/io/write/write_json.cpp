@@ -83,9 +83,9 @@ void put_cells(std::string& out, const CurveNet& net) {
 }
 
 /// How far values that are not exact may be from the true ones.
-std::string bounds_text(const std::vector<situation::DistanceAt>& distances) {
+std::string bounds_text(const std::vector<formula::DistanceAt>& distances) {
   std::map<std::string, double> bounds;
-  for (const situation::DistanceAt& d : distances)
+  for (const formula::DistanceAt& d : distances)
     if (d.bound) bounds[d.text] = *d.bound;
   std::string out;
   for (const auto& [text, bound] : bounds)
@@ -140,24 +140,24 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
                      best, list(intervals, text));
 }
 
-std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, std::optional<double> angle, const situation::NearestFeasible* nearest) {
+std::string check_json(const formula::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+                       std::string_view unit, std::optional<double> angle, const formula::NearestFeasible* nearest) {
   const Twofold factor(step);
   std::string out = fmt::format("{{{}\"at\": {}, {}\"true\": {},\n", unit_key(unit), pair(place(at)),
                                 angle ? fmt::format("\"angle\": {}, ", json_number(*angle)) : "", truth(check.holds));
-  put_atoms(out, check.atoms, [&](const situation::DistanceAt& d) { return witness_members(d, factor); });
+  put_atoms(out, check.atoms, [&](const formula::DistanceAt& d) { return witness_members(d, factor); });
   if (nearest != nullptr) put_nearest(out, *nearest, json_point(nearest->at, factor));
-  std::vector<situation::DistanceAt> all;
-  for (const situation::AtomAt& a : check.atoms) all.push_back(a.distance);
+  std::vector<formula::DistanceAt> all;
+  for (const formula::AtomAt& a : check.atoms) all.push_back(a.distance);
   return out + bounds_text(all) + "\n}\n";
 }
 
-std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
+std::string measure_json(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
                          const exact::Real& step, std::string_view unit, std::optional<double> angle) {
   const Twofold factor(step);
   std::string out = fmt::format("{{{}\"at\": {},{}\n", unit_key(unit), pair(place(at)),
                                 angle ? fmt::format(" \"angle\": {},", json_number(*angle)) : "");
-  put_distances(out, distances, [&](const situation::DistanceAt& d) { return witness_members(d, factor); });
+  put_distances(out, distances, [&](const formula::DistanceAt& d) { return witness_members(d, factor); });
   return out + bounds_text(distances) + "\n}\n";
 }
 

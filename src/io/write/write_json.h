@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "formula/planar/solve.h"
 #include "io/text/write_curves.h"
 #include "plane/query/locate_line.h"
-#include "situation/planar/solve.h"
 
 namespace findspace::io {
 
@@ -40,10 +40,10 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
                            std::string_view unit, const ExtremeValue* extreme = nullptr, std::string_view side = {});
 
 /// The results of `check` and `measure` at a position in the scene's unit. `nearest` may be null.
-std::string check_json(const situation::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+std::string check_json(const formula::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, std::optional<double> angle = std::nullopt,
-                       const situation::NearestFeasible* nearest = nullptr);
-std::string measure_json(const std::vector<situation::DistanceAt>& distances, const exact::RealPoint& at,
+                       const formula::NearestFeasible* nearest = nullptr);
+std::string measure_json(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
                          const exact::Real& step, std::string_view unit, std::optional<double> angle = std::nullopt);
 
 }  // namespace findspace::io

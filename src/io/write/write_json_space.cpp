@@ -46,7 +46,7 @@ std::string box_text(const space::IntervalBox& b, const Real& step) {
 }
 
 /// "nearest": [..], "points": [[..], [..]], as far as known.
-std::string witness_text(const situation::SpaceDistanceAt& d) {
+std::string witness_text(const formula::SpaceDistanceAt& d) {
   std::string out;
   if (d.nearest) put(out, "\"nearest\": {}", triple(*d.nearest));
   if (d.points)
@@ -94,8 +94,8 @@ std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s
   return out + "}\n";
 }
 
-std::string space_check_json(const situation::SpaceSolver::Check& check, const space::RealVector& at,
-                             std::string_view unit, const situation::SpaceNearest* nearest) {
+std::string space_check_json(const formula::SpaceSolver::Check& check, const space::RealVector& at,
+                             std::string_view unit, const formula::SpaceNearest* nearest) {
   std::string out =
       fmt::format("{{{}\"at\": {}, \"true\": {},\n", unit_key(unit), triple(place(at)), truth(check.holds));
   put_atoms(out, check.atoms, witness_text);
@@ -103,7 +103,7 @@ std::string space_check_json(const situation::SpaceSolver::Check& check, const s
   return out + "\n}\n";
 }
 
-std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,
+std::string space_measure_json(const std::vector<formula::SpaceDistanceAt>& distances, const space::RealVector& at,
                                std::string_view unit) {
   std::string out = fmt::format("{{{}\"at\": {},\n", unit_key(unit), triple(place(at)));
   put_distances(out, distances, witness_text);

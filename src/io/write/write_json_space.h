@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "formula/solid/solve_space.h"
 #include "io/write/write_json.h"
-#include "situation/solid/solve_space.h"
 #include "space/box/box_summary.h"
 
 namespace findspace::io {
@@ -22,9 +22,9 @@ std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& 
 std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& summary, const exact::Real& step,
                        std::string_view unit, const ExtremeValue* extreme = nullptr);
 /// `nearest` may be null.
-std::string space_check_json(const situation::SpaceSolver::Check& check, const space::RealVector& at,
-                             std::string_view unit, const situation::SpaceNearest* nearest = nullptr);
-std::string space_measure_json(const std::vector<situation::SpaceDistanceAt>& distances, const space::RealVector& at,
+std::string space_check_json(const formula::SpaceSolver::Check& check, const space::RealVector& at,
+                             std::string_view unit, const formula::SpaceNearest* nearest = nullptr);
+std::string space_measure_json(const std::vector<formula::SpaceDistanceAt>& distances, const space::RealVector& at,
                                std::string_view unit);
 
 }  // namespace findspace::io

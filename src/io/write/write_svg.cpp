@@ -46,7 +46,7 @@ class PictureWriter {
     if (p.around != nullptr) around_.emplace(NamedRegion{"", p.around}, p.step);
     for (const NamedRegion& r : p.fixed) fixed_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.moving) moving_.emplace_back(r, p.step);
-    for (const NamedRegion& r : p.turned) moving_.emplace_back(r, p.step);
+    for (const NamedRegion& r : p.rotated) moving_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.placed) placed_.emplace_back(r, p.step);
     const plane::Component* c = p.summary != nullptr ? largest(*p.summary) : nullptr;
     if (!position_ && p.of_positions) position_ = c != nullptr ? c->sample : Place{};
@@ -174,7 +174,7 @@ class PictureWriter {
     if (position_ && !moving_.empty()) {
       std::string names;
       for (const NamedRegion& r : p_.moving) names += (names.empty() ? "" : ", ") + r.name;
-      if (!p_.turned.empty()) names += ", as drawn and turned";
+      if (!p_.rotated.empty()) names += ", as drawn and turned";
       out.push_back({M::kMoving, names});
       out.push_back({M::kPole, fmt::format("at p = ({}, {})", shown((*position_)[0]), shown((*position_)[1]))});
     }
@@ -205,8 +205,9 @@ Bounds drawing_bounds(Bounds b) {
   const double size = std::max(b.high[0] - b.low[0], b.high[1] - b.low[1]);
   for (int i : {0, 1}) {
     if (b.high[i] - b.low[i] > 0) continue;  // no sign: the size of a page
-    const double room = size > 0 ? size / 20 : 1;
-    b.low[i] -= room, b.high[i] += room;
+    const double tolerance = size > 0 ? size / 20 : 1;
+    b.low[i] -= tolerance;
+    b.high[i] += tolerance;
   }
   return b;
 }
@@ -214,13 +215,13 @@ Bounds drawing_bounds(Bounds b) {
 }  // namespace
 
 DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std::string_view name,
-                      std::optional<situation::Unit> unit) {
+                      std::optional<formula::Unit> unit) {
   if (!plane::is_bounded(region)) throw Error(ErrorCode::kUnsupported, "a drawing cannot hold an unbounded region");
   const NamedRegion named{std::string(name), &region};
   const Drawn shape(named, step);
   const Bounds b = drawing_bounds(shape.bounds.value_or(Bounds{}));
   const double width = b.high[0] - b.low[0], height = b.high[1] - b.low[1];
-  const Frame frame{{{0, 0}, {0, 0}}, 1, 0, 0};  // only turns y down
+  const Frame frame{{{0, 0}, {0, 0}}, 1, 0, 0};  // only rotates y down
   std::string paths;
   const auto add = [&](auto&& draw, std::string_view attributes) {
     PathWriter path(shape.net, frame, {}, PathWriter::Digits::kAll);
@@ -236,7 +237,7 @@ DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std:
       add([&](PathWriter& path) { path.add_curve(k); }, " fill=\"none\"");
   }
   // SVG knows few units: the size is always in millimetres, where the scene has a unit at all.
-  const double size = unit ? situation::factor(*unit, situation::Unit::kMillimetre).to_double() : 1;
+  const double size = unit ? formula::factor(*unit, formula::Unit::kMillimetre).to_double() : 1;
   const char* size_unit = unit ? "mm" : "";
   DrawingText out;
   out.text = fmt::format(

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "formula/language/units.h"
 #include "io/draw/draw_arrows.h"
 #include "io/draw/draw_dimensions.h"
 #include "plane/query/summary.h"
-#include "situation/formula/units.h"
 
 namespace findspace::io {
 
@@ -34,7 +34,7 @@ struct Picture {
   bool of_positions = true;                            // the region is one of positions; else it is a shape
   std::vector<NamedRegion> fixed;                      // in outline
   std::vector<NamedRegion> moving;                     // drawn at `position`
-  std::vector<NamedRegion> turned;                     // there too, turned by the angle that is its name
+  std::vector<NamedRegion> rotated;                    // there too, rotated by the angle that is its name
   std::vector<NamedRegion> placed;                     // as `moving`, each where its region says
   std::vector<Arrow> arrows;                           // how they move
   std::vector<DimensionLine> dimensions;               // distances at `position`
@@ -50,9 +50,9 @@ struct DrawingText {
   std::string lost;  // what it does not say of the region, for people; empty if nothing
 };
 
-/// The region alone: a group of a path a face and a path a free curve, in the scene's unit, y turned down as SVG has
+/// The region alone: a group of a path a face and a path a free curve, in the scene's unit, y rotated down as SVG has
 /// it. Throws Error(kUnsupported) for an unbounded region.
 DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std::string_view name,
-                      std::optional<situation::Unit> unit);
+                      std::optional<formula::Unit> unit);
 
 }  // namespace findspace::io

@@ -11,8 +11,8 @@
 namespace findspace::io {
 
 using exact::RealPoint;
+using formula::FeatureAt;
 using plane::Twofold;
-using situation::FeatureAt;
 
 namespace {
 
@@ -59,7 +59,7 @@ std::string json_point(const RealPoint& p, const Twofold& step) {
   return fmt::format("[{}, {}]", json_number(scaled(p.x, step)), json_number(scaled(p.y, step)));
 }
 
-std::string witness_members(const situation::DistanceAt& d, const Twofold& step) {
+std::string witness_members(const formula::DistanceAt& d, const Twofold& step) {
   std::string out;
   auto add = [&](const std::string& member) { out += (out.empty() ? "" : ", ") + member; };
   if (d.nearest) add("\"nearest\": " + json_point(*d.nearest, step));
@@ -71,7 +71,7 @@ std::string witness_members(const situation::DistanceAt& d, const Twofold& step)
   return out;
 }
 
-std::string witness_words(const situation::DistanceAt& d, const Twofold& step) {
+std::string witness_words(const formula::DistanceAt& d, const Twofold& step) {
   if (d.witness.size() != 2) return "";
   return fmt::format("{} and {}", feature_words(d.witness[0], step), feature_words(d.witness[1], step));
 }

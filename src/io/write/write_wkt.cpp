@@ -146,7 +146,10 @@ class WktWriter {
     for (const Side& side : ring) {
       const plane::Bounds k = net_.bounds(net_.curves()[side.curve]);
       if (!b) b = k;
-      for (int i : {0, 1}) b->low[i] = std::min(b->low[i], k.low[i]), b->high[i] = std::max(b->high[i], k.high[i]);
+      for (int i : {0, 1}) {
+        b->low[i] = std::min(b->low[i], k.low[i]);
+        b->high[i] = std::max(b->high[i], k.high[i]);
+      }
     }
     return b->high[0] - b->low[0] + b->high[1] - b->low[1];
   }

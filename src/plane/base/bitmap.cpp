@@ -13,8 +13,10 @@ LatticeBox LatticeBox::around(std::span<const LatticeRun> runs) {
 }
 
 void LatticeBox::add(const LatticeBox& o) {
-  row0 = std::min(row0, o.row0), row1 = std::max(row1, o.row1);
-  column0 = std::min(column0, o.column0), column1 = std::max(column1, o.column1);
+  row0 = std::min(row0, o.row0);
+  row1 = std::max(row1, o.row1);
+  column0 = std::min(column0, o.column0);
+  column1 = std::max(column1, o.column1);
 }
 
 Bitmap::Bitmap(const LatticeBox& box)

@@ -11,7 +11,9 @@ namespace findspace::plane {
 HalfAngle HalfAngle::linear(double constant, double cosine, double sine) {
   HalfAngle p;
   p.degree = 2;
-  p.c[0] = constant + cosine, p.c[1] = 2 * sine, p.c[2] = constant - cosine;
+  p.c[0] = constant + cosine;
+  p.c[1] = 2 * sine;
+  p.c[2] = constant - cosine;
   return p;
 }
 
@@ -70,12 +72,15 @@ double bisected(const HalfAngle& a, double from, double to) {
 
 constexpr double kLost = 1e-12;  // no sign: of the size; more than rounding loses, places too many do no harm
 
-/// The roots, and the places where the polynomial comes as near to 0 as `room`.
-std::vector<double> roots(const HalfAngle& a, double span, double room) {
+/// The roots, and the places where the polynomial comes as near to 0 as `tolerance`.
+std::vector<double> roots(const HalfAngle& a, double span, double tolerance) {
   // No root where the constant outweighs all else.
   double rest = 0, power = 1;
-  for (int k = 1; k <= a.degree; ++k) power *= span, rest += std::abs(a.c[std::size_t(k)]) * power;
-  if (std::abs(a.c[0]) > rest + room) return {};
+  for (int k = 1; k <= a.degree; ++k) {
+    power *= span;
+    rest += std::abs(a.c[std::size_t(k)]) * power;
+  }
+  if (std::abs(a.c[0]) > rest + tolerance) return {};
   std::vector<double> stops{-span}, out;
   if (a.degree > 1) {
     for (double u : roots(a.derivative(), span, 0)) stops.push_back(u);
@@ -84,7 +89,7 @@ std::vector<double> roots(const HalfAngle& a, double span, double room) {
   std::sort(stops.begin(), stops.end());
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const double f = a.at(stops[k]);
-    if (std::abs(f) <= room) out.push_back(stops[k]);
+    if (std::abs(f) <= tolerance) out.push_back(stops[k]);
     if (k + 1 == stops.size()) break;
     if ((f < 0) != (a.at(stops[k + 1]) < 0)) out.push_back(bisected(a, stops[k], stops[k + 1]));
   }
@@ -94,15 +99,16 @@ std::vector<double> roots(const HalfAngle& a, double span, double room) {
 }  // namespace
 
 std::vector<RootPlace> root_places(const HalfAngle& a, double span, double scale) {
-  const double room = scale * kLost;
+  const double tolerance = scale * kLost;
   double all = 0, power = 1;
   for (int k = 0; k <= a.degree; ++k, power *= span) all += std::abs(a.c[std::size_t(k)]) * power;
-  if (all <= room) return {{0, span}};
+  if (all <= tolerance) return {{0, span}};
   std::vector<RootPlace> out;
-  for (double u : roots(a, span, room)) {
-    if (!out.empty() && std::abs(u - out.back().u) <= out.back().room) continue;
+  for (double u : roots(a, span, tolerance)) {
+    if (!out.empty() && std::abs(u - out.back().u) <= out.back().tolerance) continue;
     double width = 1e-15;  // no sign: doubled until the polynomial is clear of 0 at both ends
-    while (width < span && (std::abs(a.at(u - width)) <= 2 * room || std::abs(a.at(u + width)) <= 2 * room)) width *= 2;
+    while (width < span && (std::abs(a.at(u - width)) <= 2 * tolerance || std::abs(a.at(u + width)) <= 2 * tolerance))
+      width *= 2;
     out.push_back({u, std::min(2 * width, span)});
   }
   return out;

@@ -30,9 +30,9 @@ HalfAngle operator*(double s, const HalfAngle& a);
 /// Times 1 + u^2.
 HalfAngle raised(const HalfAngle& a);
 
-/// Where a polynomial may be 0: within `room` of u.
+/// Where a polynomial may be 0: within `tolerance` of u.
 struct RootPlace {
-  double u = 0, room = 0;
+  double u = 0, tolerance = 0;
 };
 
 /// All the places in [-span, span] where a polynomial can have roots that was rounded to these coefficients; `scale`

@@ -24,7 +24,8 @@ template <class Item>
 class Rows {
  public:
   void add(std::int64_t row, Item item) {
-    low_ = std::min(low_, row), high_ = std::max(high_, row);
+    low_ = std::min(low_, row);
+    high_ = std::max(high_, row);
     entries_.push_back({row, item});
   }
 

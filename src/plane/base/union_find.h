@@ -23,7 +23,8 @@ class UnionFind {
     return k;
   }
   void unite(std::uint32_t p, std::uint32_t q) {
-    p = find(p), q = find(q);
+    p = find(p);
+    q = find(q);
     if (p == q) return;
     if (q < p) std::swap(p, q);
     parent_[q] = p;

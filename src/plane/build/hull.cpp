@@ -21,9 +21,9 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::int128;
 using exact::Real;
+using exact::SupportingCurve;
 
 constexpr int kDirectionBits = 41;
 
@@ -49,7 +49,10 @@ std::optional<std::array<std::int64_t, 2>> integer_direction(const RealVector& d
   }
   int128 small = value < 0 ? -p : p, big = q;
   if (compare(ratio * Real(big), Real(small)) != 0) return std::nullopt;
-  if (large.sign() < 0) small = -small, big = -big;
+  if (large.sign() < 0) {
+    small = -small;
+    big = -big;
+  }
   std::array<std::int64_t, 2> result{std::int64_t(big), std::int64_t(small)};
   if (steep) std::swap(result[0], result[1]);
   return result;
@@ -127,7 +130,7 @@ class Candidates {
     if (!set_.is_arc(e)) return false;
     Index outer = set_.heading(2 * e).forward ? 2 * e + 1 : 2 * e;
     if (set_.faces[set_.face(outer)].mark > 0) return false;
-    const Carrier& k = set_.carrier(e);
+    const SupportingCurve& k = set_.supporting_curve(e);
     constexpr double kMargin = 1e-6;  // no sign: candidates only; far above the rounding of doubles
     return corners < 3 || std::any_of(sides_.begin(), sides_.end(), [&](const Side& s) {
              double reach = s.x * k.x.value + s.y * k.y.value + k.z.value;
@@ -137,7 +140,7 @@ class Candidates {
 
   void add_arc(Index e) {
     const Edge& d = set_.edges[e];
-    const Carrier& k = set_.carrier(e);
+    const SupportingCurve& k = set_.supporting_curve(e);
     HullElement arc{.center = {k.center_x(), k.center_y()}, .radius = k.w};
     arc.low = place(d.half > 0 ? d.v1 : d.v0) - arc.center;
     arc.high = place(d.half > 0 ? d.v0 : d.v1) - arc.center;
@@ -180,7 +183,7 @@ class Hull {
 
   void add_arc(std::size_t k) {
     const HullElement& e = candidates_.elements[curves_[k].element];
-    Index circle = to_.curves.geometry.add(Carrier::circle_at(e.center.x, e.center.y, e.radius));
+    Index circle = to_.curves.geometry.add(SupportingCurve::circle_at(e.center.x, e.center.y, e.radius));
     to_.curves.arc(circle, corner_[k], corner_[after(k)], true);
     to_.mark({.on = arc_mark(curves_[k].element), .left = 1, .right = 0});
   }
@@ -197,7 +200,7 @@ class Hull {
     if (!d) refuse(side.from, step_);
     std::int64_t a = (*d)[1], b = -(*d)[0];
     exact::make_primitive(a, b);
-    Index line = to_.curves.geometry.add(Carrier::line(a, b, Real(a) * side.from.x + Real(b) * side.from.y));
+    Index line = to_.curves.geometry.add(SupportingCurve::line(a, b, Real(a) * side.from.x + Real(b) * side.from.y));
     bool right = side.direction.x.sign() > 0 || (side.direction.x.sign() == 0 && side.direction.y.sign() > 0);
     Index from = corner_[k], to = corner_[after(k)];
     auto piece = [&](Index p, Index q, Mark on) {

@@ -76,23 +76,23 @@ class Wrapping {
     // A normal u of length 1 with w.u = s has the same line of support at both.
     RealVector w = h.center - g.center;
     Real s = g.radius - h.radius, length2 = dot(w, w);
-    int room = compare(length2, s * s);
-    if (length2.sign() == 0 || room < 0) return std::nullopt;
-    Real root = room == 0 ? Real(0) : sqrt(length2 - s * s);
+    int tolerance = compare(length2, s * s);
+    if (length2.sign() == 0 || tolerance < 0) return std::nullopt;
+    Real root = tolerance == 0 ? Real(0) : sqrt(length2 - s * s);
     bool parallel = s.sign() == 0;  // the line is parallel to w
     RealVector normal = parallel ? turned_right(w) : s * w - root * turned_left(w);
     RealVector direction = turned_left(normal);
     if (!sweeps(h, normal)) return std::nullopt;
     if (g.arc() && !sweeps(g, normal) && !is_end(g, normal)) return std::nullopt;
     // A smaller circle inside that of `at` takes over only where the arc ends.
-    if (room == 0 && s.sign() > 0 && !is_end(g, normal)) return std::nullopt;
-    Contact c{k, std::move(direction), g.center, h.center, room == 0};
+    if (tolerance == 0 && s.sign() > 0 && !is_end(g, normal)) return std::nullopt;
+    Contact c{k, std::move(direction), g.center, h.center, tolerance == 0};
     RealVector unit = (Real(1) / (parallel ? root : length2)) * normal;
-    if (room == 0 && !h.arc())
+    if (tolerance == 0 && !h.arc())
       c.leaves = h.center;
     else if (g.arc())
       c.leaves = g.center + g.radius * unit;
-    if (room == 0)
+    if (tolerance == 0)
       c.meets = c.leaves;
     else if (h.arc())
       c.meets = h.center + h.radius * unit;

@@ -19,7 +19,7 @@ Region region_of_path(std::span<const RealVector> path) {
     const Window leg = window_between(path[k], path[k + 1]);
     std::int64_t a = leg.dy, b = -leg.dx;
     exact::make_primitive(a, b);
-    const Index line = g.add(exact::Carrier::line(a, b, Real(a) * path[k].x + Real(b) * path[k].y));
+    const Index line = g.add(exact::SupportingCurve::line(a, b, Real(a) * path[k].x + Real(b) * path[k].y));
     builder.segment(line, points[k], points[k + 1], g.compare_xy(points[k], points[k + 1]) < 0);
   }
   const Arrangement a = arrange(std::move(g), std::move(builder.pieces), std::span(points).first(1));

@@ -10,9 +10,9 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::int128;
 using exact::Real;
+using exact::SupportingCurve;
 
 /// The classes of half-edges around a vertex, counter-clockwise from the window's direction.
 enum Class { kForward = 0, kUp = 1, kBackward = 2, kDown = 3 };
@@ -31,7 +31,7 @@ SweepStrips::SweepStrips(const CellComplex& m, const Window& window)
 
 void SweepStrips::copy_geometry() {
   const Index start = append_moved(curves.geometry, m_.geometry, -window_.from);
-  end_carriers_ = Index(curves.geometry.carriers.size());
+  end_supporting_curves_ = Index(curves.geometry.supporting_curves.size());
   const Index end = append_moved(curves.geometry, m_.geometry, -window_.to);
   for (const Vertex& v : m_.vertices) {
     nodes.push_back({true, v.mark, v.mark, v.mark});
@@ -46,27 +46,27 @@ void SweepStrips::split_edges() {
     if (m_.is_arc(e)) {
       split_arc(e);
     } else {
-      parts.push_back({e, m_.edges[e].v0, m_.edges[e].v1, rise_of_line(m_.carrier(e))});
+      parts.push_back({e, m_.edges[e].v0, m_.edges[e].v1, rise_of_line(m_.supporting_curve(e))});
     }
   }
   part_start_.push_back(Index(parts.size()));
 }
 
-int SweepStrips::rise_of_line(const Carrier& k) const {
+int SweepStrips::rise_of_line(const SupportingCurve& k) const {
   // From the lexicographically smaller to the larger end: (b, -a) or its opposite.
   const bool flip = k.b <= 0;
   const int128 cross = int128(window_.dx) * (flip ? k.a : -k.a) - int128(window_.dy) * (flip ? -k.b : k.b);
   return (cross > 0) - (cross < 0);
 }
 
-/// Travelled to the right, the upper half of a circle turns from straight up to straight down, the lower half back.
+/// Travelled to the right, the upper half of a circle rotates from straight up to straight down, the lower half back.
 void SweepStrips::split_arc(Index e) {
   const Edge& d = m_.edges[e];
   if (window_.dx == 0) {
     parts.push_back({e, d.v0, d.v1, window_.dy > 0 ? -1 : 1});
     return;
   }
-  const Carrier& k = m_.carrier(e);
+  const SupportingCurve& k = m_.supporting_curve(e);
   const int to_right = window_.dx > 0 ? 1 : -1, before = d.half * to_right;
   const Real square(int128(window_.dx) * window_.dx + int128(window_.dy) * window_.dy);
   const Real scale = Real(d.half * to_right) * k.w / sqrt(square);
@@ -192,12 +192,12 @@ Index SweepStrips::add_copy(Role role, Index part, bool upward, std::int32_t wei
   const StripPart& s = parts[part];
   const Edge& e = m_.edges[s.edge];
   const std::vector<Index>& point = role == Role::kStart ? start_point : end_point;
-  const Index carrier = e.carrier + (role == Role::kStart ? 0 : end_carriers_);
-  curves.pieces.push_back({.carrier = carrier, .p0 = point[s.p], .p1 = point[s.q], .half = e.half});
+  const Index supporting_curve = e.supporting_curve + (role == Role::kStart ? 0 : end_supporting_curves_);
+  curves.pieces.push_back({.supporting_curve = supporting_curve, .p0 = point[s.p], .p1 = point[s.q], .half = e.half});
   curves.forward.push_back((s.rise >= 0) == upward);
   sources.push_back({role, part, 0});
-  strands.push_back({.forward = (s.rise >= 0) == upward, .displaced_left = true, .weight = weight});
-  strand_mark.push_back(mark);
+  chains.push_back({.forward = (s.rise >= 0) == upward, .displaced_left = true, .weight = weight});
+  chain_mark.push_back(mark);
   return Index(curves.pieces.size() - 1);
 }
 
@@ -206,8 +206,8 @@ void SweepStrips::add_along(Index line, Index from, Index to, const Source& sour
   const bool right = curves.geometry.compare_xy(from, to) < 0;
   curves.segment(line, from, to, right);
   sources.push_back(source);
-  strands.push_back({.forward = right, .displaced_left = true, .weight = weight});
-  strand_mark.push_back(mark);
+  chains.push_back({.forward = right, .displaced_left = true, .weight = weight});
+  chain_mark.push_back(mark);
 }
 
 Index SweepStrips::line_of(Index node) {
@@ -215,7 +215,7 @@ Index SweepStrips::line_of(Index node) {
     std::int64_t a = window_.dy, b = -window_.dx;
     exact::make_primitive(a, b);
     const RealVector at = curves.geometry.exact(start_point[node]);
-    lines_[node] = curves.geometry.add(Carrier::line(a, b, Real(a) * at.x + Real(b) * at.y));
+    lines_[node] = curves.geometry.add(SupportingCurve::line(a, b, Real(a) * at.x + Real(b) * at.y));
   }
   return lines_[node];
 }

@@ -59,9 +59,9 @@ class SweepStrips {
   std::vector<StripNode> nodes;
   std::vector<Index> start_point, end_point;  // node -> its point in the copy seen at the start, at the end
   PieceBuilder curves;
-  std::vector<Source> sources;    // per piece
-  std::vector<Strand> strands;    // per piece; weight 0 where it bounds no strip
-  std::vector<Mark> strand_mark;  // per piece: the least mark on and beside the chain of its strip
+  std::vector<Source> sources;   // per piece
+  std::vector<Chain> chains;     // per piece; weight 0 where it bounds no strip
+  std::vector<Mark> chain_mark;  // per piece: the least mark on and beside the chain of its strip
   std::vector<Corner> corners;
 
  private:
@@ -69,7 +69,7 @@ class SweepStrips {
 
   void copy_geometry();
   void split_edges();
-  int rise_of_line(const exact::Carrier& k) const;
+  int rise_of_line(const exact::SupportingCurve& k) const;
   void split_arc(Index e);
   void look_around(Index v);
   Index first_after(const std::vector<Index>& around, const std::vector<int>& key) const;
@@ -89,11 +89,11 @@ class SweepStrips {
 
   const CellComplex& m_;
   Window window_;
-  bool rightward_;                 // the window's direction is lexicographically positive
-  Index end_carriers_ = 0;         // first carrier of the copy seen at the end
-  std::vector<Index> part_start_;  // edge -> its first part
-  std::vector<Index> upward_;      // vertex without event -> the part that leaves it upward
-  std::vector<Index> lines_;       // node -> the line along which it is passed, or kNone
+  bool rightward_;                   // the window's direction is lexicographically positive
+  Index end_supporting_curves_ = 0;  // first supporting_curve of the copy seen at the end
+  std::vector<Index> part_start_;    // edge -> its first part
+  std::vector<Index> upward_;        // vertex without event -> the part that leaves it upward
+  std::vector<Index> lines_;         // node -> the line along which it is passed, or kNone
 };
 
 }  // namespace findspace::plane

@@ -105,13 +105,13 @@ class Sights {
 
   void cross_chains() {
     std::set<Mark> values;
-    for (Index i = 0; i < strips_.strands.size(); ++i)
-      if (strips_.strands[i].weight != 0) values.insert(strips_.strand_mark[i]);
+    for (Index i = 0; i < strips_.chains.size(); ++i)
+      if (strips_.chains[i].weight != 0) values.insert(strips_.chain_mark[i]);
     for (Mark value : values) {
-      std::vector<Strand> strands = strips_.strands;
-      for (Index i = 0; i < strands.size(); ++i)
-        if (strips_.strand_mark[i] != value) strands[i].weight = 0;
-      const Windings w = windings(a_, strands, strips_.corners, 0, VertexScope::kAll);
+      std::vector<Chain> chains = strips_.chains;
+      for (Index i = 0; i < chains.size(); ++i)
+        if (strips_.chain_mark[i] != value) chains[i].weight = 0;
+      const Windings w = windings(a_, chains, strips_.corners, 0, VertexScope::kAll);
       auto where = [value](const std::vector<std::int32_t>& number, std::vector<Mark>& marks) {
         for (std::size_t k = 0; k < number.size(); ++k)
           if (number[k] > 0) lower(marks[k], value);

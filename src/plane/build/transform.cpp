@@ -14,10 +14,10 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::Geometry;
 using exact::int128;
 using exact::Real;
+using exact::SupportingCurve;
 
 constexpr double kGridLimit = 0x1p40;
 
@@ -29,32 +29,33 @@ void check_range(const CellComplex& c) {
   }
 }
 
-Carrier shifted(const Carrier& k, const GridPoint& by) {
+SupportingCurve shifted(const SupportingCurve& k, const GridPoint& by) {
   if (k.circle) {
-    return k.grid ? Carrier::circle_at(k.a + by.x, k.b + by.y, k.w)
-                  : Carrier::circle_at(k.real->x + Real(by.x), k.real->y + Real(by.y), k.w);
+    return k.grid ? SupportingCurve::circle_at(k.a + by.x, k.b + by.y, k.w)
+                  : SupportingCurve::circle_at(k.real->x + Real(by.x), k.real->y + Real(by.y), k.w);
   }
   int128 step = int128(k.a) * by.x + int128(k.b) * by.y;
-  return k.real ? Carrier::line(k.a, k.b, k.real->x + Real(step)) : Carrier::displaced_line(k.a, k.b, k.c + step, k.w);
+  return k.real ? SupportingCurve::line(k.a, k.b, k.real->x + Real(step))
+                : SupportingCurve::displaced_line(k.a, k.b, k.c + step, k.w);
 }
 
 /// The line or circle turned by 90 degrees about the origin; `flipped` where the line's direction is the opposite one.
-Carrier turned(const Carrier& k, bool& flipped) {
+SupportingCurve turned(const SupportingCurve& k, bool& flipped) {
   flipped = false;
   if (k.circle) {
-    return k.grid ? Carrier::circle_at(-k.b, k.a, k.w) : Carrier::circle_at(-k.real->y, k.real->x, k.w);
+    return k.grid ? SupportingCurve::circle_at(-k.b, k.a, k.w) : SupportingCurve::circle_at(-k.real->y, k.real->x, k.w);
   }
   std::int64_t a = -k.b, b = k.a;
   flipped = exact::make_primitive(a, b) < 0;
-  if (k.real) return Carrier::line(a, b, flipped ? -k.real->x : k.real->x);
-  return flipped ? Carrier::displaced_line(a, b, -k.c, -k.w) : Carrier::displaced_line(a, b, k.c, k.w);
+  if (k.real) return SupportingCurve::line(a, b, flipped ? -k.real->x : k.real->x);
+  return flipped ? SupportingCurve::displaced_line(a, b, -k.c, -k.w) : SupportingCurve::displaced_line(a, b, k.c, k.w);
 }
 
-/// The points and carriers turned by 90 degrees about the origin, in the same order.
+/// The points and supporting_curves turned by 90 degrees about the origin, in the same order.
 Geometry turned(const Geometry& g) {
   Geometry to;
   std::vector<char> flipped;
-  for (const Carrier& k : g.carriers) {
+  for (const SupportingCurve& k : g.supporting_curves) {
     bool flip = false;
     to.add(turned(k, flip));
     flipped.push_back(flip);
@@ -79,9 +80,9 @@ CellComplex quarter_turn(const CellComplex& c) {
     const Edge& edge = c.edges[e];
     Index p = c.vertices[edge.v0].point, q = c.vertices[edge.v1].point;
     if (edge.half == 0)
-      to.curves.segment(edge.carrier, p, q, to.curves.geometry.compare_xy(p, q) < 0);
+      to.curves.segment(edge.supporting_curve, p, q, to.curves.geometry.compare_xy(p, q) < 0);
     else
-      to.curves.arc(edge.carrier, p, q, edge.half < 0);
+      to.curves.arc(edge.supporting_curve, p, q, edge.half < 0);
     to.mark({edge.mark, c.faces[c.face(2 * e)].mark, c.faces[c.face(2 * e + 1)].mark});
   }
   for (const Vertex& v : c.vertices) {
@@ -97,7 +98,7 @@ CellComplex quarter_turn(const CellComplex& c) {
 
 CellComplex translated(CellComplex c, const GridPoint& by) {
   Geometry moved;
-  for (const Carrier& k : c.geometry.carriers) moved.add(shifted(k, by));
+  for (const SupportingCurve& k : c.geometry.supporting_curves) moved.add(shifted(k, by));
   for (const exact::Point& p : c.geometry.points) {
     if (p.kind == exact::Point::Kind::kGrid) {
       moved.add_grid_point(p.gx + by.x, p.gy + by.y);
@@ -105,7 +106,7 @@ CellComplex translated(CellComplex c, const GridPoint& by) {
       const exact::RealPoint& r = c.geometry.reals[p.i];
       moved.add_real_point(r.x + Real(by.x), r.y + Real(by.y));
     } else {
-      moved.add_crossing(p.i, p.j, p.root);  // carriers keep their order and direction, so roots stay
+      moved.add_crossing(p.i, p.j, p.root);  // supporting_curves keep their order and direction, so roots stay
     }
   }
   c.geometry = std::move(moved);

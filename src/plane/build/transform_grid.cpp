@@ -21,9 +21,9 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::int128;
 using exact::Real;
+using exact::SupportingCurve;
 
 constexpr int kBits = 60;  // of the fixed-point sine and cosine
 constexpr int128 kOne = int128(1) << kBits;
@@ -73,7 +73,7 @@ GridPoint rounded(const RealVector& p, Rounding& rounding) {
 
 /// The extreme points of the circle strictly inside its counter-clockwise arc from p to q (the whole circle where they
 /// are one), in order.
-std::vector<RealVector> extremes_inside(const Carrier& circle, const RealVector& p, const RealVector& q) {
+std::vector<RealVector> extremes_inside(const SupportingCurve& circle, const RealVector& p, const RealVector& q) {
   const Real x = circle.center_x(), y = circle.center_y(), &r = circle.w;
   const std::array<RealVector, 4> extreme{{{x + r, y}, {x, y + r}, {x - r, y}, {x, y - r}}};
   int right = compare(p.x, x), up = compare(p.y, y);
@@ -115,7 +115,7 @@ class GridRotation {
  private:
   /// A segment, an arc between vertices that stay (counter-clockwise), or a whole circle (from == kNone).
   struct Curve {
-    Index from = kNone, to = kNone, carrier = 0;
+    Index from = kNone, to = kNone, supporting_curve = 0;
     bool arc = false;
     MarkedCurves::Sides sides;
     std::vector<GridPoint> points;  // its rounded ends, and where an arc is cut
@@ -133,13 +133,14 @@ class GridRotation {
       if (k == h || c_.clockwise(k) != h) continue;
       const Edge &e = c_.edges[h / 2], &f = c_.edges[k / 2];
       Mark m = c_.vertices[v].mark;
-      bool one_circle = e.half * f.half < 0 && exact::same_carrier(c_.carrier(h / 2), c_.carrier(k / 2));
+      bool one_circle =
+          e.half * f.half < 0 && exact::same_supporting_curve(c_.supporting_curve(h / 2), c_.supporting_curve(k / 2));
       passed_[v] = one_circle && e.mark == m && f.mark == m;
     }
   }
 
   Curve curve_of(Index e, std::vector<char>& done) const {
-    Curve k{.carrier = c_.edges[e].carrier, .arc = c_.is_arc(e), .sides = {}, .points = {}};
+    Curve k{.supporting_curve = c_.edges[e].supporting_curve, .arc = c_.is_arc(e), .sides = {}, .points = {}};
     Index first = k.arc && !c_.heading(2 * e).forward ? 2 * e + 1 : 2 * e, last = first;
     k.sides = {c_.edges[e].mark, c_.faces[c_.face(first)].mark, c_.faces[c_.face(first ^ 1u)].mark};
     done[e] = 1;
@@ -152,14 +153,15 @@ class GridRotation {
       first = CellComplex::twin(c_.clockwise(first));
       done[first / 2] = 1;
     }
-    k.from = c_.origin(first), k.to = c_.target(last);
+    k.from = c_.origin(first);
+    k.to = c_.target(last);
     return k;
   }
 
   std::vector<GridPoint> points_of(const Curve& k) {
     std::vector<GridPoint> points{place_[k.from]};
     if (k.arc) {
-      const Carrier& circle = c_.geometry.carriers[k.carrier];
+      const SupportingCurve& circle = c_.geometry.supporting_curves[k.supporting_curve];
       RealVector p = c_.geometry.exact(c_.vertices[k.from].point), q = c_.geometry.exact(c_.vertices[k.to].point);
       std::vector<RealVector> inside = extremes_inside(circle, p, q);
       RealVector center{circle.center_x(), circle.center_y()};
@@ -203,17 +205,18 @@ class GridRotation {
 
   void add(const Curve& k) {
     if (k.from == kNone) {
-      const Carrier& circle = c_.geometry.carriers[k.carrier];
+      const SupportingCurve& circle = c_.geometry.supporting_curves[k.supporting_curve];
       GridPoint center = round({circle.center_x(), circle.center_y()});
-      to_.curves.circle(to_.curves.geometry.add(Carrier::circle_at(center.x, center.y, circle.w)));
+      to_.curves.circle(to_.curves.geometry.add(SupportingCurve::circle_at(center.x, center.y, circle.w)));
     }
     Index at = k.from == kNone ? kNone : point_[same_.find(k.from)];
     for (std::size_t i = 1; i < k.points.size(); ++i) {
       const GridPoint &p = k.points[i - 1], &q = k.points[i];
       Index end = i + 1 == k.points.size() ? point_[same_.find(k.to)] : to_.curves.geometry.add_grid_point(q.x, q.y);
       if (k.arc) {
-        ContourEdge e = radius_arc(p, q, c_.geometry.carriers[k.carrier].w, false, true);
-        to_.curves.arc(to_.curves.geometry.add(Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), at, end, true);
+        ContourEdge e = radius_arc(p, q, c_.geometry.supporting_curves[k.supporting_curve].w, false, true);
+        to_.curves.arc(to_.curves.geometry.add(SupportingCurve::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), at, end,
+                       true);
       } else {
         to_.curves.segment(to_.curves.line(p, q), at, end, p < q);
       }

@@ -15,8 +15,9 @@ using exact::Geometry;
 Geometry::Heading heading(const Arrangement& a, Index h) {
   const Arrangement::Edge& e = a.edges[h / 2];
   bool right = !(h & 1u);
-  bool forward = e.half != 0 ? (e.half < 0) == right : (a.geometry.carriers[e.carrier].b > 0) == right;
-  return {e.carrier, forward};
+  bool forward =
+      e.half != 0 ? (e.half < 0) == right : (a.geometry.supporting_curves[e.supporting_curve].b > 0) == right;
+  return {e.supporting_curve, forward};
 }
 
 /// Of two half-edges at v, both to the right or both to the left: the order of `comes_before`.
@@ -24,7 +25,8 @@ bool before(const Arrangement& a, Index v, Index h, Index k) {
   if (h == k) return false;
   const Arrangement::Edge &e = a.edges[h / 2], &f = a.edges[k / 2];
   if (e.half == 0 && f.half == 0)
-    return line_comes_before(a.geometry.carriers[e.carrier], a.geometry.carriers[f.carrier]);
+    return line_comes_before(a.geometry.supporting_curves[e.supporting_curve],
+                             a.geometry.supporting_curves[f.supporting_curve]);
   return comes_before(a.geometry, a.vertex_point[v], h & 1u, heading(a, h), e.half, heading(a, k));
 }
 

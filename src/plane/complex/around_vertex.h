@@ -10,7 +10,7 @@
 namespace findspace::plane {
 
 /// `comes_before` for half-edges on two different lines.
-inline bool line_comes_before(const exact::Carrier& first, const exact::Carrier& second) {
+inline bool line_comes_before(const exact::SupportingCurve& first, const exact::SupportingCurve& second) {
   exact::int128 left = exact::int128(first.a) * second.b, right = exact::int128(first.b) * second.a;
   return (first.b > 0) == (second.b > 0) ? left > right : left < right;
 }

@@ -70,7 +70,10 @@ void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index
   std::pmr::vector<Index> vertex(points.size(), kNone, memory);
   a.vertex_point.reserve(points.size());
   for (Index p = 0; p < points.size(); ++p)
-    if (used[p]) vertex[p] = Index(a.vertex_point.size()), a.vertex_point.push_back(p);
+    if (used[p]) {
+      vertex[p] = Index(a.vertex_point.size());
+      a.vertex_point.push_back(p);
+    }
   a.point_vertex.assign(points.size(), kNone);
   for (Index p = 0; p < points.size(); ++p) {
     Index v = vertex[same.find(p)];
@@ -112,8 +115,9 @@ Parts parts_by_vertex(Arrangement& a, const Chains& chains, Memory memory) {
 }
 
 bool same_curve(const Arrangement& a, const Arrangement::Edge& e, const Piece& p) {
-  return e.half == p.half && (p.half == 0 || e.carrier == p.carrier ||
-                              same_carrier(a.geometry.carriers[e.carrier], a.geometry.carriers[p.carrier]));
+  return e.half == p.half && (p.half == 0 || e.supporting_curve == p.supporting_curve ||
+                              same_supporting_curve(a.geometry.supporting_curves[e.supporting_curve],
+                                                    a.geometry.supporting_curves[p.supporting_curve]));
 }
 
 /// Which pieces each edge lies on, given how many.
@@ -144,7 +148,10 @@ void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
       const Piece& p = a.pieces[k->piece];
       Index e = group;
       while (e < a.edges.size() && !same_curve(a, a.edges[e], p)) ++e;
-      if (e == a.edges.size()) a.edges.push_back({v, k->v1, p.carrier, p.half}), cover_count.push_back(0);
+      if (e == a.edges.size()) {
+        a.edges.push_back({v, k->v1, p.supporting_curve, p.half});
+        cover_count.push_back(0);
+      }
       ++cover_count[e];
       a.chain[k->slot] = e;
     }
@@ -155,8 +162,8 @@ void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
 }  // namespace
 
 Arrangement arrange(Geometry geometry, std::vector<Piece> pieces, std::span<const Index> isolated, Memory memory) {
-  Scratch scratch(pieces.size());
-  Memory working = scratch.memory();
+  Arena arena(pieces.size());
+  Memory working = arena.memory();
   Arrangement a(memory);
   a.geometry = std::move(geometry);
   a.pieces = std::move(pieces);

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::plane {
@@ -20,7 +20,7 @@ namespace findspace::plane {
 /// An x-monotone curve: a segment, or part of the upper or lower half of a circle, from p0 to the lexicographically
 /// larger p1.
 struct Piece {
-  Index carrier = 0;
+  Index supporting_curve = 0;
   Index p0 = 0, p1 = 0;  // in geometry.points
   std::int8_t half = 0;  // circle: +1 upper, -1 lower
   bool smooth0 = false;  // at p0 it continues into exactly one other piece with the same tangent ...
@@ -30,7 +30,7 @@ struct Piece {
 
 struct Arrangement {
   struct Edge {
-    Index v0, v1, carrier;
+    Index v0, v1, supporting_curve;
     std::int8_t half;
   };
 

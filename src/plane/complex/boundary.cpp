@@ -26,7 +26,8 @@ Position Position::of(const Geometry& g, Index point) {
   const exact::Point& p = g.points[point];
   if (p.kind == exact::Point::Kind::kGrid && fits(p.gx) && fits(p.gy)) {
     Position out;
-    out.x = p.gx, out.y = p.gy;
+    out.x = p.gx;
+    out.y = p.gy;
     return out;
   }
   exact::RealPoint e = g.exact(point);
@@ -37,7 +38,8 @@ Position Position::of(const Real& x, const Real& y) {
   Position out;
   auto ix = x.integer(), iy = y.integer();
   if (fits(ix) && fits(iy)) {
-    out.x = std::int64_t(*ix), out.y = std::int64_t(*iy);
+    out.x = std::int64_t(*ix);
+    out.y = std::int64_t(*iy);
   } else {
     out.real = std::make_shared<const exact::RealPoint>(exact::RealPoint{x, y});
   }
@@ -46,7 +48,10 @@ Position Position::of(const Real& x, const Real& y) {
 
 Position operator+(const Position& p, const Position& q) {
   Position out;
-  if (p.grid() && q.grid()) out.x = p.x + q.x, out.y = p.y + q.y;
+  if (p.grid() && q.grid()) {
+    out.x = p.x + q.x;
+    out.y = p.y + q.y;
+  }
   if (p.grid() && q.grid() && fits(out.x) && fits(out.y)) return out;
   return Position::of(p.real_x() + q.real_x(), p.real_y() + q.real_y());
 }
@@ -54,16 +59,19 @@ Position operator+(const Position& p, const Position& q) {
 void Position::mirror() {
   if (real)
     *this = of(-real->x, -real->y);
-  else
-    x = -x, y = -y;
+  else {
+    x = -x;
+    y = -y;
+  }
 }
 
 Direction Direction::of(const Real& x, const Real& y) {
   Direction d;
   auto ix = x.integer(), iy = y.integer();
-  if (fits(ix) && fits(iy))
-    d.x = std::int64_t(*ix), d.y = std::int64_t(*iy);
-  else
+  if (fits(ix) && fits(iy)) {
+    d.x = std::int64_t(*ix);
+    d.y = std::int64_t(*iy);
+  } else
     d.real = std::make_shared<const exact::RealPoint>(exact::RealPoint{x, y});
   return d;
 }
@@ -71,21 +79,25 @@ Direction Direction::of(const Real& x, const Real& y) {
 void Direction::mirror() {
   if (real)
     *this = of(-real->x, -real->y);
-  else
-    x = -x, y = -y;
+  else {
+    x = -x;
+    y = -y;
+  }
 }
 
 Direction Direction::operator-() const {
   if (real) return of(-real->x, -real->y);
   Direction out;
-  out.x = -x, out.y = -y;
+  out.x = -x;
+  out.y = -y;
   return out;
 }
 
 Position Direction::right_normal() const {
   if (real) return Position::of(real->y, -real->x);
   Position axis;
-  axis.x = y, axis.y = -x;
+  axis.x = y;
+  axis.y = -x;
   if (x == 0 || y == 0) return axis;  // primitive: of length 1
   int128 n2 = int128(x) * x + int128(y) * y;
   Real length = sqrt(Real(n2));
@@ -135,13 +147,17 @@ int compare_angle(const Direction& p, const Direction& q) {
 Step Step::reversed() const {
   Step s = *this;
   std::swap(s.from, s.to);
-  s.start = -end, s.end = -start;
+  s.start = -end;
+  s.end = -start;
   s.ccw = !ccw;
   return s;
 }
 
 void Step::mirror() {
-  from.mirror(), to.mirror(), start.mirror(), end.mirror();
+  from.mirror();
+  to.mirror();
+  start.mirror();
+  end.mirror();
   if (arc) center.mirror();
   half = std::int8_t(-half);
 }
@@ -161,13 +177,14 @@ Direction arc_tangent(const Position& p, const Position& center, const Real& rad
 
 void add_step(const CellComplex& c, Index h, std::vector<Step>& steps) {
   const Edge& e = c.edges[h / 2];
-  const exact::Carrier& k = c.carrier(h / 2);
+  const exact::SupportingCurve& k = c.supporting_curve(h / 2);
   Step& s = steps.emplace_back();
   s.from = Position::of(c.geometry, c.vertices[c.origin(h)].point);
   s.to = Position::of(c.geometry, c.vertices[c.target(h)].point);
   bool forward = c.heading(h).forward;
   if (e.half == 0) {
-    s.start.x = forward ? k.b : -k.b, s.start.y = forward ? -k.a : k.a;
+    s.start.x = forward ? k.b : -k.b;
+    s.start.y = forward ? -k.a : k.a;
     s.end = s.start;
     return;
   }
@@ -184,8 +201,10 @@ Path walk(const CellComplex& c, Index from) {
   Path path;
   std::size_t length = 0;
   Index h = from;
-  do ++length, h = c.next(h);
-  while (h != from);
+  do {
+    ++length;
+    h = c.next(h);
+  } while (h != from);
   path.steps.reserve(length);
   do {
     add_step(c, h, path.steps);

@@ -18,9 +18,9 @@ constexpr double kRelativeSlack = 0x1p-44;
 /// Up to here a sweep along x costs less than the cells.
 constexpr std::size_t kFewPieces = 256;
 
-/// y of the carrier at x, clamped into the piece's box by the caller.
+/// y of the supporting_curve at x, clamped into the piece's box by the caller.
 double y_at(const exact::Geometry& g, const Piece& p, double x) {
-  const exact::Carrier& k = g.carriers[p.carrier];
+  const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
   if (!k.circle) {
     const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
     double w = b.x - a.x;
@@ -39,7 +39,7 @@ PieceBox box_of(const exact::Geometry& g, const Piece& p, double slack) {
   const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
   PieceBox box = segment_box(a, b, slack);
   if (p.half == 0) return box;
-  const exact::Carrier& k = g.carriers[p.carrier];
+  const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
   if (k.x.value > box.x1 || k.x.value < box.x0) return box;  // monotone on this part: the ends bound it
   double e = slack + k.z.error + k.y.error + std::abs(k.z.value) * kRelativeSlack;
   if (p.half > 0)
@@ -82,9 +82,13 @@ void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces
   double error = 0, largest_x = 0, largest_y = 0;
   auto take = [&](const exact::Point& p) {
     error = std::max(error, p.error);
-    largest_x = std::max(largest_x, std::abs(p.x)), largest_y = std::max(largest_y, std::abs(p.y));
+    largest_x = std::max(largest_x, std::abs(p.x));
+    largest_y = std::max(largest_y, std::abs(p.y));
   };
-  for (const Piece& p : pieces) take(g.points[p.p0]), take(g.points[p.p1]);
+  for (const Piece& p : pieces) {
+    take(g.points[p.p0]);
+    take(g.points[p.p1]);
+  }
   for (Index p : extra) take(g.points[p]);
   slack_ = box_slack(error, std::max(largest_x, largest_y));
   PieceBox all{inf, inf, -inf, -inf};
@@ -113,13 +117,13 @@ void CellGrid::set_resolution(std::size_t pieces) {
 }
 
 CellGrid::Rows CellGrid::rows_in(Index c, const exact::Geometry& g, const Piece& piece, const PieceBox& b) const {
-  const exact::Carrier& k = g.carriers[piece.carrier];
+  const exact::SupportingCurve& k = g.supporting_curves[piece.supporting_curve];
   const double xa = std::clamp(box_.x0 + c / column_scale_ - 2 * slack_, b.x0, b.x1);
   const double xb = std::clamp(box_.x0 + (c + 1) / column_scale_ + 2 * slack_, b.x0, b.x1);
   if (piece.half != 0 && xa <= k.x.value && k.x.value <= xb) return {row(b.y0), row(b.y1)};
   const double ya = y_at(g, piece, xa), yb = y_at(g, piece, xb), lo = std::min(ya, yb), hi = std::max(ya, yb);
-  const double room = 4 * slack_ + (piece.half == 0 ? 0 : k.z.error + k.y.error);
-  return {row(std::max(lo - room, b.y0)), row(std::min(hi + room, b.y1))};
+  const double tolerance = 4 * slack_ + (piece.half == 0 ? 0 : k.z.error + k.y.error);
+  return {row(std::max(lo - tolerance, b.y0)), row(std::min(hi + tolerance, b.y1))};
 }
 
 void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {

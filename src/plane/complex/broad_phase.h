@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/complex/arrangement.h"
 
 namespace findspace::plane {

@@ -8,8 +8,8 @@
 // Invariants: faces[0] is the unbounded face. Every edge is x-monotone: a segment, or a part of the upper or lower half
 // of a circle, running from its lexicographically smaller end `v0` to `v1`. Half-edge 2e runs v0 -> v1, 2e+1 back; the
 // face of a half-edge lies to its left. Nothing can be merged further without leaving the x-monotone form: no edge
-// whose two sides and itself carry one mark, no vertex inside a curve of one carrier with equal marks. Guarantee:
-// exact; coordinates are implicit points of `exact::Geometry`. Source: distances.md 8.1; Halperin & Sharir,
+// whose two sides and itself carry one mark, no vertex inside a curve of one supporting_curve with equal marks.
+// Guarantee: exact; coordinates are implicit points of `exact::Geometry`. Source: distances.md 8.1; Halperin & Sharir,
 // Arrangements (Handbook of DCG). Keywords: DCEL, planar map, selective Nef complex, marked subdivision.
 #pragma once
 
@@ -34,9 +34,9 @@ struct Vertex {
 };
 
 struct Edge {
-  Index v0 = 0, v1 = 0;  // lexicographically v0 < v1
-  Index carrier = 0;     // in geometry.carriers
-  std::int8_t half = 0;  // circle: +1 upper half, -1 lower half; line: 0
+  Index v0 = 0, v1 = 0;        // lexicographically v0 < v1
+  Index supporting_curve = 0;  // in geometry.supporting_curves
+  std::int8_t half = 0;        // circle: +1 upper half, -1 lower half; line: 0
   Mark mark = 0;
 };
 
@@ -74,14 +74,17 @@ struct CellComplex {
   /// Next half-edge clockwise around the same origin.
   Index clockwise(Index h) const { return half_edges[twin(h)].next; }
   const exact::Point& point(Index vertex) const { return geometry.points[vertices[vertex].point]; }
-  const exact::Carrier& carrier(Index edge) const { return geometry.carriers[edges[edge].carrier]; }
+  const exact::SupportingCurve& supporting_curve(Index edge) const {
+    return geometry.supporting_curves[edges[edge].supporting_curve];
+  }
   bool is_arc(Index edge) const { return edges[edge].half != 0; }
-  /// Direction of travel of a half-edge on its carrier (see Geometry::Heading).
+  /// Direction of travel of a half-edge on its supporting_curve (see Geometry::Heading).
   exact::Geometry::Heading heading(Index h) const {
     const Edge& e = edges[h / 2];
     bool right = !(h & 1u);
-    bool forward = e.half != 0 ? (e.half < 0) == right : (geometry.carriers[e.carrier].b > 0) == right;
-    return {e.carrier, forward};
+    bool forward =
+        e.half != 0 ? (e.half < 0) == right : (geometry.supporting_curves[e.supporting_curve].b > 0) == right;
+    return {e.supporting_curve, forward};
   }
 };
 

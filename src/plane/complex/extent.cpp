@@ -11,16 +11,18 @@ namespace {
 
 constexpr double kRelative = 0x1p-50;  // more than the rounding of the few operations below
 
-void grow(std::optional<PieceBox>& box, double x, double y, double room) {
-  const double dx = room + std::abs(x) * kRelative, dy = room + std::abs(y) * kRelative;
+void grow(std::optional<PieceBox>& box, double x, double y, double tolerance) {
+  const double dx = tolerance + std::abs(x) * kRelative, dy = tolerance + std::abs(y) * kRelative;
   if (!box) box = PieceBox{x - dx, y - dy, x + dx, y + dy};
-  box->x0 = std::min(box->x0, x - dx), box->x1 = std::max(box->x1, x + dx);
-  box->y0 = std::min(box->y0, y - dy), box->y1 = std::max(box->y1, y + dy);
+  box->x0 = std::min(box->x0, x - dx);
+  box->x1 = std::max(box->x1, x + dx);
+  box->y0 = std::min(box->y0, y - dy);
+  box->y1 = std::max(box->y1, y + dy);
 }
 
 /// Ends are vertices; what an arc adds is its highest or lowest point.
 void grow_by_arc(std::optional<PieceBox>& box, const CellComplex& c, const Edge& arc) {
-  const exact::Carrier& k = c.geometry.carriers[arc.carrier];
+  const exact::SupportingCurve& k = c.geometry.supporting_curves[arc.supporting_curve];
   const double x = std::clamp(k.x.value, box->x0, box->x1);
   grow(box, x, k.y.value + arc.half * k.z.value, k.y.error + k.z.error + std::abs(k.z.value) * kRelative);
 }

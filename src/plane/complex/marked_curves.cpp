@@ -44,14 +44,14 @@ std::optional<Fault> shared_curve(const Arrangement& a) {
   return std::nullopt;
 }
 
-/// Marks of faces, each told by all curves around it.
+/// Marks of faces, each decided by all curves around it.
 class FaceMarks {
  public:
   FaceMarks(const Arrangement& a, Mark far_away) : marks(a.face_count, far_away), known_(a.face_count, 0) {
     known_[0] = 1;
   }
 
-  /// False where the face has been told another mark.
+  /// False where the face has been decided another mark.
   bool tell(Index face, Mark mark) {
     if (!known_[face]) marks[face] = mark;
     known_[face] = 1;

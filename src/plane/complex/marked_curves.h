@@ -5,7 +5,7 @@
 // their marks. For sets whose curves are known (a moved set, a hull), where no labels have to be spread from operands.
 //
 // Guarantee: exact; curves that cross or touch where they should not, or whose sides disagree on a face, are found and
-// told. Cost: one arrangement. Keywords: validity, planar map construction.
+// decided. Cost: one arrangement. Keywords: validity, planar map construction.
 #pragma once
 
 #include <optional>

@@ -35,7 +35,8 @@ class DownwardRay {
  private:
   void consider(Index i) {
     const Piece& p = a_.pieces[i];
-    if (i == best_ || (p.half == 0 && g_.carriers[p.carrier].b == 0)) return;  // vertical: never left of the vertex
+    if (i == best_ || (p.half == 0 && g_.supporting_curves[p.supporting_curve].b == 0))
+      return;  // vertical: never left of the vertex
     if (g_.compare_x(p.p0, from_) >= 0 || g_.compare_x(p.p1, from_) < 0) return;
     if (height(g_, p, from_) <= 0) return;
     if (best_ != kNone && compare_heights(g_, p, a_.pieces[best_], from_) <= 0) return;

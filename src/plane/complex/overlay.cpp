@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/face_walk.h"
 #include "plane/complex/side_by_side.h"
@@ -32,10 +32,13 @@ struct Input {
 };
 
 void make_room(Input& in, std::span<const CellComplex* const> operands) {
-  std::size_t carriers = 0, points = 0, edges = 0;
-  for (const CellComplex* c : operands)
-    carriers += c->geometry.carriers.size(), points += c->geometry.points.size(), edges += c->edges.size();
-  in.geometry.carriers.reserve(carriers);
+  std::size_t supporting_curves = 0, points = 0, edges = 0;
+  for (const CellComplex* c : operands) {
+    supporting_curves += c->geometry.supporting_curves.size();
+    points += c->geometry.points.size();
+    edges += c->edges.size();
+  }
+  in.geometry.supporting_curves.reserve(supporting_curves);
   in.geometry.points.reserve(points + points / 4);  // and some crossings
   in.pieces.reserve(edges);
   in.source.reserve(edges);
@@ -47,11 +50,11 @@ Input gather(std::span<const CellComplex* const> operands) {
   make_room(in, operands);
   for (Index k = 0; k < operands.size(); ++k) {
     const CellComplex& c = *operands[k];
-    Index carrier = Index(in.geometry.carriers.size()), point = append(in.geometry, c.geometry);
+    Index supporting_curve = Index(in.geometry.supporting_curves.size()), point = append(in.geometry, c.geometry);
     in.point_offset.push_back(point);
     for (Index e = 0; e < c.edges.size(); ++e) {
       const Edge& d = c.edges[e];
-      in.pieces.push_back({.carrier = d.carrier + carrier,
+      in.pieces.push_back({.supporting_curve = d.supporting_curve + supporting_curve,
                            .p0 = c.vertices[d.v0].point + point,
                            .p1 = c.vertices[d.v1].point + point,
                            .half = d.half,
@@ -222,7 +225,10 @@ class Weights {
       Index i = piece + h / 2;
       Index rank = a_.rank[h & 1u ? 2 * a_.chain[a_.chain_start[i + 1] - 1] + 1 : 2 * a_.chain[a_.chain_start[i]]];
       if (rank == 0) return h;
-      if (best == kNone || rank > best_rank) best = h, best_rank = rank;
+      if (best == kNone || rank > best_rank) {
+        best = h;
+        best_rank = rank;
+      }
       h = c.clockwise(h);
     } while (h != out);
     return best;
@@ -239,8 +245,8 @@ class Weights {
 template <class Rule>
 Region combine(std::span<const Region* const> regions, std::span<const std::int32_t> weight, Rule&& rule) {
   Input in = gather(regions);
-  Scratch scratch(in.pieces.size());
-  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, scratch.memory());
+  Arena arena(in.pieces.size());
+  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
   return extract(a, Weights(a, in, regions, weight).evaluate(rule));
 }
 
@@ -249,8 +255,8 @@ Region combine(std::span<const Region* const> regions, std::span<const std::int3
 CellComplex overlay(std::span<const CellComplex* const> operands,
                     const std::function<Mark(std::span<const Mark>)>& rule) {
   Input in = gather(operands);
-  Scratch scratch(in.pieces.size());
-  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, scratch.memory());
+  Arena arena(in.pieces.size());
+  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
   return extract(a, Labels(a, in, operands).evaluate(rule));
 }
 

@@ -5,8 +5,8 @@
 
 namespace findspace::plane {
 
-using exact::Carrier;
 using exact::int128;
+using exact::SupportingCurve;
 
 Index PieceBuilder::line(const GridPoint& p, const GridPoint& q) {
   std::int64_t a = q.y - p.y, b = p.x - q.x;
@@ -14,8 +14,8 @@ Index PieceBuilder::line(const GridPoint& p, const GridPoint& q) {
   return geometry.add_line(a, b, int128(a) * p.x + int128(b) * p.y);
 }
 
-void PieceBuilder::segment(Index carrier, Index from, Index to, bool right) {
-  pieces.push_back({.carrier = carrier, .p0 = right ? from : to, .p1 = right ? to : from});
+void PieceBuilder::segment(Index supporting_curve, Index from, Index to, bool right) {
+  pieces.push_back({.supporting_curve = supporting_curve, .p0 = right ? from : to, .p1 = right ? to : from});
   forward.push_back(right);
 }
 
@@ -25,7 +25,7 @@ void PieceBuilder::segment(const GridPoint& p, const GridPoint& q) {
 }
 
 Index PieceBuilder::extreme(Index circle, int side) {
-  const Carrier k = geometry.carriers[circle];
+  const SupportingCurve k = geometry.supporting_curves[circle];
   exact::Real x = side > 0 ? k.center_x() + k.w : k.center_x() - k.w;
   return geometry.add_real_point(x, k.center_y());
 }
@@ -44,7 +44,8 @@ void PieceBuilder::arc(Index circle, Index from, Index to, bool ccw) {
       here = right ? order > 0 : order < 0;
     }
     Index next = here ? to : extreme(circle, right ? 1 : -1);
-    pieces.push_back({.carrier = circle, .p0 = right ? at : next, .p1 = right ? next : at, .half = std::int8_t(up)});
+    pieces.push_back(
+        {.supporting_curve = circle, .p0 = right ? at : next, .p1 = right ? next : at, .half = std::int8_t(up)});
     forward.push_back(right);
     if (here) return;
     at = next;
@@ -55,7 +56,7 @@ void PieceBuilder::edge(const ContourEdge& e, const GridPoint& to) {
   if (!e.arc) return segment(e.start, to);
   Index from = geometry.add_grid_point(e.start.x, e.start.y);
   Index end = e.start == to ? from : geometry.add_grid_point(to.x, to.y);
-  arc(geometry.add(Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, end, e.ccw);
+  arc(geometry.add(SupportingCurve::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, end, e.ccw);
 }
 
 void PieceBuilder::circle(Index circle) {

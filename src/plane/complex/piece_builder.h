@@ -21,7 +21,7 @@ class PieceBuilder {
   /// The line through two different grid points.
   Index line(const GridPoint& p, const GridPoint& q);
   /// A directed segment between two points of a line; `right`: `to` is lexicographically larger.
-  void segment(Index carrier, Index from, Index to, bool right);
+  void segment(Index supporting_curve, Index from, Index to, bool right);
   void segment(const GridPoint& p, const GridPoint& q);
   /// A directed arc of a circle between two of its points; from == to gives the whole circle.
   void arc(Index circle, Index from, Index to, bool ccw);

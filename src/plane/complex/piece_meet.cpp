@@ -14,7 +14,7 @@ namespace {
 
 /// Exact y of a non-vertical piece at the x of a point.
 Real exact_y_at(const Geometry& g, const Piece& p, Index point) {
-  const exact::Carrier& k = g.carriers[p.carrier];
+  const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
   Real x = g.exact_x(point);
   if (!k.circle) return (k.offset() - Real(k.a) * x) / Real(k.b);
   Real dx = x - k.center_x(), root = sqrt(k.w * k.w - dx * dx);
@@ -24,7 +24,7 @@ Real exact_y_at(const Geometry& g, const Piece& p, Index point) {
 }  // namespace
 
 exact::Approx approx_y_at(const Geometry& g, const Piece& p, Index point) {
-  const exact::Carrier& k = g.carriers[p.carrier];
+  const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
   exact::Approx x{g.points[point].x, g.points[point].error};
   if (!k.circle) return (k.z - k.x * x) / k.y;
   exact::Approx dx = x - k.x, root = sqrt((k.z - dx) * (k.z + dx));
@@ -39,7 +39,7 @@ int compare_heights(const Geometry& g, const Piece& p, const Piece& q, Index poi
 int compare_along(const Geometry& g, const Piece& piece, Index p, Index q) {
   if (piece.half != 0) return g.compare_x(p, q);
   // Along the longer axis the filter decides more often. A line of slope -a/b (a >= 0) rises for b <= 0.
-  const exact::Carrier& k = g.carriers[piece.carrier];
+  const exact::SupportingCurve& k = g.supporting_curves[piece.supporting_curve];
   if (k.a <= std::abs(k.b)) return g.compare_x(p, q);
   return k.b > 0 ? g.compare_y(q, p) : g.compare_y(p, q);
 }
@@ -52,17 +52,17 @@ Within within(const Geometry& g, const Piece& piece, Index point) {
   int to = compare_along(g, piece, point, piece.p1);
   if (to > 0) return Within::kOutside;
   if (piece.half != 0) {
-    int up = g.above_center(point, piece.carrier);
+    int up = g.above_center(point, piece.supporting_curve);
     if (up != 0 && up != piece.half) return Within::kOutside;
   }
   return from == 0 ? Within::kAtStart : to == 0 ? Within::kAtEnd : Within::kInside;
 }
 
 int height(const Geometry& g, const Piece& piece, Index point) {
-  int s = g.side(point, piece.carrier);
-  if (piece.half == 0) return g.carriers[piece.carrier].b > 0 ? s : -s;
+  int s = g.side(point, piece.supporting_curve);
+  if (piece.half == 0) return g.supporting_curves[piece.supporting_curve].b > 0 ? s : -s;
   if (s < 0) return -piece.half;  // inside the circle: below the upper half, above the lower one
-  int up = g.above_center(point, piece.carrier);
+  int up = g.above_center(point, piece.supporting_curve);
   if (s > 0) return up != 0 ? up : piece.half;
   return up == 0 || up == piece.half ? 0 : up;
 }
@@ -71,15 +71,16 @@ void PieceMeetings::add_pair(Index i, Index j) {
   const Piece &p = pieces_[i], &q = pieces_[j];
   if (p.group == q.group && p.group != kNone) return;
   if (p.half == 0 && q.half == 0) return lines(i, j);
-  if ((p.carrier == q.carrier || same_carrier(g_.carriers[p.carrier], g_.carriers[q.carrier])) && p.half != 0 &&
-      q.half != 0)
+  if ((p.supporting_curve == q.supporting_curve ||
+       same_supporting_curve(g_.supporting_curves[p.supporting_curve], g_.supporting_curves[q.supporting_curve])) &&
+      p.half != 0 && q.half != 0)
     return overlap(i, j);
   curves(i, j);
 }
 
 void PieceMeetings::add_point(Index point, Index piece) {
   const Piece& p = pieces_[piece];
-  if (!g_.lies_on(point, p.carrier)) return;
+  if (!g_.lies_on(point, p.supporting_curve)) return;
   place(piece, point, within(g_, p, point));
 }
 
@@ -92,18 +93,19 @@ void PieceMeetings::place(Index piece, Index point, Within where) {
 
 void PieceMeetings::lines(Index i, Index j) {
   const Piece &p = pieces_[i], &q = pieces_[j];
-  const exact::Carrier &k = g_.carriers[p.carrier], &l = g_.carriers[q.carrier];
+  const exact::SupportingCurve &k = g_.supporting_curves[p.supporting_curve],
+                               &l = g_.supporting_curves[q.supporting_curve];
   if (k.a == l.a && k.b == l.b) {  // primitive normals: parallel
-    if (p.carrier == q.carrier || same_carrier(k, l)) overlap(i, j);
+    if (p.supporting_curve == q.supporting_curve || same_supporting_curve(k, l)) overlap(i, j);
     return;
   }
   if (shared_end(p, q) != kNone) return;  // the one common point
-  int s0 = g_.side(q.p0, p.carrier), s1 = g_.side(q.p1, p.carrier);
+  int s0 = g_.side(q.p0, p.supporting_curve), s1 = g_.side(q.p1, p.supporting_curve);
   if (s0 * s1 > 0) return;
-  int t0 = g_.side(p.p0, q.carrier), t1 = g_.side(p.p1, q.carrier);
+  int t0 = g_.side(p.p0, q.supporting_curve), t1 = g_.side(p.p1, q.supporting_curve);
   if (t0 * t1 > 0) return;
   if (s0 != 0 && s1 != 0 && t0 != 0 && t1 != 0) {
-    Index point = g_.add_crossing(p.carrier, q.carrier, 0);
+    Index point = g_.add_crossing(p.supporting_curve, q.supporting_curve, 0);
     splits.push_back({i, point});
     splits.push_back({j, point});
     return;
@@ -130,8 +132,8 @@ Index PieceMeetings::shared_end(const Piece& p, const Piece& q) const {
 bool PieceMeetings::is_root(Index end, Index root_point, Index other_root_point) const {
   const exact::Point &e = g_.points[end], &r = g_.points[root_point], &o = g_.points[other_root_point];
   auto apart = [](const exact::Point& a, const exact::Point& b) {
-    double room = (a.error + b.error) * exact::Approx::kGrow;
-    return std::abs(a.x - b.x) > room || std::abs(a.y - b.y) > room;
+    double tolerance = (a.error + b.error) * exact::Approx::kGrow;
+    return std::abs(a.x - b.x) > tolerance || std::abs(a.y - b.y) > tolerance;
   };
   if (apart(e, r)) return false;
   if (apart(e, o)) return true;
@@ -162,12 +164,12 @@ void PieceMeetings::curves(Index i, Index j) {
     if (smooth_p && smooth_q) return;  // tangent there: a double root, no further meeting
   }
   for (Index end : {p.p0, p.p1, q.p0, q.p1})
-    if (g_.touch_at(end, p.carrier, q.carrier)) return end == shared ? void() : meet_at(i, j, end);
-  auto m = g_.meet(p.carrier, q.carrier);
+    if (g_.touch_at(end, p.supporting_curve, q.supporting_curve)) return end == shared ? void() : meet_at(i, j, end);
+  auto m = g_.meet(p.supporting_curve, q.supporting_curve);
   if (m.count == 0 || (m.count == 1 && shared != kNone)) return;
   std::size_t before = g_.points.size();
   Index roots[2];
-  for (int k = 0; k < m.count; ++k) roots[k] = g_.add_crossing(p.carrier, q.carrier, m.root[k]);
+  for (int k = 0; k < m.count; ++k) roots[k] = g_.add_crossing(p.supporting_curve, q.supporting_curve, m.root[k]);
   int skip = shared == kNone ? -1 : is_root(shared, roots[0], roots[1]) ? 0 : 1;
   std::size_t known = splits.size();
   for (int k = 0; k < m.count; ++k)

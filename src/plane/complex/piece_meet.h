@@ -10,14 +10,14 @@
 #include <span>
 #include <vector>
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/complex/arrangement.h"
 
 namespace findspace::plane {
 
-/// Where a point of the carrier lies with regard to a piece.
+/// Where a point of the supporting_curve lies with regard to a piece.
 enum class Within { kOutside, kAtStart, kInside, kAtEnd };
-Within within(const exact::Geometry& g, const Piece& piece, Index point_on_carrier);
+Within within(const exact::Geometry& g, const Piece& piece, Index point_on_supporting_curve);
 
 /// Order of two points of one piece, from p0 to p1.
 int compare_along(const exact::Geometry& g, const Piece& piece, Index p, Index q);

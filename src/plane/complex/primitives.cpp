@@ -4,7 +4,7 @@
 #include "plane/complex/primitives.h"
 
 #include "exact/number/primitive.h"
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/complex/piece_builder.h"
 #include "plane/complex/ring_map.h"
 #include "plane/complex/simplify.h"
@@ -19,7 +19,7 @@ class RingBuilder {
   RingBuilder(std::span<const Contour> rings, Memory memory) : edges_(memory), starts_(memory), normals_(memory) {
     std::size_t count = 0;
     for (const Contour& ring : rings) count += ring.size();
-    curves_.geometry.carriers.reserve(count);
+    curves_.geometry.supporting_curves.reserve(count);
     curves_.geometry.points.reserve(count);
     edges_.reserve(count);
     normals_.reserve(count);
@@ -60,18 +60,21 @@ class RingBuilder {
   }
 
   void add_arc(const ContourEdge& e, Index from, Index to) {
-    curves_.pieces.clear(), curves_.forward.clear();
-    curves_.arc(curves_.geometry.add(exact::Carrier::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, to, e.ccw);
+    curves_.pieces.clear();
+    curves_.forward.clear();
+    curves_.arc(curves_.geometry.add(exact::SupportingCurve::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, to,
+                e.ccw);
     for (std::size_t i = 0; i < curves_.pieces.size(); ++i) {
       const Piece& p = curves_.pieces[i];
-      edges_.push_back({curves_.forward[i] ? p.p0 : p.p1, p.carrier, bool(curves_.forward[i]), p.half});
+      edges_.push_back({curves_.forward[i] ? p.p0 : p.p1, p.supporting_curve, bool(curves_.forward[i]), p.half});
     }
   }
 
   /// Parallel lines or halves of the same kind: only such neighbours can be one edge.
   bool could_continue(const RingEdge& p, const RingEdge& q) const {
     if (p.half != q.half) return false;
-    const exact::Carrier &k = curves_.geometry.carriers[p.carrier], &l = curves_.geometry.carriers[q.carrier];
+    const exact::SupportingCurve &k = curves_.geometry.supporting_curves[p.supporting_curve],
+                                 &l = curves_.geometry.supporting_curves[q.supporting_curve];
     return p.half != 0 || (k.a == l.a && k.b == l.b);
   }
 
@@ -110,13 +113,13 @@ Region all_cells(PieceBuilder b, std::span<const Index> isolated) {
 }  // namespace
 
 Region region_of_rings(std::span<const Contour> rings) {
-  Scratch scratch(rings.empty() ? 0 : rings[0].size());
-  return RingBuilder(rings, scratch.memory()).build();
+  Arena arena(rings.empty() ? 0 : rings[0].size());
+  return RingBuilder(rings, arena.memory()).build();
 }
 
 Region region_of_disc(const exact::Real& cx, const exact::Real& cy, const exact::Real& radius) {
   PieceBuilder b;
-  b.circle(b.geometry.add(exact::Carrier::circle_at(cx, cy, radius)));
+  b.circle(b.geometry.add(exact::SupportingCurve::circle_at(cx, cy, radius)));
   return closed_inside(std::move(b));
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/complex/around_vertex.h"
 
 namespace findspace::plane {
@@ -30,28 +30,33 @@ void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
   if (2 * count < things.capacity() && things.capacity() * sizeof(Thing) > kLittle) things.shrink_to_fit();
 }
 
-/// What the rings use of a geometry; carriers keep their order, as crossings need.
+/// What the rings use of a geometry; supporting_curves keep their order, as crossings need.
 class UsedGeometry {
  public:
   UsedGeometry(exact::Geometry& g, std::span<const RingEdge> edges, Memory memory)
-      : carrier_(g.carriers.size(), 0, memory), point_(g.points.size(), 0, memory), real_(g.reals.size(), 0, memory) {
+      : supporting_curve_(g.supporting_curves.size(), 0, memory),
+        point_(g.points.size(), 0, memory),
+        real_(g.reals.size(), 0, memory) {
     for (const RingEdge& e : edges) {
-      carrier_[e.carrier] = point_[e.point] = 1;
+      supporting_curve_[e.supporting_curve] = point_[e.point] = 1;
       const exact::Point& p = g.points[e.point];
-      if (p.kind == exact::Point::Kind::kCross) carrier_[p.i] = carrier_[p.j] = 1;
+      if (p.kind == exact::Point::Kind::kCross) supporting_curve_[p.i] = supporting_curve_[p.j] = 1;
       if (p.kind == exact::Point::Kind::kReal) real_[p.i] = 1;
     }
-    if ((all_ = all_used(carrier_) && all_used(point_) && all_used(real_))) return;
-    keep_used(carrier_, g.carriers);
+    if ((all_ = all_used(supporting_curve_) && all_used(point_) && all_used(real_))) return;
+    keep_used(supporting_curve_, g.supporting_curves);
     keep_used(point_, g.points);
     keep_used(real_, g.reals);
     for (exact::Point& p : g.points) {
-      if (p.kind == exact::Point::Kind::kCross) p.i = carrier_[p.i], p.j = carrier_[p.j];
+      if (p.kind == exact::Point::Kind::kCross) {
+        p.i = supporting_curve_[p.i];
+        p.j = supporting_curve_[p.j];
+      }
       if (p.kind == exact::Point::Kind::kReal) p.i = real_[p.i];
     }
   }
 
-  Index carrier(Index old) const { return all_ ? old : carrier_[old]; }
+  Index supporting_curve(Index old) const { return all_ ? old : supporting_curve_[old]; }
   Index point(Index old) const { return all_ ? old : point_[old]; }
 
  private:
@@ -59,7 +64,7 @@ class UsedGeometry {
     return std::find(used.begin(), used.end(), 0u) == used.end();
   }
 
-  std::pmr::vector<Index> carrier_, point_, real_;
+  std::pmr::vector<Index> supporting_curve_, point_, real_;
   bool all_ = false;
 };
 
@@ -68,7 +73,8 @@ bool is_first(const SignMap& map, Index vertex, Index h, Index k) {
   if ((h & 1u) != (k & 1u)) return !(h & 1u);
   const Edge &e = map.edges[h / 2], &f = map.edges[k / 2];
   if (e.half == 0 && f.half == 0)
-    return line_comes_before(map.geometry.carriers[e.carrier], map.geometry.carriers[f.carrier]);
+    return line_comes_before(map.geometry.supporting_curves[e.supporting_curve],
+                             map.geometry.supporting_curves[f.supporting_curve]);
   return comes_before(map.geometry, map.vertices[vertex].point, h & 1u, map.heading(h), e.half, map.heading(k));
 }
 
@@ -78,7 +84,7 @@ Index face_count(std::span<const NestedRing> rings) {
   return last + 1;
 }
 
-/// Joins the edges, which have their carriers, to rings and faces. `point`: of a ring edge.
+/// Joins the edges, which have their supporting_curves, to rings and faces. `point`: of a ring edge.
 template <class PointOf>
 void join_rings(CellComplex& c, std::span<const RingEdge> edges, std::span<const NestedRing> rings, RingMarks marks,
                 bool unbounded, PointOf point) {
@@ -125,19 +131,21 @@ CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edg
   CellComplex c;
   c.geometry = std::move(geometry);
   c.edges.reserve(edges.size());
-  for (const RingEdge& e : edges) c.edges.push_back({.carrier = e.carrier, .half = e.half, .mark = marks.on});
+  for (const RingEdge& e : edges)
+    c.edges.push_back({.supporting_curve = e.supporting_curve, .half = e.half, .mark = marks.on});
   join_rings(c, edges, rings, marks, unbounded, [](const RingEdge& e) { return e.point; });
   return c;
 }
 
 SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                  bool unbounded) {
-  Scratch scratch(geometry.carriers.size() / 4);
+  Arena arena(geometry.supporting_curves.size() / 4);
   SignMap map;
-  const UsedGeometry used(geometry, edges, scratch.memory());
+  const UsedGeometry used(geometry, edges, arena.memory());
   map.geometry = std::move(geometry);
   map.edges.reserve(edges.size());
-  for (const RingEdge& e : edges) map.edges.push_back({.carrier = used.carrier(e.carrier), .half = e.half, .mark = 0});
+  for (const RingEdge& e : edges)
+    map.edges.push_back({.supporting_curve = used.supporting_curve(e.supporting_curve), .half = e.half, .mark = 0});
   join_rings(map, edges, rings, {-1, 0, 1}, unbounded, [&](const RingEdge& e) { return used.point(e.point); });
   return map;
 }

@@ -16,7 +16,7 @@ namespace findspace::plane {
 
 /// A corner of a ring and the x-monotone curve that leaves it, the inside on its left.
 struct RingEdge {
-  Index point, carrier;
+  Index point, supporting_curve;
   bool right;            // it runs to the right, or straight up
   std::int8_t half = 0;  // of a circle: +1 upper, -1 lower
 };
@@ -42,7 +42,7 @@ struct RingMarks {
 CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                          RingMarks marks, bool unbounded = false);
 
-/// Points and carriers that no ring uses are left out.
+/// Points and supporting_curves that no ring uses are left out.
 SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                  bool unbounded = false);
 

@@ -18,11 +18,13 @@ namespace findspace::plane {
 class SequenceBoxes {
  public:
   explicit SequenceBoxes(std::vector<PieceBox> boxes) : boxes_(std::move(boxes)) {
-    first_[0] = 0, count_[0] = boxes_.size();
+    first_[0] = 0;
+    count_[0] = boxes_.size();
     boxes_.reserve(2 * boxes_.size() + kMostLevels);
     for (levels_ = 1; count_[levels_ - 1] > 1; ++levels_) {
       const std::size_t low = first_[levels_ - 1], n = count_[levels_ - 1];
-      first_[levels_] = boxes_.size(), count_[levels_] = (n + 1) / 2;
+      first_[levels_] = boxes_.size();
+      count_[levels_] = (n + 1) / 2;
       for (std::size_t k = 0; k < n; k += 2)
         boxes_.push_back(k + 1 < n ? joined(boxes_[low + k], boxes_[low + k + 1]) : boxes_[low + k]);
     }

@@ -49,18 +49,25 @@ std::vector<std::vector<Index>> groups_apart(std::span<const Region* const> regi
   std::vector<Index> group_of(regions.size(), kNone);
   for (const Index k : all) {
     Index& group = group_of[same.find(k)];
-    if (group == kNone) group = Index(groups.size()), groups.emplace_back();
+    if (group == kNone) {
+      group = Index(groups.size());
+      groups.emplace_back();
+    }
     groups[group].push_back(k);
   }
   return groups;
 }
 
 Index append(exact::Geometry& to, const exact::Geometry& from) {
-  const Index carriers = Index(to.carriers.size()), points = Index(to.points.size()), reals = Index(to.reals.size());
-  to.carriers.insert(to.carriers.end(), from.carriers.begin(), from.carriers.end());
+  const Index supporting_curves = Index(to.supporting_curves.size()), points = Index(to.points.size()),
+              reals = Index(to.reals.size());
+  to.supporting_curves.insert(to.supporting_curves.end(), from.supporting_curves.begin(), from.supporting_curves.end());
   to.reals.insert(to.reals.end(), from.reals.begin(), from.reals.end());
   for (exact::Point p : from.points) {
-    if (p.kind == exact::Point::Kind::kCross) p.i += carriers, p.j += carriers;
+    if (p.kind == exact::Point::Kind::kCross) {
+      p.i += supporting_curves;
+      p.j += supporting_curves;
+    }
     if (p.kind == exact::Point::Kind::kReal) p.i += reals;
     to.points.push_back(p);
   }
@@ -69,22 +76,29 @@ Index append(exact::Geometry& to, const exact::Geometry& from) {
 
 Region side_by_side(std::span<const Region* const> regions) {
   Region out = Region::uniform(0);
-  std::size_t points = 0, carriers = 0, vertices = 0, edges = 0, faces = 1;
+  std::size_t points = 0, supporting_curves = 0, vertices = 0, edges = 0, faces = 1;
   for (const Region* r : regions) {
-    points += r->geometry.points.size(), carriers += r->geometry.carriers.size();
-    vertices += r->vertices.size(), edges += r->edges.size(), faces += r->faces.size() - 1;
+    points += r->geometry.points.size();
+    supporting_curves += r->geometry.supporting_curves.size();
+    vertices += r->vertices.size();
+    edges += r->edges.size();
+    faces += r->faces.size() - 1;
   }
-  out.geometry.points.reserve(points), out.geometry.carriers.reserve(carriers);
-  out.vertices.reserve(vertices), out.edges.reserve(edges), out.half_edges.reserve(2 * edges), out.faces.reserve(faces);
+  out.geometry.points.reserve(points);
+  out.geometry.supporting_curves.reserve(supporting_curves);
+  out.vertices.reserve(vertices);
+  out.edges.reserve(edges);
+  out.half_edges.reserve(2 * edges);
+  out.faces.reserve(faces);
   for (const Region* r : regions) {
-    const Index carrier = Index(out.geometry.carriers.size()), point = append(out.geometry, r->geometry),
-                vertex = Index(out.vertices.size()), half = Index(out.half_edges.size()),
-                face = Index(out.faces.size()) - 1;
+    const Index supporting_curve = Index(out.geometry.supporting_curves.size()),
+                point = append(out.geometry, r->geometry), vertex = Index(out.vertices.size()),
+                half = Index(out.half_edges.size()), face = Index(out.faces.size()) - 1;
     const auto new_face = [face](Index f) { return f == 0 || f == kNone ? f : f + face; };
     for (const Vertex& v : r->vertices)
       out.vertices.push_back({v.point + point, v.mark, shifted(v.out, half), new_face(v.face)});
     for (const Edge& e : r->edges)
-      out.edges.push_back({e.v0 + vertex, e.v1 + vertex, e.carrier + carrier, e.half, e.mark});
+      out.edges.push_back({e.v0 + vertex, e.v1 + vertex, e.supporting_curve + supporting_curve, e.half, e.mark});
     for (const HalfEdge& h : r->half_edges) out.half_edges.push_back({shifted(h.next, half), new_face(h.face)});
     for (std::size_t f = 0; f < r->faces.size(); ++f) {
       const Face& was = r->faces[f];

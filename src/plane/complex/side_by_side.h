@@ -20,7 +20,8 @@ std::vector<std::vector<Index>> groups_apart(std::span<const Region* const> regi
 /// The union of bounded sets whose boxes are apart.
 Region side_by_side(std::span<const Region* const> regions);
 
-/// Appends a geometry; returns the offset of its points. Carriers keep their order, so crossings keep their roots.
+/// Appends a geometry; returns the offset of its points. SupportingCurves keep their order, so crossings keep their
+/// roots.
 Index append(exact::Geometry& to, const exact::Geometry& from);
 
 }  // namespace findspace::plane

@@ -39,7 +39,7 @@ struct ArrangedCells {
   }
   Edge edge(Index e) const {
     const Arrangement::Edge& d = a.edges[e];
-    return {d.v0, d.v1, d.carrier, d.half, marks.edges[e]};
+    return {d.v0, d.v1, d.supporting_curve, d.half, marks.edges[e]};
   }
   Mark face_mark(Index f) const { return marks.faces[f]; }
   Index next(Index h) const { return a.next[h]; }
@@ -115,8 +115,10 @@ class Merger {
   }
 
   bool same_curve(const Edge& e, const Edge& f) const {
-    const auto& carriers = geometry_.carriers;
-    return e.half == f.half && (e.carrier == f.carrier || same_carrier(carriers[e.carrier], carriers[f.carrier]));
+    const auto& supporting_curves = geometry_.supporting_curves;
+    return e.half == f.half &&
+           (e.supporting_curve == f.supporting_curve ||
+            same_supporting_curve(supporting_curves[e.supporting_curve], supporting_curves[f.supporting_curve]));
   }
 
   void classify_vertices() {
@@ -171,7 +173,10 @@ class Merger {
       number[v] = Index(out_.vertices.size());
       out_.vertices.push_back(made);
     }
-    for (Edge& e : out_.edges) e.v0 = number[e.v0], e.v1 = number[e.v1];
+    for (Edge& e : out_.edges) {
+      e.v0 = number[e.v0];
+      e.v1 = number[e.v1];
+    }
   }
 
   Index next_kept(Index h) const {
@@ -230,32 +235,43 @@ class Merger {
         walk(h);
       }
     for (Index h = 0; h < out_.half_edges.size(); ++h)
-      if (!seen[h]) out_.faces[out_.face(h)].outer = h, walk(h);
+      if (!seen[h]) {
+        out_.faces[out_.face(h)].outer = h;
+        walk(h);
+      }
   }
 
   void compact_geometry() {
     const exact::Geometry& g = geometry_;
-    std::pmr::vector<Index> carrier(g.carriers.size(), kNone, memory_), point(g.points.size(), kNone, memory_);
-    for (const Edge& e : out_.edges) carrier[e.carrier] = 0;
+    std::pmr::vector<Index> supporting_curve(g.supporting_curves.size(), kNone, memory_),
+        point(g.points.size(), kNone, memory_);
+    for (const Edge& e : out_.edges) supporting_curve[e.supporting_curve] = 0;
     for (const Vertex& v : out_.vertices) {
       const exact::Point& p = g.points[v.point];
       point[v.point] = 0;
-      if (p.kind == exact::Point::Kind::kCross) carrier[p.i] = carrier[p.j] = 0;
+      if (p.kind == exact::Point::Kind::kCross) supporting_curve[p.i] = supporting_curve[p.j] = 0;
     }
     exact::Geometry& to = out_.geometry;
-    to.carriers.reserve(std::size_t(std::count(carrier.begin(), carrier.end(), 0u)));
+    to.supporting_curves.reserve(std::size_t(std::count(supporting_curve.begin(), supporting_curve.end(), 0u)));
     to.points.reserve(std::size_t(std::count(point.begin(), point.end(), 0u)));
-    for (Index k = 0; k < carrier.size(); ++k)  // in order, so that crossings keep the order of their carriers
-      if (carrier[k] == 0) carrier[k] = to.add(g.carriers[k]);
+    for (Index k = 0; k < supporting_curve.size();
+         ++k)  // in order, so that crossings keep the order of their supporting_curves
+      if (supporting_curve[k] == 0) supporting_curve[k] = to.add(g.supporting_curves[k]);
     for (Index k = 0; k < point.size(); ++k) {
       if (point[k] != 0) continue;
       exact::Point p = g.points[k];
-      if (p.kind == exact::Point::Kind::kCross) p.i = carrier[p.i], p.j = carrier[p.j];
-      if (p.kind == exact::Point::Kind::kReal) to.reals.push_back(g.reals[p.i]), p.i = Index(to.reals.size() - 1);
+      if (p.kind == exact::Point::Kind::kCross) {
+        p.i = supporting_curve[p.i];
+        p.j = supporting_curve[p.j];
+      }
+      if (p.kind == exact::Point::Kind::kReal) {
+        to.reals.push_back(g.reals[p.i]);
+        p.i = Index(to.reals.size() - 1);
+      }
       to.points.push_back(p);
       point[k] = Index(to.points.size() - 1);
     }
-    for (Edge& e : out_.edges) e.carrier = carrier[e.carrier];
+    for (Edge& e : out_.edges) e.supporting_curve = supporting_curve[e.supporting_curve];
     for (Vertex& v : out_.vertices) v.point = point[v.point];
   }
 
@@ -273,13 +289,13 @@ class Merger {
 }  // namespace
 
 CellComplex simplify(const CellComplex& raw) {
-  Scratch scratch(raw.edges.size());
-  return Merger(ComplexCells{raw}, scratch.memory()).run();
+  Arena arena(raw.edges.size());
+  return Merger(ComplexCells{raw}, arena.memory()).run();
 }
 
 CellComplex extract(const Arrangement& a, const MarkViews& marks) {
-  Scratch scratch(a.edges.size());
-  return Merger(ArrangedCells{a, marks}, scratch.memory()).run();
+  Arena arena(a.edges.size());
+  return Merger(ArrangedCells{a, marks}, arena.memory()).run();
 }
 
 }  // namespace findspace::plane

@@ -28,8 +28,7 @@ std::vector<std::int32_t> spread(const Arrangement& a, std::int32_t base, Jump&&
 
 class VertexNumbers {
  public:
-  VertexNumbers(const Arrangement& a, const std::vector<Strand>& strands, Windings& w)
-      : a_(a), strands_(strands), w_(w) {}
+  VertexNumbers(const Arrangement& a, const std::vector<Chain>& chains, Windings& w) : a_(a), chains_(chains), w_(w) {}
 
   /// Starts from the face in the sector after the vertex's first half-edge.
   void prepare(VertexScope scope) {
@@ -50,10 +49,10 @@ class VertexNumbers {
         Index ahead = a_.rank[2 * a_.chain[k]], back = a_.rank[2 * a_.chain[k - 1] + 1];
         // Left of p0 -> p1 are the sectors from `ahead` counter-clockwise to `back`.
         bool face_left = passes(0, ahead, back);
-        bool displaced_left = strands_[i].forward == strands_[i].displaced_left;
+        bool displaced_left = chains_[i].forward == chains_[i].displaced_left;
         if (face_left != displaced_left) continue;
-        // The strand passes between the vertex and the face.
-        int left_minus_right = strands_[i].forward ? strands_[i].weight : -strands_[i].weight;
+        // The chain passes between the vertex and the face.
+        int left_minus_right = chains_[i].forward ? chains_[i].weight : -chains_[i].weight;
         w_.vertices[v] -= face_left ? left_minus_right : -left_minus_right;
       }
   }
@@ -62,9 +61,9 @@ class VertexNumbers {
     Index in_back = back_half_edge(c.in), out_ahead = ahead_half_edge(c.out);
     Index v = a_.origin(in_back);
     if (w_.vertices[v] == kUnwanted) return;
-    const std::int32_t weight = strands_[c.in].weight;
+    const std::int32_t weight = chains_[c.in].weight;
     w_.vertices[v] += c.extra * weight;
-    bool left = strands_[c.in].displaced_left, both = left == strands_[c.out].displaced_left;
+    bool left = chains_[c.in].displaced_left, both = left == chains_[c.out].displaced_left;
     int rotation = both ? (left ? -1 : 1) : c.rotation;
     Index from = a_.rank[in_back], to = a_.rank[out_ahead];
     if (rotation == 0) return;
@@ -79,16 +78,16 @@ class VertexNumbers {
 
  private:
   Index back_half_edge(Index piece) const {
-    return strands_[piece].forward ? 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1
-                                   : 2 * a_.chain[a_.chain_start[piece]];
+    return chains_[piece].forward ? 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1
+                                  : 2 * a_.chain[a_.chain_start[piece]];
   }
   Index ahead_half_edge(Index piece) const {
-    return strands_[piece].forward ? 2 * a_.chain[a_.chain_start[piece]]
-                                   : 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1;
+    return chains_[piece].forward ? 2 * a_.chain[a_.chain_start[piece]]
+                                  : 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1;
   }
 
   const Arrangement& a_;
-  const std::vector<Strand>& strands_;
+  const std::vector<Chain>& chains_;
   Windings& w_;
 };
 
@@ -102,23 +101,23 @@ std::vector<std::int32_t> face_windings(const Arrangement& a, const std::vector<
   });
 }
 
-Windings windings(const Arrangement& a, const std::vector<Strand>& strands, const std::vector<Corner>& corners,
+Windings windings(const Arrangement& a, const std::vector<Chain>& chains, const std::vector<Corner>& corners,
                   std::int32_t base, VertexScope scope) {
   std::vector<std::int32_t> jump(a.edge_count(), 0),
       on(a.edge_count(), 0);  // on: number of the edge - number on its right
   for (Index e = 0; e < a.edge_count(); ++e)
     for (Index i : cover(a, e)) {
-      const Strand& s = strands[i];
+      const Chain& s = chains[i];
       std::int32_t j = s.forward ? s.weight : -s.weight;
       jump[e] += j;
-      // Displaced to the left of v0 -> v1: the edge is on the right-hand side of the strand.
+      // Displaced to the left of v0 -> v1: the edge is on the right-hand side of the chain.
       if (s.forward != s.displaced_left) on[e] += j;
     }
   Windings w;
   w.faces = spread(a, base, [&](Index e) { return jump[e]; });
   w.edges.resize(a.edge_count());
   for (Index e = 0; e < a.edge_count(); ++e) w.edges[e] = w.faces[a.face[2 * e + 1]] + on[e];
-  VertexNumbers numbers(a, strands, w);
+  VertexNumbers numbers(a, chains, w);
   numbers.prepare(scope);
   numbers.add_through();
   for (const Corner& c : corners) numbers.add(c);

@@ -6,9 +6,9 @@
 //
 // A piece adds +1 to the faces on the left of its direction against those on its right, and lies displaced to its left
 // or right
-// (`Strand::displaced_left`). The number of an edge is that of the side its strands do not lie on, counted strand by
-// strand; the number of a vertex counts the strands and corners that pass between it and a neighbouring face. This is
-// how open (displaced inwards) and closed (displaced outwards) sums are told apart on slots and single points.
+// (`Chain::displaced_left`). The number of an edge is that of the side its chains do not lie on, counted chain by
+// chain; the number of a vertex counts the chains and corners that pass between it and a neighbouring face. This is
+// how open (displaced inwards) and closed (displaced outwards) sums are decided apart on slots and single points.
 // Guarantee: exact. Cost: linear. Source: docs/decisions/0002-displaced-winding-numbers.md.
 #pragma once
 
@@ -20,14 +20,14 @@
 namespace findspace::plane {
 
 /// How a piece is travelled; one per piece.
-struct Strand {
+struct Chain {
   bool forward = true;         // from p0 to p1
   bool displaced_left = true;  // of the direction of travel
   std::int32_t weight = 1;     // how often it counts; one closed curve has one weight
 };
 
-/// The path turns from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path runs
-/// from the back direction of `in` to the direction of `out`: clockwise if both lie displaced to the left,
+/// The path rotates from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path
+/// runs from the back direction of `in` to the direction of `out`: clockwise if both lie displaced to the left,
 /// counter-clockwise if both to the right, else as `rotation` says (+1 counter-clockwise, -1 clockwise, 0 not at all;
 /// at a cusp, whose ends have one tangent, the way on which they are next to each other).
 struct Corner {
@@ -46,7 +46,7 @@ enum class VertexScope { kInside, kAll };
 inline constexpr std::int32_t kUnwanted = INT32_MIN;
 
 /// `base`: number of the unbounded face.
-Windings windings(const Arrangement& a, const std::vector<Strand>& strands, const std::vector<Corner>& corners,
+Windings windings(const Arrangement& a, const std::vector<Chain>& chains, const std::vector<Corner>& corners,
                   std::int32_t base, VertexScope scope = VertexScope::kInside);
 
 /// Winding numbers of the faces alone.

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "findspace/error.h"
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/contour/contour_boxes.h"
 #include "plane/contour/contour_meet.h"
 #include "plane/contour/star_shaped.h"
@@ -79,7 +79,7 @@ Ring clean(Contour input, std::size_t number, Label name, std::int64_t& repeated
   return ring;
 }
 
-/// A ring of segments that all lie on one line: told apart from self-intersection for the sake of the message.
+/// A ring of segments that all lie on one line: decided apart from self-intersection for the sake of the message.
 bool flat(const Ring& ring) {
   GridPoint o = ring.edges[0].start, a = ring.end(0);
   return std::all_of(ring.edges.begin(), ring.edges.end(),
@@ -150,10 +150,10 @@ void check_edges(std::vector<Ring>& rings, double step) {
   if (rings.size() == 1 && (rings[0].way = star_orientation(rings[0].edges)) != 0) return;
   std::size_t count = 0;
   for (const Ring& ring : rings) count += ring.edges.size();
-  Scratch scratch(count);
-  std::pmr::vector<Box> boxes(scratch.memory());
+  Arena arena(count);
+  std::pmr::vector<Box> boxes(arena.memory());
   boxes.reserve(count);
-  std::pmr::vector<std::size_t> first(scratch.memory());  // of each ring
+  std::pmr::vector<std::size_t> first(arena.memory());  // of each ring
   for (std::uint32_t r = 0; r < rings.size(); ++r) {
     const Ring& ring = rings[r];
     first.push_back(boxes.size());

@@ -167,11 +167,11 @@ std::optional<Meeting> Solver<N>::arc_arc(const Span& f, const Span& g, const Gr
   int kind = sign(square);
   if (kind < 0 || open) return std::nullopt;
   N root = sqrt(square);
-  Vector foot{c.center.x * twice + along * dc.x, c.center.y * twice + along * dc.y};
+  Vector projection{c.center.x * twice + along * dc.x, c.center.y * twice + along * dc.y};
   for (int side : {1, -1}) {
     if (kind == 0 && side < 0) break;
-    Vector p = side > 0 ? Vector{foot.x - root * dc.y, foot.y + root * dc.x}
-                        : Vector{foot.x + root * dc.y, foot.y - root * dc.x};
+    Vector p = side > 0 ? Vector{projection.x - root * dc.y, projection.y + root * dc.x}
+                        : Vector{projection.x + root * dc.y, projection.y - root * dc.x};
     if (on_arc(p, twice, f) && on_arc(p, twice, g)) return meeting(p, twice);
   }
   return std::nullopt;

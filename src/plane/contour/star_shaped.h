@@ -17,7 +17,10 @@ int star_shaped(std::size_t n, At at) {
   constexpr std::size_t kMost = std::size_t(1) << 20;  // so that sums of coordinates stay below 2^62
   if (n > kMost) return 0;
   GridPoint mean;
-  for (std::size_t k = 0; k < n; ++k) mean.x += at(k).x, mean.y += at(k).y;
+  for (std::size_t k = 0; k < n; ++k) {
+    mean.x += at(k).x;
+    mean.y += at(k).y;
+  }
   mean = {mean.x / std::int64_t(n), mean.y / std::int64_t(n)};
   auto below = [&](const GridPoint& p) { return p.y < mean.y || (p.y == mean.y && p.x < mean.x); };
   int rounds = 0, way = 0;

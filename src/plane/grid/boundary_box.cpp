@@ -17,8 +17,10 @@ GridBox box_of(std::span<const GridFace> faces) {
   GridBox w{kFar, kFar, -kFar, -kFar};
   for (const GridFace& f : faces)
     for (const GridCorner& c : f.corners) {
-      w.x0 = std::min(w.x0, c.at.x), w.x1 = std::max(w.x1, c.at.x);
-      w.y0 = std::min(w.y0, c.at.y), w.y1 = std::max(w.y1, c.at.y);
+      w.x0 = std::min(w.x0, c.at.x);
+      w.x1 = std::max(w.x1, c.at.x);
+      w.y0 = std::min(w.y0, c.at.y);
+      w.y1 = std::max(w.y1, c.at.y);
     }
   return w;
 }

@@ -3,7 +3,7 @@
 
 #include "plane/grid/convex_sum.h"
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/complex/ring_map.h"
 
 namespace findspace::plane {
@@ -20,8 +20,13 @@ class Ring {
 
   bool ended() const { return taken_ == corners_.size(); }
   const GridCorner& corner() const { return corners_[at_]; }
-  const exact::Carrier& carrier() const { return geometry_.carriers[corner().carrier]; }
-  void advance() { ++taken_, at_ = corner().next; }
+  const exact::SupportingCurve& supporting_curve() const {
+    return geometry_.supporting_curves[corner().supporting_curve];
+  }
+  void advance() {
+    ++taken_;
+    at_ = corner().next;
+  }
 
  private:
   const std::vector<GridCorner>& corners_;
@@ -44,10 +49,10 @@ SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
   Ring p(a), q(b);
   std::size_t most = a.face.corners.size() + b.face.corners.size();
   exact::Geometry geometry;
-  geometry.carriers.reserve(most);
+  geometry.supporting_curves.reserve(most);
   geometry.points.reserve(most);
-  Scratch scratch(most);
-  std::pmr::vector<RingEdge> edges(scratch.memory());
+  Arena arena(most);
+  std::pmr::vector<RingEdge> edges(arena.memory());
   edges.reserve(most);
   while (!p.ended() || !q.ended()) {
     // An edge of one ring starts at the sum of its start and of the corner where the other ring stands.
@@ -55,8 +60,9 @@ SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
     int o = order(p, q);
     const Ring& side = o <= 0 ? p : q;
     const GridCorner& c = side.corner();
-    Index carrier = geometry.add_parallel(side.carrier(), u.x + v.x, u.y + v.y);
-    edges.push_back({geometry.add_grid_point(u.x + v.x, u.y + v.y), carrier, c.dx > 0 || (c.dx == 0 && c.dy > 0)});
+    Index supporting_curve = geometry.add_parallel(side.supporting_curve(), u.x + v.x, u.y + v.y);
+    edges.push_back(
+        {geometry.add_grid_point(u.x + v.x, u.y + v.y), supporting_curve, c.dx > 0 || (c.dx == 0 && c.dy > 0)});
     if (o <= 0) p.advance();
     if (o >= 0) q.advance();
   }

@@ -10,7 +10,7 @@
 
 namespace findspace::plane {
 
-/// An operand: a convex face (GridFace::is_convex) and the geometry of its carriers.
+/// An operand: a convex face (GridFace::is_convex) and the geometry of its supporting_curves.
 struct ConvexOperand {
   const GridFace& face;
   const exact::Geometry& geometry;

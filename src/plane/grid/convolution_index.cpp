@@ -59,7 +59,7 @@ int compare_grid(Geometry& g, GridPoint p, Compare&& compare) {
 }  // namespace
 
 ConvolutionIndex::Side::Side(const GridFace& face)
-    : fan(face, std::pmr::new_delete_resource()), bands(face), place(face.corners.size()) {
+    : fan(face, std::pmr::new_delete_resource()), slabs(face), place(face.corners.size()) {
   for (Index k = 0; k < fan.rays.size(); ++k) place[fan.rays[k].corner] = k;
   for (Index k = 0; k < face.corners.size(); ++k) by_place.push_back({face.corners[k].at, k});
   std::sort(by_place.begin(), by_place.end(), [](const auto& p, const auto& q) {
@@ -81,7 +81,7 @@ ConvolutionIndex::ConvolutionIndex(const GridOperand& a, const GridOperand& b) :
     }
 }
 
-bool ConvolutionIndex::may_be_unsure() const {
+bool ConvolutionIndex::may_be_unresolved() const {
   return std::any_of(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.may_enclose; });
 }
 
@@ -99,10 +99,10 @@ std::size_t ConvolutionIndex::convex_count() const {
   return count;
 }
 
-bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unsure) const {
+bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unresolved) const {
   for (Index k = 0; k < pairs_.size(); ++k) {
     if (number(g, point, k) != 0) return true;
-    unsure |= pairs_[k].may_enclose;
+    unresolved |= pairs_[k].may_enclose;
   }
   return false;
 }
@@ -126,14 +126,14 @@ int ConvolutionIndex::side_of(Geometry& g, Index point, const Curve& c) const {
   const GridPoint p = from(c);
   const exact::Point& q = g.points[point];
   double dx = double(e.dx), dy = double(e.dy), x = q.x - double(p.x), y = q.y - double(p.y);
-  double cross = dx * y - dy * x, room = (std::abs(dx * y) + std::abs(dy * x)) * exact::Approx::kUnit * 8 +
-                                         q.error * (std::abs(dx) + std::abs(dy)) * 2;
-  if (std::abs(cross) > room) return cross > 0 ? 1 : -1;
-  std::uint32_t line = g.add_parallel(operand(c.side).geometry.carriers[e.carrier], p.x, p.y);
-  const exact::Carrier& k = g.carriers[line];
+  double cross = dx * y - dy * x, tolerance = (std::abs(dx * y) + std::abs(dy * x)) * exact::Approx::kUnit * 8 +
+                                              q.error * (std::abs(dx) + std::abs(dy)) * 2;
+  if (std::abs(cross) > tolerance) return cross > 0 ? 1 : -1;
+  std::uint32_t line = g.add_parallel(operand(c.side).geometry.supporting_curves[e.supporting_curve], p.x, p.y);
+  const exact::SupportingCurve& k = g.supporting_curves[line];
   bool to_left = k.a == -e.dy && k.b == e.dx;
   int side = g.side(point, line);
-  g.carriers.pop_back();
+  g.supporting_curves.pop_back();
   return to_left ? side : -side;
 }
 
@@ -142,15 +142,15 @@ int ConvolutionIndex::side_of(Geometry& g, Index point, const Curve& c) const {
 std::int32_t ConvolutionIndex::past_curve(Geometry& g, Index point, const Curve& c) const {
   const GridCorner &e = edge(c), &v = corner(c);
   const GridPoint p = from(c), q = to(c);
-  const double y = g.points[point].y, room = 2 * g.points[point].error;
+  const double y = g.points[point].y, tolerance = 2 * g.points[point].error;
   auto above = [&](GridPoint end) {
     double gap = double(end.y) - y;
-    if (std::abs(gap) > room) return gap > 0 ? 1 : -1;
+    if (std::abs(gap) > tolerance) return gap > 0 ? 1 : -1;
     return compare_grid(g, end, [&](Index i) { return g.compare_y(i, point); });
   };
   int first = above(p), last = above(q);
   if (first * last > 0) return 0;
-  bool ahead = double(std::min(p.x, q.x)) > g.points[point].x + room;
+  bool ahead = double(std::min(p.x, q.x)) > g.points[point].x + tolerance;
   int side = first != last && ahead ? (first < last ? 1 : -1) : side_of(g, point, c);
   if (side == 0) {
     // On the line: at an end (its corner counts), beside the curve (level ones only), or on it.
@@ -181,7 +181,7 @@ std::int32_t ConvolutionIndex::past_corners(Geometry& g, Index point, const Pair
 }
 
 /// The paths that arrive at a pair of corners, each with the curve on which it goes on: where the first of the two
-/// turns, swept from the direction of arrival, ends.
+/// rotates, swept from the direction of arrival, ends.
 std::int32_t ConvolutionIndex::past_corner(const Pair& pair, const std::array<Index, 2>& corners) {
   auto corner = [&](int s) -> const GridCorner& {
     return pair.side[std::size_t(s)].fan.corners[corners[std::size_t(s)]];
@@ -193,7 +193,7 @@ std::int32_t ConvolutionIndex::past_corner(const Pair& pair, const std::array<In
     return side.place[edge] + side.fan.rank[edge];
   };
   // From a direction to the end of a turn, counter-clockwise if `left`.
-  auto room = [&](int s, Index from, bool left) {
+  auto tolerance = [&](int s, Index from, bool left) {
     const GridCorner& c = corner(s);
     if (c.turn == 0) return Index(0);
     Index in = key(s, c.before), out = key(s, corners[std::size_t(s)]);
@@ -210,7 +210,7 @@ std::int32_t ConvolutionIndex::past_corner(const Pair& pair, const std::array<In
     if (!fixed.sweep[corners[std::size_t(1 - s)]].holds(side.place[line])) continue;
     const Index from = key(s, line);
     const bool left = (mine.turn >= 0) == forward;
-    const Index rooms[2] = {room(0, from, left), room(1, from, left)};
+    const Index rooms[2] = {tolerance(0, from, left), tolerance(1, from, left)};
     const int next = rooms[0] < rooms[1] ? 0 : 1;
     const GridCorner& turned = corner(next);
     const bool goes_on = (turned.turn >= 0) == left;

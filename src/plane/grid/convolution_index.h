@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "plane/grid/edge_bands.h"
 #include "plane/grid/edge_fan.h"
+#include "plane/grid/edge_slabs.h"
 #include "plane/grid/reduced_convolution.h"
 
 namespace findspace::plane {
@@ -44,7 +44,7 @@ class ConvolutionIndex {
   }
 
   /// Could an intersection be a ring, so that numbers alone do not decide?
-  bool may_be_unsure() const;
+  bool may_be_unresolved() const;
   /// How many curves arise at convex corners.
   std::size_t convex_count() const;
 
@@ -59,13 +59,14 @@ class ConvolutionIndex {
     return true;
   }
 
-  /// Whether the point lies in the open sum; `unsure` is set where an intersection could be a ring, whose number is 0.
-  bool holds(exact::Geometry& g, Index point, bool& unsure) const;
+  /// Whether the point lies in the open sum; `unresolved` is set where an intersection could be a ring, whose number is
+  /// 0.
+  bool holds(exact::Geometry& g, Index point, bool& unresolved) const;
 
  private:
   struct Side {
     EdgeFan fan;
-    EdgeBands bands;
+    EdgeSlabs slabs;
     std::vector<Index> place;  // corner -> of its edge among the rays
     std::vector<EdgeFan::Sweep> sweep;
     std::vector<std::pair<GridPoint, Index>> by_place;  // corners, for those at a point
@@ -89,7 +90,7 @@ class ConvolutionIndex {
       if (c.turn == 0 || !wanted(c)) continue;
       const EdgeFan::Sweep& sweep = other.sweep[v];
       const double dx = double(c.at.x), dy = double(c.at.y);
-      bool on = moved.bands.visit(r.y0 - dy, r.y1 - dy, [&](const EdgeBands::Entry& e) {
+      bool on = moved.slabs.visit(r.y0 - dy, r.y1 - dy, [&](const EdgeSlabs::Entry& e) {
         if (e.x1 < r.x0 - dx || e.x0 > r.x1 - dx || !sweep.holds(moved.place[e.corner])) return true;
         return bool(visit(Curve{p, s, e.corner, v}));
       });

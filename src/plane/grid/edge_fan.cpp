@@ -49,10 +49,13 @@ void EdgeFan::place(EdgeFan& first, EdgeFan& other) {
   while (i < first.rays.size() || j < other.rays.size()) {
     bool take_first =
         j == other.rays.size() || (i < first.rays.size() && compare(other, other.rays[j], first, first.rays[i]) >= 0);
-    if (take_first)
-      first.rank[first.rays[i].corner] = j, ++i;
-    else
-      other.rank[other.rays[j].corner] = i, ++j;
+    if (take_first) {
+      first.rank[first.rays[i].corner] = j;
+      ++i;
+    } else {
+      other.rank[other.rays[j].corner] = i;
+      ++j;
+    }
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/grid/grid_faces.h"
 
 namespace findspace::plane {
@@ -37,7 +37,7 @@ class EdgeFan {
     std::size_t size(std::size_t all) const { return wraps ? all - first + end : end - first; }
     bool holds(Index place) const { return wraps ? place >= first || place < end : place >= first && place < end; }
   };
-  /// The directions between the two edges of a corner, counter-clockwise whichever way it turns.
+  /// The directions between the two edges of a corner, counter-clockwise whichever way it rotates.
   Sweep sweep(Index corner) const {
     const GridCorner& c = corners[corner];
     if (c.turn == 0) return {};

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 
 namespace findspace::plane {
 namespace {
@@ -24,10 +24,12 @@ class Walk {
     Index first = Index(out.size()), k = first, h = start;
     do {
       GridCorner& g = out.emplace_back(corner(h));
-      g.before = k - 1, g.next = ++k;
+      g.before = k - 1;
+      g.next = ++k;
       h = c_.next(h);
     } while (h != start);
-    out[k - 1].next = first, out[first].before = k - 1;
+    out[k - 1].next = first;
+    out[first].before = k - 1;
     const GridCorner* in = &out[k - 1];
     for (GridCorner& g : std::span(out).subspan(first)) {
       g.turn = std::int8_t(sign(int128(in->dx) * g.dy - int128(in->dy) * g.dx));
@@ -38,12 +40,16 @@ class Walk {
  private:
   GridCorner corner(Index h) const {
     const Edge& e = c_.edges[h / 2];
-    const exact::Carrier& k = c_.geometry.carriers[e.carrier];
+    const exact::SupportingCurve& k = c_.geometry.supporting_curves[e.supporting_curve];
     const exact::Point& p = c_.geometry.points[c_.vertices[c_.origin(h)].point];
     // To the right along a*x + b*y = c: (b, -a) or its opposite.
     bool flipped = (k.b > 0) == bool(h & 1u);
-    GridCorner g{.at = {p.gx, p.gy}, .dx = k.b, .dy = -k.a, .carrier = e.carrier, .next = 0, .before = 0};
-    if (flipped != mirrored_) g.dx = -g.dx, g.dy = -g.dy;
+    GridCorner g{
+        .at = {p.gx, p.gy}, .dx = k.b, .dy = -k.a, .supporting_curve = e.supporting_curve, .next = 0, .before = 0};
+    if (flipped != mirrored_) {
+      g.dx = -g.dx;
+      g.dy = -g.dy;
+    }
     if (mirrored_) g.at = {-g.at.x, -g.at.y};
     return g;
   }
@@ -54,8 +60,8 @@ class Walk {
 
 bool on_grid(const CellComplex& c, Index e) {
   const Edge& d = c.edges[e];
-  return d.half == 0 && c.geometry.carriers[d.carrier].grid && c.point(d.v0).kind == exact::Point::Kind::kGrid &&
-         c.point(d.v1).kind == exact::Point::Kind::kGrid;
+  return d.half == 0 && c.geometry.supporting_curves[d.supporting_curve].grid &&
+         c.point(d.v0).kind == exact::Point::Kind::kGrid && c.point(d.v1).kind == exact::Point::Kind::kGrid;
 }
 
 }  // namespace
@@ -71,8 +77,8 @@ bool GridFace::is_convex() const {
 }
 
 std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
-  Scratch scratch(c.edges.size() / 4);
-  std::pmr::vector<char> in(c.faces.size(), 0, scratch.memory()), near(c.vertices.size(), 0, scratch.memory());
+  Arena arena(c.edges.size() / 4);
+  std::pmr::vector<char> in(c.faces.size(), 0, arena.memory()), near(c.vertices.size(), 0, arena.memory());
   for (Index f = 0; f < c.faces.size(); ++f) in[f] = wanted(c.faces[f].mark);
   for (Index e = 0; e < c.edges.size(); ++e) {
     Index left = c.face(2 * e), right = c.face(2 * e + 1);

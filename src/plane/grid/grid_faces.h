@@ -16,17 +16,17 @@ namespace findspace::plane {
 /// A corner and the edge that leaves it.
 struct GridCorner {
   GridPoint at;
-  std::int64_t dx, dy;   // primitive direction of the edge
-  Index carrier;         // of the edge, in the set's geometry
-  Index next, before;    // corners of the same face
-  std::int8_t turn = 0;  // from the edge before to this one: +1 left (convex), -1 right (reflex), 0 straight on
+  std::int64_t dx, dy;     // primitive direction of the edge
+  Index supporting_curve;  // of the edge, in the set's geometry
+  Index next, before;      // corners of the same face
+  std::int8_t turn = 0;    // from the edge before to this one: +1 left (convex), -1 right (reflex), 0 straight on
 };
 
 struct GridFace {
   std::vector<GridCorner> corners;  // ring by ring
   bool unbounded = false;
 
-  /// One ring that turns left at every corner and round once.
+  /// One ring that rotates left at every corner and round once.
   bool is_convex() const;
 };
 

@@ -23,8 +23,8 @@ SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& i
   if (pruning_pays(curves)) curves = prune_inside(std::move(curves), a, b);
   if (bounded_pair)
     if (auto sum = transversal_sum(curves, inside)) return *std::move(sum);
-  Scratch scratch(curves.pieces.size());
-  Arrangement arrangement = arrange(std::move(curves.geometry), std::move(curves.pieces), {}, scratch.memory());
+  Arena arena(curves.pieces.size());
+  Arrangement arrangement = arrange(std::move(curves.geometry), std::move(curves.pieces), {}, arena.memory());
   return labelled_sum(std::move(arrangement), curves.sides, unbounded, inside);
 }
 

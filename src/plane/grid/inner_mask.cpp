@@ -56,8 +56,10 @@ InnerMask::InnerMask(std::span<const Pair> pairs, std::int64_t side, double effo
 
 void InnerMask::find_depths(const Bitmap& cells) {
   const LatticeBox& box = cells.box();
-  row0_ = box.row0, rows_ = box.row1 - box.row0 + 1;
-  column0_ = box.column0, columns_ = box.column1 - box.column0 + 1;
+  row0_ = box.row0;
+  rows_ = box.row1 - box.row0 + 1;
+  column0_ = box.column0;
+  columns_ = box.column1 - box.column0 + 1;
   depth_.resize(std::size_t(columns_ * rows_));
   auto at = [&](std::int64_t r, std::int64_t c) -> std::uint8_t& { return depth_[std::size_t(r * columns_ + c)]; };
   auto grown = [](int least) { return std::uint8_t(std::min(1 + least, 255)); };

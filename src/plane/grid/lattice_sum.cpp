@@ -126,7 +126,8 @@ class RowOfSums {
 
   /// The longest stretch.
   void note_full() {
-    full_ = {0, 0}, done_ = 0;
+    full_ = {0, 0};
+    done_ = 0;
     for (std::int64_t k = 0, first = 0; k < words_; ++k) {
       if (~to_[k] != 0) first = k + 1;
       if (k + 1 - first > full_.end - full_.first) full_ = {first, k + 1};

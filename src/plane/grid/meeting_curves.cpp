@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index kFewStops = 8;
 
-/// One crossing, or one knot.
+/// One crossing, or one degenerate.
 bool same_meeting(const Stop& s, const Stop& t) {
   return s.other == t.other && (s.other != kNone || s.point == t.point);
 }
@@ -29,30 +29,31 @@ MeetingCurves::MeetingCurves(ReducedConvolution& c, Memory memory)
       first_stop_(memory),
       ends_at_(g_.points.size(), kNone, memory),
       opposite_(memory),
-      knots_(g_.points.size() + size(), memory),
+      degenerate_vertices_(g_.points.size() + size(), memory),
       memory_(memory) {
   for (Index i = 0; i < size(); ++i) ends_at_[end(i)] = i;
   stops_.reserve(size());
   CellGrid(g_, c_.pieces, {}, memory_).pairs([&](Index i, Index j) { cross(i, j); });
   sort_stops();
-  if (!knots_.empty()) add_arms();
+  if (!degenerate_vertices_.empty()) add_directed_edges();
 }
 
 void MeetingCurves::cross(Index i, Index j) {
   const Piece &p = c_.pieces[i], &q = c_.pieces[j];
-  const exact::Carrier &k = g_.carriers[p.carrier], &l = g_.carriers[q.carrier];
+  const exact::SupportingCurve &k = g_.supporting_curves[p.supporting_curve],
+                               &l = g_.supporting_curves[q.supporting_curve];
   if (p.p0 == q.p1 || p.p1 == q.p0) return;
   if (k.a == l.a && k.b == l.b) return k.c == l.c ? overlap(i, j) : void();
   if (p.p0 == q.p0 || p.p1 == q.p1) return;
-  int s0 = g_.side(q.p0, p.carrier), s1 = g_.side(q.p1, p.carrier);
+  int s0 = g_.side(q.p0, p.supporting_curve), s1 = g_.side(q.p1, p.supporting_curve);
   if (s0 * s1 > 0) return;
-  int t0 = g_.side(p.p0, q.carrier), t1 = g_.side(p.p1, q.carrier);
+  int t0 = g_.side(p.p0, q.supporting_curve), t1 = g_.side(p.p1, q.supporting_curve);
   if (t0 * t1 > 0) return;
   Index q_end = s0 == 0 ? q.p0 : s1 == 0 ? q.p1 : kNone, p_end = t0 == 0 ? p.p0 : t1 == 0 ? p.p1 : kNone;
-  if (q_end != kNone && p_end != kNone) return knots_.tie(p_end, q_end);
+  if (q_end != kNone && p_end != kNone) return degenerate_vertices_.tie(p_end, q_end);
   if (q_end != kNone) return touch(i, q_end);
   if (p_end != kNone) return touch(j, p_end);
-  Index point = g_.add_crossing(p.carrier, q.carrier, 0);
+  Index point = g_.add_crossing(p.supporting_curve, q.supporting_curve, 0);
   // The normal (a, b) is to the left of the direction (b, -a), the way to the right if b > 0.
   bool normal_left = (k.b > 0) == right(i);
   bool from_right = ((right(j) ? s0 : s1) > 0) != normal_left;
@@ -64,27 +65,33 @@ void MeetingCurves::overlap(Index i, Index j) {
   const Piece &p = c_.pieces[i], &q = c_.pieces[j];
   bool apart = compare_along(g_, p, p.p1, q.p0) <= 0 || compare_along(g_, p, q.p1, p.p0) <= 0;
   if (!apart && right(i) != right(j)) opposite_.push_back(right(i) ? std::pair(i, j) : std::pair(j, i));
-  place(i, q.p0), place(i, q.p1), place(j, p.p0), place(j, p.p1);
+  place(i, q.p0);
+  place(i, q.p1);
+  place(j, p.p0);
+  place(j, p.p1);
 }
 
 void MeetingCurves::place(Index i, Index node) {
   const Piece& p = c_.pieces[i];
   const Within where = within(g_, p, node);
   if (where == Within::kInside) touch(i, node);
-  if (where == Within::kAtStart && node != p.p0) knots_.tie(p.p0, node);
-  if (where == Within::kAtEnd && node != p.p1) knots_.tie(p.p1, node);
+  if (where == Within::kAtStart && node != p.p0) degenerate_vertices_.tie(p.p0, node);
+  if (where == Within::kAtEnd && node != p.p1) degenerate_vertices_.tie(p.p1, node);
 }
 
 void MeetingCurves::touch(Index i, Index node) {
-  knots_.make(node);
+  degenerate_vertices_.make(node);
   stops_.push_back({i, node, kNone, false, kNone});
 }
 
 void MeetingCurves::sort_stops() {
   group_stops();
   for (Index i = 0; i < size(); ++i)
-    if (stop_count(i) > 1) sort_stops_of(i), tie_stops_of(i);
-  knots_.settle(g_.points.size());
+    if (stop_count(i) > 1) {
+      sort_stops_of(i);
+      tie_stops_of(i);
+    }
+  degenerate_vertices_.settle(g_.points.size());
   drop_repeated();
   find_twins();
 }
@@ -133,7 +140,7 @@ void MeetingCurves::tie_stops_of(Index i) {
       first = k;
       continue;
     }
-    if (!same_meeting(s, t)) knots_.tie(s.point, t.point);
+    if (!same_meeting(s, t)) degenerate_vertices_.tie(s.point, t.point);
     t.piece = kNone;
   }
 }
@@ -146,7 +153,10 @@ void MeetingCurves::drop_repeated() {
     for (Index k = first; k < last; ++k) {
       Stop s = stops_[k];
       if (s.piece == kNone) continue;
-      if (const Index knot = knots_.at(s.point); knot != kNone) s.other = kNone, s.twin = knot;
+      if (const Index degenerate = degenerate_vertices_.at(s.point); degenerate != kNone) {
+        s.other = kNone;
+        s.twin = degenerate;
+      }
       stops_[kept++] = s;
     }
   }
@@ -167,27 +177,28 @@ void MeetingCurves::find_twins() {
   }
 }
 
-void MeetingCurves::add_arms() {
-  knots_.reserve(2 * stops_.size() + 2 * size());
+void MeetingCurves::add_directed_edges() {
+  degenerate_vertices_.reserve(2 * stops_.size() + 2 * size());
   for (Index i = 0; i < size(); ++i) {
     const InnerSide& side = c_.sides[i];
-    if (const Index from = knots_.at(start(i)); from != kNone)
-      knots_.add(arm(from, {i, 0}, true, right(i) ? side.hides_at_p0 : side.hides_at_p1));
-    if (const Index to = knots_.at(end(i)); to != kNone)
-      knots_.add(arm(to, {i, stop_count(i)}, false, right(i) ? side.hides_at_p1 : side.hides_at_p0));
+    if (const Index from = degenerate_vertices_.at(start(i)); from != kNone)
+      degenerate_vertices_.add(directed_edge(from, {i, 0}, true, right(i) ? side.hides_at_p0 : side.hides_at_p1));
+    if (const Index to = degenerate_vertices_.at(end(i)); to != kNone)
+      degenerate_vertices_.add(
+          directed_edge(to, {i, stop_count(i)}, false, right(i) ? side.hides_at_p1 : side.hides_at_p0));
     for (Index k = 0; k < stop_count(i); ++k) {
       if (stop(i, k).other != kNone) continue;
-      knots_.add(arm(stop(i, k).twin, {i, k}, false, true));
-      knots_.add(arm(stop(i, k).twin, {i, k + 1}, true, true));
+      degenerate_vertices_.add(directed_edge(stop(i, k).twin, {i, k}, false, true));
+      degenerate_vertices_.add(directed_edge(stop(i, k).twin, {i, k + 1}, true, true));
     }
   }
 }
 
-Arm MeetingCurves::arm(Index knot, CurvePart part, bool starts, bool hides) const {
-  const exact::Carrier& k = g_.carriers[carrier(part.curve)];
+DirectedEdge MeetingCurves::directed_edge(Index degenerate, CurvePart part, bool starts, bool hides) const {
+  const exact::SupportingCurve& k = g_.supporting_curves[supporting_curve(part.curve)];
   // To the right along a*x + b*y = c: (b, -a) or its opposite.
   const bool forward = ((k.b > 0) == right(part.curve)) == starts;
-  return {.knot = knot,
+  return {.degenerate = degenerate,
           .curve = part.curve,
           .slot = part.slot,
           .starts = starts,

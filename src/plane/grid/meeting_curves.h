@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The curves of a reduced convolution with the places where they meet: crossings of two, and knots, where ends touch
-// other curves or each other or several curves cross. Guarantee: exact. Cost: that of the pairs in a grid of cells
-// (broad_phase.h). Used by transversal_sum.cpp only.
+// The curves of a reduced convolution with the places where they meet: crossings of two, and degenerate_vertices, where
+// ends touch other curves or each other or several curves cross. Guarantee: exact. Cost: that of the pairs in a grid of
+// cells (broad_phase.h). Used by transversal_sum.cpp only.
 #pragma once
 
 #include <utility>
 #include <vector>
 
-#include "plane/base/scratch.h"
-#include "plane/grid/knots.h"
+#include "plane/base/arena.h"
+#include "plane/grid/degenerate_vertices.h"
 #include "plane/grid/reduced_convolution.h"
 
 namespace findspace::plane {
 
-/// Where another curve crosses a curve, or a knot lies on it.
+/// Where another curve crosses a curve, or a degenerate lies on it.
 struct Stop {
   Index piece;  // kNone: one at the same place stands for it
   Index point;
-  Index other;      // the other curve; kNone at a knot
+  Index other;      // the other curve; kNone at a degenerate
   bool from_right;  // the other curve passes from the right to the left
-  Index twin;       // the place of this crossing among the stops of the other curve; at a knot its number
+  Index twin;       // the place of this crossing among the stops of the other curve; at a degenerate its number
 };
 
 /// Of a curve, between two stops.
@@ -39,7 +39,7 @@ class MeetingCurves {
   bool right(Index i) const { return c_.sides[i].left; }
   Index start(Index i) const { return right(i) ? c_.pieces[i].p0 : c_.pieces[i].p1; }
   Index end(Index i) const { return right(i) ? c_.pieces[i].p1 : c_.pieces[i].p0; }
-  Index carrier(Index i) const { return c_.pieces[i].carrier; }
+  Index supporting_curve(Index i) const { return c_.pieces[i].supporting_curve; }
   /// The curve that ends where curve i starts, or kNone.
   Index before(Index i) const { return ends_at_[start(i)]; }
   Index stop_count(Index i) const { return first_stop_[i + 1] - first_stop_[i]; }
@@ -49,13 +49,13 @@ class MeetingCurves {
   Index part_count() const { return Index(stops_.size()) + size(); }
   Index start(CurvePart p) const { return p.slot == 0 ? start(p.curve) : stop(p.curve, p.slot - 1).point; }
   Index end(CurvePart p) const { return p.slot == stop_count(p.curve) ? end(p.curve) : stop(p.curve, p.slot).point; }
-  /// The knot at which a part starts, or kNone.
+  /// The degenerate at which a part starts, or kNone.
   Index knot_before(CurvePart p) const {
-    if (p.slot == 0) return knots_.at(start(p.curve));
+    if (p.slot == 0) return degenerate_vertices_.at(start(p.curve));
     const Stop& s = stop(p.curve, p.slot - 1);
     return s.other == kNone ? s.twin : kNone;
   }
-  const Knots& knots() const { return knots_; }
+  const DegenerateVertices& degenerate_vertices() const { return degenerate_vertices_; }
 
   /// Parts along which another curve runs the other way, so that both their sides are inner sides; some come twice.
   std::pmr::vector<CurvePart> parts_with_two_inner_sides() const;
@@ -70,7 +70,7 @@ class MeetingCurves {
   /// The end of a curve lies on curve i.
   void touch(Index i, Index node);
 
-  /// Along every curve; what meets at one point becomes a knot, or is dropped if it is there twice.
+  /// Along every curve; what meets at one point becomes a degenerate, or is dropped if it is there twice.
   void sort_stops();
   void group_stops();
   void sort_stops_of(Index i);
@@ -81,9 +81,9 @@ class MeetingCurves {
   /// The two stops of a crossing find each other.
   void find_twins();
 
-  /// Collects the arms of the knots.
-  void add_arms();
-  Arm arm(Index knot, CurvePart part, bool starts, bool hides) const;
+  /// Collects the directed_edges of the degenerate_vertices.
+  void add_directed_edges();
+  DirectedEdge directed_edge(Index degenerate, CurvePart part, bool starts, bool hides) const;
 
   ReducedConvolution& c_;
   exact::Geometry& g_;
@@ -96,7 +96,7 @@ class MeetingCurves {
   std::pmr::vector<Estimate> estimates_;  // of one curve at a time
   std::pmr::vector<Index> first_stop_, ends_at_;
   std::pmr::vector<std::pair<Index, Index>> opposite_;  // curves that run along each other, the one to the right first
-  Knots knots_;
+  DegenerateVertices degenerate_vertices_;
   Memory memory_;
 };
 

@@ -12,8 +12,8 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::Geometry;
+using exact::SupportingCurve;
 
 struct Extents {
   double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300, length = 0;
@@ -24,8 +24,10 @@ Extents extents(const ReducedConvolution& c) {
   const auto& points = c.geometry.points;
   for (const Piece& p : c.pieces) {
     const exact::Point &a = points[p.p0], &b = points[p.p1];
-    e.x0 = std::min(e.x0, a.x), e.x1 = std::max(e.x1, b.x);
-    e.y0 = std::min({e.y0, a.y, b.y}), e.y1 = std::max({e.y1, a.y, b.y});
+    e.x0 = std::min(e.x0, a.x);
+    e.x1 = std::max(e.x1, b.x);
+    e.y0 = std::min({e.y0, a.y, b.y});
+    e.y1 = std::max({e.y1, a.y, b.y});
     e.length += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
   }
   return e;
@@ -53,14 +55,20 @@ class Cutter {
     bool steep = std::abs(b.y - a.y) > b.x - a.x;
     double u0 = steep ? a.y : a.x, v0 = steep ? a.x : a.y, u1 = steep ? b.y : b.x, v1 = steep ? b.x : b.y;
     bool turned = u1 < u0;
-    if (turned) std::swap(u0, u1), std::swap(v0, v1);
+    if (turned) {
+      std::swap(u0, u1);
+      std::swap(v0, v1);
+    }
     Index from = turned ? piece.p1 : piece.p0, to = turned ? piece.p0 : piece.p1;
     std::int64_t first = mask_.line_of(u0), last = mask_.line_of(u1);
     Index open = kNone;  // start of the part that is kept at present
     for (std::int64_t line = first; line <= last;) {
       std::int64_t depth = depth_of(line, u0, v0, u1, v1, steep);
       if (depth == 0 && open == kNone) open = line == first ? from : border(piece, line, steep);
-      if (depth > 0 && open != kNone) keep(piece, open, border(piece, line, steep), turned, out), open = kNone;
+      if (depth > 0 && open != kNone) {
+        keep(piece, open, border(piece, line, steep), turned, out);
+        open = kNone;
+      }
       line += std::max<std::int64_t>(depth, 1);
     }
     if (open != kNone) keep(piece, open, to, turned, out);
@@ -81,8 +89,9 @@ class Cutter {
 
   Index border(const Piece& piece, std::int64_t line, bool steep) {
     auto [at, fresh] = lines_.try_emplace(2 * line + steep, 0);
-    if (fresh) at->second = g_.add(Carrier::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(mask_.border(line))));
-    return g_.add_crossing(piece.carrier, at->second, 0);
+    if (fresh)
+      at->second = g_.add(SupportingCurve::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(mask_.border(line))));
+    return g_.add_crossing(piece.supporting_curve, at->second, 0);
   }
 
   void keep(const Piece& piece, Index from, Index to, bool turned, std::vector<Piece>& out) const {

@@ -78,7 +78,7 @@ class FacePair {
     EdgeFan::place(a_, b_);
     const std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
     auto& g = out_.geometry;
-    g.carriers.reserve(g.carriers.size() + count);
+    g.supporting_curves.reserve(g.supporting_curves.size() + count);
     g.points.reserve(g.points.size() + 2 * count);
     out_.pieces.reserve(out_.pieces.size() + count);
     out_.sides.reserve(out_.sides.size() + count);
@@ -93,8 +93,9 @@ class FacePair {
       Index from = moved_first ? sums_.point(g, moved, e, fan, v) : sums_.point(g, fan, v, moved, e);
       Index to = moved_first ? sums_.point(g, moved, edge.next, fan, v) : sums_.point(g, fan, v, moved, edge.next);
       bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
-      Index carrier = g.add_parallel(geometry.carriers[edge.carrier], g.points[from].gx, g.points[from].gy);
-      out_.pieces.push_back({.carrier = carrier, .p0 = right ? from : to, .p1 = right ? to : from});
+      Index supporting_curve =
+          g.add_parallel(geometry.supporting_curves[edge.supporting_curve], g.points[from].gx, g.points[from].gy);
+      out_.pieces.push_back({.supporting_curve = supporting_curve, .p0 = right ? from : to, .p1 = right ? to : from});
       out_.sides.push_back({.left = right, .hides_at_p0 = !right || hides, .hides_at_p1 = right || hides});
     });
   }
@@ -123,10 +124,10 @@ std::size_t corner_count(const GridOperand& o) {
 ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b,
                                        const std::optional<GridBox>& within) {
   ReducedConvolution out;
-  Scratch scratch(corner_count(a) + corner_count(b));
-  std::pmr::vector<EdgeFan> p = fans(a, scratch.memory()), q = fans(b, scratch.memory());
+  Arena arena(corner_count(a) + corner_count(b));
+  std::pmr::vector<EdgeFan> p = fans(a, arena.memory()), q = fans(b, arena.memory());
   for (EdgeFan& f : p)
-    for (EdgeFan& g : q) FacePair(out, f, g, within, scratch.memory()).add(a.geometry, b.geometry);
+    for (EdgeFan& g : q) FacePair(out, f, g, within, arena.memory()).add(a.geometry, b.geometry);
   return out;
 }
 

@@ -3,7 +3,7 @@
 //
 // The curves of a convolution (convolution.h) of grid polygons that arise at convex corners. Curves at reflex corners
 // lie inside the open sum, so these hold its boundary; each has the sum on its left, its inner side, for a little way.
-// Guarantee: exact; equal directions are told apart by turning B by an infinitesimal, as in the whole convolution.
+// Guarantee: exact; equal directions are decided apart by turning B by an infinitesimal, as in the whole convolution.
 // Cost: O(n log n + m log m + curves). Source: Behar & Lien 2011. Keywords: reduced convolution.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace findspace::plane {
 struct InnerSide {
   bool left = false;  // its inner side is to the left of p0 -> p1
   /// Whether the displaced curve passes between its end and the directions on its inner side: not at a corner that
-  /// turns round the other way.
+  /// rotates round the other way.
   bool hides_at_p0 = true, hides_at_p1 = true;
 };
 
@@ -30,7 +30,7 @@ struct ReducedConvolution {
   std::vector<InnerSide> sides;  // per piece
 };
 
-/// A set: its faces and the geometry of their carriers.
+/// A set: its faces and the geometry of their supporting_curves.
 struct GridOperand {
   const std::vector<GridFace>& faces;
   const exact::Geometry& geometry;

@@ -64,7 +64,8 @@ class RingNesting {
 
   /// Of an edge, travelled from left to right or the other way.
   Geometry::Heading heading(const RingEdge& e, bool right) const {
-    return {e.carrier, e.half != 0 ? (e.half < 0) == right : (g_.carriers[e.carrier].b > 0) == right};
+    return {e.supporting_curve,
+            e.half != 0 ? (e.half < 0) == right : (g_.supporting_curves[e.supporting_curve].b > 0) == right};
   }
 
   bool leaves_below(Index k, Index r) const {
@@ -78,8 +79,10 @@ class RingNesting {
       for (Index k = starts_[r]; k < end(r); ++k) {
         const RingEdge& e = edges_[k];
         const Index to = edges_[next(k, r)].point;
-        pieces_.push_back(
-            {.carrier = e.carrier, .p0 = e.right ? e.point : to, .p1 = e.right ? to : e.point, .half = e.half});
+        pieces_.push_back({.supporting_curve = e.supporting_curve,
+                           .p0 = e.right ? e.point : to,
+                           .p1 = e.right ? to : e.point,
+                           .half = e.half});
         ring_of_.push_back(r);
         const exact::Point& p = g_.points[e.point];
         error = std::max(error, p.error);
@@ -98,7 +101,7 @@ class RingNesting {
     Index best = kNone;
     boxes_->any_meeting({p.x - slack_, -exact::kInfinity, p.x + slack_, p.y + slack_}, [&](Index k) {
       const Piece& piece = pieces_[k];
-      const bool vertical = piece.half == 0 && g_.carriers[piece.carrier].b == 0;
+      const bool vertical = piece.half == 0 && g_.supporting_curves[piece.supporting_curve].b == 0;
       if (!vertical && g_.compare_x(piece.p0, from) < 0 && g_.compare_x(piece.p1, from) >= 0 &&
           height(g_, piece, from) > 0 && (best == kNone || is_higher(k, best, from)))
         best = k;

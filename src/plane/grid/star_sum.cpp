@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "plane/base/scratch.h"
+#include "plane/base/arena.h"
 #include "plane/complex/ring_map.h"
 #include "plane/contour/star_shaped.h"
 
@@ -43,8 +43,8 @@ class Ring {
     out.reserve(order_.size());
     Index before = order_.back();
     for (Index i : order_) {
-      const exact::Carrier &k = carrier(before), &l = carrier(i);
-      if (k.a != l.a || k.b != l.b) out.push_back({start(i), c_.pieces[i].carrier, c_.sides[i].left});
+      const exact::SupportingCurve &k = supporting_curve(before), &l = supporting_curve(i);
+      if (k.a != l.a || k.b != l.b) out.push_back({start(i), c_.pieces[i].supporting_curve, c_.sides[i].left});
       before = i;
     }
     return out;
@@ -53,7 +53,9 @@ class Ring {
  private:
   Index start(Index i) const { return c_.sides[i].left ? c_.pieces[i].p0 : c_.pieces[i].p1; }
   Index end(Index i) const { return c_.sides[i].left ? c_.pieces[i].p1 : c_.pieces[i].p0; }
-  const exact::Carrier& carrier(Index i) const { return c_.geometry.carriers[c_.pieces[i].carrier]; }
+  const exact::SupportingCurve& supporting_curve(Index i) const {
+    return c_.geometry.supporting_curves[c_.pieces[i].supporting_curve];
+  }
 
   const ReducedConvolution& c_;
   std::pmr::vector<Index> order_;
@@ -64,8 +66,8 @@ class Ring {
 
 std::optional<SignMap> star_sum(ReducedConvolution& convolution) {
   if (convolution.pieces.empty()) return std::nullopt;
-  Scratch scratch(convolution.pieces.size());
-  Ring ring(convolution, scratch.memory());
+  Arena arena(convolution.pieces.size());
+  Ring ring(convolution, arena.memory());
   if (!ring.closes()) return std::nullopt;
   const std::pmr::vector<RingEdge> edges = ring.edges();
   const Index start = 0;

@@ -9,8 +9,8 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::Geometry;
+using exact::SupportingCurve;
 
 /// Labels the arrangement of what is left.
 class Labels {
@@ -37,7 +37,9 @@ class Labels {
 
   SignMap result() {
     std::pmr::vector<Mark> faces(memory_), edges(memory_), vertices(memory_);
-    faces.reserve(a_.face_count), edges.reserve(a_.edge_count()), vertices.reserve(a_.vertex_count());
+    faces.reserve(a_.face_count);
+    edges.reserve(a_.edge_count());
+    vertices.reserve(a_.vertex_count());
     for (char in : face_in_) faces.push_back(in ? -1 : 1);
     for (Index e = 0; e < a_.edge_count(); ++e) edges.push_back(edge_in_[e] ? -1 : beside(e) ? 0 : 1);
     for (Index v = 0; v < a_.vertex_count(); ++v) {
@@ -128,15 +130,17 @@ class Labels {
 
   bool left_of(Index v, Index h, Index k) const {
     auto heading = [&](Index half_edge) {
-      Index carrier = a_.edges[half_edge / 2].carrier;
-      return Geometry::Heading{carrier, (a_.geometry.carriers[carrier].b > 0) == !(half_edge & 1u)};
+      Index supporting_curve = a_.edges[half_edge / 2].supporting_curve;
+      return Geometry::Heading{supporting_curve,
+                               (a_.geometry.supporting_curves[supporting_curve].b > 0) == !(half_edge & 1u)};
     };
     return a_.geometry.turn(a_.vertex_point[v], heading(h), heading(k)) > 0;
   }
 
   bool edge_inside(Index e) {
     const Arrangement::Edge& d = a_.edges[e];
-    return inside_(a_.geometry, point_between(a_.geometry, d.carrier, a_.vertex_point[d.v0], a_.vertex_point[d.v1]));
+    return inside_(a_.geometry,
+                   point_between(a_.geometry, d.supporting_curve, a_.vertex_point[d.v0], a_.vertex_point[d.v1]));
   }
 
   Arrangement a_;
@@ -146,19 +150,19 @@ class Labels {
   std::pmr::vector<char> face_in_, edge_in_, vertex_in_, side_;
   std::pmr::vector<char>
       hides_;  // per half-edge: at its origin, directions to its left / right may lie behind its curve
-  std::pmr::vector<char> covered_;  // scratch
+  std::pmr::vector<char> covered_;  // arena
 };
 
 }  // namespace
 
-Index point_between(Geometry& g, Index carrier, Index p, Index q) {
+Index point_between(Geometry& g, Index supporting_curve, Index p, Index q) {
   const exact::Point s = g.points[p], t = g.points[q];
   for (bool steep : {false, true}) {
     double u = steep ? s.y : s.x, w = steep ? t.y : t.x, low = std::min(u, w) + std::max(s.error, t.error) + 1,
            high = std::max(u, w) - std::max(s.error, t.error) - 1, middle = std::floor((low + high) / 2);
     if (!(low < middle && middle < high)) continue;
-    Index line = g.add(Carrier::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(middle)));
-    return g.add_crossing(carrier, line, 0);
+    Index line = g.add(SupportingCurve::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(middle)));
+    return g.add_crossing(supporting_curve, line, 0);
   }
   exact::RealPoint a = g.exact(p), b = g.exact(q);
   return g.add_real_point((a.x + b.x) / exact::Real(2), (a.y + b.y) / exact::Real(2));
@@ -166,8 +170,8 @@ Index point_between(Geometry& g, Index carrier, Index p, Index q) {
 
 SignMap labelled_sum(Arrangement a, const std::vector<InnerSide>& sides, bool unbounded_inside,
                      const InsideTest& inside) {
-  Scratch scratch(a.edges.size());
-  return Labels(std::move(a), sides, unbounded_inside, inside, scratch.memory()).result();
+  Arena arena(a.edges.size());
+  return Labels(std::move(a), sides, unbounded_inside, inside, arena.memory()).result();
 }
 
 }  // namespace findspace::plane

@@ -12,11 +12,11 @@
 
 namespace findspace::plane {
 
-/// Is the point of this geometry, to which points and carriers may be added, in the open sum?
+/// Is the point of this geometry, to which points and supporting_curves may be added, in the open sum?
 using InsideTest = std::function<bool(exact::Geometry&, Index point)>;
 
-/// A point of the carrier strictly between two of its points.
-Index point_between(exact::Geometry& geometry, Index carrier, Index p, Index q);
+/// A point of the supporting_curve strictly between two of its points.
+Index point_between(exact::Geometry& geometry, Index supporting_curve, Index p, Index q);
 
 /// -1 on the open sum, 0 on its boundary, +1 elsewhere. `sides`: of the arrangement's pieces; those
 /// beyond the last are no curves of the sum. `unbounded_inside`: far away.

@@ -46,10 +46,10 @@ class OuterWalks {
 
   /// To the part before; false where the walk would pass an inner side.
   bool advance(CurvePart& at) const {
-    if (Index knot = curves_.knot_before(at); knot != kNone) {
-      const Arm& arm = curves_.knots().clockwise(knot, at.curve, at.slot);
-      if (arm.starts) return false;
-      at = {arm.curve, arm.slot};
+    if (Index degenerate = curves_.knot_before(at); degenerate != kNone) {
+      const DirectedEdge& directed_edge = curves_.degenerate_vertices().clockwise(degenerate, at.curve, at.slot);
+      if (directed_edge.starts) return false;
+      at = {directed_edge.curve, directed_edge.slot};
       return true;
     }
     if (at.slot == 0) {
@@ -82,7 +82,7 @@ class TransversalSum {
         curves_(c, memory),
         rings_(memory),
         starts_(memory),
-        passed_(curves_.knots().count(), 0, memory),
+        passed_(curves_.degenerate_vertices().count(), 0, memory),
         memory_(memory) {}
 
   std::optional<SignMap> run() {
@@ -123,7 +123,8 @@ class TransversalSum {
 
   /// Is a part of a curve in the sum? If the face on its outer side is, or both its sides are inner sides, it may be.
   bool is_inside(CurvePart p) {
-    return inside_(c_.geometry, point_between(c_.geometry, curves_.carrier(p.curve), curves_.start(p), curves_.end(p)));
+    return inside_(c_.geometry,
+                   point_between(c_.geometry, curves_.supporting_curve(p.curve), curves_.start(p), curves_.end(p)));
   }
 
   /// Between two curves with opposite inner sides.
@@ -134,27 +135,30 @@ class TransversalSum {
 
   /// With nothing but the sum all round.
   bool has_lonely_point() {
-    const Knots& knots = curves_.knots();
-    for (Index k = 0; k < knots.count(); ++k)
-      if (passed_[k] == 0 && knots.is_surrounded(k) && !inside_(c_.geometry, knots.point(k))) return true;
+    const DegenerateVertices& degenerate_vertices = curves_.degenerate_vertices();
+    for (Index k = 0; k < degenerate_vertices.count(); ++k)
+      if (passed_[k] == 0 && degenerate_vertices.is_surrounded(k) &&
+          !inside_(c_.geometry, degenerate_vertices.point(k)))
+        return true;
     return false;
   }
 
-  /// False where the ring passes a knot that a ring has passed before.
+  /// False where the ring passes a degenerate that a ring has passed before.
   bool add_ring(std::span<const CurvePart> walk) {
     starts_.push_back(Index(rings_.size()));
     if (rings_.empty()) rings_.reserve(walk.size());
     for (std::size_t k = walk.size(); k-- > 0;) {
       CurvePart p = walk[k], before = walk[k + 1 == walk.size() ? 0 : k + 1];
-      if (Index knot = curves_.knot_before(p); knot != kNone && passed_[knot]++ > 0) return false;
+      if (Index degenerate = curves_.knot_before(p); degenerate != kNone && passed_[degenerate]++ > 0) return false;
       if (straight(before.curve, p.curve)) continue;
-      rings_.push_back({curves_.start(p), curves_.carrier(p.curve), curves_.right(p.curve)});
+      rings_.push_back({curves_.start(p), curves_.supporting_curve(p.curve), curves_.right(p.curve)});
     }
     return true;
   }
 
   bool straight(Index i, Index j) const {
-    const auto &k = c_.geometry.carriers[curves_.carrier(i)], &l = c_.geometry.carriers[curves_.carrier(j)];
+    const auto &k = c_.geometry.supporting_curves[curves_.supporting_curve(i)],
+               &l = c_.geometry.supporting_curves[curves_.supporting_curve(j)];
     return k.a == l.a && k.b == l.b;
   }
 
@@ -163,7 +167,7 @@ class TransversalSum {
   MeetingCurves curves_;
   std::pmr::vector<RingEdge> rings_;
   std::pmr::vector<Index> starts_;
-  std::pmr::vector<int> passed_;  // knot -> times a ring passed it
+  std::pmr::vector<int> passed_;  // degenerate -> times a ring passed it
   Memory memory_;
 };
 
@@ -171,8 +175,8 @@ class TransversalSum {
 
 std::optional<SignMap> transversal_sum(ReducedConvolution& convolution, const InsideTest& inside) {
   if (convolution.pieces.empty()) return std::nullopt;
-  Scratch scratch(convolution.pieces.size());
-  return TransversalSum(convolution, inside, scratch.memory()).run();
+  Arena arena(convolution.pieces.size());
+  return TransversalSum(convolution, inside, arena.memory()).run();
 }
 
 }  // namespace findspace::plane

@@ -11,9 +11,9 @@ namespace findspace::plane {
 namespace {
 
 using Curve = ConvolutionIndex::Curve;
-using exact::Carrier;
 using exact::Geometry;
 using exact::int128;
+using exact::SupportingCurve;
 
 Range range(const GridBox& w) { return {double(w.x0), double(w.y0), double(w.x1), double(w.y1)}; }
 
@@ -24,8 +24,8 @@ bool misses(const ConvolutionIndex& index, const Curve& c, const GridBox& w) {
   double nx = -double(e.dy), ny = double(e.dx);
   double mx = (double(w.x0) + double(w.x1)) / 2 - double(p.x), my = (double(w.y0) + double(w.y1)) / 2 - double(p.y);
   double reach = std::abs(nx) * double(w.x1 - w.x0) + std::abs(ny) * double(w.y1 - w.y0);
-  double room = (std::abs(nx * mx) + std::abs(ny * my) + reach) * exact::Approx::kUnit * 16;
-  return std::abs(nx * mx + ny * my) > reach / 2 + room;
+  double tolerance = (std::abs(nx * mx) + std::abs(ny * my) + reach) * exact::Approx::kUnit * 16;
+  return std::abs(nx * mx + ny * my) > reach / 2 + tolerance;
 }
 
 /// Collects the curves, cut to the window.
@@ -44,7 +44,8 @@ class Clipped {
     const bool right = e.dx > 0 || (e.dx == 0 && e.dy > 0), hides = e.turn < 0;
     if (!right) std::swap(p, q);
     Piece piece;
-    piece.carrier = g.add_parallel(index.operand(c.side).geometry.carriers[e.carrier], p.x, p.y);
+    piece.supporting_curve =
+        g.add_parallel(index.operand(c.side).geometry.supporting_curves[e.supporting_curve], p.x, p.y);
     const Index p0 = piece.p0 = g.add_grid_point(p.x, p.y), p1 = piece.p1 = g.add_grid_point(q.x, q.y);
     if (!cut_x(piece, p.x, q.x) || !cut_y(piece) || g.compare_xy(piece.p0, piece.p1) == 0) return;
     out.pieces.push_back(piece);
@@ -56,10 +57,10 @@ class Clipped {
   /// The border; after all curves, as it has no inner side.
   void close() {
     auto& pieces = out.pieces;
-    pieces.push_back({.carrier = border_[0], .p0 = kSouthWest, .p1 = kNorthWest});
-    pieces.push_back({.carrier = border_[1], .p0 = kSouthEast, .p1 = kNorthEast});
-    pieces.push_back({.carrier = border_[2], .p0 = kSouthWest, .p1 = kSouthEast});
-    pieces.push_back({.carrier = border_[3], .p0 = kNorthWest, .p1 = kNorthEast});
+    pieces.push_back({.supporting_curve = border_[0], .p0 = kSouthWest, .p1 = kNorthWest});
+    pieces.push_back({.supporting_curve = border_[1], .p0 = kSouthEast, .p1 = kNorthEast});
+    pieces.push_back({.supporting_curve = border_[2], .p0 = kSouthWest, .p1 = kSouthEast});
+    pieces.push_back({.supporting_curve = border_[3], .p0 = kNorthWest, .p1 = kNorthEast});
   }
 
   ReducedConvolution out;
@@ -70,8 +71,8 @@ class Clipped {
   bool cut_x(Piece& piece, std::int64_t left, std::int64_t right) {
     if (right < w_.x0 || left > w_.x1) return false;
     auto& g = out.geometry;
-    if (left < w_.x0) piece.p0 = g.add_crossing(piece.carrier, border_[0], 0);
-    if (right > w_.x1) piece.p1 = g.add_crossing(piece.carrier, border_[1], 0);
+    if (left < w_.x0) piece.p0 = g.add_crossing(piece.supporting_curve, border_[0], 0);
+    if (right > w_.x1) piece.p1 = g.add_crossing(piece.supporting_curve, border_[1], 0);
     return true;
   }
 
@@ -82,7 +83,8 @@ class Clipped {
       auto beyond = [&](Index p) { return g.compare_y(p, corner) == (top ? 1 : -1); };
       const bool first = beyond(piece.p0), last = beyond(piece.p1);
       if (first && last) return false;
-      if (first || last) (first ? piece.p0 : piece.p1) = g.add_crossing(piece.carrier, border_[top ? 3 : 2], 0);
+      if (first || last)
+        (first ? piece.p0 : piece.p1) = g.add_crossing(piece.supporting_curve, border_[top ? 3 : 2], 0);
     }
     return true;
   }
@@ -119,9 +121,8 @@ SignMap window_sum(const ConvolutionIndex& index, const GridBox& w, std::span<co
   Clipped clipped(w);
   for (const Curve& c : curves) clipped.add(index, c);
   clipped.close();
-  Scratch scratch(clipped.out.pieces.size());
-  Arrangement arrangement =
-      arrange(std::move(clipped.out.geometry), std::move(clipped.out.pieces), {}, scratch.memory());
+  Arena arena(clipped.out.pieces.size());
+  Arrangement arrangement = arrange(std::move(clipped.out.geometry), std::move(clipped.out.pieces), {}, arena.memory());
   return labelled_sum(std::move(arrangement), clipped.out.sides, true, inside);
 }
 

@@ -89,7 +89,7 @@ class Offset {
     for (const Part& p : walk) {
       const Index point = p.slot == 0 ? c_.start(p.piece) : meetings_.stop(p.piece, p.slot - 1).point;
       const Piece& piece = c_.pieces[p.piece];
-      edges_.push_back({point, piece.carrier, c_.tracks[p.piece].right, piece.half});
+      edges_.push_back({point, piece.supporting_curve, c_.tracks[p.piece].right, piece.half});
     }
   }
 
@@ -109,7 +109,8 @@ class Offset {
       starts.push_back(Index(edges.size()));
       edges.insert(edges.end(), ring(r).begin(), ring(r).end());
     }
-    edges_ = std::move(edges), starts_ = std::move(starts);
+    edges_ = std::move(edges);
+    starts_ = std::move(starts);
   }
 
   OffsetCurves c_;

@@ -13,9 +13,9 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::int128;
 using exact::Real;
+using exact::SupportingCurve;
 
 /// Crossings of randomly placed curves (Buffon), a curve: from there on it pays to look for covered ones.
 constexpr double kManyCrossings = 0.5;
@@ -28,7 +28,10 @@ bool covering_pays(std::span<const GridCorner> corners, double r) {
     const double x = double(c.at.x), y = double(c.at.y);
     const double dx = double(q.x) - x, dy = double(q.y) - y;
     length += std::sqrt(dx * dx + dy * dy);
-    x0 = std::min(x0, x), y0 = std::min(y0, y), x1 = std::max(x1, x), y1 = std::max(y1, y);
+    x0 = std::min(x0, x);
+    y0 = std::min(y0, y);
+    x1 = std::max(x1, x);
+    y1 = std::max(y1, y);
   }
   const double area = (x1 - x0 + 2 * r) * (y1 - y0 + 2 * r);
   return length * length > kManyCrossings * 3.14 * area * double(corners.size());
@@ -36,7 +39,7 @@ bool covering_pays(std::span<const GridCorner> corners, double r) {
 
 bool points_right(const GridCorner& c) { return c.dx > 0 || (c.dx == 0 && c.dy > 0); }
 /// Whether the normal of its line points to the right of the way: it does for (-b, a), to the left for (b, -a).
-bool normal_right(const GridCorner& c, const Carrier& l) { return c.dx == -l.b && c.dy == l.a; }
+bool normal_right(const GridCorner& c, const SupportingCurve& l) { return c.dx == -l.b && c.dy == l.a; }
 bool is_level(const GridCorner& c) { return c.dx == 0 || c.dy == 0; }
 
 class Builder {
@@ -50,15 +53,20 @@ class Builder {
         g_(out_.geometry) {
     const std::size_t n = corners.size();
     const bool covering = covering_pays(corners, radius.to_double());
-    line_.assign(n, kNone), circle_.assign(n, kNone), from_.assign(n, kNone), to_.assign(n, kNone);
-    arc_from_.assign(n, kNone), arc_to_.assign(n, kNone);
+    line_.assign(n, kNone);
+    circle_.assign(n, kNone);
+    from_.assign(n, kNone);
+    to_.assign(n, kNone);
+    arc_from_.assign(n, kNone);
+    arc_to_.assign(n, kNone);
     const auto turns_left = [](const GridCorner& c) { return c.turn > 0; };
     const std::size_t arcs = std::size_t(std::count_if(corners.begin(), corners.end(), turns_left));
     room_ = n + arcs + n / 8 + 4;  // a few arcs are cut in two, a few edges get loose ends
-    g_.carriers.reserve(room_), g_.points.reserve(room_ + n / 8);
+    g_.supporting_curves.reserve(room_);
+    g_.points.reserve(room_ + n / 8);
     for (Index k = 0; k < n; ++k) {
       if (corners[k].turn > 0 && !(covering && edges.covers_arc(k)))
-        circle_[k] = g_.add(Carrier::circle_at(corners[k].at.x, corners[k].at.y, radius));
+        circle_[k] = g_.add(SupportingCurve::circle_at(corners[k].at.x, corners[k].at.y, radius));
       if (!(covering && edges.covers_displaced(k))) line_[k] = add_line(corners[k]);
     }
   }
@@ -67,8 +75,12 @@ class Builder {
     const Index n = Index(corners_.size());
     for (Index k = 0; k < n; ++k) add_ends(k);
     for (Index k = 0; k < n; ++k)
-      if (line_[k] != kNone && is_cut(k) && !runs_forward(k)) undo_crossing(k), undo_crossing(corners_[k].next);
-    out_.pieces.reserve(room_), out_.tracks.reserve(room_);
+      if (line_[k] != kNone && is_cut(k) && !runs_forward(k)) {
+        undo_crossing(k);
+        undo_crossing(corners_[k].next);
+      }
+    out_.pieces.reserve(room_);
+    out_.tracks.reserve(room_);
     for (Index k = 0; k < n; ++k) {
       if (circle_[k] != kNone) add_arc(k);
       if (line_[k] != kNone) add_piece(line_[k], from_[k], to_[k], 0, points_right(corners_[k]), false, k);
@@ -79,13 +91,13 @@ class Builder {
 
  private:
   Index add_line(const GridCorner& c) {
-    const Carrier& l = source_.carriers[c.carrier];
+    const SupportingCurve& l = source_.supporting_curves[c.supporting_curve];
     return g_.add_displaced(l, normal_right(c, l) ? radius_ : opposite_);
   }
 
   /// The displaced line of an edge, as it lies to its corners.
   exact::ShiftedLine shifted(Index line, Index edge) const {
-    return {line, normal_right(corners_[edge], g_.carriers[line]) ? approx_ : -approx_};
+    return {line, normal_right(corners_[edge], g_.supporting_curves[line]) ? approx_ : -approx_};
   }
 
   /// The corner, r to the right of a way parallel to an axis.
@@ -108,7 +120,10 @@ class Builder {
     const GridPoint at = corners_[k].at;
     if (is_level(c)) return beside(at, c);
     std::int64_t a = c.dx, b = c.dy;
-    if (a < 0) a = -a, b = -b;
+    if (a < 0) {
+      a = -a;
+      b = -b;
+    }
     return g_.add_crossing(line_[edge], g_.add_line(a, b, int128(a) * at.x + int128(b) * at.y), 0);
   }
 
@@ -133,7 +148,7 @@ class Builder {
   bool is_cut(Index k) const { return corners_[k].turn < 0 || corners_[corners_[k].next].turn < 0; }
 
   bool runs_forward(Index k) const {
-    const Piece along{.carrier = line_[k]};
+    const Piece along{.supporting_curve = line_[k]};
     const int order = compare_along(g_, along, from_[k], to_[k]);
     return points_right(corners_[k]) ? order < 0 : order > 0;
   }
@@ -159,9 +174,11 @@ class Builder {
     add_piece(circle_[k], extreme, arc_to_[k], passes_right ? 1 : -1, !passes_right, true, k);
   }
 
-  void add_piece(Index carrier, Index from, Index to, int half, bool right, bool arc, Index corner) {
-    out_.pieces.push_back(
-        {.carrier = carrier, .p0 = right ? from : to, .p1 = right ? to : from, .half = std::int8_t(half)});
+  void add_piece(Index supporting_curve, Index from, Index to, int half, bool right, bool arc, Index corner) {
+    out_.pieces.push_back({.supporting_curve = supporting_curve,
+                           .p0 = right ? from : to,
+                           .p1 = right ? to : from,
+                           .half = std::int8_t(half)});
     out_.tracks.push_back({.right = right, .arc = arc, .corner = corner});
   }
 

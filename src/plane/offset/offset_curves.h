@@ -34,7 +34,8 @@ struct OffsetCurves {
   /// Of travel.
   exact::Geometry::Heading heading(Index i) const {
     const Piece& p = pieces[i];
-    return {p.carrier, p.half != 0 || (geometry.carriers[p.carrier].b > 0) == tracks[i].right};
+    return {p.supporting_curve,
+            p.half != 0 || (geometry.supporting_curves[p.supporting_curve].b > 0) == tracks[i].right};
   }
 };
 

@@ -44,7 +44,8 @@ std::vector<GridCorner> all_corners(std::vector<GridFace> faces) {
       continue;
     }
     for (GridCorner c : f.corners) {
-      c.next += base, c.before += base;
+      c.next += base;
+      c.before += base;
       all.push_back(c);
     }
   }
@@ -124,8 +125,10 @@ bool OffsetEdges::covered(const Part& p, const Vector* center, Index k) const {
   std::array<Index, 2 * kBeside> beside;
   Index n = 0;
   for (Index i = 0, before = corners_[k].before, after = corners_[k].next; i < kBeside; ++i) {
-    beside[n++] = before, beside[n++] = after;
-    before = corners_[before].before, after = corners_[after].next;
+    beside[n++] = before;
+    beside[n++] = after;
+    before = corners_[before].before;
+    after = corners_[after].next;
   }
   if (covered(p, center, beside, kHalvings)) return true;
   PieceBox box{std::min({p.from.x, p.top.x, p.to.x}), std::min({p.from.y, p.top.y, p.to.y}),

@@ -27,7 +27,8 @@ std::vector<PieceBox> OffsetMeetings::boxes() const {
   double error = 0, largest_x = 0, largest_y = 0;
   for (const exact::Point& p : g.points) {
     error = std::max(error, p.error);
-    largest_x = std::max(largest_x, std::abs(p.x)), largest_y = std::max(largest_y, std::abs(p.y));
+    largest_x = std::max(largest_x, std::abs(p.x));
+    largest_y = std::max(largest_y, std::abs(p.y));
   }
   const double slack = box_slack(error, std::max(largest_x, largest_y));
   std::vector<PieceBox> boxes;
@@ -45,18 +46,22 @@ bool OffsetMeetings::find() {
     found.add_pair(i, j);
     if (found.splits.empty() && found.ties.empty()) return;
     note(found, known, i, j);
-    found.splits.clear(), found.ties.clear();
+    found.splits.clear();
+    found.ties.clear();
   });
   return good_ && sort_stops();
 }
 
 void OffsetMeetings::note(const PieceMeetings& found, Index known, Index i, Index j) {
   const exact::Geometry& g = c_.geometry;
-  if (same_carrier(g.carriers[c_.pieces[i].carrier], g.carriers[c_.pieces[j].carrier])) good_ = false;
+  if (same_supporting_curve(g.supporting_curves[c_.pieces[i].supporting_curve],
+                            g.supporting_curves[c_.pieces[j].supporting_curve]))
+    good_ = false;
   for (const PieceMeetings::Tie& tie : found.ties) give_up_unless_inside(tie.p, i, j);
   for (std::size_t k = 0; k < found.splits.size(); ++k) {
     const Index point = found.splits[k].point;
-    const bool crossing = point >= known && !g.touch_at(point, c_.pieces[i].carrier, c_.pieces[j].carrier) &&
+    const bool crossing = point >= known &&
+                          !g.touch_at(point, c_.pieces[i].supporting_curve, c_.pieces[j].supporting_curve) &&
                           k + 1 < found.splits.size() && found.splits[k + 1].point == point;
     if (!crossing) {
       give_up_unless_inside(point, i, j);

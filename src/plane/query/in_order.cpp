@@ -21,7 +21,8 @@ class Renumbering {
     for (Index v : vertices_) out_.vertices.push_back(moved(from_.vertices[v]));
     for (Index e : edges_) {
       Edge edge = from_.edges[e];
-      edge.v0 = vertex_[edge.v0], edge.v1 = vertex_[edge.v1];
+      edge.v0 = vertex_[edge.v0];
+      edge.v1 = vertex_[edge.v1];
       out_.edges.push_back(edge);
     }
     for (Index e : edges_)
@@ -73,7 +74,10 @@ class Renumbering {
       out_.faces.push_back(Face{.mark = from_.faces[f].mark, .outer = kNone, .inner = {}, .isolated = {}});
     };
     use(0);
-    for (Index e : edges_) use(from_.face(2 * e)), use(from_.face(2 * e + 1));
+    for (Index e : edges_) {
+      use(from_.face(2 * e));
+      use(from_.face(2 * e + 1));
+    }
   }
 
   /// Boundary cycles begin at their first half-edge, except that an inner one keeps the one at its smallest vertex.

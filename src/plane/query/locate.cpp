@@ -40,7 +40,7 @@ Locator::Box Locator::box(Index cell) const {
   double bottom = std::min(widened(p.y, p.error, -1), widened(q.y, q.error, -1));
   double top = std::max(widened(p.y, p.error, 1), widened(q.y, q.error, 1));
   if (e.half != 0) {
-    const exact::Carrier& k = c_.carrier(cell);
+    const exact::SupportingCurve& k = c_.supporting_curve(cell);
     const double error = k.y.error + k.z.error;
     if (e.half > 0)
       top = widened(k.y.value + k.z.value, error, 1);
@@ -60,7 +60,10 @@ void Locator::build_columns(const std::vector<Box>& boxes) {
   if (boxes.empty()) return;
   double right = boxes[0].x1;
   left_ = boxes[0].x0;
-  for (const Box& b : boxes) left_ = std::min(left_, b.x0), right = std::max(right, b.x1);
+  for (const Box& b : boxes) {
+    left_ = std::min(left_, b.x0);
+    right = std::max(right, b.x1);
+  }
   for (Index n = std::clamp<Index>(Index(boxes.size()), 1, kMostColumns);; n /= 2) {
     column_start_.assign(n + 1, 0);
     per_width_ = right > left_ ? n / (right - left_) : 0;
@@ -79,13 +82,13 @@ void Locator::build_columns(const std::vector<Box>& boxes) {
   }
 }
 
-bool Locator::is_vertical(Index edge) const { return !c_.is_arc(edge) && c_.carrier(edge).b == 0; }
+bool Locator::is_vertical(Index edge) const { return !c_.is_arc(edge) && c_.supporting_curve(edge).b == 0; }
 int Locator::compare_x(Index vertex) const { return geometry_.compare_x(query_, c_.vertices[vertex].point); }
 int Locator::compare_xy(Index vertex) const { return geometry_.compare_xy(query_, c_.vertices[vertex].point); }
 
 int Locator::height(Index edge, Index point) const {
   const Edge& e = c_.edges[edge];
-  Piece piece{e.carrier, c_.vertices[e.v0].point, c_.vertices[e.v1].point, e.half, false, false};
+  Piece piece{e.supporting_curve, c_.vertices[e.v0].point, c_.vertices[e.v1].point, e.half, false, false};
   return plane::height(geometry_, piece, point);
 }
 
@@ -140,7 +143,10 @@ Cell Locator::search() const {
     Cell found;
     if (b.y0 <= y1 && is_found(b.cell, found)) return found;
     if (b.cell >= c_.edges.size() || b.cell == above || (lowest && b.y0 > lowest->y1) || !is_under(b.cell)) continue;
-    if (!lowest || b.y1 < lowest->y0 || lies_below(b.cell, above)) above = b.cell, lowest = &b;
+    if (!lowest || b.y1 < lowest->y0 || lies_below(b.cell, above)) {
+      above = b.cell;
+      lowest = &b;
+    }
   }
   return {2, above == kNone ? 0 : c_.face(2 * above + 1)};
 }

@@ -17,7 +17,10 @@ std::vector<LineInterval> intervals(const Section& line, const Real& scale) {
   for (const Section::Stop& stop : line.stops) {
     const bool here = stop.at != 0, after = stop.after != 0;
     const Real t = stop.t * scale;
-    if (inside && !(here && after)) out.back().to = t, out.back().to_in = here;
+    if (inside && !(here && after)) {
+      out.back().to = t;
+      out.back().to_in = here;
+    }
     if (after && !(here && inside)) out.push_back({t, std::nullopt, here && !inside, false});
     if (here && !inside && !after) out.push_back({t, t, true, true});
     inside = after;

@@ -23,12 +23,12 @@ CellMeasures::CellMeasures(const CellComplex& c) : c_(c) {
     x_.push_back(x);
     y_.push_back(y);
   }
-  circle_of_carrier_.assign(c.geometry.carriers.size(), kNone);
+  circle_of_supporting_curve_.assign(c.geometry.supporting_curves.size(), kNone);
   for (Index e = 0; e < c.edges.size(); ++e) {
-    Index& place = circle_of_carrier_[c.edges[e].carrier];
+    Index& place = circle_of_supporting_curve_[c.edges[e].supporting_curve];
     if (!c.is_arc(e) || place != kNone) continue;
     place = Index(circles_.size());
-    const exact::Carrier& k = c.carrier(e);
+    const exact::SupportingCurve& k = c.supporting_curve(e);
     circles_.push_back({Twofold(k.center_x()), Twofold(k.center_y()), Twofold(k.w)});
   }
 }
@@ -36,17 +36,17 @@ CellMeasures::CellMeasures(const CellComplex& c) : c_(c) {
 CellMeasures::Spread CellMeasures::spread(Index arc) const {
   const Edge& e = c_.edges[arc];
   Index from = e.half < 0 ? e.v0 : e.v1, to = e.half < 0 ? e.v1 : e.v0;  // the lower half runs counter-clockwise
-  const auto [ax, ay] = arm(arc, from);
-  const auto [bx, by] = arm(arc, to);
+  const auto [ax, ay] = directed_edge(arc, from);
+  const auto [bx, by] = directed_edge(arc, to);
   return {cross(ax, ay, bx, by), ax * bx + ay * by};
 }
 
-std::array<Twofold, 2> CellMeasures::arm(Index arc, Index vertex) const {
+std::array<Twofold, 2> CellMeasures::directed_edge(Index arc, Index vertex) const {
   const Circle& k = circle(arc);
   constexpr double kSmall = 0x1p-40;  // no sign: where the differences of rounded coordinates keep too few digits
   if (k.radius.hi > kSmall * (std::abs(k.x.hi) + std::abs(k.y.hi))) return {x_[vertex] - k.x, y_[vertex] - k.y};
   const exact::RealPoint p = c_.geometry.exact(c_.vertices[vertex].point);
-  return {Twofold(p.x - c_.carrier(arc).center_x()), Twofold(p.y - c_.carrier(arc).center_y())};
+  return {Twofold(p.x - c_.supporting_curve(arc).center_x()), Twofold(p.y - c_.supporting_curve(arc).center_y())};
 }
 
 Twofold CellMeasures::angle(Index arc) const {
@@ -68,7 +68,7 @@ Twofold CellMeasures::swept_area(Index half_edge, const Twofold& ox, const Twofo
   Index from = c_.origin(half_edge), to = c_.target(half_edge);
   Twofold twice = cross(x_[from] - ox, y_[from] - oy, x_[to] - ox, y_[to] - oy);
   if (c_.is_arc(arc)) {
-    // The circular segment between chord and arc, to the right of the chord where the arc turns left.
+    // The circular segment between chord and arc, to the right of the chord where the arc rotates left.
     const Twofold& r = circle(arc).radius;
     Twofold segment = r * r * angle(arc) - spread(arc).cross;
     twice += c_.heading(half_edge).forward ? segment : -segment;

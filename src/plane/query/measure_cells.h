@@ -33,7 +33,9 @@ class CellMeasures {
     Twofold x, y, radius;
   };
   /// Centre and radius of the circle that carries an arc.
-  const Circle& circle(Index arc) const { return circles_[circle_of_carrier_[c_.edges[arc].carrier]]; }
+  const Circle& circle(Index arc) const {
+    return circles_[circle_of_supporting_curve_[c_.edges[arc].supporting_curve]];
+  }
 
  private:
   struct Spread {
@@ -41,13 +43,13 @@ class CellMeasures {
   };
   Spread spread(Index arc) const;
   /// From the centre of the circle to an end of the arc.
-  std::array<Twofold, 2> arm(Index arc, Index vertex) const;
+  std::array<Twofold, 2> directed_edge(Index arc, Index vertex) const;
   Twofold swept_area(Index half_edge, const Twofold& ox, const Twofold& oy) const;
 
   const CellComplex& c_;
   std::vector<Twofold> x_, y_;
   std::vector<Circle> circles_;
-  std::vector<Index> circle_of_carrier_;
+  std::vector<Index> circle_of_supporting_curve_;
 };
 
 }  // namespace findspace::plane

@@ -54,15 +54,15 @@ Number number(const Real& value) {
 }  // namespace
 
 VertexPlaces::VertexPlaces(const exact::Geometry& geometry)
-    : geometry_(geometry), of_carrier_(geometry.carriers.size()) {}
+    : geometry_(geometry), of_supporting_curve_(geometry.supporting_curves.size()) {}
 
-const VertexPlaces::Numbers& VertexPlaces::numbers(Index carrier) {
-  std::optional<Numbers>& known = of_carrier_[carrier];
-  if (!known) known = computed(geometry_.carriers[carrier]);
+const VertexPlaces::Numbers& VertexPlaces::numbers(Index supporting_curve) {
+  std::optional<Numbers>& known = of_supporting_curve_[supporting_curve];
+  if (!known) known = computed(geometry_.supporting_curves[supporting_curve]);
   return *known;
 }
 
-VertexPlaces::Numbers VertexPlaces::computed(const exact::Carrier& k) const {
+VertexPlaces::Numbers VertexPlaces::computed(const exact::SupportingCurve& k) const {
   if (k.circle && k.grid) return {number(k.a), number(k.b), number(k.w)};
   if (k.circle) return {number(k.real->x), number(k.real->y), number(k.w)};
   const Number a = number(k.a), b = number(k.b);
@@ -72,11 +72,11 @@ VertexPlaces::Numbers VertexPlaces::computed(const exact::Carrier& k) const {
 }
 
 VertexPlaces::Crossing VertexPlaces::crossing(const exact::Point& p) {
-  const bool swap = geometry_.carriers[p.i].circle && !geometry_.carriers[p.j].circle;
+  const bool swap = geometry_.supporting_curves[p.i].circle && !geometry_.supporting_curves[p.j].circle;
   const Index i = swap ? p.j : p.i, j = swap ? p.i : p.j;
   const Numbers s = numbers(i), t = numbers(j);
-  const bool line = !geometry_.carriers[i].circle;
-  if (line && !geometry_.carriers[j].circle) {
+  const bool line = !geometry_.supporting_curves[i].circle;
+  if (line && !geometry_.supporting_curves[j].circle) {
     const Number det = s.a * t.b - s.b * t.a;
     return {(s.c * t.b - t.c * s.b) / det, (s.a * t.c - t.a * s.c) / det};
   }

@@ -39,12 +39,12 @@ class VertexPlaces {
   };
   using Crossing = std::array<BoundedTwofold, 2>;
 
-  const Numbers& numbers(Index carrier);
-  Numbers computed(const exact::Carrier& k) const;
+  const Numbers& numbers(Index supporting_curve);
+  Numbers computed(const exact::SupportingCurve& k) const;
   Crossing crossing(const exact::Point& p);
 
   const exact::Geometry& geometry_;
-  std::vector<std::optional<Numbers>> of_carrier_;
+  std::vector<std::optional<Numbers>> of_supporting_curve_;
 };
 
 }  // namespace findspace::plane

@@ -10,9 +10,9 @@
 namespace findspace::plane {
 namespace {
 
-using exact::Carrier;
 using exact::int128;
 using exact::Real;
+using exact::SupportingCurve;
 
 constexpr std::int64_t kLargestStep = std::int64_t{1} << 41;  // a grid point plus such a step stays far below 2^63
 
@@ -22,16 +22,16 @@ std::optional<std::int64_t> grid_step(const Real& x) {
   return std::int64_t(*whole);
 }
 
-Carrier shifted(const Carrier& k, const exact::RealPoint& by) {
-  if (k.circle) return Carrier::circle_at(k.center_x() + by.x, k.center_y() + by.y, k.w);
-  return Carrier::line(k.a, k.b, k.offset() + Real(k.a) * by.x + Real(k.b) * by.y);
+SupportingCurve shifted(const SupportingCurve& k, const exact::RealPoint& by) {
+  if (k.circle) return SupportingCurve::circle_at(k.center_x() + by.x, k.center_y() + by.y, k.w);
+  return SupportingCurve::line(k.a, k.b, k.offset() + Real(k.a) * by.x + Real(k.b) * by.y);
 }
 
-Carrier shifted(const Carrier& k, std::int64_t x, std::int64_t y) {
-  if (k.displaced()) return Carrier::displaced_line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y, k.w);
+SupportingCurve shifted(const SupportingCurve& k, std::int64_t x, std::int64_t y) {
+  if (k.displaced()) return SupportingCurve::displaced_line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y, k.w);
   if (!k.grid) return shifted(k, exact::RealPoint{Real(x), Real(y)});
-  if (k.circle) return Carrier::circle_at(k.a + x, k.b + y, k.w);
-  return Carrier::line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y);
+  if (k.circle) return SupportingCurve::circle_at(k.a + x, k.b + y, k.w);
+  return SupportingCurve::line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y);
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ CellComplex moved(CellComplex c, const exact::RealPoint& by) {
   const auto x = grid_step(by.x), y = grid_step(by.y);
   const exact::Geometry& from = c.geometry;
   exact::Geometry to;
-  // Carriers keep their order and direction, so the roots of crossings stay.
-  for (const Carrier& k : from.carriers) to.add(x && y ? shifted(k, *x, *y) : shifted(k, by));
+  // SupportingCurves keep their order and direction, so the roots of crossings stay.
+  for (const SupportingCurve& k : from.supporting_curves) to.add(x && y ? shifted(k, *x, *y) : shifted(k, by));
   for (const exact::Point& p : from.points) {
     if (p.kind == exact::Point::Kind::kCross) {
       to.add_crossing(p.i, p.j, p.root);

@@ -22,15 +22,15 @@ struct Candidate {
   Cell cell;
 };
 
-/// The foot of the perpendicular is inside the edge.
-bool foot_inside(const CellComplex& c, Index edge, double x, double y) {
+/// The projection of the perpendicular is inside the edge.
+bool projection_inside(const CellComplex& c, Index edge, double x, double y) {
   const Edge& e = c.edges[edge];
   const exact::Point &p = c.point(e.v0), &q = c.point(e.v1);
   if (e.half == 0) {
     double dx = q.x - p.x, dy = q.y - p.y, t = (x - p.x) * dx + (y - p.y) * dy;
     return t > 0 && t < dx * dx + dy * dy;
   }
-  const exact::Carrier& k = c.carrier(edge);
+  const exact::SupportingCurve& k = c.supporting_curve(edge);
   double dx = x - k.x.value, dy = y - k.y.value, length = std::hypot(dx, dy);
   if (length == 0) return true;
   double fx = k.x.value + dx / length * k.z.value;
@@ -38,7 +38,7 @@ bool foot_inside(const CellComplex& c, Index edge, double x, double y) {
 }
 
 double edge_distance(const CellComplex& c, Index edge, double x, double y) {
-  const exact::Carrier& k = c.carrier(edge);
+  const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (c.edges[edge].half == 0) {
     const exact::Point& p = c.point(c.edges[edge].v0);
     return std::abs(k.x.value * (x - p.x) + k.y.value * (y - p.y));
@@ -53,7 +53,7 @@ Nearest exact_vertex(const CellComplex& c, Index v, const RealPoint& from) {
 }
 
 Nearest exact_edge(const CellComplex& c, Index edge, const RealPoint& from) {
-  const exact::Carrier& k = c.carrier(edge);
+  const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (!k.circle) {
     Real a(k.a), b(k.b), n2 = a * a + b * b, h = a * from.x + b * from.y - k.offset();
     Real d = h / sqrt(n2);
@@ -80,12 +80,12 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
     if (wanted(c.vertices[v].mark)) take(std::hypot(p.x - x, p.y - y), {0, v});
   }
   for (Index e = 0; e < c.edges.size(); ++e)
-    if (wanted(c.edges[e].mark) && foot_inside(c, e, x, y)) take(edge_distance(c, e, x, y), {1, e});
+    if (wanted(c.edges[e].mark) && projection_inside(c, e, x, y)) take(edge_distance(c, e, x, y), {1, e});
   // Rounding can only exchange candidates within this of the least; they are compared exactly.
-  double room = (scale + std::abs(x) + std::abs(y) + least) * 0x1p-44;
+  double tolerance = (scale + std::abs(x) + std::abs(y) + least) * 0x1p-44;
   std::optional<Nearest> best;
   for (const Candidate& k : all) {
-    if (k.distance > least + room) continue;
+    if (k.distance > least + tolerance) continue;
     Nearest n = k.cell.dimension == 0 ? exact_vertex(c, k.cell.index, from) : exact_edge(c, k.cell.index, from);
     if (!best || n.distance.to_double() < best->distance.to_double()) best = std::move(n);
   }

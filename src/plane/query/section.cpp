@@ -39,13 +39,13 @@ class LineMeetings {
   void meet_line(Index e) {
     // Where the ends lie strictly on different sides; touching ends are vertices, which have been seen.
     if (side_[s_.edges[e].v0] * side_[s_.edges[e].v1] >= 0) return;
-    const exact::Carrier& k = s_.carrier(e);
+    const exact::SupportingCurve& k = s_.supporting_curve(e);
     const RealVector normal{Real(k.a), Real(k.b)};
     found_.push_back((k.offset() - dot(normal, through_)) / dot(normal, direction_));
   }
 
   void meet_circle(Index e) {
-    const exact::Carrier& k = s_.carrier(e);
+    const exact::SupportingCurve& k = s_.supporting_curve(e);
     const RealVector center{k.center_x(), k.center_y()};
     const Real height = offset_from_line(center), rest = k.w * k.w * square_ - height * height;
     if (rest.sign() < 0) return;
@@ -56,7 +56,7 @@ class LineMeetings {
 
   void add_if_on_arc(Index e, const Real& t) {
     const RealVector p = at(t);
-    const bool half = (p.y - s_.carrier(e).center_y()).sign() * s_.edges[e].half >= 0;
+    const bool half = (p.y - s_.supporting_curve(e).center_y()).sign() * s_.edges[e].half >= 0;
     if (half && p.x >= ends_[s_.edges[e].v0].x && p.x <= ends_[s_.edges[e].v1].x) found_.push_back(t);
   }
 

@@ -76,8 +76,8 @@ class Summarizer {
     const Edge& edge = s_.edges[e];
     see_vertex(g, edge.v0);
     see_vertex(g, edge.v1);
-    if (edge.half == 0 || s_.geometry.right_of_center(s_.vertices[edge.v0].point, edge.carrier) >= 0 ||
-        s_.geometry.right_of_center(s_.vertices[edge.v1].point, edge.carrier) <= 0) {
+    if (edge.half == 0 || s_.geometry.right_of_center(s_.vertices[edge.v0].point, edge.supporting_curve) >= 0 ||
+        s_.geometry.right_of_center(s_.vertices[edge.v1].point, edge.supporting_curve) <= 0) {
       return;
     }
     const CellMeasures::Circle& k = measures_.circle(e);
@@ -92,7 +92,10 @@ class Summarizer {
       g.dimension = 2;
       if (f == 0) g.unbounded = true;
       g.area += areas[f];
-      if (g.face == kNone || (g.face != 0 && longer(areas[f], g.face_area))) g.face = f, g.face_area = areas[f];
+      if (g.face == kNone || (g.face != 0 && longer(areas[f], g.face_area))) {
+        g.face = f;
+        g.face_area = areas[f];
+      }
     }
     for (Index h = 0; h < s_.half_edges.size(); ++h) {
       if (s_.faces[s_.face(h)].mark != 0) see_edge(parts_[connection_.faces[s_.face(h)]], h / 2);
@@ -110,7 +113,10 @@ class Summarizer {
       Twofold length = measures_.length(e);
       g.dimension = std::max(g.dimension, 1);
       g.dangling += length;
-      if (g.edge == kNone || longer(length, g.edge_length)) g.edge = e, g.edge_length = length;
+      if (g.edge == kNone || longer(length, g.edge_length)) {
+        g.edge = e;
+        g.edge_length = length;
+      }
       see_edge(g, e);
     }
     r.crack_length = scaled(cracks);

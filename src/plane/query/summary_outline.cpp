@@ -41,19 +41,26 @@ void FaceOutline::add(const CellComplex& c, const CellMeasures& measures, Index 
       c.face(2 * edge) == face, c.face(2 * edge + 1) == face};
   if (c.is_arc(edge)) {
     const CellMeasures::Circle& circle = measures.circle(edge);
-    k.cx = circle.x.hi, k.cy = circle.y.hi, k.r = circle.radius.hi;
+    k.cx = circle.x.hi;
+    k.cy = circle.y.hi;
+    k.r = circle.radius.hi;
   }
   curves_.push_back(k);
 }
 
 void FaceOutline::set_frame() {
   if (curves_.empty() && points_.empty()) {
-    x0_ = y0_ = -kEmptyFrame, x1_ = y1_ = kEmptyFrame;
+    x0_ = y0_ = -kEmptyFrame;
+    x1_ = y1_ = kEmptyFrame;
     return;
   }
-  x0_ = y0_ = HUGE_VAL, x1_ = y1_ = -HUGE_VAL;
+  x0_ = y0_ = HUGE_VAL;
+  x1_ = y1_ = -HUGE_VAL;
   auto see = [this](double x, double y) {
-    x0_ = std::min(x0_, x), x1_ = std::max(x1_, x), y0_ = std::min(y0_, y), y1_ = std::max(y1_, y);
+    x0_ = std::min(x0_, x);
+    x1_ = std::max(x1_, x);
+    y0_ = std::min(y0_, y);
+    y1_ = std::max(y1_, y);
   };
   for (const Curve& k : curves_) {
     see(k.x0, k.y0);
@@ -62,8 +69,11 @@ void FaceOutline::set_frame() {
   }
   for (const auto& p : points_) see(p[0], p[1]);
   if (!unbounded_) return;
-  double room = std::max({(x1_ - x0_) / 2, (y1_ - y0_) / 2, 1.0});
-  x0_ -= room, x1_ += room, y0_ -= room, y1_ += room;
+  double tolerance = std::max({(x1_ - x0_) / 2, (y1_ - y0_) / 2, 1.0});
+  x0_ -= tolerance;
+  x1_ += tolerance;
+  y0_ -= tolerance;
+  y1_ += tolerance;
 }
 
 double FaceOutline::clearance(double x, double y) const {
@@ -73,8 +83,8 @@ double FaceOutline::clearance(double x, double y) const {
     if (k.r < 0) {
       d = distance_to_segment(x, y, k.x0, k.y0, k.x1, k.y1);
     } else {
-      double dx = x - k.cx, dy = y - k.cy, length = std::hypot(dx, dy), foot = k.cx + dx / length * k.r;
-      bool on_arc = foot >= k.x0 && foot <= k.x1 && dy * k.half >= 0;
+      double dx = x - k.cx, dy = y - k.cy, length = std::hypot(dx, dy), projection = k.cx + dx / length * k.r;
+      bool on_arc = projection >= k.x0 && projection <= k.x1 && dy * k.half >= 0;
       d = on_arc ? std::abs(length - k.r) : std::min(std::hypot(x - k.x0, y - k.y0), std::hypot(x - k.x1, y - k.y1));
     }
     least = std::min(least, d);

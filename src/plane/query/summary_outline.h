@@ -20,7 +20,7 @@ class FaceOutline {
 
   FaceOutline(const CellComplex& c, const CellMeasures& measures, Index face, std::span<const Index> half_edges);
 
-  /// The place with most room among those looked at.
+  /// The place with most tolerance among those looked at.
   Spot roomiest() const;
   double clearance(double x, double y) const;
 

@@ -17,13 +17,13 @@ Real half_of(const Real& a) { return a / Real(2); }
 
 /// Exact y of a non-vertical edge at x, which is in its range.
 Real y_at(const CellComplex& c, Index edge, const Real& x) {
-  const exact::Carrier& k = c.carrier(edge);
+  const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (!k.circle) return (k.offset() - Real(k.a) * x) / Real(k.b);
   Real dx = x - k.center_x(), root = sqrt(k.w * k.w - dx * dx);
   return c.edges[edge].half > 0 ? k.center_y() + root : k.center_y() - root;
 }
 
-bool is_vertical(const CellComplex& c, Index edge) { return !c.is_arc(edge) && c.carrier(edge).b == 0; }
+bool is_vertical(const CellComplex& c, Index edge) { return !c.is_arc(edge) && c.supporting_curve(edge).b == 0; }
 
 /// The multiple of `unit` nearest to x, as an integer.
 Real rounded(double x, double unit) { return Real(exact::int128(std::round(x / unit))) * Real(exact::int128(unit)); }
@@ -50,7 +50,7 @@ RealPoint Sampler::inside_face(Index face) {
   FaceOutline outline(s_, measures_, face, half_edges);
   FaceOutline::Spot spot = outline.roomiest();
   if (spot.clearance > 0) {
-    // A grid point with as few digits as the room around it allows.
+    // A grid point with as few digits as the tolerance around it allows.
     double unit = spot.clearance < 8 ? 1 : std::pow(10, std::floor(std::log10(spot.clearance / 8)));
     RealPoint p{rounded(spot.x, unit), rounded(spot.y, unit)};
     if (is_inside(p, face)) return p;

@@ -15,30 +15,30 @@ using Kind = ContactPair::Kind;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRoom = 1e-7;  // no sign: of directions; it only admits curves too many
+constexpr double kTolerance = 1e-7;  // no sign: of directions; it only admits curves too many
 
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
 double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
 RoughPoint center(const RoundFeature& f) { return {f.x, f.y}; }
 RoughPoint normal(const EdgeFeature& e) { return {e.nx, e.ny}; }
 
-/// dot(v, turned w).
-HalfAngle dot_turned(RoughPoint v, RoughPoint w) { return HalfAngle::linear(0, dot(v, w), cross(w, v)); }
+/// dot(v, rotated w).
+HalfAngle dot_rotated(RoughPoint v, RoughPoint w) { return HalfAngle::linear(0, dot(v, w), cross(w, v)); }
 
 }  // namespace
 
-bool RoughCurve::allows(RoughPoint u, double room) const {
+bool RoughCurve::allows(RoughPoint u, double tolerance) const {
   const Cone here{std::arg(u), 0};
-  return cones_meet(here, normals, room) && cones_meet(here, opposed, room);
+  return cones_meet(here, normals, tolerance) && cones_meet(here, opposed, tolerance);
 }
 
-bool RoughCurve::holds(RoughPoint at, double room) const {
+bool RoughCurve::holds(RoughPoint at, double tolerance) const {
   if (line) {
     const double whole = length(q - p), along = dot(q - p, at - p);
-    return along >= -room * whole && along <= (whole + room) * whole;
+    return along >= -tolerance * whole && along <= (whole + tolerance) * whole;
   }
-  if (std::abs(radius) <= room) return true;
-  return allows((at - center) / radius, kRoom + room / std::abs(radius));
+  if (std::abs(radius) <= tolerance) return true;
+  return allows((at - center) / radius, kTolerance + tolerance / std::abs(radius));
 }
 
 RoughPoint RoughCurve::normal_at(RoughPoint at) const { return line ? normal : (at - center) / radius; }
@@ -54,24 +54,24 @@ double RoughCurve::least() const {
 bool ContactCurves::may_touch(const ContactPair& k, double middle, double half) const {
   const auto shifted = [&](const Cone& c) { return Cone{c.from + middle - half + kPi, c.width + 2 * half}; };
   if (k.kind == Kind::kRounds)
-    return cones_meet(fixed_.rounds[k.fixed].normals, shifted(turning_.rounds[k.turning].normals), kRoom);
+    return cones_meet(fixed_.rounds[k.fixed].normals, shifted(rotation_.rounds[k.rotating].normals), kTolerance);
   if (k.kind == Kind::kFixedEdge)
-    return cones_meet({fixed_.edges[k.fixed].normal, 0}, shifted(turning_.rounds[k.turning].normals), kRoom);
-  return cones_meet(fixed_.rounds[k.fixed].normals, shifted({turning_.edges[k.turning].normal, 0}), kRoom);
+    return cones_meet({fixed_.edges[k.fixed].normal, 0}, shifted(rotation_.rounds[k.rotating].normals), kTolerance);
+  return cones_meet(fixed_.rounds[k.fixed].normals, shifted({rotation_.edges[k.rotating].normal, 0}), kTolerance);
 }
 
 std::vector<ContactPair> ContactCurves::pairs(double middle, double half) const {
   std::vector<ContactPair> out;
-  const auto add = [&](Kind kind, std::size_t fixed, std::size_t turning) {
+  const auto add = [&](Kind kind, std::size_t fixed, std::size_t rotating) {
     for (Index a = 0; a < fixed; ++a)
-      for (Index b = 0; b < turning; ++b) {
+      for (Index b = 0; b < rotating; ++b) {
         const ContactPair pair{kind, a, b};
         if (may_touch(pair, middle, half)) out.push_back(pair);
       }
   };
-  add(Kind::kRounds, fixed_.rounds.size(), turning_.rounds.size());
-  add(Kind::kFixedEdge, fixed_.edges.size(), turning_.rounds.size());
-  add(Kind::kTurningEdge, fixed_.rounds.size(), turning_.edges.size());
+  add(Kind::kRounds, fixed_.rounds.size(), rotation_.rounds.size());
+  add(Kind::kFixedEdge, fixed_.edges.size(), rotation_.rounds.size());
+  add(Kind::kTurningEdge, fixed_.rounds.size(), rotation_.edges.size());
   return out;
 }
 
@@ -87,24 +87,29 @@ RoughCurve ContactCurves::rough(const ContactPair& k, double angle) const {
   const RoughPoint by = std::polar(1.0, angle);
   RoughCurve c;
   if (k.kind == Kind::kRounds) {
-    const RoundFeature &a = fixed_.rounds[k.fixed], &b = turning_.rounds[k.turning];
-    c.center = center(a) - by * center(b), c.radius = a.r + b.r;
-    c.normals = a.normals, c.opposed = {b.normals.from + angle + kPi, b.normals.width};
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_.rounds[k.rotating];
+    c.center = center(a) - by * center(b);
+    c.radius = a.r + b.r;
+    c.normals = a.normals;
+    c.opposed = {b.normals.from + angle + kPi, b.normals.width};
     return c;
   }
   c.line = true;
   if (k.kind == Kind::kFixedEdge) {
     const EdgeFeature& a = fixed_.edges[k.fixed];
-    const RoundFeature& b = turning_.rounds[k.turning];
+    const RoundFeature& b = rotation_.rounds[k.rotating];
     const RoughPoint way = b.r * normal(a) - by * center(b);
-    c.normal = normal(a), c.p = RoughPoint(a.x0, a.y0) + way, c.q = RoughPoint(a.x1, a.y1) + way;
+    c.normal = normal(a);
+    c.p = RoughPoint(a.x0, a.y0) + way;
+    c.q = RoughPoint(a.x1, a.y1) + way;
     return c;
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
-  const EdgeFeature& b = turning_.edges[k.turning];
+  const EdgeFeature& b = rotation_.edges[k.rotating];
   c.normal = -by * normal(b);
   const RoughPoint from = center(a) + a.r * c.normal;
-  c.p = from - by * RoughPoint(b.x0, b.y0), c.q = from - by * RoughPoint(b.x1, b.y1);
+  c.p = from - by * RoughPoint(b.x0, b.y0);
+  c.q = from - by * RoughPoint(b.x1, b.y1);
   return c;
 }
 
@@ -112,64 +117,65 @@ RealVector exact_normal(const EdgeFeature& e) { return e.side > 0 ? turned_left(
 
 Real times_length(const Real& r, const RealVector& n) { return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n)); }
 
-ExactCurve ContactCurves::exact(const ContactPair& k, const exact::Turn& turn) const {
+ExactCurve ContactCurves::exact(const ContactPair& k, const exact::ExactAngle& rotation) const {
   ExactCurve c;
   if (k.kind == Kind::kRounds) {
-    const RoundFeature &a = fixed_.rounds[k.fixed], &b = turning_.rounds[k.turning];
-    c.center = a.center - turn(b.center), c.radius = a.radius + b.radius;
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_.rounds[k.rotating];
+    c.center = a.center - rotation(b.center);
+    c.radius = a.radius + b.radius;
     return c;
   }
   c.line = true;
   if (k.kind == Kind::kFixedEdge) {
     const EdgeFeature& a = fixed_.edges[k.fixed];
-    const RoundFeature& b = turning_.rounds[k.turning];
+    const RoundFeature& b = rotation_.rounds[k.rotating];
     c.normal = exact_normal(a);
-    c.offset = plane::dot(c.normal, a.p - turn(b.center)) + times_length(b.radius, c.normal);
+    c.offset = plane::dot(c.normal, a.p - rotation(b.center)) + times_length(b.radius, c.normal);
     return c;
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
-  const EdgeFeature& b = turning_.edges[k.turning];
+  const EdgeFeature& b = rotation_.edges[k.rotating];
   const RealVector n = exact_normal(b);
-  c.normal = -turn(n);
+  c.normal = -rotation(n);
   c.offset = plane::dot(c.normal, a.center) + times_length(a.radius, n) + plane::dot(n, b.p);
   return c;
 }
 
 ExactSectorCurve ContactCurves::exact_sector(const ContactPair& k, int quarters) const {
-  using exact::TurnPolynomial;
+  using exact::RotationPolynomial;
   const auto linear = [&](const Real& constant, const Real& cosine, const Real& sine) {
-    return TurnPolynomial::linear(constant, cosine, sine, quarters);
+    return RotationPolynomial::linear(constant, cosine, sine, quarters);
   };
-  const auto dot_turned = [&](const RealVector& v, const RealVector& w) {
+  const auto dot_rotated = [&](const RealVector& v, const RealVector& w) {
     return linear(0, plane::dot(v, w), plane::cross(w, v));
   };
   if (k.kind == Kind::kRounds) {
-    const RoundFeature &a = fixed_.rounds[k.fixed], &b = turning_.rounds[k.turning];
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_.rounds[k.rotating];
     const RealVector &p = a.center, &v = b.center;
     const Real radius = a.radius + b.radius;
     const Real squares = plane::dot(p, p) + plane::dot(v, v) - radius * radius;
     return {false, linear(p.x, -v.x, v.y), linear(p.y, -v.y, -v.x),
-            TurnPolynomial::constant(squares) - Real(2) * dot_turned(p, v), radius};
+            RotationPolynomial::constant(squares) - Real(2) * dot_rotated(p, v), radius};
   }
   if (k.kind == Kind::kFixedEdge) {
     const EdgeFeature& a = fixed_.edges[k.fixed];
-    const RoundFeature& b = turning_.rounds[k.turning];
+    const RoundFeature& b = rotation_.rounds[k.rotating];
     const RealVector n = exact_normal(a);
     const Real own = plane::dot(n, a.p) + times_length(b.radius, n);
     return {true,
-            TurnPolynomial::constant(n.x),
-            TurnPolynomial::constant(n.y),
-            TurnPolynomial::constant(own) - dot_turned(n, b.center),
+            RotationPolynomial::constant(n.x),
+            RotationPolynomial::constant(n.y),
+            RotationPolynomial::constant(own) - dot_rotated(n, b.center),
             {}};
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
-  const EdgeFeature& b = turning_.edges[k.turning];
+  const EdgeFeature& b = rotation_.edges[k.rotating];
   const RealVector n = exact_normal(b), back = -n;
   const Real own = times_length(a.radius, n) + plane::dot(n, b.p);
   return {true,
           linear(0, back.x, -back.y),
           linear(0, back.y, back.x),
-          dot_turned(a.center, back) + TurnPolynomial::constant(own),
+          dot_rotated(a.center, back) + RotationPolynomial::constant(own),
           {}};
 }
 
@@ -177,28 +183,31 @@ SectorCurve ContactCurves::sector(const ContactPair& k, double middle) const {
   const RoughPoint by = std::polar(1.0, middle);
   SectorCurve c;
   if (k.kind == Kind::kRounds) {
-    const RoundFeature &a = fixed_.rounds[k.fixed], &b = turning_.rounds[k.turning];
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_.rounds[k.rotating];
     const RoughPoint v = by * center(b);
     c.radius = a.r + b.r;
-    c.nx = HalfAngle::linear(a.x, -v.real(), v.imag()), c.ny = HalfAngle::linear(a.y, -v.imag(), -v.real());
+    c.nx = HalfAngle::linear(a.x, -v.real(), v.imag());
+    c.ny = HalfAngle::linear(a.y, -v.imag(), -v.real());
     const double squares = std::norm(center(a)) + std::norm(v) - c.radius * c.radius;
-    c.h = HalfAngle::linear(squares, 0, 0) - 2.0 * dot_turned(center(a), v);
+    c.h = HalfAngle::linear(squares, 0, 0) - 2.0 * dot_rotated(center(a), v);
     return c;
   }
   c.line = true;
   if (k.kind == Kind::kFixedEdge) {
     const EdgeFeature& a = fixed_.edges[k.fixed];
-    const RoundFeature& b = turning_.rounds[k.turning];
-    c.nx = HalfAngle::linear(a.nx, 0, 0), c.ny = HalfAngle::linear(a.ny, 0, 0);
+    const RoundFeature& b = rotation_.rounds[k.rotating];
+    c.nx = HalfAngle::linear(a.nx, 0, 0);
+    c.ny = HalfAngle::linear(a.ny, 0, 0);
     const double own = dot(normal(a), {a.x0, a.y0}) + b.r;
-    c.h = HalfAngle::linear(own, 0, 0) - dot_turned(normal(a), by * center(b));
+    c.h = HalfAngle::linear(own, 0, 0) - dot_rotated(normal(a), by * center(b));
     return c;
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
-  const EdgeFeature& b = turning_.edges[k.turning];
+  const EdgeFeature& b = rotation_.edges[k.rotating];
   const RoughPoint n = -by * normal(b);
-  c.nx = HalfAngle::linear(0, n.real(), -n.imag()), c.ny = HalfAngle::linear(0, n.imag(), n.real());
-  c.h = dot_turned(center(a), n) + HalfAngle::linear(a.r + dot(normal(b), {b.x0, b.y0}), 0, 0);
+  c.nx = HalfAngle::linear(0, n.real(), -n.imag());
+  c.ny = HalfAngle::linear(0, n.imag(), n.real());
+  c.h = dot_rotated(center(a), n) + HalfAngle::linear(a.r + dot(normal(b), {b.x0, b.y0}), 0, 0);
   return c;
 }
 

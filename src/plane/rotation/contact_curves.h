@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The positions s in which a set B, turned by an angle and moved by s, touches a set A: curves, one for each pair of
+// The positions s in which a set B, rotated by an angle and moved by s, touches a set A: curves, one for each pair of
 // features with opposite normals (contact_features.h). An edge and a round give a segment, two rounds a part of a
 // circle, or a point where the radii cancel. Each curve as numbers at an angle, exactly at an exact turn, and for a
 // sector as polynomials of the half angle, in doubles or exact. With u the normal at the contact, pointing from A to B,
@@ -19,7 +19,7 @@ namespace findspace::plane {
 struct ContactPair {
   enum class Kind : std::uint8_t { kRounds, kFixedEdge, kTurningEdge };
   Kind kind;
-  Index fixed, turning;  // in the features of A and of B
+  Index fixed, rotating;  // in the features of A and of B
 };
 
 struct RoughCurve {
@@ -29,10 +29,10 @@ struct RoughCurve {
   double radius = 0;      // signed
   Cone normals, opposed;  // u lies in both
   double offset() const { return normal.real() * p.real() + normal.imag() * p.imag(); }
-  bool allows(RoughPoint u, double room) const;  // of a round pair
-  bool holds(RoughPoint at, double room) const;  // a point of its line or circle lies on it
-  RoughPoint normal_at(RoughPoint at) const;     // u
-  double least() const;                          // a lower bound of the distance to the origin
+  bool allows(RoughPoint u, double tolerance) const;  // of a round pair
+  bool holds(RoughPoint at, double tolerance) const;  // a point of its line or circle lies on it
+  RoughPoint normal_at(RoughPoint at) const;          // u
+  double least() const;                               // a lower bound of the distance to the origin
 };
 
 /// normal * s = offset (the normal has any length, points along u), or the circle.
@@ -46,27 +46,27 @@ struct ExactCurve {
 
 class ContactCurves {
  public:
-  /// Features of B relative to the point it turns about, of A relative to where that point comes to lie.
-  ContactCurves(ContactFeatures turning, ContactFeatures fixed)
-      : turning_(std::move(turning)), fixed_(std::move(fixed)) {}
+  /// Features of B relative to the point it rotates about, of A relative to where that point comes to lie.
+  ContactCurves(ContactFeatures rotating, ContactFeatures fixed)
+      : rotation_(std::move(rotating)), fixed_(std::move(fixed)) {}
 
   /// The pairs that can touch at some angle (radians) between middle - half and middle + half.
   std::vector<ContactPair> pairs(double middle, double half) const;
   /// Those among some that can in a narrower sector.
   std::vector<ContactPair> pairs(const std::vector<ContactPair>& among, double middle, double half) const;
   RoughCurve rough(const ContactPair& pair, double angle) const;
-  ExactCurve exact(const ContactPair& pair, const exact::Turn& turn) const;
+  ExactCurve exact(const ContactPair& pair, const exact::ExactAngle& rotation) const;
   /// Around an angle.
   SectorCurve sector(const ContactPair& pair, double middle) const;
   ExactSectorCurve exact_sector(const ContactPair& pair, int quarters) const;
 
-  const ContactFeatures& turning() const { return turning_; }
+  const ContactFeatures& rotating() const { return rotation_; }
   const ContactFeatures& fixed() const { return fixed_; }
 
  private:
   bool may_touch(const ContactPair& pair, double middle, double half) const;
 
-  ContactFeatures turning_, fixed_;
+  ContactFeatures rotation_, fixed_;
 };
 
 /// Its normal of the edge's length, exact.

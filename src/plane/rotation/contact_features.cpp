@@ -11,7 +11,7 @@ namespace findspace::plane {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRoom = 1e-7;  // no sign: it only admits features too many
+constexpr double kTolerance = 1e-7;  // no sign: it only admits features too many
 
 double positive(double angle) {
   const double r = std::fmod(angle, 2 * kPi);
@@ -28,10 +28,10 @@ struct Leaving {
 class Collector {
  public:
   Collector(const CellComplex& c, const exact::RealPoint& about, const std::function<bool(Mark)>& material)
-      : c_(c), material_(material), net_(TurnedNet::of(c, about)), leaving_(c.vertices.size()) {}
+      : c_(c), material_(material), net_(RotatedNet::of(c, about)), leaving_(c.vertices.size()) {}
 
   ContactFeatures run() {
-    for (const TurnedEdge& e : net_.edges) add_edge(e);
+    for (const RotatedEdge& e : net_.edges) add_edge(e);
     for (Index v = 0; v < net_.vertices.size(); ++v) add_vertex(v);
     return std::move(out_);
   }
@@ -39,7 +39,7 @@ class Collector {
  private:
   bool material_left_of(Index half_edge) const { return material_(c_.faces[c_.face(half_edge)].mark); }
 
-  void add_edge(const TurnedEdge& e) {
+  void add_edge(const RotatedEdge& e) {
     const Index half_edge = 2 * e.cell + (c_.edges[e.cell].half > 0 ? 1 : 0);
     const bool left = material_left_of(half_edge), right = material_left_of(half_edge ^ 1u);
     const double x0 = rough(e.p.x), y0 = rough(e.p.y), x1 = rough(e.q.x), y1 = rough(e.q.y);
@@ -48,7 +48,8 @@ class Collector {
       const double cx = rough(e.center.x), cy = rough(e.center.y), r = rough(e.radius);
       const double from = std::atan2(y0 - cy, x0 - cx), to = std::atan2(y1 - cy, x1 - cx);
       const double width = positive(to - from);
-      start = from + kPi / 2, end = to - kPi / 2;
+      start = from + kPi / 2;
+      end = to - kPi / 2;
       if (left || !right) out_.rounds.push_back({e.center, e.radius, cx, cy, r, {from, width}});
       if (right || !left) out_.rounds.push_back({e.center, -e.radius, cx, cy, -r, {from + kPi, width}});
     } else {
@@ -80,18 +81,18 @@ class Collector {
       thin |= e.left == e.right;
       double gap = around.size() == 1 ? 2 * kPi : positive(next.direction - e.direction);
       // Two that leave with one tangent: the order of their directions is chance, and one side may be a cusp.
-      if (!e.left && gap < kRoom) gap = 2 * kPi;
-      if (e.left || gap < kPi - kRoom) continue;
+      if (!e.left && gap < kTolerance) gap = 2 * kPi;
+      if (e.left || gap < kPi - kTolerance) continue;
       found = true;
       // Where two curves join smoothly their own normals are enough.
-      if (!smooth || gap > kPi + kRoom) add_corner(v, {e.direction + kPi / 2, std::max(0.0, gap - kPi)});
+      if (!smooth || gap > kPi + kTolerance) add_corner(v, {e.direction + kPi / 2, std::max(0.0, gap - kPi)});
     }
     if (!found && thin) add_corner(v, {0, 2 * kPi});
   }
 
   const CellComplex& c_;
   const std::function<bool(Mark)>& material_;
-  TurnedNet net_;
+  RotatedNet net_;
   std::vector<std::vector<Leaving>> leaving_;
   ContactFeatures out_;
 };
@@ -103,9 +104,9 @@ ContactFeatures contact_features(const CellComplex& complex, const exact::RealPo
   return Collector(complex, about, material).run();
 }
 
-bool cones_meet(const Cone& a, const Cone& b, double room) {
+bool cones_meet(const Cone& a, const Cone& b, double tolerance) {
   const double gap = positive(b.from - a.from);  // b begins that far after a
-  return gap <= a.width + room || gap + b.width >= 2 * kPi - room;
+  return gap <= a.width + tolerance || gap + b.width >= 2 * kPi - tolerance;
 }
 
 }  // namespace findspace::plane

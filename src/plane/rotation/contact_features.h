@@ -6,14 +6,14 @@
 // than 0: M lies outside the circle) and the range of its outward normals. A part of M and a part of another set that
 // touch have opposite normals, so pairs of features with opposite normals give all positions in which two sets touch
 // without overlapping: the reduced convolution. Curves without area have normals to both sides. Guarantee: no feature
-// is missing; there may be some too many (normals in doubles, with room). Cost: linear. Source: Guibas, Ramshaw,
+// is missing; there may be some too many (normals in doubles, with tolerance). Cost: linear. Source: Guibas, Ramshaw,
 // Stolfi, A kinetic framework for computational geometry (1983). Keywords: normal cone, convolution, contact curve.
 #pragma once
 
 #include <functional>
 #include <vector>
 
-#include "plane/rotation/turned_edges.h"
+#include "plane/rotation/rotated_edges.h"
 
 namespace findspace::plane {
 
@@ -46,7 +46,7 @@ struct ContactFeatures {
 ContactFeatures contact_features(const CellComplex& complex, const exact::RealPoint& about,
                                  const std::function<bool(Mark)>& material);
 
-/// Two ranges of directions have one in common, up to `room`.
-bool cones_meet(const Cone& a, const Cone& b, double room);
+/// Two ranges of directions have one in common, up to `tolerance`.
+bool cones_meet(const Cone& a, const Cone& b, double tolerance);
 
 }  // namespace findspace::plane

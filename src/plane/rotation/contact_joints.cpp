@@ -68,31 +68,32 @@ bool ContactTies::alike(const ContactPair& k, const ContactPair& m) const {
   const auto fixed = [&](const ContactPair& c) {
     return c.kind == Kind::kFixedEdge ? c.fixed : fixed_.circle(c.fixed);
   };
-  const auto turning = [&](const ContactPair& c) {
-    return c.kind == Kind::kTurningEdge ? c.turning : turning_.circle(c.turning);
+  const auto rotating = [&](const ContactPair& c) {
+    return c.kind == Kind::kTurningEdge ? c.rotating : rotation_.circle(c.rotating);
   };
-  return k.kind == m.kind && fixed(k) == fixed(m) && turning(k) == turning(m);
+  return k.kind == m.kind && fixed(k) == fixed(m) && rotating(k) == rotating(m);
 }
 
 bool ContactTies::never_cross(const ContactPair& k, const ContactPair& m) const {
   if (k.kind != Kind::kRounds && m.kind == Kind::kRounds) return never_cross(m, k);
   if (k.kind != Kind::kRounds)  // of one edge
-    return k.kind == m.kind && (k.kind == Kind::kFixedEdge ? k.fixed == m.fixed : k.turning == m.turning);
+    return k.kind == m.kind && (k.kind == Kind::kFixedEdge ? k.fixed == m.fixed : k.rotating == m.rotating);
   return joined(k, m) && !is_point(k) && !is_point(m);
 }
 
 bool ContactTies::joined(const ContactPair& k, const ContactPair& m) const {
   const bool one_fixed = m.kind != Kind::kFixedEdge && fixed_.circle(k.fixed) == fixed_.circle(m.fixed);
-  const bool one_turning = m.kind != Kind::kTurningEdge && turning_.circle(k.turning) == turning_.circle(m.turning);
-  if (m.kind == Kind::kFixedEdge) return one_turning && fixed_.edge(m.fixed, k.fixed);
-  if (m.kind == Kind::kTurningEdge) return one_fixed && turning_.edge(m.turning, k.turning);
-  return (one_fixed && turning_.rounds(k.turning, m.turning)) || (one_turning && fixed_.rounds(k.fixed, m.fixed));
+  const bool one_rotation =
+      m.kind != Kind::kTurningEdge && rotation_.circle(k.rotating) == rotation_.circle(m.rotating);
+  if (m.kind == Kind::kFixedEdge) return one_rotation && fixed_.edge(m.fixed, k.fixed);
+  if (m.kind == Kind::kTurningEdge) return one_fixed && rotation_.edge(m.rotating, k.rotating);
+  return (one_fixed && rotation_.rounds(k.rotating, m.rotating)) || (one_rotation && fixed_.rounds(k.fixed, m.fixed));
 }
 
 /// A circle without radius, which has many normals.
 bool ContactTies::is_point(const ContactPair& k) const {
   return k.kind == Kind::kRounds &&
-         (curves_.fixed().rounds[k.fixed].radius + curves_.turning().rounds[k.turning].radius).sign() == 0;
+         (curves_.fixed().rounds[k.fixed].radius + curves_.rotating().rounds[k.rotating].radius).sign() == 0;
 }
 
 }  // namespace findspace::plane

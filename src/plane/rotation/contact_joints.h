@@ -37,7 +37,7 @@ class ContactJoints {
 class ContactTies {
  public:
   explicit ContactTies(const ContactCurves& curves)
-      : curves_(curves), turning_(curves.turning()), fixed_(curves.fixed()) {}
+      : curves_(curves), rotation_(curves.rotating()), fixed_(curves.fixed()) {}
 
   /// They lie on one line or circle, for being of the same edges and circles.
   bool alike(const ContactPair& k, const ContactPair& m) const;
@@ -49,7 +49,7 @@ class ContactTies {
   bool is_point(const ContactPair& k) const;
 
   const ContactCurves& curves_;
-  ContactJoints turning_, fixed_;
+  ContactJoints rotation_, fixed_;
 };
 
 }  // namespace findspace::plane

@@ -3,14 +3,14 @@
 //
 // Moving contact curves as equations nx * x + ny * y = h whose coefficients depend on the angle, and what is 0 where
 // two of them meet at a given distance from the origin, or three in one point. For polynomials in doubles (HalfAngle,
-// where 1 + u^2 below is left out) and exact ones (TurnPolynomial). Guarantee: formulas without division, so exact
+// where 1 + u^2 below is left out) and exact ones (RotationPolynomial). Guarantee: formulas without division, so exact
 // where the arithmetic is. Keywords: concurrency, circumcircle, radical line.
 #pragma once
 
 #include <algorithm>
 #include <array>
 
-#include "exact/planar/turn_polynomial.h"
+#include "exact/planar/rotation_polynomial.h"
 #include "plane/base/half_angle.h"
 
 namespace findspace::plane {
@@ -23,13 +23,13 @@ struct CurveForm {
   Number radius{};
 };
 using SectorCurve = CurveForm<HalfAngle, double>;
-using ExactSectorCurve = CurveForm<exact::TurnPolynomial, exact::Real>;
+using ExactSectorCurve = CurveForm<exact::RotationPolynomial, exact::Real>;
 
 inline HalfAngle constant_of(double value, const HalfAngle&) { return HalfAngle::linear(value, 0, 0); }
-inline exact::TurnPolynomial constant_of(const exact::Real& value, const exact::TurnPolynomial&) {
-  return exact::TurnPolynomial::constant(value);
+inline exact::RotationPolynomial constant_of(const exact::Real& value, const exact::RotationPolynomial&) {
+  return exact::RotationPolynomial::constant(value);
 }
-inline exact::TurnPolynomial raised(const exact::TurnPolynomial& p) { return p; }
+inline exact::RotationPolynomial raised(const exact::RotationPolynomial& p) { return p; }
 
 /// nx * x + ny * y = h.
 template <class P>

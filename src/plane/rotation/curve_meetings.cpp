@@ -61,8 +61,8 @@ std::vector<RoughMeeting> line_meets_circle(RoughPoint n, double offset, const R
   if (rest < -lost) return {};
   // The root of a number that is off by `lost`.
   const double root = std::sqrt(std::max(0.0, rest)), off = 2 * error + std::min(lost / root, std::sqrt(2 * lost));
-  const RoughPoint foot = c.center + away * n, half = root * RoughPoint(0, 1) * n;
-  return {{foot - half, off}, {foot + half, off}};
+  const RoughPoint projection = c.center + away * n, half = root * RoughPoint(0, 1) * n;
+  return {{projection - half, off}, {projection + half, off}};
 }
 
 }  // namespace
@@ -92,10 +92,10 @@ std::vector<RealVector> line_meets_circle(const RealVector& n, const Real& offse
   const Real square = plane::dot(n, n), away = offset - plane::dot(n, c.center);
   const Real rest = c.radius * c.radius * square - away * away;
   if (rest.sign() < 0) return {};
-  const RealVector foot = c.center + away / square * n;
-  if (rest.sign() == 0) return {foot};
+  const RealVector projection = c.center + away / square * n;
+  if (rest.sign() == 0) return {projection};
   const RealVector half = sqrt(rest) / square * turned_left(n);
-  return {foot - half, foot + half};
+  return {projection - half, projection + half};
 }
 
 }  // namespace
@@ -119,22 +119,25 @@ std::optional<RealVector> exact_meeting(const ExactCurve& c, const ExactCurve& d
   double least = 0;
   for (RealVector& s : exact_meetings(c, d)) {
     const double off = length(RoughPoint(rough(s.x), rough(s.y)) - at);
-    if (!best || off < least) best = std::move(s), least = off;
+    if (!best || off < least) {
+      best = std::move(s);
+      least = off;
+    }
   }
   return best;
 }
 
-std::vector<RoughPoint> rough_feet(const RoughCurve& c, double room) {
+std::vector<RoughPoint> rough_projections(const RoughCurve& c, double tolerance) {
   std::vector<RoughPoint> out;
   const auto add = [&](RoughPoint s) {
-    if (c.holds(s, room)) out.push_back(s);
+    if (c.holds(s, tolerance)) out.push_back(s);
   };
   const double far = length(c.center), radius = std::abs(c.radius);
   if (c.line) {
     add(c.offset() * c.normal);
-  } else if (radius <= room) {
+  } else if (radius <= tolerance) {
     out.push_back(c.center);
-  } else if (far <= room) {
+  } else if (far <= tolerance) {
     for (const Cone& k : {c.normals, c.opposed})
       for (double part : {0.0, 0.5, 1.0}) {
         const RoughPoint u = std::polar(1.0, k.from + part * k.width);
@@ -146,28 +149,29 @@ std::vector<RoughPoint> rough_feet(const RoughCurve& c, double room) {
   return out;
 }
 
-RealVector exact_foot(const ExactCurve& c, RoughPoint at) {
+RealVector exact_projection(const ExactCurve& c, RoughPoint at) {
   if (c.line) return c.offset / plane::dot(c.normal, c.normal) * c.normal;
   if (c.radius.sign() == 0) return c.center;
   const Real square = plane::dot(c.center, c.center);
   const RoughPoint center(rough(c.center.x), rough(c.center.y)), way = at - center;
-  if (square.sign() == 0) return abs(c.radius) * exact::Turn::near(std::arg(way) * 180 / std::numbers::pi, 30)({1, 0});
+  if (square.sign() == 0)
+    return abs(c.radius) * exact::ExactAngle::near(std::arg(way) * 180 / std::numbers::pi, 30)({1, 0});
   const Real part = abs(c.radius) / sqrt(square);
   return (Real(1) + (dot(way, center) > 0 ? part : -part)) * c.center;
 }
 
-std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& c, double room) {
+std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& c, double tolerance) {
   for (int k = 0; k < 3; ++k) {
     const RoughCurve &a = c[std::size_t(k)], &b = c[std::size_t((k + 1) % 3)], &d = c[std::size_t((k + 2) % 3)];
-    for (const RoughMeeting& m : rough_meetings(a, b, room / 1000)) {
+    for (const RoughMeeting& m : rough_meetings(a, b, tolerance / 1000)) {
       const RoughPoint s = m.at;
-      const double reach = room + m.off, off = d.line ? std::abs(dot(d.normal, s) - d.offset())
-                                                      : std::abs(length(s - d.center) - std::abs(d.radius));
+      const double reach = tolerance + m.off, off = d.line ? std::abs(dot(d.normal, s) - d.offset())
+                                                           : std::abs(length(s - d.center) - std::abs(d.radius));
       if (off > reach || !a.holds(s, reach) || !b.holds(s, reach) || !d.holds(s, reach)) continue;
       // Some direction has a positive part along all three normals exactly if they lie in an open half plane.
       std::array<RoughPoint, 3> u{a.normal_at(s), b.normal_at(s), d.normal_at(s)};
       for (const RoughCurve* r : {&a, &b, &d})
-        if (!r->line && std::abs(r->radius) <= room) return s;  // a corner has many normals
+        if (!r->line && std::abs(r->radius) <= tolerance) return s;  // a corner has many normals
       const double p = cross(u[0], u[1]), q = cross(u[1], u[2]), r = cross(u[2], u[0]);
       const double slack = 1e-7;  // no sign: meetings too many do no harm
       if ((p > -slack && q > -slack && r > -slack) || (p < slack && q < slack && r < slack)) return s;

@@ -24,14 +24,15 @@ struct RoughMeeting {
 /// Of the whole lines and circles, which doubles give up to `error`. Nothing of two curves that coincide.
 std::vector<RoughMeeting> rough_meetings(const RoughCurve& c, const RoughCurve& d, double error);
 std::vector<RealVector> exact_meetings(const ExactCurve& c, const ExactCurve& d);
-/// The points of a curve nearest to the origin and farthest from it, within `room`; of a circle about the origin, all
-/// of whose points are as far, one of each of its ends.
-std::vector<RoughPoint> rough_feet(const RoughCurve& c, double room);
+/// The points of a curve nearest to the origin and farthest from it, within `tolerance`; of a circle about the origin,
+/// all of whose points are as far, one of each of its ends.
+std::vector<RoughPoint> rough_projections(const RoughCurve& c, double tolerance);
 /// Of the whole line or circle, the one that is near `at`.
-RealVector exact_foot(const ExactCurve& c, RoughPoint at);
+RealVector exact_projection(const ExactCurve& c, RoughPoint at);
 /// The meeting near `at`; nothing where the curves do not meet after all.
 std::optional<RealVector> exact_meeting(const ExactCurve& c, const ExactCurve& d, RoughPoint at);
-/// The point that all three pass within `room`, if they hold a body there: no direction leads away from all of them.
-std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& curves, double room);
+/// The point that all three pass within `tolerance`, if they hold a body there: no direction leads away from all of
+/// them.
+std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& curves, double tolerance);
 
 }  // namespace findspace::plane

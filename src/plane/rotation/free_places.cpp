@@ -12,17 +12,17 @@
 
 namespace findspace::plane {
 
+using exact::ExactAngle;
 using exact::Real;
 using exact::RealPoint;
-using exact::Turn;
 
 namespace {
 
-constexpr double kRoom = 1e-9;   // no sign: of the sizes; what is nearer is decided exactly
-constexpr double kError = 1e-4;  // no sign: of the room; more than rough curves are off
+constexpr double kTolerance = 1e-9;  // no sign: of the sizes; what is nearer is decided exactly
+constexpr double kError = 1e-4;      // no sign: of the tolerance; more than rough curves are off
 
 constexpr double kBeside = 64;    // rooms: how far beside a point a position is tried
-constexpr double kOpposed = 0.1;  // no sign: curves that leave less room between them are left to exact numbers
+constexpr double kOpposed = 0.1;  // no sign: curves that leave less tolerance between them are left to exact numbers
 
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
 bool is_in(Mark m) { return m > 0; }
@@ -33,7 +33,7 @@ ContactCurves contact_curves(const Region& a, const Region& b, FreePlaces::Keep 
 }
 
 /// Around the curve; of a part of a circle, around the whole circle or, if that is less, its ends and extreme points.
-RoughBox box_of(const RoughCurve& c, double room) {
+RoughBox box_of(const RoughCurve& c, double tolerance) {
   RoughPoint low = c.line ? c.p : c.center, high = low;
   const auto add = [&](RoughPoint p) {
     low = {std::min(low.real(), p.real()), std::min(low.imag(), p.imag())};
@@ -43,9 +43,10 @@ RoughBox box_of(const RoughCurve& c, double room) {
     add(c.q);
   } else {
     const double r = std::abs(c.radius);
-    add(c.center - RoughPoint(r, r)), add(c.center + RoughPoint(r, r));
+    add(c.center - RoughPoint(r, r));
+    add(c.center + RoughPoint(r, r));
   }
-  return {low.real() - room, low.imag() - room, high.real() + room, high.imag() + room};
+  return {low.real() - tolerance, low.imag() - tolerance, high.real() + tolerance, high.imag() + tolerance};
 }
 
 /// The sign of a point's distance to a regular set.
@@ -78,7 +79,7 @@ FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
       keep_(keep),
       around_(signs(a)),
 
-      room_(kRoom * (size_of(a) + size_of(b))) {
+      room_(kTolerance * (size_of(a) + size_of(b))) {
   const ContactCurves all = contact_curves(a, b, keep, {});
   RoughBox whole{1, 0, 0, 0};
   for (const ContactPair& k : all.pairs(0, 0)) {
@@ -96,9 +97,9 @@ FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
 
 bool FreePlaces::is_free(const RealPoint& s) const {
   const std::lock_guard lock(guard_);
-  if (!contact_) contact_.emplace(TurnedContact::Pair{b_, around_, {}, {}});
+  if (!contact_) contact_.emplace(RotatedContact::Pair{b_, around_, {}, {}});
   const MarkSet held = keep_ == Keep::kApart ? kNegative : kPositive;
-  return (contact_->marks_met(Turn{}, held, s) & held) == 0;
+  return (contact_->marks_met(ExactAngle{}, held, s) & held) == 0;
 }
 
 FreePlaces::Curves FreePlaces::curves_in(const GridBox& w, std::size_t most) const {
@@ -139,10 +140,13 @@ class FreePlaces::From::Search {
         certain_(certain),
         curves_(from.contacts_) {
     window_ = {double(w.x0) - x_, double(w.y0) - y_, double(w.x1) - x_, double(w.y1) - y_};
-    for (Index k : which) pairs_.push_back(f_.curves_[k].pair), names_.push_back(k);
+    for (Index k : which) {
+      pairs_.push_back(f_.curves_[k].pair);
+      names_.push_back(k);
+    }
     for (const ContactPair& k : pairs_) rough_.push_back(curves_.rough(k, 0));
     for (std::size_t i = 0; i < rough_.size(); ++i) {
-      for (RoughPoint s : rough_feet(rough_[i], f_.room_)) add(s, 0, i, i);
+      for (RoughPoint s : rough_projections(rough_[i], f_.room_)) add(s, 0, i, i);
       for (std::size_t k = i + 1; k < rough_.size(); ++k) add_meetings(i, k);
     }
     std::sort(candidates_.begin(), candidates_.end(), [&](const Candidate& c, const Candidate& d) {
@@ -178,19 +182,21 @@ class FreePlaces::From::Search {
   struct Candidate {
     RoughPoint at;
     double distance, off;       // off: how far `at` may be off
-    std::size_t first, second;  // of the curves; equal for a foot
+    std::size_t first, second;  // of the curves; equal for a projection
   };
 
   void add(RoughPoint at, double off, std::size_t first, std::size_t second) {
-    const double room = f_.room_ + off;
-    if (RoughBox{at.real() - room, at.imag() - room, at.real() + room, at.imag() + room}.apart(window_)) return;
+    const double tolerance = f_.room_ + off;
+    if (RoughBox{at.real() - tolerance, at.imag() - tolerance, at.real() + tolerance, at.imag() + tolerance}.apart(
+            window_))
+      return;
     candidates_.push_back({at, length(at), off, first, second});
   }
 
   void add_meetings(std::size_t i, std::size_t k) {
     for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], kError * f_.room_)) {
-      const double room = f_.room_ + m.off;
-      if (rough_[i].holds(m.at, room) && rough_[k].holds(m.at, room)) add(m.at, m.off, i, k);
+      const double tolerance = f_.room_ + m.off;
+      if (rough_[i].holds(m.at, tolerance) && rough_[k].holds(m.at, tolerance)) add(m.at, m.off, i, k);
     }
   }
 
@@ -226,9 +232,9 @@ class FreePlaces::From::Search {
 
   /// Nothing where the curves do not meet after all.
   std::optional<RealVector> exact_point(const Candidate& c) const {
-    const ExactCurve e = curves_.exact(pairs_[c.first], Turn{});
-    if (c.first == c.second) return exact_foot(e, c.at);
-    return exact_meeting(e, curves_.exact(pairs_[c.second], Turn{}), c.at);
+    const ExactCurve e = curves_.exact(pairs_[c.first], ExactAngle{});
+    if (c.first == c.second) return exact_projection(e, c.at);
+    return exact_meeting(e, curves_.exact(pairs_[c.second], ExactAngle{}), c.at);
   }
 
   const FreePlaces& f_;

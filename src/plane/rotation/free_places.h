@@ -4,14 +4,14 @@
 // The positions at which a set B keeps out of an open set O, asked about one place at a time, for regular sets of any
 // kind: holes, arcs, several components. O is int A (contact), or all that is not A (containment); free positions are
 //   F = {s : int (B + s) does not meet O}.
-// The point of F nearest to a position (farthest from it) is a foot on a contact curve (contact_curves.h), an end of
-// one, or a point where two of them meet: those of the curves that reach into a window are taken in the order of their
-// distance, and the first that lies in F is it. Guarantee: exact; doubles only choose what is looked at, with room.
-// Where no other contact curve passes near, one position beside such a point, on the free side of its curves, tells
-// whether it lies in F, for no boundary of F runs between them; else the exact test of turned_contact.h does.
-// Cost: prepared in O(n m), pairs of features with opposite normals; a window: the pairs of its curves in doubles, some
-// ten microseconds for a point that numbers do not rule out, milliseconds where curves meet by threes. Source:
-// turned_free.h, which asks the same at all angles. Keywords: penetration depth, contact curve.
+// The point of F nearest to a position (farthest from it) is a projection on a contact curve (contact_curves.h), an end
+// of one, or a point where two of them meet: those of the curves that reach into a window are taken in the order of
+// their distance, and the first that lies in F is it. Guarantee: exact; doubles only choose what is looked at, with
+// tolerance. Where no other contact curve passes near, one position beside such a point, on the free side of its
+// curves, tells whether it lies in F, for no boundary of F runs between them; else the exact test of rotated_contact.h
+// does. Cost: prepared in O(n m), pairs of features with opposite normals; a window: the pairs of its curves in
+// doubles, some ten microseconds for a point that numbers do not rule out, milliseconds where curves meet by threes.
+// Source: rotated_free.h, which asks the same at all angles. Keywords: penetration depth, contact curve.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@
 #include "plane/grid/boundary_box.h"
 #include "plane/query/nearest.h"
 #include "plane/rotation/contact_curves.h"
-#include "plane/rotation/turned_contact.h"
+#include "plane/rotation/rotated_contact.h"
 
 namespace findspace::plane {
 
@@ -65,7 +65,7 @@ class FreePlaces {
   Keep keep_;
   SignMap around_;  // the sign of a point's distance to A
   mutable std::mutex guard_;
-  mutable std::optional<TurnedContact> contact_;  // of B with that, once it is asked for; guarded
+  mutable std::optional<RotatedContact> contact_;  // of B with that, once it is asked for; guarded
   std::vector<Curve> curves_;
   std::optional<GridBox> bounds_;
   double room_ = 0;  // lengths below it are left to exact numbers
@@ -76,7 +76,8 @@ class FreePlaces::From {
  public:
   From(const FreePlaces& places, const exact::RealPoint& p);
 
-  /// Among feet, ends and meetings of these curves in the window: the free one nearest to p, or farthest from it.
+  /// Among projections, ends and meetings of these curves in the window: the free one nearest to p, or farthest from
+  /// it.
   std::optional<Nearest> best(const GridBox& window, const Curves& curves, bool far, const Certain& certain) const;
 
  private:

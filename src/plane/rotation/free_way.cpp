@@ -13,7 +13,7 @@ RealVector FreeWay::at(const Real& distance) const { return distance / sqrt(plan
 
 RoughPoint FreeWay::rough_unit(double angle) const {
   const RoughPoint u(plane::rough(along.x), plane::rough(along.y));
-  return u / length(u) * (turns ? std::polar(1.0, angle) : 1.0);
+  return u / length(u) * (rotations ? std::polar(1.0, angle) : 1.0);
 }
 
 RoughCurve FreeWay::rough(double angle, double reach) const {
@@ -21,14 +21,15 @@ RoughCurve FreeWay::rough(double angle, double reach) const {
   RoughCurve c;
   c.line = true;
   c.normal = RoughPoint(0, 1) * u;
-  c.p = both_ways ? -reach * u : RoughPoint(), c.q = reach * u;
+  c.p = both_ways ? -reach * u : RoughPoint();
+  c.q = reach * u;
   return c;
 }
 
-ExactCurve FreeWay::exact(const exact::Turn& turn) const {
+ExactCurve FreeWay::exact(const exact::ExactAngle& rotation) const {
   ExactCurve c;
   c.line = true;
-  c.normal = turned_left(turns ? turn(along) : along);
+  c.normal = turned_left(rotations ? rotation(along) : along);
   return c;
 }
 
@@ -36,20 +37,20 @@ SectorCurve FreeWay::sector(double middle) const {
   const RoughPoint n = RoughPoint(0, 1) * rough_unit(middle);
   SectorCurve c;
   c.line = true;
-  c.nx = turns ? HalfAngle::linear(0, n.real(), -n.imag()) : HalfAngle::linear(n.real(), 0, 0);
-  c.ny = turns ? HalfAngle::linear(0, n.imag(), n.real()) : HalfAngle::linear(n.imag(), 0, 0);
+  c.nx = rotations ? HalfAngle::linear(0, n.real(), -n.imag()) : HalfAngle::linear(n.real(), 0, 0);
+  c.ny = rotations ? HalfAngle::linear(0, n.imag(), n.real()) : HalfAngle::linear(n.imag(), 0, 0);
   c.h = HalfAngle::linear(0, 0, 0);
   return c;
 }
 
 ExactSectorCurve FreeWay::exact_sector(int quarters) const {
-  using exact::TurnPolynomial;
+  using exact::RotationPolynomial;
   const RealVector n = turned_left(along);
-  const TurnPolynomial none = TurnPolynomial::constant(Real());
-  if (!turns) return {true, TurnPolynomial::constant(n.x), TurnPolynomial::constant(n.y), none, {}};
+  const RotationPolynomial none = RotationPolynomial::constant(Real());
+  if (!rotations) return {true, RotationPolynomial::constant(n.x), RotationPolynomial::constant(n.y), none, {}};
   return {true,
-          TurnPolynomial::linear(Real(), n.x, -n.y, quarters),
-          TurnPolynomial::linear(Real(), n.y, n.x, quarters),
+          RotationPolynomial::linear(Real(), n.x, -n.y, quarters),
+          RotationPolynomial::linear(Real(), n.y, n.x, quarters),
           none,
           {}};
 }

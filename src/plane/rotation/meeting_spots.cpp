@@ -28,31 +28,32 @@ double away(const RoughCurve& c, RoughPoint from) {
 }  // namespace
 
 double MeetingSpots::travel(const ContactCurves& curves, const ContactPair& k, double half) {
-  const ContactFeatures &a = curves.fixed(), &b = curves.turning();
+  const ContactFeatures &a = curves.fixed(), &b = curves.rotating();
   if (k.kind != Kind::kTurningEdge) {
-    const RoundFeature& r = b.rounds[k.turning];
+    const RoundFeature& r = b.rounds[k.rotating];
     return half * std::hypot(r.x, r.y) * kMore;
   }
-  const EdgeFeature& e = b.edges[k.turning];
+  const EdgeFeature& e = b.edges[k.rotating];
   const double reach = std::max(std::hypot(e.x0, e.y0), std::hypot(e.x1, e.y1)) + std::abs(a.rounds[k.fixed].r);
   return half * reach * kMore;
 }
 
 MeetingSpots::MeetingSpots(const FreeQuestion& q, std::span<const ContactPair> pairs, double middle, double half)
-    : half_(half), room_(q.room), level_(q.level.to_double()), spots_(pairs.size() * pairs.size()) {
+    : half_(half), room_(q.tolerance), level_(q.level.to_double()), spots_(pairs.size() * pairs.size()) {
   for (const ContactPair& k : pairs) {
     curves_.push_back(q.curves.rough(k, middle));
     travels_.push_back(travel(q.curves, k, half));
   }
-  const RoughSet there = q.turning.turned(std::polar(1.0, middle));
-  const double turned = half * q.turning.reach() * kMore;  // what B's points travel
+  const RoughSet there = q.rotating.rotated(std::polar(1.0, middle));
+  const double rotated = half * q.rotating.reach() * kMore;  // what B's points travel
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     for (std::size_t k = i + 1; k < pairs.size(); ++k) {
       Spot& s = spots_[i * pairs.size() + k] = place(i, k);
       if (s.travel == std::numeric_limits<double>::infinity()) continue;
-      const double room = s.travel + room_;
-      s.possible = away(curves_[i], s.at) <= room + travels_[i] && away(curves_[k], s.at) <= room + travels_[k] &&
-                   (q.far || length(s.at) <= level_ + room) && !well_inside(there, q.open, s.at, room + turned);
+      const double tolerance = s.travel + room_;
+      s.possible = away(curves_[i], s.at) <= tolerance + travels_[i] &&
+                   away(curves_[k], s.at) <= tolerance + travels_[k] && (q.far || length(s.at) <= level_ + tolerance) &&
+                   !well_inside(there, q.open, s.at, tolerance + rotated);
     }
   }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Where, roughly, two contact curves can meet while B turns through a narrow sector of angles: a place in the middle of
-// the sector and how far the meeting can travel from it. Most pairs and triples of curves are passed over by it.
-// Guarantee: only what certainly does not matter for turned_free.h is passed over. Cost: some dozen nanoseconds a pair
+// Where, roughly, two contact curves can meet while B rotates through a narrow sector of angles: a place in the middle
+// of the sector and how far the meeting can travel from it. Most pairs and triples of curves are passed over by it.
+// Guarantee: only what certainly does not matter for rotated_free.h is passed over. Cost: some dozen nanoseconds a pair
 // of curves, more where it asks whether B is free there. Keywords: floating point filter, critical orientation.
 #pragma once
 
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "plane/rotation/turned_free_events.h"
+#include "plane/rotation/rotated_free_events.h"
 
 namespace findspace::plane {
 

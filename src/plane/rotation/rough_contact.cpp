@@ -9,7 +9,7 @@
 namespace findspace::plane {
 namespace {
 
-constexpr double kRoom = 0x1p-40;  // no sign: of the sizes; a turned point is off by less than 2^-50 of them
+constexpr double kTolerance = 0x1p-40;  // no sign: of the sizes; a rotated point is off by less than 2^-50 of them
 
 double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
 double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
@@ -23,11 +23,11 @@ double square_away(RoughPoint at, RoughPoint p, RoughPoint q) {
 
 }  // namespace
 
-RoughContact::RoughContact(const TurnedNet& turning, const TurnedNet& fixed) {
-  for (const RealVector& v : turning.vertices) vertices_.push_back(rough(v));
+RoughContact::RoughContact(const RotatedNet& rotating, const RotatedNet& fixed) {
+  for (const RealVector& v : rotating.vertices) vertices_.push_back(rough(v));
   std::vector<char> on_edge(fixed.vertices.size(), 0);
   for (const RoughPoint& v : vertices_) reach_ = std::max(reach_, length(v));
-  for (const TurnedEdge& e : fixed.edges) {
+  for (const RotatedEdge& e : fixed.edges) {
     lines_.push_back({rough(e.p), rough(e.q), box_of(e), e.arc});
     reach_ = std::max({reach_, length(lines_.back().p), length(lines_.back().q)});
     on_edge[e.v0] = on_edge[e.v1] = 1;
@@ -39,11 +39,11 @@ RoughContact::RoughContact(const TurnedNet& turning, const TurnedNet& fixed) {
   }
 }
 
-void RoughContact::set(const exact::Turn& angle, const RealVector& shift) {
-  const RoughPoint by = rough(shift), turn(angle.cos.to_double(), angle.sin.to_double());
-  room_ = kRoom * (reach_ + length(by));
+void RoughContact::set(const exact::ExactAngle& angle, const RealVector& shift) {
+  const RoughPoint by = rough(shift), rotation(angle.cos.to_double(), angle.sin.to_double());
+  room_ = kTolerance * (reach_ + length(by));
   now_.clear();
-  for (const RoughPoint& v : vertices_) now_.push_back(turn * v + by);
+  for (const RoughPoint& v : vertices_) now_.push_back(rotation * v + by);
 }
 
 bool RoughContact::is_near(const Line& f, RoughPoint at) const {
@@ -62,7 +62,7 @@ std::optional<RoughPoint> RoughContact::clear(Index vertex) const {
   return at;
 }
 
-std::optional<std::vector<Index>> RoughContact::crossed(const TurnedEdge& e) const {
+std::optional<std::vector<Index>> RoughContact::crossed(const RotatedEdge& e) const {
   if (e.arc) return std::nullopt;
   const RoughPoint p = now_[e.v0], q = now_[e.v1], d = q - p;
   const RoughBox box{std::min(p.real(), q.real()) - room_, std::min(p.imag(), q.imag()) - room_,

@@ -22,16 +22,16 @@ RoughPoint middle(const Line& e) {
   return e.center + e.radius * chord * RoughPoint(0, -1) / std::abs(chord);
 }
 
-/// At most `room` away from the edge.
-bool is_near(const Line& e, RoughPoint at, double room) {
-  const double ends = std::min(std::norm(at - e.p), std::norm(at - e.q)), square = room * room;
+/// At most `tolerance` away from the edge.
+bool is_near(const Line& e, RoughPoint at, double tolerance) {
+  const double ends = std::min(std::norm(at - e.p), std::norm(at - e.q)), square = tolerance * tolerance;
   if (ends <= square) return true;
   const RoughPoint d = e.q - e.p;
   if (e.radius > 0) {
     const RoughPoint way = at - e.center;
     const double far = length(way);
-    const RoughPoint foot = far > 0 ? e.center + way / far * e.radius : e.p;
-    return cross(d, foot - e.p) <= 0 && std::abs(far - e.radius) <= room;
+    const RoughPoint projection = far > 0 ? e.center + way / far * e.radius : e.p;
+    return cross(d, projection - e.p) <= 0 && std::abs(far - e.radius) <= tolerance;
   }
   const double along = dot(d, at - e.p), whole = std::norm(d), off = cross(d, at - e.p);
   return along > 0 && along < whole && off * off <= square * whole;
@@ -54,61 +54,63 @@ bool crosses_upwards_arc(const Line& e, RoughPoint at) {
 }
 
 /// Well inside the edge, for a point of its line or circle.
-bool within(const Line& e, RoughPoint at, double room) {
+bool within(const Line& e, RoughPoint at, double tolerance) {
   const RoughPoint d = e.q - e.p;
   const double whole = length(d);
-  if (e.radius > 0) return cross(d, at - e.p) < -room * whole;
+  if (e.radius > 0) return cross(d, at - e.p) < -tolerance * whole;
   const double along = dot(d, at - e.p);
-  return along > room * whole && along < (whole - room) * whole;
+  return along > tolerance * whole && along < (whole - tolerance) * whole;
 }
 
 bool steep(RoughPoint a, RoughPoint b) {
   return std::abs(cross(a, b)) > 1e-4 * std::abs(a) * std::abs(b);  // no sign: less steep is left to exact work
 }
 
-bool segments_cross(const Line& e, const Line& f, double room) {
+bool segments_cross(const Line& e, const Line& f, double tolerance) {
   const RoughPoint d = e.q - e.p, g = f.q - f.p;
   const double a = cross(d, f.p - e.p), b = cross(d, f.q - e.p);
   if ((a > 0) == (b > 0)) return false;
-  const double r = room * length(d), s = room * length(g);
+  const double r = tolerance * length(d), s = tolerance * length(g);
   if (!((a > r && b < -r) || (a < -r && b > r))) return false;
   const double u = cross(g, e.p - f.p), v = cross(g, e.q - f.p);
   return (u > s && v < -s) || (u < -s && v > s);
 }
 
-bool segment_crosses_arc(const Line& e, const Line& f, double room) {
+bool segment_crosses_arc(const Line& e, const Line& f, double tolerance) {
   const RoughPoint d = (e.q - e.p) / std::abs(e.q - e.p);
   const double height = cross(d, f.center - e.p), rest = f.radius * f.radius - height * height;
   if (rest <= 1e-8 * f.radius * f.radius) return false;  // no sign: near a tangent nothing is certain
-  const RoughPoint foot = f.center - height * d * RoughPoint(0, 1);
+  const RoughPoint projection = f.center - height * d * RoughPoint(0, 1);
   for (double side : {-1.0, 1.0}) {
-    const RoughPoint at = foot + side * std::sqrt(rest) * d;
-    if (within(e, at, room) && within(f, at, room)) return true;
+    const RoughPoint at = projection + side * std::sqrt(rest) * d;
+    if (within(e, at, tolerance) && within(f, at, tolerance)) return true;
   }
   return false;
 }
 
-bool arcs_cross(const Line& e, const Line& f, double room) {
+bool arcs_cross(const Line& e, const Line& f, double tolerance) {
   const RoughPoint way = f.center - e.center;
   const double d = std::abs(way);
-  if (d <= room) return false;
+  if (d <= tolerance) return false;
   const double along = (d * d + e.radius * e.radius - f.radius * f.radius) / (2 * d),
                rest = e.radius * e.radius - along * along;
   if (rest <= 1e-8 * e.radius * e.radius) return false;  // no sign: as above
   for (double side : {-1.0, 1.0}) {
     const RoughPoint at = e.center + way / d * RoughPoint(along, side * std::sqrt(rest));
-    if (steep(at - e.center, at - f.center) && within(e, at, room) && within(f, at, room)) return true;
+    if (steep(at - e.center, at - f.center) && within(e, at, tolerance) && within(f, at, tolerance)) return true;
   }
   return false;
 }
 
-bool cross_surely(const Line& e, const Line& f, double room) {
-  if (e.radius > 0) return f.radius > 0 ? arcs_cross(e, f, room) : segment_crosses_arc(f, e, room);
-  return f.radius > 0 ? segment_crosses_arc(e, f, room) : segments_cross(e, f, room);
+bool cross_surely(const Line& e, const Line& f, double tolerance) {
+  if (e.radius > 0) return f.radius > 0 ? arcs_cross(e, f, tolerance) : segment_crosses_arc(f, e, tolerance);
+  return f.radius > 0 ? segment_crosses_arc(e, f, tolerance) : segments_cross(e, f, tolerance);
 }
 
 Line moved(Line e, RoughPoint by) {
-  e.p += by, e.q += by, e.center += by;
+  e.p += by;
+  e.q += by;
+  e.center += by;
   return e;
 }
 
@@ -116,13 +118,17 @@ Line moved(Line e, RoughPoint by) {
 
 RoughSet::RoughSet(const CellComplex& c, const exact::RealPoint& about, const std::function<bool(Mark)>& inside)
     : unbounded_(inside(c.faces[0].mark)) {
-  const TurnedNet net = TurnedNet::of(c, about);
+  const RotatedNet net = RotatedNet::of(c, about);
   std::vector<char> seen(net.vertices.size());
-  for (const TurnedEdge& e : net.edges) {
+  for (const RotatedEdge& e : net.edges) {
     Line line{rough(e.p), rough(e.q), {}, 0};
-    if (e.arc) line.center = rough(e.center), line.radius = plane::rough(e.radius);
+    if (e.arc) {
+      line.center = rough(e.center);
+      line.radius = plane::rough(e.radius);
+    }
     const bool left = inside(c.faces[c.face(2 * e.cell)].mark), right = inside(c.faces[c.face(2 * e.cell + 1)].mark);
-    line.separates = left != right, line.bounds = left || right;
+    line.separates = left != right;
+    line.bounds = left || right;
     lines_.push_back(line);
     points_.push_back(middle(line));
     seen[e.v0] = seen[e.v1] = 1;
@@ -135,17 +141,21 @@ RoughSet::RoughSet(const CellComplex& c, const exact::RealPoint& about, const st
   }
 }
 
-RoughSet RoughSet::turned(RoughPoint by) const {
+RoughSet RoughSet::rotated(RoughPoint by) const {
   RoughSet out = *this;
-  for (Line& e : out.lines_) e.p *= by, e.q *= by, e.center *= by;
+  for (Line& e : out.lines_) {
+    e.p *= by;
+    e.q *= by;
+    e.center *= by;
+  }
   for (RoughPoint& p : out.points_) p *= by;
   return out;
 }
 
-bool RoughSet::contains(RoughPoint at, double room) const {
+bool RoughSet::contains(RoughPoint at, double tolerance) const {
   bool inside = unbounded_;
   for (const Line& e : lines_) {
-    if (is_near(e, at, room)) return false;
+    if (is_near(e, at, tolerance)) return false;
     if (e.separates && (e.radius > 0 ? crosses_upwards_arc(e, at) : crosses_upwards(e, at))) inside = !inside;
   }
   return inside;
@@ -159,22 +169,22 @@ double RoughSet::reach() const {
   return most;
 }
 
-bool well_inside(const RoughSet& b, const RoughSet& o, RoughPoint by, double room) {
+bool well_inside(const RoughSet& b, const RoughSet& o, RoughPoint by, double tolerance) {
   for (const RoughPoint& p : b.points()) {
-    if (o.contains(p + by, room)) return true;
+    if (o.contains(p + by, tolerance)) return true;
   }
   for (const RoughPoint& p : o.points()) {
-    if (b.contains(p - by, room)) return true;
+    if (b.contains(p - by, tolerance)) return true;
   }
   return false;
 }
 
-bool surely_meets(const RoughSet& b, const RoughSet& o, RoughPoint by, bool either_way, double room) {
-  if (well_inside(b, o, by, room)) return true;
+bool surely_meets(const RoughSet& b, const RoughSet& o, RoughPoint by, bool either_way, double tolerance) {
+  if (well_inside(b, o, by, tolerance)) return true;
   for (const Line& e : b.lines()) {
     const Line here = moved(e, by);
     for (const Line& f : o.lines()) {
-      if ((f.bounds || (either_way && e.bounds)) && cross_surely(here, f, room)) return true;
+      if ((f.bounds || (either_way && e.bounds)) && cross_surely(here, f, tolerance)) return true;
     }
   }
   return false;

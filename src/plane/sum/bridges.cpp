@@ -24,7 +24,8 @@ int compare_xy(const Position& p, const Position& q) {
 
 Step level_step(const Position& from, const Position& to, bool to_the_left) {
   Step s;
-  s.from = from, s.to = to;
+  s.from = from;
+  s.to = to;
   s.start = s.end = east(to_the_left);
   return s;
 }
@@ -41,7 +42,7 @@ bool in_sector(const Direction& from, const Direction& to, const Direction& d) {
 bool agree(const Direction& p, const Direction& q) { return cross_sign(p, q) == 0 && dot_sign(p, q) > 0; }
 
 /// The corner before step k looks into direction d: a straight ray that leaves there starts in the part. Curves that
-/// leave in one direction are told apart by how they bend.
+/// leave in one direction are decided apart by how they bend.
 bool looks(const std::vector<Step>& steps, std::size_t k, const Direction& d) {
   const Step &out = steps[k], &in = steps[k == 0 ? steps.size() - 1 : k - 1];
   bool along_out = agree(out.start, d), along_in = agree(-in.end, d);
@@ -68,9 +69,9 @@ std::optional<Real> inner_place(const Step& s, const Real& y) {
 
 /// The same for an x-monotone arc.
 std::optional<Real> arc_place(const Step& s, const Real& y) {
-  Real dy = y - s.center.real_y(), room = s.radius * s.radius - dy * dy;
-  if (room.sign() < 0 || (room.sign() == 0 && s.ccw) || dy.sign() * s.half <= 0) return std::nullopt;
-  Real root = sqrt(room), x = s.ccw ? s.center.real_x() - root : s.center.real_x() + root;
+  Real dy = y - s.center.real_y(), tolerance = s.radius * s.radius - dy * dy;
+  if (tolerance.sign() < 0 || (tolerance.sign() == 0 && s.ccw) || dy.sign() * s.half <= 0) return std::nullopt;
+  Real root = sqrt(tolerance), x = s.ccw ? s.center.real_x() - root : s.center.real_x() + root;
   int from = compare(x, s.from.real_x()), to = compare(x, s.to.real_x());
   return from * to < 0 ? std::optional<Real>(x) : std::nullopt;
 }

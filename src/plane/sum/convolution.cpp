@@ -9,9 +9,9 @@
 
 namespace findspace::plane {
 
-using exact::Carrier;
 using exact::int128;
 using exact::Real;
+using exact::SupportingCurve;
 
 namespace {
 
@@ -43,9 +43,9 @@ class PathPair {
     for (Index k = 0; k < nodes.size(); ++k) {
       Node& n = nodes[k];
       if (n.kind == Kind::kLine)
-        n.carrier = add_line(walks_.line_of(n), walks_.turn_of(n));
+        n.supporting_curve = add_line(walks_.line_of(n), walks_.turn_of(n));
       else
-        n.carrier = k > 0 && on_one_circle(nodes[k - 1], n) ? nodes[k - 1].carrier : add_circle(n);
+        n.supporting_curve = k > 0 && on_one_circle(nodes[k - 1], n) ? nodes[k - 1].supporting_curve : add_circle(n);
     }
     for (Node& n : nodes) n.end = nodes[n.next].start = add_end(n, nodes[n.next]);
     for (Node& n : nodes) finish(n);
@@ -56,10 +56,10 @@ class PathPair {
   using Node = ConvolutionNodes::Node;
   using Kind = ConvolutionNodes::Kind;
   using Line = ConvolutionNodes::Line;
-  using Turn = ConvolutionNodes::Turn;
+  using ExactAngle = ConvolutionNodes::ExactAngle;
 
   /// centre + radius * normal of a turn in the direction of a line.
-  static Position place(const Turn& t, const Direction& d) {
+  static Position place(const ExactAngle& t, const Direction& d) {
     if (!t.arc) return *t.center;
     Position n = d.right_normal();
     Real r = t.radius();
@@ -71,13 +71,13 @@ class PathPair {
     auto& g = out_.curves.geometry;
     if (n.kind == Kind::kLine) {
       const Line& l = walks_.line_of(n);
-      const Turn& t = walks_.turn_of(n);
+      const ExactAngle& t = walks_.turn_of(n);
       const Position &p = n.forward ? *l.to : *l.from, &q = *t.center;
       if (!t.arc && p.grid() && q.grid()) return g.add_grid_point(p.x + q.x, p.y + q.y);
-      if (n.smooth_end && touch_obliquely(n, m)) return g.add_crossing(n.carrier, m.carrier, 0);
+      if (n.smooth_end && touch_obliquely(n, m)) return g.add_crossing(n.supporting_curve, m.supporting_curve, 0);
       return add_position(g, p + place(t, *l.direction));
     }
-    if (n.smooth_end && touch_obliquely(m, n)) return g.add_crossing(m.carrier, n.carrier, 0);
+    if (n.smooth_end && touch_obliquely(m, n)) return g.add_crossing(m.supporting_curve, n.supporting_curve, 0);
     const Direction& d = walks_.direction_at(n, n.key_out);
     return add_position(g, place(walks_.turn(0, n.at[0]), d) + place(walks_.turn(1, n.at[1]), d));
   }
@@ -91,10 +91,10 @@ class PathPair {
   }
 
   void reserve(std::size_t more) {
-    make_room(out_.curves.geometry.carriers, more);
+    make_room(out_.curves.geometry.supporting_curves, more);
     make_room(out_.curves.pieces, more);
     make_room(out_.curves.forward, more);
-    make_room(out_.strands, more);
+    make_room(out_.chains, more);
     make_room(out_.corners, more);
   }
 
@@ -105,43 +105,46 @@ class PathPair {
       const Direction& d = *walks_.line_of(n).direction;
       right = (d.x > 0 || (d.x == 0 && d.y > 0)) == n.forward;
     } else {
-      const Turn &p = walks_.turn(0, n.at[0]), &q = walks_.turn(1, n.at[1]);
+      const ExactAngle &p = walks_.turn(0, n.at[0]), &q = walks_.turn(1, n.at[1]);
       half = std::int8_t((p.radius() + q.radius()).sign() * (p.arc ? p.normal_up() : q.normal_up()));
       right = (half < 0) == n.turns_left;
     }
     n.piece = Index(out_.curves.pieces.size());
-    out_.curves.pieces.push_back({.carrier = n.carrier,
+    out_.curves.pieces.push_back({.supporting_curve = n.supporting_curve,
                                   .p0 = right ? n.start : n.end,
                                   .p1 = right ? n.end : n.start,
                                   .half = half,
                                   .smooth0 = right ? n.smooth_start : n.smooth_end,
                                   .smooth1 = right ? n.smooth_end : n.smooth_start});
     out_.curves.forward.push_back(right);
-    out_.strands.push_back({.forward = right, .displaced_left = n.forward == out_.inward_});
+    out_.chains.push_back({.forward = right, .displaced_left = n.forward == out_.inward_});
   }
 
   /// Two arcs of one circle about one vertex, as far as that shows at once.
   bool on_one_circle(const Node& n, const Node& m) const {
     if (n.kind != Kind::kArc || m.kind != Kind::kArc || n.at[0] != m.at[0]) return false;
-    const Turn &p = walks_.turn(1, n.at[1]), &q = walks_.turn(1, m.at[1]);
+    const ExactAngle &p = walks_.turn(1, n.at[1]), &q = walks_.turn(1, m.at[1]);
     if (!p.arc || !q.arc || p.sign != q.sign) return false;
     return p.center->grid() && q.center->grid() && p.center->x == q.center->x && p.center->y == q.center->y &&
            p.radius() == q.radius();
   }
 
   Index add_circle(const Node& n) {
-    const Turn &p = walks_.turn(0, n.at[0]), &q = walks_.turn(1, n.at[1]);
+    const ExactAngle &p = walks_.turn(0, n.at[0]), &q = walks_.turn(1, n.at[1]);
     Position c = *p.center + *q.center;
     Real r = abs(p.radius() + q.radius());
-    return out_.curves.geometry.add(c.grid() ? Carrier::circle_at(c.x, c.y, r)
-                                             : Carrier::circle_at(c.real->x, c.real->y, r));
+    return out_.curves.geometry.add(c.grid() ? SupportingCurve::circle_at(c.x, c.y, r)
+                                             : SupportingCurve::circle_at(c.real->x, c.real->y, r));
   }
 
-  Index add_line(const Line& l, const Turn& t) {
+  Index add_line(const Line& l, const ExactAngle& t) {
     // Directions are primitive: the canonical normal needs no division.
     std::int64_t a = l.direction->y, b = -l.direction->x;
     bool flipped = a < 0 || (a == 0 && b < 0);
-    if (flipped) a = -a, b = -b;
+    if (flipped) {
+      a = -a;
+      b = -b;
+    }
     auto& g = out_.curves.geometry;
     const Position &p = *l.from, &q = *t.center;
     if (!t.arc && p.grid() && q.grid()) return g.add_line(a, b, int128(a) * (p.x + q.x) + int128(b) * (p.y + q.y));
@@ -149,10 +152,10 @@ class PathPair {
     // opposite.
     Real shift = flipped ? -t.radius() : t.radius();
     Position sum = p + q;
-    if (sum.grid()) return g.add(Carrier::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, shift));
+    if (sum.grid()) return g.add(SupportingCurve::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, shift));
     Real c = Real(a) * sum.real_x() + Real(b) * sum.real_y();
     if (t.arc) c += shift * sqrt(Real(int128(a) * a + int128(b) * b));
-    return g.add(Carrier::line(a, b, c));
+    return g.add(SupportingCurve::line(a, b, c));
   }
 
   ConvolutionBuilder& out_;
@@ -161,7 +164,8 @@ class PathPair {
 
 void ConvolutionBuilder::add(const Part& a, const Part& b) {
   std::vector<TurningPath> p, q;
-  p.reserve(a.paths.size()), q.reserve(b.paths.size());
+  p.reserve(a.paths.size());
+  q.reserve(b.paths.size());
   for (const Path& path : a.paths) p.push_back(TurningPath::from(path, a.flat));
   for (const Path& path : b.paths) q.push_back(TurningPath::from(path, b.flat));
   Index keys = assign_keys(p, q);

@@ -27,7 +27,7 @@ Index ConvolutionNodes::count_lines(int s) {
     return Index(at - p.sorted.begin());
   };
   ranges_[s].reserve(other.size());
-  for (const Turn& turn : other.turns) {
+  for (const ExactAngle& turn : other.turns) {
     Index first = below(turn.low), end = turn.low + turn.length;
     Index count = turn.length == 0 ? 0 : end < keys_ ? below(end) - first : n - first + below(end - keys_);
     ranges_[s].push_back({first, count, 0});
@@ -72,7 +72,7 @@ void ConvolutionNodes::add_arcs() {
 }
 
 void ConvolutionNodes::add_arc(Index i, Index j) {
-  const Turn &p = side_[0]->turns[i], &q = side_[1]->turns[j];
+  const ExactAngle &p = side_[0]->turns[i], &q = side_[1]->turns[j];
   if (p.length == 0 || q.length == 0) return;
   Index low;
   if (minus(q.low, p.low) < p.length)
@@ -89,7 +89,8 @@ void ConvolutionNodes::add_arc(Index i, Index j) {
     return;
   }
   Node node{.kind = Kind::kArc, .side = 0};
-  node.at[0] = i, node.at[1] = j;
+  node.at[0] = i;
+  node.at[1] = j;
   node.forward = p.sign == q.sign ? p.sign > 0 : sum < 0;
   // The place moves with the tangent while directions grow and the radius is positive.
   node.turns_left = node.forward == (sum > 0);
@@ -124,19 +125,19 @@ bool ConvolutionNodes::to_arc(const Index turns[2], Index key, std::int64_t turn
 
 void ConvolutionNodes::step_out(Index turns[2], Index key, bool left, std::int64_t turned, Index k, bool moved) {
   for (;;) {
-    Index room[2];
+    Index tolerance[2];
     for (int s : {0, 1}) {
-      const Turn& t = side_[s]->turns[turns[s]];
-      room[s] = moved ? 0 : left ? minus(high(t), key) : minus(key, t.low);
+      const ExactAngle& t = side_[s]->turns[turns[s]];
+      tolerance[s] = moved ? 0 : left ? minus(high(t), key) : minus(key, t.low);
     }
     int s;
     if (moved) {  // already at an end: of which side?
-      const Turn& t = side_[0]->turns[turns[0]];
+      const ExactAngle& t = side_[0]->turns[turns[0]];
       s = key == (left ? high(t) : t.low) ? 0 : 1;
     } else {
-      s = room[0] < room[1] ? 0 : 1;
-      turned += left ? std::int64_t(room[s]) : -std::int64_t(room[s]);
-      key = left ? plus(key, room[s]) : minus(key, room[s]);
+      s = tolerance[0] < tolerance[1] ? 0 : 1;
+      turned += left ? std::int64_t(tolerance[s]) : -std::int64_t(tolerance[s]);
+      key = left ? plus(key, tolerance[s]) : minus(key, tolerance[s]);
     }
     const TurningPath& p = *side_[s];
     bool ahead = (p.turns[turns[s]].sign > 0) == left;  // leaves at the turn's end
@@ -156,12 +157,13 @@ void ConvolutionNodes::step_out(Index turns[2], Index key, bool left, std::int64
 void ConvolutionNodes::add_still_walks() {
   for (const auto& [i, j] : still_) {
     if (passed_.count(pair_key(i, j))) continue;
-    const Turn &p = side_[0]->turns[i], &q = side_[1]->turns[j];
+    const ExactAngle &p = side_[0]->turns[i], &q = side_[1]->turns[j];
     Index turns[2] = {i, j};
     // Displaced inwards the sum of the radii is a little less than 0, outwards a little more: clockwise both times.
     Index low = minus(q.low, p.low) < p.length ? q.low : p.low;
     Index key = minus(high(p), low) <= minus(high(q), low) ? high(p) : high(q);
-    loop_start_[0] = i, loop_start_[1] = j;
+    loop_start_[0] = i;
+    loop_start_[1] = j;
     loop_turned_ = 0;
     step_out(turns, key, false, 0, kNone, false);
     int rounds = int(loop_turned_ / std::int64_t(keys_));
@@ -189,11 +191,14 @@ std::int8_t ConvolutionNodes::extra_rounds(const Node& in, const Node& out, Inde
   const Direction &d = direction_of(in, in.key_out), &e = direction_of(out, key);
   std::int64_t keys = keys_, full = turned / keys, rest = turned % keys;
   int cross = cross_sign(d, e), sign = (rest > 0) - (rest < 0);
-  // How far the rest turns, in half turns: 0 less than one, 1 exactly one, 2 more.
+  // How far the rest rotates, in half rotates: 0 less than one, 1 exactly one, 2 more.
   int halves = cross == sign ? 0 : cross == -sign ? 2 : dot_sign(d, e) < 0 ? 1 : 0;
-  if (cross == 0 && halves == 0 && 2 * (sign * rest) > keys) full += sign, halves = 0;
+  if (cross == 0 && halves == 0 && 2 * (sign * rest) > keys) {
+    full += sign;
+    halves = 0;
+  }
   if (in.forward != out.forward) return std::int8_t(full);
-  // Displaced to the left, the path goes round clockwise by half a turn less what it turns; to the right, the other
+  // Displaced to the left, the path goes round clockwise by half a turn less what it rotates; to the right, the other
   // way.
   int side = in.forward ? 1 : -1, bend = halves == 1 ? -side * bend_sum(in, out) : 0;
   if (side * sign < 0 && (halves == 2 || bend > 0)) full -= side;
@@ -218,7 +223,7 @@ const Direction& ConvolutionNodes::direction_at(const Node& n, Index key) const 
     if (before.key == key) return *before.direction;
     if (after.key == key) return *after.direction;
   }
-  return *side_[0]->lines[0].direction;  // not reached: an arc ends where one of its turns ends
+  return *side_[0]->lines[0].direction;  // not reached: an arc ends where one of its rotates ends
 }
 
 }  // namespace findspace::plane

@@ -3,8 +3,8 @@
 //
 // Which places of two boundary paths have one tangent direction, and in what order they are passed: the convolution
 // without its coordinates. Its curves are nodes (place in a, place in b): a line of one side with a turn of the other,
-// or two turns, one of them an arc. Nodes follow each other in closed walks; pairs of turns that stay at one point are
-// walked through. Guarantee: exact. Cost: O(nodes), a search a turn. Source: convolution.h, which alone uses this.
+// or two rotates, one of them an arc. Nodes follow each other in closed walks; pairs of rotates that stay at one point
+// are walked through. Guarantee: exact. Cost: O(nodes), a search a turn. Source: convolution.h, which alone uses this.
 #pragma once
 
 #include <array>
@@ -26,12 +26,12 @@ struct ConvolutionNode {
   bool turns_left = true;  // kArc: directions run counter-clockwise
   bool smooth_start = false, smooth_end = false;
   std::int8_t rotation = 0, extra = 0;  // at its end: as of a Corner
-  Index at[2] = {0, 0};                 // the turns; kLine: at[side] is the line
+  Index at[2] = {0, 0};                 // the rotates; kLine: at[side] is the line
   Index key_in = 0, key_out = 0;        // kArc: directions at its start and end; kLine: both the line's key
   Index next = kNone;
   // Where it lies, filled in by who gives the nodes coordinates.
   Index start = kNone, end = kNone;  // points
-  Index carrier = kNone, piece = kNone;
+  Index supporting_curve = kNone, piece = kNone;
 };
 
 class ConvolutionNodes {
@@ -39,9 +39,9 @@ class ConvolutionNodes {
   using Node = ConvolutionNode;
   using Kind = Node::Kind;
   using Line = TurningPath::Line;
-  using Turn = TurningPath::Turn;
+  using ExactAngle = TurningPath::ExactAngle;
 
-  /// A walk that stays at one point, the sum of the centres of two turns: an arc against one of the same radius and
+  /// A walk that stays at one point, the sum of the centres of two rotates: an arc against one of the same radius and
   /// their neighbours, round and round.
   struct Still {
     Index at[2];
@@ -54,9 +54,9 @@ class ConvolutionNodes {
   std::vector<Node> nodes;
   std::vector<Still> stills;
 
-  const Turn& turn(int side, Index at) const { return side_[side]->turns[at]; }
+  const ExactAngle& turn(int side, Index at) const { return side_[side]->turns[at]; }
   const Line& line_of(const Node& n) const { return side_[n.side]->lines[n.at[n.side]]; }
-  const Turn& turn_of(const Node& n) const { return turn(1 - n.side, n.at[1 - n.side]); }
+  const ExactAngle& turn_of(const Node& n) const { return turn(1 - n.side, n.at[1 - n.side]); }
   const Direction& direction_at(const Node& n, Index key) const;
 
  private:
@@ -67,16 +67,16 @@ class ConvolutionNodes {
   Index minus(Index p, Index q) const { return p >= q ? p - q : p + keys_ - q; }
   Index plus(Index p, Index q) const { return p + q >= keys_ ? p + q - keys_ : p + q; }
   static std::uint64_t pair_key(Index i, Index j) { return (std::uint64_t(i) << 32) | j; }
-  Index high(const Turn& t) const { return plus(t.low, t.length); }
+  Index high(const ExactAngle& t) const { return plus(t.low, t.length); }
 
-  /// Finds the lines of side s that meet the turns of the other side; how many there are.
+  /// Finds the lines of side s that meet the rotates of the other side; how many there are.
   Index count_lines(int s);
-  /// Lines of side s with the turns of the other side.
+  /// Lines of side s with the rotates of the other side.
   void add_lines(int s);
   Index line_node(int s, Index line, Index turn) const;
   void add_arcs();
   void add_arc(Index i, Index j);
-  /// Finds the node that follows in the true direction of travel, and how much the direction turns on the way.
+  /// Finds the node that follows in the true direction of travel, and how much the direction rotates on the way.
   void connect(Index k);
   /// If the turn pair is a curve of its own, it follows node k.
   bool to_arc(const Index turns[2], Index key, std::int64_t turned, Index k);
@@ -90,7 +90,7 @@ class ConvolutionNodes {
   const Direction& direction_of(const Node& n, Index key) const;
   /// Whole rounds that the displaced path at the corner makes beyond what its two ends show (see Corner).
   std::int8_t extra_rounds(const Node& in, const Node& out, Index key, std::int64_t turned) const;
-  /// Sign of the sum of the curvatures, positive to the left of the direction of travel: where the path turns back,
+  /// Sign of the sum of the curvatures, positive to the left of the direction of travel: where the path rotates back,
   /// which of its two ends lies to the left of the other.
   int bend_sum(const Node& in, const Node& out) const;
 

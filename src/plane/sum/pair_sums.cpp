@@ -51,7 +51,7 @@ void SumOfPairs::add(const Part& a, const Part& b) {
 
 SignMap SumOfPairs::open_sum() && {
   Arrangement a = arranged();
-  Windings w = windings(a, strands_, corners_, base_);
+  Windings w = windings(a, chains_, corners_, base_);
   add_circled(a, w);
   for (Index p : lonely_)
     w.vertices[a.point_vertex[p]] -= w.vertices[a.point_vertex[p]] != kUnwanted;  // a missing point
@@ -71,7 +71,7 @@ SignMap SumOfPairs::open_sum() && {
 
 Region SumOfPairs::closed_sum() && {
   Arrangement a = arranged();
-  Windings w = windings(a, strands_, corners_, base_, VertexScope::kAll);
+  Windings w = windings(a, chains_, corners_, base_, VertexScope::kAll);
   add_circled(a, w);
   for (Index p : lonely_) w.vertices[a.point_vertex[p]] = 1;
   Marks m;
@@ -82,7 +82,7 @@ Region SumOfPairs::closed_sum() && {
 }
 
 Arrangement SumOfPairs::arranged() {
-  strands_ = std::move(builder_.strands);
+  chains_ = std::move(builder_.chains);
   corners_ = std::move(builder_.corners);
   lonely_ = std::move(builder_.points);
   circled_ = std::move(builder_.circled);
@@ -99,9 +99,9 @@ void SumOfPairs::add_circled(const Arrangement& a, Windings& w) const {
 }
 
 bool SolidSum::holds(exact::Geometry& g, Index point) {
-  bool unsure = false;
-  if (index_.holds(g, point, unsure)) return true;
-  if (!unsure) return false;
+  bool unresolved = false;
+  if (index_.holds(g, point, unresolved)) return true;
+  if (!unresolved) return false;
   if (!numbers_) build(g);
   return numbers_->at(g, point) > 0;
 }

@@ -51,7 +51,7 @@ class SumOfPairs {
 
   ConvolutionBuilder builder_;
   std::int32_t base_ = 0;
-  std::vector<Strand> strands_;
+  std::vector<Chain> chains_;
   std::vector<Corner> corners_;
   std::vector<Index> lonely_;
   std::vector<ConvolutionBuilder::Circled> circled_;

@@ -14,7 +14,9 @@ using exact::Geometry;
 PointWinding::PointWinding(ConvolutionBuilder convolution, std::int32_t base)
     : convolution_(std::move(convolution)), base_(base) {
   const Geometry& g = convolution_.curves.geometry;
-  low_.reserve(pieces().size()), high_.reserve(pieces().size()), right_.reserve(pieces().size());
+  low_.reserve(pieces().size());
+  high_.reserve(pieces().size());
+  right_.reserve(pieces().size());
   for (const Piece& p : pieces()) {
     const exact::Point &from = g.points[p.p0], &to = g.points[p.p1];
     slack_ = std::max({slack_, from.error, to.error});
@@ -27,9 +29,9 @@ PointWinding::PointWinding(ConvolutionBuilder convolution, std::int32_t base)
 }
 
 Heading PointWinding::ahead(const Geometry& g, Index piece) const {
-  const exact::Carrier& k = g.carriers[pieces()[piece].carrier];
+  const exact::SupportingCurve& k = g.supporting_curves[pieces()[piece].supporting_curve];
   // From p0 to p1: along (b, -a) or its opposite, to the right or straight up.
-  return (k.b > 0) == bool(strand(piece).forward) ? Heading{k.b, -k.a} : Heading{-k.b, k.a};
+  return (k.b > 0) == bool(chain(piece).forward) ? Heading{k.b, -k.a} : Heading{-k.b, k.a};
 }
 
 void PointWinding::make_bands() {
@@ -64,18 +66,18 @@ std::int32_t PointWinding::past_curve(const Geometry& g, Index point, std::size_
   int from = g.compare_y(s.p0, point), to = g.compare_y(s.p1, point);
   if (from * to > 0) return 0;
   bool upwards = from < to;  // p0 -> p1
-  int side = g.side(point, s.carrier);
+  int side = g.side(point, s.supporting_curve);
   if (side == 0) {
     // On the line: at an end (its corner counts), beside the piece (level ones only), or inside it.
     int x0 = g.compare_xy(s.p0, point), x1 = g.compare_xy(s.p1, point);
     if (x0 >= 0 || x1 <= 0) return 0;
     Heading d = ahead(g, Index(k));
-    return ray_crossing(-d, d, strand(k).displaced_left ? -1 : 1);
+    return ray_crossing(-d, d, chain(k).displaced_left ? -1 : 1);
   }
   if (from == to || std::max(from, to) <= 0) return 0;  // level, or wholly at or below: the ray is a little above
   // The ray to the right crosses it if the point is to its left. (a, b) with a > 0 points to the right of the line.
   if (side > 0) return 0;
-  return upwards == strand(k).forward ? 1 : -1;
+  return upwards == chain(k).forward ? 1 : -1;
 }
 
 std::int32_t PointWinding::past_curves(const Geometry& g, Index point) const {
@@ -98,23 +100,23 @@ std::int32_t PointWinding::past_curves(const Geometry& g, Index point) const {
 std::int32_t PointWinding::past_corner(const Geometry& g, Index point, const Corner& k) const {
   Index at = end(k.in);
   if (at != point && g.compare_xy(at, point) != 0) return 0;
-  bool left = strand(k.in).displaced_left, both = left == strand(k.out).displaced_left;
+  bool left = chain(k.in).displaced_left, both = left == chain(k.out).displaced_left;
   Heading d = ahead(g, k.in);
   return ray_crossing(-d, ahead(g, k.out), both ? (left ? -1 : 1) : k.rotation);
 }
 
 std::int32_t PointWinding::past_corners(const Geometry& g, Index point) const {
   const exact::Point& p = g.points[point];
-  double room = p.error + slack_ + std::abs(p.x) * exact::Approx::kUnit * 4;
+  double tolerance = p.error + slack_ + std::abs(p.x) * exact::Approx::kUnit * 4;
   std::int32_t number = 0;
   if (places_.empty()) {
     for (std::size_t k = 0; k < corner_x_.size(); ++k)
-      if (std::abs(corner_x_[k] - p.x) <= room) number += past_corner(g, point, convolution_.corners[k]);
+      if (std::abs(corner_x_[k] - p.x) <= tolerance) number += past_corner(g, point, convolution_.corners[k]);
     return number;
   }
-  auto k =
-      std::lower_bound(places_.begin(), places_.end(), p.x - room, [](const Place& t, double x) { return t.x < x; });
-  for (; k != places_.end() && k->x <= p.x + room; ++k)
+  auto k = std::lower_bound(places_.begin(), places_.end(), p.x - tolerance,
+                            [](const Place& t, double x) { return t.x < x; });
+  for (; k != places_.end() && k->x <= p.x + tolerance; ++k)
     number += past_corner(g, point, convolution_.corners[k->corner]);
   return number;
 }

@@ -31,10 +31,10 @@ class PointWinding {
     Index corner;
   };
   const std::vector<Piece>& pieces() const { return convolution_.curves.pieces; }
-  const Strand& strand(std::size_t piece) const { return convolution_.strands[piece]; }
+  const Chain& chain(std::size_t piece) const { return convolution_.chains[piece]; }
   /// Of the way along a curve.
   Heading ahead(const exact::Geometry& g, Index piece) const;
-  Index end(Index piece) const { return strand(piece).forward ? pieces()[piece].p1 : pieces()[piece].p0; }
+  Index end(Index piece) const { return chain(piece).forward ? pieces()[piece].p1 : pieces()[piece].p0; }
   void make_bands();
   Index band_of(double y) const;
   std::int32_t past_curve(const exact::Geometry& g, Index point, std::size_t piece) const;

@@ -13,9 +13,9 @@
 namespace findspace::planning {
 namespace {
 
-using situation::Atom;
-using situation::Formula;
-using situation::Node;
+using formula::Atom;
+using formula::Formula;
+using formula::Node;
 using Op = Node::Op;
 
 /// The node as a formula of its own.

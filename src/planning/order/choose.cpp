@@ -10,21 +10,21 @@
 
 #include "distance/planar_least/coordinate.h"
 #include "findspace/error.h"
+#include "formula/planar/optimize.h"
 #include "plane/query/locate.h"
 #include "plane/query/moved.h"
 #include "plane/query/summary.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
-#include "situation/planar/optimize.h"
 
 namespace findspace::planning {
 
 using distance::Sense;
 using exact::Real;
 using exact::RealPoint;
+using formula::Goal;
+using formula::Objective;
 using plane::Region;
-using situation::Goal;
-using situation::Objective;
 
 namespace {
 
@@ -45,7 +45,9 @@ ScaledForm scaled(const std::array<Real, 3>& form) {
   for (int digits = 0; !a.integer() || !b.integer(); ++digits) {
     if (digits > kMostDecimals)
       throw Error(ErrorCode::kOutOfRange, "a linear form has a coefficient with more than 12 decimals");
-    a = a * Real(10), b = b * Real(10), scale = scale * Real(10);
+    a = a * Real(10);
+    b = b * Real(10);
+    scale = scale * Real(10);
   }
   if (exact::abs(a) > Real(kLargestCoefficient) || exact::abs(b) > Real(kLargestCoefficient))
     throw Error(ErrorCode::kOutOfRange, "the coefficients of a linear form must be in a ratio of integers up to 2^40");
@@ -76,7 +78,7 @@ class Goals {
     if (goal.objective->kind != Objective::Kind::kDistance) return of_objective(goal, *goal.objective, at.region);
     Poses poses = poses_;
     poses[body_] = Pose{at.angle, {}};
-    const situation::Distance& wanted = goal.objective->distance;
+    const formula::Distance& wanted = goal.objective->distance;
     for (const auto* names : {&wanted.first, &wanted.second}) {
       auto role = roles_.find(names->front());
       if (role != roles_.end() && !poses[role->second.body]) return std::nullopt;
@@ -100,8 +102,8 @@ class Goals {
   }
 
   Best of_objective(const Goal& goal, const Objective& objective, const Region& region) const {
-    situation::Optimum o =
-        situation::optimize(region, objective, goal.negated ? Sense::kMaximum : Sense::kMinimum, relations_.solver());
+    formula::Optimum o =
+        formula::optimize(region, objective, goal.negated ? Sense::kMaximum : Sense::kMinimum, relations_.solver());
     Best out{o.value, o.unbounded, o.attained, std::move(o.at)};
     if (out.value && goal.negated) out.value = -*out.value;
     return out;
@@ -140,7 +142,8 @@ bool keep_least(std::vector<AtAngle>& positions, std::vector<Best> found, Chosen
   const Best* best = nullptr;
   for (const Best& o : found) {
     if (o.unbounded) {
-      out.unbounded = true, out.values.push_back(std::nullopt);
+      out.unbounded = true;
+      out.values.push_back(std::nullopt);
       return false;
     }
     if (o.value && (best == nullptr || *o.value < *best->value)) best = &o;

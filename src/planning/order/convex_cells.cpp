@@ -40,7 +40,7 @@ class Cells {
 
  private:
   bool beside_face(Index e) const { return r_.faces[r_.face(2 * e)].mark > 0 || r_.faces[r_.face(2 * e + 1)].mark > 0; }
-  bool vertical(Index e) const { return r_.carrier(e).b == 0; }
+  bool vertical(Index e) const { return r_.supporting_curve(e).b == 0; }
   const RealPoint& from(Index e) const { return at_[r_.edges[e].v0]; }
   const RealPoint& to(Index e) const { return at_[r_.edges[e].v1]; }
 
@@ -48,7 +48,7 @@ class Cells {
   HalfPlane more_x(const Real& x, bool strict) const { return {-1, 0, -x, strict}; }
   /// Below (side = 1) or above (-1) the line of an edge that is not vertical.
   HalfPlane beyond(Index e, int side, bool strict) const {
-    const exact::Carrier& k = r_.carrier(e);
+    const exact::SupportingCurve& k = r_.supporting_curve(e);
     const bool keep = (k.b > 0) == (side > 0);
     return keep ? HalfPlane{k.a, k.b, k.offset(), strict} : HalfPlane{-k.a, -k.b, -k.offset(), strict};
   }
@@ -106,7 +106,7 @@ class Cells {
   }
 
   Real height(Index e, const Real& x) const {
-    const exact::Carrier& k = r_.carrier(e);
+    const exact::SupportingCurve& k = r_.supporting_curve(e);
     return (k.offset() - Real(k.a) * x) / Real(k.b);
   }
   /// No vertex on the line between floor and roof: nothing keeps the two trapezoids apart.
@@ -195,22 +195,26 @@ std::pair<std::int64_t, std::int64_t> as_fraction(Real x) {
     const int128 n = fits ? whole * n1 + n0 : kLargest, d = fits ? whole * d1 + d0 : kLargest;
     if (n >= kLargest || -n >= kLargest || d >= kLargest)
       throw Error(ErrorCode::kUnsupported, "a region's edge has a direction that is no ratio of integers below 2^62");
-    n0 = n1, d0 = d1, n1 = n, d1 = d;
+    n0 = n1;
+    d0 = d1;
+    n1 = n;
+    d1 = d;
     const Real rest = x - Real(whole);
     if (rest.sign() == 0) return {std::int64_t(n1), std::int64_t(d1)};
     x = Real(1) / rest;
   }
 }
 
-exact::Carrier line_through(const RealPoint& p, const RealPoint& q) {
+exact::SupportingCurve line_through(const RealPoint& p, const RealPoint& q) {
   const Real dx = q.x - p.x, dy = q.y - p.y;
   std::int64_t a = 1, b = 0;
   if (dx.sign() != 0) {
     const auto [rise, run] = as_fraction(dy / dx);
-    a = -rise, b = run;
+    a = -rise;
+    b = run;
     exact::make_primitive(a, b);
   }
-  return exact::Carrier::line(a, b, Real(a) * p.x + Real(b) * p.y);
+  return exact::SupportingCurve::line(a, b, Real(a) * p.x + Real(b) * p.y);
 }
 
 }  // namespace

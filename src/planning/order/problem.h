@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "situation/formula/formula.h"
-#include "situation/formula/parse_goal.h"
-#include "situation/planar/solve.h"
+#include "formula/language/formula.h"
+#include "formula/language/parse_goal.h"
+#include "formula/planar/solve.h"
 
 namespace findspace::planning {
 
@@ -27,7 +27,7 @@ struct Body {
   int copy = 0;                     // from 1 where the same body is placed several times
   std::vector<std::string> shapes;  // as formulas name them
   std::vector<exact::Real> angles;  // degrees about the pole, at least one
-  /// variants[a][k]: the name in the world of shapes[k] turned by angles[a].
+  /// variants[a][k]: the name in the world of shapes[k] rotated by angles[a].
   std::vector<std::vector<std::string>> variants;
 };
 
@@ -39,7 +39,7 @@ struct Role {
 using Roles = std::map<std::string, Role, std::less<>>;
 
 struct Condition {
-  std::shared_ptr<const situation::Formula> formula;
+  std::shared_ptr<const formula::Formula> formula;
   Roles roles;  // every name that is not here stands still
 };
 
@@ -47,12 +47,12 @@ struct Condition {
 struct Demands {
   std::vector<Body> bodies;
   std::vector<Condition> conditions;
-  std::vector<situation::Goal> goals;  // the first first; "self" is the body at hand
-  Roles names;                         // bodies and shapes as goals name them
+  std::vector<formula::Goal> goals;  // the first first; "self" is the body at hand
+  Roles names;                       // bodies and shapes as goals name them
 };
 
 struct Problem : Demands {
-  situation::World world;  // every shape, and every turned one; all variants of all bodies are `moving`
+  formula::World world;  // every shape, and every rotated one; all variants of all bodies are `moving`
 };
 
 /// Where a body stands.

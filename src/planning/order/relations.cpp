@@ -5,20 +5,20 @@
 
 #include <algorithm>
 
+#include "formula/language/evaluate.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate.h"
 #include "plane/query/moved.h"
 #include "plane/sum/minkowski.h"
-#include "situation/formula/evaluate.h"
 
 namespace findspace::planning {
 
 using exact::RealPoint;
+using formula::Distance;
 using plane::CellComplex;
 using plane::Mark;
 using plane::Region;
-using situation::Distance;
 
 namespace {
 
@@ -51,9 +51,9 @@ RealPoint minus(const RealPoint& p, const RealPoint& q) { return {p.x - q.x, p.y
 
 }  // namespace
 
-std::vector<std::size_t> bodies_of(const situation::Formula& formula, const Roles& roles) {
+std::vector<std::size_t> bodies_of(const formula::Formula& formula, const Roles& roles) {
   std::set<std::size_t> found;
-  for (const situation::SignMap& m : formula.sign_maps())
+  for (const formula::SignMap& m : formula.sign_maps())
     for (const auto* names : {&m.distance.first, &m.distance.second})
       if (auto body = body_of(*names, roles)) found.insert(*body);
   return {found.begin(), found.end()};
@@ -77,7 +77,7 @@ Relations::Bound Relations::bind(const Distance& distance, const Roles& roles, c
   return out;
 }
 
-plane::SignMap Relations::sign_map(const Distance& distance, const situation::SignMap& wanted) const {
+plane::SignMap Relations::sign_map(const Distance& distance, const formula::SignMap& wanted) const {
   if (!wanted.minimum) return solver_.function(distance)->sign_map(wanted.level / problem_.world.step);
   const auto least = solver_.least(distance);
   if (!least.exists) return CellComplex::uniform(1);
@@ -106,7 +106,7 @@ BoxedPointer Relations::set(const Condition& condition, const Poses& angles) con
 Region Relations::relative(const Condition& condition, const Poses& angles) const {
   const auto& formula = *condition.formula;
   std::vector<plane::SignMap> maps;
-  for (const situation::SignMap& m : formula.sign_maps()) {
+  for (const formula::SignMap& m : formula.sign_maps()) {
     const Bound bound = bind(m.distance, condition.roles, angles);
     plane::SignMap map = sign_map(bound.distance, m);
     const bool backwards = bound.first && bound.second && *bound.first > *bound.second;
@@ -118,7 +118,7 @@ Region Relations::relative(const Condition& condition, const Poses& angles) cons
   return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
 }
 
-plane::SignMap Relations::seen(const situation::SignMap& map, const Condition& condition, std::size_t body,
+plane::SignMap Relations::seen(const formula::SignMap& map, const Condition& condition, std::size_t body,
                                const Poses& poses) const {
   const Bound bound = bind(map.distance, condition.roles, poses);
   plane::SignMap sign = sign_map(bound.distance, map);
@@ -134,7 +134,7 @@ plane::SignMap Relations::seen(const situation::SignMap& map, const Condition& c
 Region Relations::general(const Condition& condition, std::size_t body, const Poses& poses) const {
   const auto& formula = *condition.formula;
   std::vector<plane::SignMap> maps;
-  for (const situation::SignMap& m : formula.sign_maps()) maps.push_back(seen(m, condition, body, poses));
+  for (const formula::SignMap& m : formula.sign_maps()) maps.push_back(seen(m, condition, body, poses));
   std::vector<const CellComplex*> operands;
   for (const auto& m : maps) operands.push_back(&m);
   return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
@@ -149,12 +149,12 @@ std::optional<Region> Relations::allowed_within(const Condition& condition, std:
   if (!found->box) return everywhere ? std::nullopt : std::optional(found->region);
   if (bodies.size() < 2) return found->region;
   const RealPoint& other = poses[bodies[0] == body ? bodies[1] : bodies[0]]->at;
-  const bool turned = bodies[1] == body;  // the set is of p_0 - p_1
+  const bool rotated = bodies[1] == body;  // the set is of p_0 - p_1
   plane::PieceBox box = *found->box;
-  if (turned) box = {-box.x1, -box.y1, -box.x0, -box.y0};
+  if (rotated) box = {-box.x1, -box.y1, -box.x0, -box.y0};
   if (where && !plane::moved(box, other).meets(*where))
     return everywhere ? std::nullopt : std::optional(CellComplex::uniform(0));
-  return plane::moved(turned ? plane::mirrored(found->region) : found->region, other);
+  return plane::moved(rotated ? plane::mirrored(found->region) : found->region, other);
 }
 
 Region Relations::allowed(const Condition& condition, std::size_t body, const Poses& poses) const {

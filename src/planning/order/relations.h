@@ -3,7 +3,7 @@
 //
 // The sets behind the conditions of a placement: N_i = {p : the condition holds for body i at p} for conditions on one
 // body, and N_ij = {q : it holds where p_i - p_j = q} for conditions on two; seen from the other body that is -N_ij, so
-// the direction of directed distances is kept (distances.md 6.1). Each is made once for a formula and a pair of turned
+// the direction of directed distances is kept (distances.md 6.1). Each is made once for a formula and a pair of rotated
 // shapes and then only moved. Guarantee: exact sets, open, closed or neither. Threads: safe. Keywords: no-fit map,
 // relative position.
 #pragma once
@@ -27,7 +27,7 @@ struct BoxedRegion {
 using BoxedPointer = std::shared_ptr<const BoxedRegion>;
 
 /// The bodies that a formula's distances speak of, in ascending order.
-std::vector<std::size_t> bodies_of(const situation::Formula& formula, const Roles& roles);
+std::vector<std::size_t> bodies_of(const formula::Formula& formula, const Roles& roles);
 /// Whether every distance is between the same two bodies, or all are between one body and what stands still: the
 /// condition is one set of (relative) positions.
 bool is_single(const Condition& condition);
@@ -38,7 +38,7 @@ class Relations {
   explicit Relations(const Problem& problem);
 
   const Problem& problem() const { return problem_; }
-  const situation::Solver& solver() const { return solver_; }
+  const formula::Solver& solver() const { return solver_; }
 
   /// Of a single condition: the positions of its one body; or the relative positions p_i - p_j of its two bodies i < j.
   BoxedPointer set(const Condition& condition, const Poses& angles) const;
@@ -53,22 +53,22 @@ class Relations {
 
   /// A distance as the solver knows it, and the bodies of its arguments (none: it stands still).
   struct Bound {
-    situation::Distance distance;
+    formula::Distance distance;
     std::optional<std::size_t> first, second;
   };
-  Bound bind(const situation::Distance& distance, const Roles& roles, const Poses& angles) const;
+  Bound bind(const formula::Distance& distance, const Roles& roles, const Poses& angles) const;
 
  private:
-  using Key = std::tuple<const situation::Formula*, std::vector<std::string>>;
+  using Key = std::tuple<const formula::Formula*, std::vector<std::string>>;
 
-  plane::SignMap sign_map(const situation::Distance& distance, const situation::SignMap& wanted) const;
+  plane::SignMap sign_map(const formula::Distance& distance, const formula::SignMap& wanted) const;
   plane::Region relative(const Condition& condition, const Poses& angles) const;
-  plane::SignMap seen(const situation::SignMap& map, const Condition& condition, std::size_t body,
+  plane::SignMap seen(const formula::SignMap& map, const Condition& condition, std::size_t body,
                       const Poses& poses) const;
   plane::Region general(const Condition& condition, std::size_t body, const Poses& poses) const;
 
   const Problem& problem_;
-  situation::Solver solver_;
+  formula::Solver solver_;
   mutable std::mutex guard_;
   mutable std::map<Key, BoxedPointer> sets_;
 };

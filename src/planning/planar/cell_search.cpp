@@ -34,14 +34,17 @@ using Choices = std::vector<std::vector<Bound>>;
 bool same_point(const RealPoint& p, const RealPoint& q) { return p.x == q.x && p.y == q.y; }
 
 /// The projection of a bounded polyhedron on one body, by its extreme points.
-class Shadow {
+class Approximation {
  public:
-  Shadow(LinearProgram& program, std::size_t variables, std::size_t body)
+  Approximation(LinearProgram& program, std::size_t variables, std::size_t body)
       : program_(program), variables_(variables), body_(body) {}
 
   std::vector<RealPoint> corners() {
     RealPoint low = farthest(-1, 0), high = farthest(1, 0);
-    if (low.x == high.x) low = farthest(0, -1), high = farthest(0, 1);
+    if (low.x == high.x) {
+      low = farthest(0, -1);
+      high = farthest(0, 1);
+    }
     corners_.push_back(low);
     if (same_point(low, high)) return corners_;
     refine(low, high);
@@ -54,7 +57,8 @@ class Shadow {
  private:
   RealPoint farthest(const Real& a, const Real& b) {
     std::vector<Real> objective(variables_);
-    objective[2 * body_] = a, objective[2 * body_ + 1] = b;
+    objective[2 * body_] = a;
+    objective[2 * body_ + 1] = b;
     const std::vector<Real> at = *program_.maximise(objective);
     return {at[2 * body_], at[2 * body_ + 1]};
   }
@@ -105,7 +109,10 @@ class Search {
   Projections run() {
     extend(0);
     for (std::size_t i = 0; i < found_.size(); ++i) gather(i);
-    if (stopped_) out_.exact = false, out_.reason = "the time limit came before the search ended";
+    if (stopped_) {
+      out_.exact = false;
+      out_.reason = "the time limit came before the search ended";
+    }
     return std::move(out_);
   }
 
@@ -116,8 +123,12 @@ class Search {
       std::vector<Bound> bounds;
       for (const HalfPlane& h : cell) {
         Bound b{std::vector<Real>(variables_), h.c, h.strict};
-        b.row[2 * i] = Real(h.a), b.row[2 * i + 1] = Real(h.b);
-        if (j) b.row[2 * *j] = Real(-h.a), b.row[2 * *j + 1] = Real(-h.b);
+        b.row[2 * i] = Real(h.a);
+        b.row[2 * i + 1] = Real(h.b);
+        if (j) {
+          b.row[2 * *j] = Real(-h.a);
+          b.row[2 * *j + 1] = Real(-h.b);
+        }
         bounds.push_back(std::move(b));
       }
       all.push_back(std::move(bounds));
@@ -139,7 +150,7 @@ class Search {
     }
   }
 
-  /// Whether the chosen bounds have a common point, strict ones strictly: then there is room for a t > 0 in them.
+  /// Whether the chosen bounds have a common point, strict ones strictly: then there is tolerance for a t > 0 in them.
   bool possible() const {
     const bool strict = std::any_of(chosen_.begin(), chosen_.end(), [](const Bound* b) { return b->strict; });
     LinearProgram program(variables_ + (strict ? 1 : 0));
@@ -162,7 +173,7 @@ class Search {
     for (const Bound* b : chosen_) program.add(b->row, b->value);
     program.feasible();
     for (std::size_t i = 0; i < found_.size(); ++i) {
-      const std::vector<RealPoint> corners = Shadow(program, variables_, i).corners();
+      const std::vector<RealPoint> corners = Approximation(program, variables_, i).corners();
       found_[i].push_back(convex_region(corners, closed_ || corners.size() == 1));
       if (found_[i].size() >= kAtOnce) gather(i);
     }

@@ -169,8 +169,10 @@ class Projector {
     std::optional<std::vector<RealPoint>> points;
     std::size_t chosen = 0;
     for (std::size_t i : members)
-      if (auto p = as_points(out_.positions[i]); p && (!points || p->size() < points->size()))
-        points = std::move(p), chosen = i;
+      if (auto p = as_points(out_.positions[i]); p && (!points || p->size() < points->size())) {
+        points = std::move(p);
+        chosen = i;
+      }
     if (!points) return false;
     std::vector<std::size_t> others;
     std::copy_if(members.begin(), members.end(), std::back_inserter(others),
@@ -184,7 +186,11 @@ class Projector {
         if (auto n = s_.between.find(std::minmax(chosen, others[k])); n != s_.between.end())
           rest.own[k] = both(rest.own[k], left_by(n->second, q, chosen < others[k]));
       Projections found = project(std::move(rest), limit_);
-      if (!found.exact) out_.exact = false, out_.reason = found.reason, unknown = true;
+      if (!found.exact) {
+        out_.exact = false;
+        out_.reason = found.reason;
+        unknown = true;
+      }
       if (plane::is_empty(found.positions[0])) continue;
       finite_found_ = true;
       for (std::size_t m = 0, k = 0; m < members.size(); ++m)
@@ -198,7 +204,9 @@ class Projector {
 
   bool search(const std::vector<std::size_t>& members) {
     const auto give_up = [&](const std::string& reason) {
-      out_.exact = false, out_.reason = reason, undecided_empty_ = true;
+      out_.exact = false;
+      out_.reason = reason;
+      undecided_empty_ = true;
       return true;
     };
     // The sets as given: the narrowed ones have more cells and no other solutions.
@@ -216,7 +224,10 @@ class Projector {
       if (!is_straight(region)) return give_up(kArcs);
     }
     Projections found = search_cells(system, limit_);
-    if (!found.exact) out_.exact = false, out_.reason = found.reason;
+    if (!found.exact) {
+      out_.exact = false;
+      out_.reason = found.reason;
+    }
     const bool none = plane::is_empty(found.positions[0]);
     undecided_empty_ = undecided_empty_ || (none && !found.exact);
     for (std::size_t k = 0; k < members.size(); ++k) out_.positions[members[k]] = std::move(found.positions[k]);

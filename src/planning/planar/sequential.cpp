@@ -63,13 +63,13 @@ class Sequence {
   };
 
   Region region(std::size_t body, std::size_t angle) {
-    if (problem_.bodies[body].copy == 0) return room(body, angle, nullptr).region;
+    if (problem_.bodies[body].copy == 0) return tolerance(body, angle, nullptr).region;
     auto& known = rooms_[{problem_.bodies[body].name, angle}];
-    known = std::make_unique<Room>(room(body, angle, known.get()));
+    known = std::make_unique<Room>(tolerance(body, angle, known.get()));
     return known->region;
   }
 
-  Room room(std::size_t body, std::size_t angle, const Room* known) const {
+  Room tolerance(std::size_t body, std::size_t angle, const Room* known) const {
     Poses poses = poses_;
     poses[body] = Pose{angle, {}};
     Room out{known ? known->region : own_room(body, poses), {}};
@@ -86,9 +86,9 @@ class Sequence {
     return out;
   }
 
-  bool all_minded(std::size_t condition, std::size_t body, const Room& room) const {
+  bool all_minded(std::size_t condition, std::size_t body, const Room& tolerance) const {
     return std::all_of(bodies_[condition].begin(), bodies_[condition].end(),
-                       [&](std::size_t b) { return b == body || room.minded[b]; });
+                       [&](std::size_t b) { return b == body || tolerance.minded[b]; });
   }
 
   /// Where the body may stand alone: this says where the others matter.

@@ -7,18 +7,18 @@
 #include <array>
 
 #include "findspace/error.h"
-#include "situation/formula/text.h"
-#include "situation/formula/which.h"
+#include "formula/language/text.h"
+#include "formula/language/which.h"
 
 namespace findspace::planning {
 
 using exact::Real;
-using situation::Atom;
-using situation::Distance;
-using situation::Formula;
-using situation::Kind;
-using situation::Node;
-using situation::Relation;
+using formula::Atom;
+using formula::Distance;
+using formula::Formula;
+using formula::Kind;
+using formula::Node;
+using formula::Relation;
 
 namespace {
 
@@ -66,9 +66,9 @@ class Hedge {
     std::vector<Formula> operands;
     switch (node.op) {
       case Node::Op::kTrue:
-        return situation::constant(true);
+        return formula::constant(true);
       case Node::Op::kFalse:
-        return situation::constant(false);
+        return formula::constant(false);
       case Node::Op::kNot:
         return negation(
             run(node.operands.front(), certainty == Certainty::kCertain ? Certainty::kPossible : Certainty::kCertain));
@@ -87,32 +87,34 @@ class Hedge {
 
  private:
   static void require_plain(const Atom& a) {
-    if (!a.minimum && a.distance.prefix == situation::Extremum::kNone) return;
+    if (!a.minimum && a.distance.prefix == formula::Extremum::kNone) return;
     throw Error(ErrorCode::kUnsupported, text(a) + ": not computed over positions and angles");
   }
 
   Formula certain(const Atom& atom, Relation relation) {
-    if (relation == Relation::kEqual) return situation::constant(false);
+    if (relation == Relation::kEqual) return formula::constant(false);
     if (relation == Relation::kNotEqual) {
       const std::array both{certain(atom, Relation::kLess), certain(atom, Relation::kGreater)};
-      return situation::disjunction(both);
+      return formula::disjunction(both);
     }
     Distance d = moving_first(atom.distance, moving_);
-    if (situation::is_plain_level({d, atom.level})) d.mode = situation::Mode::kPlain, d.vector.clear();
+    if (formula::is_plain_level({d, atom.level})) {
+      d.mode = formula::Mode::kPlain;
+      d.vector.clear();
+    }
     const Response r = response(d.kind);
-    if (!r.known || d.mode != situation::Mode::kPlain) return situation::constant(false);
+    if (!r.known || d.mode != formula::Mode::kPlain) return formula::constant(false);
     const bool at_most = relation == Relation::kLess || relation == Relation::kLessEqual;
     const Real level = at_most ? atom.level - bound_ : atom.level + bound_;
-    if (r.as_mu && atom.level.sign() <= 0) return Formula(situation::compare(as_mu(d), relation, level));
+    if (r.as_mu && atom.level.sign() <= 0) return Formula(formula::compare(as_mu(d), relation, level));
     if (r.lipschitz || (r.from_zero_up && atom.level.sign() >= 0 && level.sign() >= 0))
-      return Formula(situation::compare(d, relation, level));
+      return Formula(formula::compare(d, relation, level));
     // The largest value is wanted for "at most": that of the grown shape where the distance grows with it.
-    Formula of_variant(situation::compare(with(d, true, r.grows == at_most ? bound_ : -bound_), relation, atom.level));
+    Formula of_variant(formula::compare(with(d, true, r.grows == at_most ? bound_ : -bound_), relation, atom.level));
     if (!r.from_zero_up || atom.level.sign() < 0) return of_variant;
     // Or the shape itself is so deep in the other that it cannot leave it by more than the level.
-    const std::array either{std::move(of_variant),
-                            Formula(situation::compare(with(d, false, level), relation, Real()))};
-    return situation::disjunction(either);
+    const std::array either{std::move(of_variant), Formula(formula::compare(with(d, false, level), relation, Real()))};
+    return formula::disjunction(either);
   }
 
   static Distance as_mu(Distance d) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "situation/formula/formula.h"
+#include "formula/language/formula.h"
 
 namespace findspace::planning {
 
@@ -23,12 +23,12 @@ struct Variant {
 };
 
 struct Hedged {
-  situation::Formula formula;     // may speak of variants of the shapes
+  formula::Formula formula;       // may speak of variants of the shapes
   std::vector<Variant> variants;  // each name once
 };
 
 /// `bound` in the scene's unit.
-Hedged hedged(const situation::Formula& formula, const std::vector<std::string>& moving, const exact::Real& bound,
+Hedged hedged(const formula::Formula& formula, const std::vector<std::string>& moving, const exact::Real& bound,
               Certainty certainty);
 
 }  // namespace findspace::planning

@@ -17,11 +17,11 @@
 namespace findspace::planning {
 
 using exact::Real;
+using formula::Formula;
+using formula::Solver;
+using formula::World;
 using plane::Mark;
 using plane::Region;
-using situation::Formula;
-using situation::Solver;
-using situation::World;
 
 namespace {
 
@@ -36,7 +36,7 @@ double reach(const World& world, const plane::GridPoint& about) {
     }
     for (plane::Index e = 0; e < r.edges.size(); ++e) {
       if (!r.is_arc(e)) continue;
-      const exact::Carrier& k = r.carrier(e);
+      const exact::SupportingCurve& k = r.supporting_curve(e);
       most = std::max(most, std::hypot(k.x.value - double(about.x), k.y.value - double(about.y)) + k.z.hi());
     }
   }
@@ -71,19 +71,20 @@ class Stand {
       shape = plane::rotated(shape, about, degrees, world_.step.to_double(), slice.rounding);
     }
     const Solver solver(world_);
-    if (!solver.turns_in(formula)) {
+    if (!solver.rotations_in(formula)) {
       slice.region = solver.feasible(formula);
       return;
     }
     Solver::Bounds bounds = solver.feasible_bounds(formula);
-    slice.region = std::move(bounds.inner), slice.outer = std::move(bounds.outer);
+    slice.region = std::move(bounds.inner);
+    slice.outer = std::move(bounds.outer);
   }
 
   /// Where the formula certainly holds, or may hold, for shapes within `bound` steps.
   Region hedge(const Real& bound, Certainty certainty) const {
     const Hedged h = hedged(formula_, world_.moving, bound * world_.step, certainty);
     World w = world_;
-    w.worn = true;
+    w.eroded = true;
     for (const Variant& v : h.variants) {
       const bool moves = std::find(world_.moving.begin(), world_.moving.end(), v.of) != world_.moving.end();
       w.shapes.emplace(v.name, offset(world_.shapes.at(v.of), v.by / world_.step));

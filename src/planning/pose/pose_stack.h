@@ -10,17 +10,18 @@
 // so the shape at any angle of that half contains the shape at the end eroded by the bound, and lies in the shape grown
 // by it. gamma1 between levels >= 0, gamma2, mu (for eta1 <= 0 too), ... change by at most the bound and get it added
 // to their level; where that is not so (a depth jumps: an exact fit in a slot is lost at once), an eroded or grown
-// shape takes a shape's place. Guarantee: maps exact for the turned shapes on the grid, or between bounds where
-// Solver::turns_in(); sectors certified for the exactly turned shape. Atoms of which nothing certain is known (eta2,
-// delta2, along a direction, in rotation but at level 0) make `inner` smaller and `outer` larger, never wrong. Cost:
-// one map an angle, two a sector's half. Keywords: configuration space slices, orientation, conservative approximation.
+// shape takes a shape's place. Guarantee: maps exact for the rotated shapes on the grid, or between bounds where
+// Solver::rotations_in(); sectors certified for the exactly rotated shape. Atoms of which nothing certain is known
+// (eta2, delta2, along a direction, in rotation but at level 0) make `inner` smaller and `outer` larger, never wrong.
+// Cost: one map an angle, two a sector's half. Keywords: configuration space slices, orientation, conservative
+// approximation.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "formula/planar/solve.h"
 #include "plane/build/transform.h"
-#include "situation/planar/solve.h"
 
 namespace findspace::planning {
 
@@ -44,7 +45,7 @@ struct PoseStack {
 
 /// `about`: the pole, a grid point of the moving shape's own coordinates. Throws Error(kUnsupported) for `-> min` and
 /// for distances over time.
-PoseStack pose_stack(const situation::World& world, const situation::Formula& formula, const plane::GridPoint& about,
+PoseStack pose_stack(const formula::World& world, const formula::Formula& formula, const plane::GridPoint& about,
                      std::vector<exact::Real> degrees);
 
 }  // namespace findspace::planning

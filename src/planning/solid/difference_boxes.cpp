@@ -53,8 +53,14 @@ space::IntervalBox DifferenceBoxes::range(std::size_t i, std::size_t j) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Bound &high = at(axis, i, j), &low = at(axis, j, i);
     space::Interval& k = out[axis];
-    if (high.most) k.to = *high.most, k.to_in = high.in;
-    if (low.most) k.from = -*low.most, k.from_in = low.in;
+    if (high.most) {
+      k.to = *high.most;
+      k.to_in = high.in;
+    }
+    if (low.most) {
+      k.from = -*low.most;
+      k.from_in = low.in;
+    }
   }
   return out;
 }

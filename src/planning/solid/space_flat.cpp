@@ -11,11 +11,11 @@
 namespace findspace::planning {
 
 using exact::Real;
-using situation::Atom;
-using situation::Formula;
-using situation::Kind;
-using situation::Node;
-using situation::Relation;
+using formula::Atom;
+using formula::Formula;
+using formula::Kind;
+using formula::Node;
+using formula::Relation;
 using space::HalfSpace;
 using space::RealVector;
 
@@ -45,9 +45,9 @@ class Maker {
 
  private:
   bool add(const Atom& atom) {
-    const situation::Distance d = moving_first(atom.distance, stage_.moving());
+    const formula::Distance d = moving_first(atom.distance, stage_.moving());
     const auto& moving = stage_.moving();
-    if (atom.minimum || d.mode != situation::Mode::kPlain || atom.level.sign() != 0 ||
+    if (atom.minimum || d.mode != formula::Mode::kPlain || atom.level.sign() != 0 ||
         std::find(moving.begin(), moving.end(), d.first.at(0)) == moving.end())
       return false;
     const bool apart = d.kind == Kind::kGamma1 && atom.relation == Relation::kGreaterEqual;
@@ -86,8 +86,8 @@ class Maker {
     std::vector<HalfSpace> moved;
     for (const HalfSpace& h : planes) moved.emplace_back(h.normal, h.offset * unit - space::dot(h.normal, by));
     const space::Vector shift = space::rounded(by);
-    const double factor = unit.to_double(), room = 0x1p-44 * space::size_of(shift);
-    const space::Vector margin{room, room, room};
+    const double factor = unit.to_double(), tolerance = 0x1p-44 * space::size_of(shift);
+    const space::Vector margin{tolerance, tolerance, tolerance};
     out_.covered.add({space::plus(space::scaled(factor, extent.low), shift) - margin,
                       space::plus(space::plus(space::scaled(factor, extent.high), shift), margin)},
                      std::move(moved));

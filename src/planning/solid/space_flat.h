@@ -12,13 +12,13 @@
 #include <optional>
 
 #include "planning/solid/space_stage.h"
-#include "space/body/open_cover.h"
+#include "space/body/open_union.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::planning {
 
 struct FlatPositions {
-  space::OpenCover covered;     // no position is in these sets, in grid steps
+  space::OpenUnion covered;     // no position is in these sets, in grid steps
   space::RealVector low, high;  // all positions are in this box; high < low in a coordinate: there are none
 
   bool empty_box() const;

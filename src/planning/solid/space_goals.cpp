@@ -9,8 +9,8 @@
 namespace findspace::planning {
 
 using exact::Real;
-using situation::Goal;
-using situation::Objective;
+using formula::Goal;
+using formula::Objective;
 using space::RealVector;
 
 namespace {

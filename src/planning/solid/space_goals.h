@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The objectives of a placement in space, as its three carriers take them: linear forms of the position and distances
-// to points, the first first; before them, coordinates that must have a value. What the objectives leave open is
-// decided by the least z, then y, then x.
+// The objectives of a placement in space, as its three supporting_curves take them: linear forms of the position and
+// distances to points, the first first; before them, coordinates that must have a value. What the objectives leave open
+// is decided by the least z, then y, then x.
 #pragma once
 
 #include <array>

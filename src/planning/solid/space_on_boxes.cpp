@@ -26,7 +26,8 @@ struct Least {
 /// The face of a box on which the form is least; nothing where the box goes on for ever.
 std::optional<Real> least_of_form(const IntervalBox& box, const RealVector& form, IntervalBox& face, bool& held) {
   Real value;
-  face = box, held = true;
+  face = box;
+  held = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const int sign = form[k].sign();
     if (sign == 0) continue;
@@ -45,8 +46,14 @@ std::optional<Real> least_of_distance(const IntervalBox& box, const RealVector& 
   held = true;
   for (std::size_t k = 0; k < 3; ++k) {
     Real c = p[k];
-    if (box[k].from && c <= *box[k].from) c = *box[k].from, held = held && box[k].from_in;
-    if (box[k].to && *box[k].to <= c) c = *box[k].to, held = held && box[k].to_in;
+    if (box[k].from && c <= *box[k].from) {
+      c = *box[k].from;
+      held = held && box[k].from_in;
+    }
+    if (box[k].to && *box[k].to <= c) {
+      c = *box[k].to;
+      held = held && box[k].to_in;
+    }
     face[k] = {c, c, true, true};
     square += (c - p[k]) * (c - p[k]);
   }

@@ -62,7 +62,9 @@ class Search {
       if (*at == before) break;
     }
     if (unbounded_) {
-      out.attained = false, out.unbounded = true, out.on_lines = false;
+      out.attained = false;
+      out.unbounded = true;
+      out.on_lines = false;
       out.values.push_back(std::nullopt);
       return out;
     }
@@ -203,7 +205,10 @@ class Search {
       const auto down = static_cast<std::int64_t>(exact::floor(place));
       const bool whole = place.integer().has_value(), here = event.here <= 0, after = event.after <= 0;
       if (in) close(whole && !here ? down - 1 : down);
-      if (!in && here && !after && whole) now.low = down, close(down);
+      if (!in && here && !after && whole) {
+        now.low = down;
+        close(down);
+      }
       if (after) now.low = whole && here && !in ? down : down + 1;
       in = after;
     }

@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "formula/solid/solve_space.h"
 #include "planning/order/problem.h"
-#include "situation/solid/solve_space.h"
 
 namespace findspace::planning {
 
 struct SpaceProblem : Demands {
-  /// Every shape, and every turned one, by its name; and the same as sets and bodies.
+  /// Every shape, and every rotated one, by its name; and the same as sets and bodies.
   std::map<std::string, plane::ShapePtr> shapes;
-  std::map<std::string, situation::SpaceShape> built;
+  std::map<std::string, formula::SpaceShape> built;
   exact::Real step;  // one grid step in the scene's unit
   int lines = 128;   // each way, where positions are taken on lines
 };

@@ -7,7 +7,7 @@
 #include "findspace/error.h"
 #include "planning/solid/space_on_boxes.h"
 #include "planning/solid/space_on_lines.h"
-#include "space/body/lowest_uncovered.h"
+#include "space/body/lowest_in_complement.h"
 
 namespace findspace::planning {
 
@@ -31,16 +31,15 @@ auto unless_refused(Make make) -> std::optional<decltype(make())> {
 
 /// Whether a condition holds nowhere by itself, which one convex set tells.
 bool one_fails(const SpaceStage& stage) {
-  const situation::Formula& formula = stage.formula();
-  if (formula.root().op != situation::Node::Op::kAnd && formula.root().op != situation::Node::Op::kAtom) return false;
-  const situation::SpaceSolver solver(stage.world());
-  const auto is_atom = [](const situation::Node& n) { return n.op == situation::Node::Op::kAtom; };
-  std::vector<situation::Node> operands = formula.root().operands;
+  const formula::Formula& formula = stage.formula();
+  if (formula.root().op != formula::Node::Op::kAnd && formula.root().op != formula::Node::Op::kAtom) return false;
+  const formula::SpaceSolver solver(stage.world());
+  const auto is_atom = [](const formula::Node& n) { return n.op == formula::Node::Op::kAtom; };
+  std::vector<formula::Node> operands = formula.root().operands;
   if (operands.empty()) operands = {formula.root()};
-  return std::any_of(operands.begin(), operands.end(), [&](const situation::Node& n) {
+  return std::any_of(operands.begin(), operands.end(), [&](const formula::Node& n) {
     if (!is_atom(n)) return false;
-    const auto set =
-        unless_refused([&] { return solver.feasible_convex(situation::Formula(formula.atoms()[n.atom])); });
+    const auto set = unless_refused([&] { return solver.feasible_convex(formula::Formula(formula.atoms()[n.atom])); });
     return set && *set && space::summarize((*set)->set, (*set)->step).empty;
   });
 }
@@ -48,14 +47,14 @@ bool one_fails(const SpaceStage& stage) {
 SpacePositions positions_of(const SpaceStage& stage, std::size_t angle) {
   SpacePositions out;
   out.angle = angle;
-  out.formula = std::make_shared<const situation::Formula>(stage.formula());
-  out.boxes = unless_refused([&] { return situation::SpaceSolver(stage.world()).feasible(stage.formula()); });
+  out.formula = std::make_shared<const formula::Formula>(stage.formula());
+  out.boxes = unless_refused([&] { return formula::SpaceSolver(stage.world()).feasible(stage.formula()); });
   if (out.boxes) return out;
   if (auto flat = flat_positions(stage)) {
     out.flat = std::make_shared<const FlatPositions>(std::move(*flat));
     return out;
   }
-  out.rays = std::make_shared<const situation::RayWorld>(stage.rays());
+  out.rays = std::make_shared<const formula::RayWorld>(stage.rays());
   out.none = one_fails(stage);
   return out;
 }
@@ -75,7 +74,7 @@ std::optional<SpaceBest> best_in_flat(const FlatPositions& flat, const SpaceGoal
     within.cut(below.opposite());
     out.values.push_back(std::nullopt);
   }
-  out.at = lowest_uncovered(flat.covered, within, *forms);
+  out.at = lowest_in_complement(flat.covered, within, *forms);
   for (std::size_t k = 0; out.at && k < goals.all.size(); ++k)
     out.values.push_back(space::dot((*forms)[k], *out.at) * step);
   return out;
@@ -111,7 +110,7 @@ SpaceBest best_in(const SpacePositions& positions, const SpaceGoals& goals, cons
     }
   }
   if (positions.none) return {};
-  const situation::RayWindow box = positions.window();
+  const formula::RayWindow box = positions.window();
   const LinesAsked lines{[&](const space::RayGrid& grid) { return positions.lines(grid); }, box.low, box.high,
                          problem.lines};
   return best_on_lines(lines, goals);
@@ -146,7 +145,7 @@ SpaceStep place(const SpaceProblem& problem, const SpaceGoals& goals, const Spac
     step.positions.push_back(positions_of(SpaceStage(problem, poses, body, a), a));
     SpaceBest best = best_in(step.positions.back(), goals, problem);
     lines = lines || best.on_lines;
-    if (!best.at && best.attained) continue;  // no room at this angle
+    if (!best.at && best.attained) continue;  // no tolerance at this angle
     if (any && !better(best, step.best, goals)) continue;
     any = true;
     step.pose.reset();
@@ -159,8 +158,8 @@ SpaceStep place(const SpaceProblem& problem, const SpaceGoals& goals, const Spac
 
 }  // namespace
 
-situation::RayWindow SpacePositions::window() const {
-  if (!flat) return situation::window(*rays, *formula);
+formula::RayWindow SpacePositions::window() const {
+  if (!flat) return formula::window(*rays, *formula);
   const auto corner = [](const RealVector& p, const Real& up) {
     std::array<std::int64_t, 3> c{};
     for (std::size_t k = 0; k < 3; ++k) c[k] = static_cast<std::int64_t>(exact::floor(p[k] + up));
@@ -170,7 +169,7 @@ situation::RayWindow SpacePositions::window() const {
 }
 
 space::RaySourcePointer SpacePositions::lines(const space::RayGrid& grid) const {
-  return flat ? flat->rays(grid) : situation::ray_region(*rays, *formula, grid);
+  return flat ? flat->rays(grid) : formula::ray_region(*rays, *formula, grid);
 }
 
 SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit) {

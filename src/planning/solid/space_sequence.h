@@ -21,13 +21,13 @@ struct SpacePositions {
   std::size_t angle = 0;
   std::optional<space::BoxComplex> boxes;
   std::shared_ptr<const FlatPositions> flat;
-  std::shared_ptr<const situation::RayWorld> rays;  // of the lines
-  std::shared_ptr<const situation::Formula> formula;
+  std::shared_ptr<const formula::RayWorld> rays;  // of the lines
+  std::shared_ptr<const formula::Formula> formula;
   bool none = false;  // on lines: there are none for certain
 
   bool on_lines() const { return !boxes && !flat; }
   /// A box that holds what is bounded of them, in grid steps. Not for boxes.
-  situation::RayWindow window() const;
+  formula::RayWindow window() const;
   /// At most 0 in the set. Not for boxes.
   space::RaySourcePointer lines(const space::RayGrid& grid) const;
 };

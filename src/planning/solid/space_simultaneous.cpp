@@ -100,7 +100,7 @@ SpaceProblem part_of(const SpaceProblem& problem, const std::vector<std::size_t>
 
 Boxes positions_of(const SpaceProblem& problem, const SpacePoses& others, std::size_t body) {
   const SpaceStage stage(problem, others, body, 0);
-  return situation::SpaceSolver(stage.world()).feasible(stage.formula()).boxes();
+  return formula::SpaceSolver(stage.world()).feasible(stage.formula()).boxes();
 }
 
 void require_pairs(const SpaceProblem& problem) {

@@ -12,10 +12,10 @@
 namespace findspace::planning {
 
 using exact::Real;
-using situation::Atom;
-using situation::Formula;
-using situation::Node;
-using situation::SpaceShape;
+using formula::Atom;
+using formula::Formula;
+using formula::Node;
+using formula::SpaceShape;
 using space::RealVector;
 
 namespace {
@@ -31,21 +31,25 @@ std::optional<space::Point> on_grid(const RealVector& p) {
 }
 
 std::shared_ptr<const std::vector<space::RaySolid>> moved(std::vector<space::RaySolid> solids, const space::Point& by) {
-  for (space::RaySolid& s : solids) s.surface = space::moved(std::move(s.surface), by), s.center = s.center + by;
+  for (space::RaySolid& s : solids) {
+    s.surface = space::moved(std::move(s.surface), by);
+    s.center = s.center + by;
+  }
   return std::make_shared<const std::vector<space::RaySolid>>(std::move(solids));
 }
 
 SpaceShape moved(const SpaceShape& shape, const RealVector& by) {
   if (space::is_zero(by)) return shape;
   SpaceShape out;
-  out.refused = shape.refused, out.convex = shape.convex;
+  out.refused = shape.refused;
+  out.convex = shape.convex;
   if (shape.boxes) out.boxes = shape.boxes->translated(by);
   const auto whole = on_grid(by);
   if (shape.body && whole) {
     const auto make = [body = shape.body, whole] {
       return std::make_shared<const space::Body>(translated(*body, *whole));
     };
-    out.body = shape.body.made() ? situation::LazyBody(make()) : situation::LazyBody::later(make);
+    out.body = shape.body.made() ? formula::LazyBody(make()) : formula::LazyBody::later(make);
   }
   if (shape.surfaces && whole) out.surfaces = moved(*shape.surfaces, *whole);
   if (shape.body && !whole) out.refused = "the shape stands off the grid";
@@ -62,7 +66,8 @@ plane::ShapePtr moved(const plane::ShapePtr& shape, const std::string& name, con
                             name));
   plane::Shape out;
   out.kind = plane::Shape::Kind::kTranslate;
-  out.name = name, out.place = shape->place;
+  out.name = name;
+  out.place = shape->place;
   out.children = {shape};
   out.points = {plane::GridPoint{whole->x, whole->y}};
   out.lift = whole->z;
@@ -90,7 +95,7 @@ SpaceStage::SpaceStage(const SpaceProblem& problem, const SpacePoses& others, st
   std::vector<Formula> all;
   for (const Condition& c : problem.conditions)
     if (counts(bodies_of(*c.formula, c.roles), others)) all.push_back(bound(c));
-  formula_ = situation::conjunction(all);
+  formula_ = formula::conjunction(all);
 }
 
 void SpaceStage::add_shapes(std::size_t body, const SpacePose& pose) {
@@ -141,7 +146,7 @@ Node SpaceStage::bound_node(const Node& node, const Condition& condition, std::v
     atoms.push_back(std::move(atom));
     return out;
   }
-  const situation::SpaceSolver solver(world(atom.distance.first));
+  const formula::SpaceSolver solver(world(atom.distance.first));
   const bool holds = solver.check(Formula(atom), RealVector{}).holds;
   return Node{holds ? Node::Op::kTrue : Node::Op::kFalse, 0, {}};
 }
@@ -152,8 +157,8 @@ Formula SpaceStage::bound(const Condition& condition) const {
   return Formula(std::move(root), std::move(atoms));
 }
 
-situation::SpaceWorld SpaceStage::world(const Names& moving) const {
-  situation::SpaceWorld out;
+formula::SpaceWorld SpaceStage::world(const Names& moving) const {
+  formula::SpaceWorld out;
   for (const auto& [name, standing] : standing_)
     out.shapes.emplace(name, moved(problem_.built.at(standing.shape), standing.at));
   out.moving = moving;
@@ -161,11 +166,11 @@ situation::SpaceWorld SpaceStage::world(const Names& moving) const {
   return out;
 }
 
-situation::RayWorld SpaceStage::rays() const {
-  situation::RayWorld out;
+formula::RayWorld SpaceStage::rays() const {
+  formula::RayWorld out;
   for (const auto& [name, standing] : standing_) {
     plane::ShapePtr shape = moved(problem_.shapes.at(standing.shape), name, standing.at);
-    out.shapes.emplace(name, situation::RayShape(shape));
+    out.shapes.emplace(name, formula::RayShape(shape));
   }
   out.moving = moving_;
   out.step = problem_.step;

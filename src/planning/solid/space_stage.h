@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "formula/solid/solve_rays.h"
 #include "planning/solid/space_problem.h"
-#include "situation/solid/solve_rays.h"
 
 namespace findspace::planning {
 
@@ -23,7 +23,7 @@ class SpaceStage {
   /// Keeps a reference to the problem. `others` by body; that of `body` itself is passed over.
   SpaceStage(const SpaceProblem& problem, const SpacePoses& others, std::size_t body, std::size_t angle);
 
-  const situation::Formula& formula() const { return formula_; }
+  const formula::Formula& formula() const { return formula_; }
   const std::vector<std::string>& moving() const { return moving_; }
   const exact::Real& step() const { return problem_.step; }
   int lines() const { return problem_.lines; }
@@ -34,21 +34,21 @@ class SpaceStage {
     space::RealVector at{};
   };
   const Standing& standing(const std::string& name) const { return standing_.at(name); }
-  const situation::SpaceShape& built(const std::string& name) const { return problem_.built.at(standing(name).shape); }
+  const formula::SpaceShape& built(const std::string& name) const { return problem_.built.at(standing(name).shape); }
 
-  situation::SpaceWorld world(const std::vector<std::string>& moving) const;
-  situation::SpaceWorld world() const { return world(moving_); }
-  situation::RayWorld rays() const;
+  formula::SpaceWorld world(const std::vector<std::string>& moving) const;
+  formula::SpaceWorld world() const { return world(moving_); }
+  formula::RayWorld rays() const;
 
  private:
   using Names = std::vector<std::string>;
 
   void add_shapes(std::size_t body, const SpacePose& pose);
   bool counts(const std::vector<std::size_t>& bodies, const SpacePoses& others) const;
-  situation::Formula bound(const Condition& condition) const;
+  formula::Formula bound(const Condition& condition) const;
   Names names(const Names& wanted, const Roles& roles) const;
-  situation::Node bound_node(const situation::Node& node, const Condition& condition,
-                             std::vector<situation::Atom>& atoms) const;
+  formula::Node bound_node(const formula::Node& node, const Condition& condition,
+                           std::vector<formula::Atom>& atoms) const;
   bool moves(const Names& names) const;
 
   const SpaceProblem& problem_;
@@ -56,7 +56,7 @@ class SpaceStage {
   std::map<std::string, Standing> standing_;  // by the name in this world
   std::map<std::size_t, Names> of_body_;      // names in this world, in the order of Body::shapes
   Names moving_;
-  situation::Formula formula_;
+  formula::Formula formula_;
 };
 
 }  // namespace findspace::planning

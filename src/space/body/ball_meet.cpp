@@ -87,7 +87,10 @@ std::optional<RealVector> BallMeet::nearest_of(const std::vector<int>& few, cons
     std::vector<const Ball*> on;
     std::vector<int> ids;
     for (int i = 0; i < n; ++i) {
-      if (set >> i & 1) on.push_back(&balls_[few[i]]), ids.push_back(few[i]);
+      if (set >> i & 1) {
+        on.push_back(&balls_[few[i]]);
+        ids.push_back(few[i]);
+      }
     }
     if (on.size() > 3) continue;
     for (const RealVector& q : on.empty() ? std::vector<RealVector>{p} : extreme_points(on, p)) {
@@ -115,7 +118,10 @@ std::optional<RealVector> BallMeet::nearest(const RealVector& p) const {
     for (int i = 0; i < static_cast<int>(balls_.size()); ++i) {
       if (std::find(basis.begin(), basis.end(), i) != basis.end() || holds(i, *q)) continue;
       const double out = distance(*q, balls_[i].center) - balls_[i].radius.to_double();
-      if (worst < 0 || out > most) most = out, worst = i;
+      if (worst < 0 || out > most) {
+        most = out;
+        worst = i;
+      }
     }
     if (worst < 0) return q;
     std::vector<int> few = basis;

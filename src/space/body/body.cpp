@@ -169,7 +169,11 @@ Body translated(Body body, const Point& t) {
     part.center = moved(part.center);
     for (Point& v : part.flat) v = moved(v);
     if (!part.core) continue;
-    for (const Point& v : part.core->vertices()) by(v.x, t.x), by(v.y, t.y), by(v.z, t.z);
+    for (const Point& v : part.core->vertices()) {
+      by(v.x, t.x);
+      by(v.y, t.y);
+      by(v.z, t.z);
+    }
     part.core = part.core->translated({t.x * body.scale, t.y * body.scale, t.z * body.scale});
   }
   return body;
@@ -237,13 +241,13 @@ Real support(const BodyPart& part, const RealVector& n) {
   const Vector near = space::rounded(n);
   double highest = -exact::kInfinity, size = 0;
   for (const Point& v : part.vertices()) {
-    const Vector at = exact::shadow(v);
+    const Vector at = exact::approx(v);
     highest = std::max(highest, dot(near, at));
     size = std::max(size, std::fabs(near.x * at.x) + std::fabs(near.y * at.y) + std::fabs(near.z * at.z));
   }
   std::optional<Real> best;
   for (const Point& v : part.vertices()) {
-    if (dot(near, exact::shadow(v)) < highest - 0x1p-48 * size) continue;
+    if (dot(near, exact::approx(v)) < highest - 0x1p-48 * size) continue;
     const Real value = dot(n, real(v));
     if (!best || *best < value) best = value;
   }

@@ -128,8 +128,8 @@ double surface_area(const Polytope& p) {
   for (int f = 0; f < p.facet_count(); ++f) {
     for (int h = p.first_half_edge(f) + 1; h + 1 < p.first_half_edge(f + 1); ++h) {
       const Point base = p.vertices()[p.half_edges()[p.first_half_edge(f)].origin];
-      const Shadow3 n =
-          exact::shadow(exact::cross(p.vertices()[p.half_edges()[h].origin] - base, p.vertices()[p.target(h)] - base));
+      const Approx3 n =
+          exact::approx(exact::cross(p.vertices()[p.half_edges()[h].origin] - base, p.vertices()[p.target(h)] - base));
       twice += std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     }
   }

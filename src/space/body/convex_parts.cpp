@@ -161,7 +161,9 @@ ConvexParts difference_of(const plane::Shape& a, const plane::Shape& b) {
   Body made = eroded(body_of(convex_parts(a)), body_of(convex_parts(b)));
   ConvexParts result;
   for (BodyPart& part : made.parts) result.parts.push_back(*std::move(part.core));
-  result.scale = made.scale, result.rounded = made.rounded, result.moved = made.moved;
+  result.scale = made.scale;
+  result.rounded = made.rounded;
+  result.moved = made.moved;
   return result;
 }
 

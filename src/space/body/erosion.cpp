@@ -30,7 +30,8 @@ std::optional<ConvexRegion> box_of(const Bounds3& a, const Body& b) {
   const Bounds3 by = bounds(b);
   RealVector low, high;
   for (std::size_t k = 0; k < 3; ++k) {
-    low[k] = a.low[k] + by.high[k], high[k] = a.high[k] + by.low[k];
+    low[k] = a.low[k] + by.high[k];
+    high[k] = a.high[k] + by.low[k];
     if (high[k] <= low[k]) return std::nullopt;
   }
   return ConvexRegion(low, high);
@@ -49,7 +50,7 @@ Body between_planes(const Polytope& a, const Body& b) {
 }
 
 /// Of one convex part: a copy for each corner of the parts of b that are less round; by the others the core shrinks.
-std::vector<Body> rooms(const BodyPart& a, const Body& b) {
+std::vector<Body> containers(const BodyPart& a, const Body& b) {
   std::vector<Body> out;
   Body rounder;
   for (const BodyPart& q : b.parts) {
@@ -99,13 +100,13 @@ Erosion erosion(const Body& a, const Body& b) {
     sum.outside = true;
     return {{at(std::move(sum), scale)}};
   }
-  Erosion out = p.parts.size() == 1 ? Erosion{rooms(p.parts[0], q)} : of_union(p, q);
-  for (Body& room : out.rooms) {
-    room = at(std::move(room), scale);
-    room.rounded += a.rounded + b.rounded;
-    room.moved = std::max({room.moved, a.moved, b.moved});
+  Erosion out = p.parts.size() == 1 ? Erosion{containers(p.parts[0], q)} : of_union(p, q);
+  for (Body& tolerance : out.containers) {
+    tolerance = at(std::move(tolerance), scale);
+    tolerance.rounded += a.rounded + b.rounded;
+    tolerance.moved = std::max({tolerance.moved, a.moved, b.moved});
   }
-  if (out.pillars) out.pillars = at(*std::move(out.pillars), scale);
+  if (out.obstacles) out.obstacles = at(*std::move(out.obstacles), scale);
   return out;
 }
 
@@ -126,8 +127,8 @@ std::vector<Polytope> polytopes(const Body& body, std::int64_t scale) {
 
 Body eroded(const Body& a, const Body& b) {
   Erosion made = erosion(a, b);
-  Body out = std::move(made.rooms[0]);
-  if (made.rooms.size() == 1 && (!made.pillars || made.pillars->parts.empty())) return out;
+  Body out = std::move(made.containers[0]);
+  if (made.containers.size() == 1 && (!made.obstacles || made.obstacles->parts.empty())) return out;
   const auto cut = [&](const Body& by, bool inside) {
     const std::int64_t scale = std::lcm(out.scale, by.scale);
     const std::vector<Polytope> p = polytopes(out, scale), q = polytopes(by, scale);
@@ -137,8 +138,8 @@ Body eroded(const Body& a, const Body& b) {
     next.moved = std::max({next.moved, out.moved, by.moved});
     out = std::move(next);
   };
-  for (std::size_t k = 1; k < made.rooms.size(); ++k) cut(made.rooms[k], true);
-  if (made.pillars) cut(*made.pillars, false);
+  for (std::size_t k = 1; k < made.containers.size(); ++k) cut(made.containers[k], true);
+  if (made.obstacles) cut(*made.obstacles, false);
   return out;
 }
 

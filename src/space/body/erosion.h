@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The Minkowski difference of bodies, the intersection of a + q over all q of b; of a and a ball about the origin a
-// shrunk by its radius. It is what all of `rooms` (convex bodies) have in common less the interiors of the parts of
-// `pillars`: a facet of a convex body moves in as far as b reaches, a corner or edge with a radius becomes as many
+// shrunk by its radius. It is what all of `containers` (convex bodies) have in common less the interiors of the parts
+// of `obstacles`: a facet of a convex body moves in as far as b reaches, a corner or edge with a radius becomes as many
 // copies as b has corners, and what is outside a body that is not convex keeps b from it. Guarantee: exact, sheets and
-// single points included, but for vertices of rooms that do not come to lie on the grid, which are rounded once and
-// counted (convex_parts.h). Cost: of a cut for each plane of a, and of outside_cells.h. Source: distances.md 1.3;
+// single points included, but for vertices of containers that do not come to lie on the grid, which are rounded once
+// and counted (convex_parts.h). Cost: of a cut for each plane of a, and of outside_cells.h. Source: distances.md 1.3;
 // Serra 1982 (erosion). Keywords: erosion, inner offset, shrink, inset.
 #pragma once
 
@@ -17,12 +17,12 @@
 namespace findspace::space {
 
 struct Erosion {
-  std::vector<Body> rooms;  // at least one
-  std::optional<Body> pillars{};
+  std::vector<Body> containers;  // at least one
+  std::optional<Body> obstacles{};
 };
 
-/// Of a complement a complement, as the only room. Throws Error(kUnsupported) for a union with round parts as a, a
-/// complement as b, Error(kGeometry) if nothing with interior is left of a room.
+/// Of a complement a complement, as the only tolerance. Throws Error(kUnsupported) for a union with round parts as a, a
+/// complement as b, Error(kGeometry) if nothing with interior is left of a tolerance.
 Erosion erosion(const Body& a, const Body& b);
 
 /// The closure of its interior as a body. Throws Error(kUnsupported) where no union of convex parts is one, besides.

@@ -76,7 +76,8 @@ Bounds3 bounds(const PlacedSurroundings& place) {
   for (const Point& corner : corners) {
     const RealVector at = real(place.at(corner));
     for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], at[k]), box.high[k] = std::max(box.high[k], at[k]);
+      box.low[k] = std::min(box.low[k], at[k]);
+      box.high[k] = std::max(box.high[k], at[k]);
     }
   }
   return box;
@@ -120,7 +121,7 @@ std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
   for (std::size_t k = 0; k < body.parts.size(); ++k) {
     if (done[k]) continue;
     std::vector<Vector> points;
-    for (const Point& v : body.parts[k].vertices()) points.push_back(exact::shadow(v));
+    for (const Point& v : body.parts[k].vertices()) points.push_back(exact::approx(v));
     const Convex part{space::extent_of(points), body.parts[k].planes()};
     next.clear();
     for (ConvexRegion& r : regions) {
@@ -147,7 +148,8 @@ std::vector<OutsideCell> outside_cells(const Body& body) {
   for (const PlacedSurroundings& place : body.around) {  // the corners of a part may have been rounded inward
     const Bounds3 mesh = bounds(place);
     for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], mesh.low[k]), box.high[k] = std::max(box.high[k], mesh.high[k]);
+      box.low[k] = std::min(box.low[k], mesh.low[k]);
+      box.high[k] = std::max(box.high[k], mesh.high[k]);
     }
   }
   for (int k = 0; k < 3; ++k) {

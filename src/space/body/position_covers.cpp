@@ -14,7 +14,7 @@ namespace {
 
 Extent extent_of(const BodyPart& part) {
   std::vector<Vector> points;
-  for (const Point& v : part.vertices()) points.push_back(exact::shadow(v));
+  for (const Point& v : part.vertices()) points.push_back(exact::approx(v));
   return space::extent_of(points);
 }
 
@@ -30,7 +30,10 @@ Real highest(std::span<const RealVector> points, const RealVector& n) {
 /// Whether the face of the points in direction n has an edge, or may have one: else n belongs to no facet of a sum.
 bool selects_edge(const Vector& n, std::span<const Vector> points) {
   double top = -exact::kInfinity, size = 0;
-  for (const Vector& v : points) top = std::max(top, dot(n, v)), size = std::max(size, size_of(v));
+  for (const Vector& v : points) {
+    top = std::max(top, dot(n, v));
+    size = std::max(size, size_of(v));
+  }
   return std::count_if(points.begin(), points.end(),
                        [&](const Vector& v) { return dot(n, v) >= top - 0x1p-36 * size; }) > 1;
 }
@@ -39,7 +42,7 @@ bool selects_edge(const Vector& n, std::span<const Vector> points) {
 bool selects_no_edges(const Vector& d, const Vector& e, std::span<const Vector> a, std::span<const Vector> b) {
   const Vector n{d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x};
   const double size = length(n);
-  // Else the direction of n is not known well enough for the room that selects_edge() leaves.
+  // Else the direction of n is not known well enough for the tolerance that selects_edge() leaves.
   if (!(size > 0x1p-10 * length(d) * length(e))) return false;
   const Vector unit = scaled(1 / size, n), back = scaled(-1 / size, n);
   return !(selects_edge(unit, a) && selects_edge(unit, b)) && !(selects_edge(back, a) && selects_edge(back, b));
@@ -126,8 +129,8 @@ std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b
   return planes;
 }
 
-OpenCover overlap_cover(const Body& b, const Body& a) {
-  OpenCover cover;
+OpenUnion overlap_cover(const Body& b, const Body& a) {
+  OpenUnion cover;
   for (const BodyPart& t : a.parts) {
     for (const BodyPart& s : b.parts) {
       cover.add(difference_extent(t, s), [&t, &s] { return difference_planes(t, s); });
@@ -136,12 +139,12 @@ OpenCover overlap_cover(const Body& b, const Body& a) {
   return cover;
 }
 
-OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
-  OpenCover cover;
+OpenUnion outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
+  OpenUnion cover;
   for (const OutsideCell& cell : outside_a) {
     if (!cell.bounded()) {
       const HalfSpace& h = cell.planes[0];
-      cover.add(everywhere(), OpenCover::Planes{HalfSpace(h.normal, h.offset - support(b, negated(h.normal)))});
+      cover.add(everywhere(), OpenUnion::Planes{HalfSpace(h.normal, h.offset - support(b, negated(h.normal)))});
       continue;
     }
     const Extent extent = extent_of(cell);

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "space/body/body.h"
-#include "space/body/open_cover.h"
+#include "space/body/open_union.h"
 #include "space/body/outside_cells.h"
 
 namespace findspace::space {
@@ -23,9 +23,9 @@ std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b
 Extent difference_extent(const BodyPart& a, const BodyPart& b);
 
 /// Neither body has a radius (nor is one `outside`). The bodies have to outlive the cover.
-OpenCover overlap_cover(const Body& b, const Body& a);
+OpenUnion overlap_cover(const Body& b, const Body& a);
 /// A has no radius; B may, if A is convex (else only its points without a radius count). Cells and B have to outlive
 /// the cover.
-OpenCover outside_cover(const Body& b, std::span<const OutsideCell> outside_a);
+OpenUnion outside_cover(const Body& b, std::span<const OutsideCell> outside_a);
 
 }  // namespace findspace::space

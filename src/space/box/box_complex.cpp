@@ -102,7 +102,9 @@ BoxComplex BoxComplex::simplified() const {
       for (int i = 0; same && i < cells(a); ++i) {
         for (int j = 0; same && j < cells(b); ++j) {
           std::array<int, 3> at{};
-          at[a] = i, at[b] = j, at[k] = c;
+          at[a] = i;
+          at[b] = j;
+          at[k] = c;
           const Mark here = mark(at[0], at[1], at[2]);
           at[k] = c - 1;
           same = mark(at[0], at[1], at[2]) == here;

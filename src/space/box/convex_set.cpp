@@ -171,9 +171,15 @@ class Summarizer {
   PlaceBox box() const {
     PlaceBox b{corners_[0], corners_[0]};
     for (const Place3& p : corners_) {
-      for (std::size_t k = 0; k < 3; ++k) b.low[k] = std::min(b.low[k], p[k]), b.high[k] = std::max(b.high[k], p[k]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        b.low[k] = std::min(b.low[k], p[k]);
+        b.high[k] = std::max(b.high[k], p[k]);
+      }
     }
-    for (std::size_t k = 0; k < 3; ++k) b.low[k] -= radius_, b.high[k] += radius_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      b.low[k] -= radius_;
+      b.high[k] += radius_;
+    }
     return b;
   }
 
@@ -204,7 +210,9 @@ ConvexSet interior(ConvexSet set) {
 }
 
 ConvexSet complement(ConvexSet set) {
-  set.inside = !set.inside, set.frontier = !set.frontier, set.outside = !set.outside;
+  set.inside = !set.inside;
+  set.frontier = !set.frontier;
+  set.outside = !set.outside;
   return set;
 }
 

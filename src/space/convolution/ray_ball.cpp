@@ -67,7 +67,7 @@ void BallRays::add_patch(std::vector<Patch>& patches, Kind kind, int feature, co
 }
 
 /// Of features first to last - 1: faces, then edges, then vertices.
-std::vector<BallRays::Patch> BallRays::patches_of(const std::vector<Shadow3>& units, std::size_t first,
+std::vector<BallRays::Patch> BallRays::patches_of(const std::vector<Approx3>& units, std::size_t first,
                                                   std::size_t last) const {
   std::vector<Patch> out;
   const auto box = [&](std::initializer_list<Point> points, Point& low, Point& high) {
@@ -78,7 +78,7 @@ std::vector<BallRays::Patch> BallRays::patches_of(const std::vector<Shadow3>& un
     }
   };
   Point low, high;
-  std::vector<Shadow3> about;
+  std::vector<Approx3> about;
   const std::size_t faces = body_.faces.size(), edges = body_.edges.size();
   for (std::size_t k = first; k < last; ++k) {
     if (k < faces) {
@@ -89,7 +89,7 @@ std::vector<BallRays::Patch> BallRays::patches_of(const std::vector<Shadow3>& un
       const RayEdge& edge = body_.edges[k - faces];
       if (edge.bend == 0) continue;
       box({body_.points[edge.from], body_.points[edge.to]}, low, high);
-      const Shadow3 two[2] = {units[edge.left], units[edge.right]};
+      const Approx3 two[2] = {units[edge.left], units[edge.right]};
       add_patch(out, Kind::kEdge, static_cast<int>(k - faces), low, high, cone_of(two));
     } else {
       const RayVertex& vertex = body_.vertices[k - faces - edges];
@@ -103,8 +103,8 @@ std::vector<BallRays::Patch> BallRays::patches_of(const std::vector<Shadow3>& un
 }
 
 void BallRays::make_patches() {
-  std::vector<Shadow3> units;
-  for (const Shadow3& n : body_.normal_shadows) units.push_back(unit(n));
+  std::vector<Approx3> units;
+  for (const Approx3& n : body_.normal_approx) units.push_back(unit(n));
   const std::size_t count = body_.faces.size() + body_.edges.size() + body_.vertices.size();
   std::vector<std::vector<Patch>> parts((count + kAtOnce - 1) / kAtOnce);
   plane::parallel_for(parts.size(), [&](std::size_t k) {

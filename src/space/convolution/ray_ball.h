@@ -49,7 +49,7 @@ class BallRays : public RaySource, private RayRoots {
   exact::Real root(int patch, int which, int i, int j) const override;
   void add_patch(std::vector<Patch>& patches, Kind kind, int feature, const Point& low, const Point& high,
                  const Cone& cone) const;
-  std::vector<Patch> patches_of(const std::vector<Shadow3>& units, std::size_t first, std::size_t last) const;
+  std::vector<Patch> patches_of(const std::vector<Approx3>& units, std::size_t first, std::size_t last) const;
   void make_patches();
 
   RayGrid grid_;

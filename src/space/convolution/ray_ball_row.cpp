@@ -16,18 +16,18 @@ RayRow BallRow::run() {
   collect();
   RayRow row;
   for (int i = 0; i < rays_.grid_.nu; ++i) {
-    if (unsure_[i] || !emit_certain(i, row)) emit_exact(i, row);
+    if (unresolved_[i] || !emit_certain(i, row)) emit_exact(i, row);
   }
   return row;
 }
 
 void BallRow::collect() {
   const int columns = rays_.grid_.nu;
-  unsure_.assign(columns, 0);
+  unresolved_.assign(columns, 0);
   for (std::size_t k = rays_.first_[j_]; k < rays_.first_[j_ + 1]; ++k) {
     const Patch& p = rays_.patches_[rays_.of_row_[k]];
     for (int i = p.first_column; i <= p.last_column; ++i) {
-      if (!unsure_[i] && !add_hits(rays_.of_row_[k], i)) unsure_[i] = 1;
+      if (!unresolved_[i] && !add_hits(rays_.of_row_[k], i)) unresolved_[i] = 1;
     }
   }
   first_.assign(columns + 1, 0);
@@ -69,13 +69,13 @@ bool BallRow::vertex_index(const Patch& p, int column, const Approx& height, int
                y = static_cast<double>(rays_.grid_.v_at(j_) - at.y);
   int changes = 0, first = 0, last = 0;
   for (int k = 0; k < v.count; ++k) {
-    const Shadow3 e = exact::shadow(rays_.body_.points[rays_.body_.corners[v.first + k].to] - at);
+    const Approx3 e = exact::approx(rays_.body_.points[rays_.body_.corners[v.first + k].to] - at);
     const double value = x * e.x + y * e.y + height.value * e.z;
     const double size = std::fabs(x * e.x) + std::fabs(y * e.y) + std::fabs(height.value * e.z);
     // Room for the roundings here, and for the direction rounded to 2^40 parts of the radius below.
-    const double room = height.error * std::fabs(e.z) + 0x1p-50 * size +
-                        0x1p-38 * rays_.rounded_radius_ * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z));
-    if (!(std::fabs(value) > room)) return false;
+    const double tolerance = height.error * std::fabs(e.z) + 0x1p-50 * size +
+                             0x1p-38 * rays_.rounded_radius_ * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z));
+    if (!(std::fabs(value) > tolerance)) return false;
     const int s = value > 0 ? 1 : -1;
     changes += k > 0 && s != last;
     if (k == 0) first = s;
@@ -87,7 +87,7 @@ bool BallRow::vertex_index(const Patch& p, int column, const Approx& height, int
   const double scale = 0x1p40 / rays_.rounded_radius_;
   const Wide3 n{static_cast<int128>(x * scale), static_cast<int128>(y * scale),
                 static_cast<int128>(height.value * scale)};
-  index = local_index(rays_.body_, v, n, exact::shadow(n), 1);
+  index = local_index(rays_.body_, v, n, exact::approx(n), 1);
   return true;
 }
 

@@ -54,7 +54,7 @@ class BallRow {
   int j_;
   std::vector<Hit> hits_, sorted_;
   std::vector<int> first_;
-  std::vector<char> unsure_;
+  std::vector<char> unresolved_;
 };
 
 }  // namespace findspace::space

@@ -106,9 +106,9 @@ void make_edges(RayBody& body, const std::vector<int>& twin) {
     if (twin[id] < id) continue;
     const int left = id / 3, right = twin[id] / 3;
     const int bend =
-        -exact::sign_dot(body.normals[left], body.normal_shadows[left], at.apex(twin[id]) - body.points[at.from(id)]);
-    const auto& n = body.normal_shadows[left];
-    const auto& m = body.normal_shadows[right];
+        -exact::sign_dot(body.normals[left], body.normal_approx[left], at.apex(twin[id]) - body.points[at.from(id)]);
+    const auto& n = body.normal_approx[left];
+    const auto& m = body.normal_approx[right];
     if (bend == 0 && n.x * m.x + n.y * m.y + n.z * m.z < 0) refuse("the surface folds back on itself at an edge");
     body.face_edges[left][id % 3] = body.face_edges[right][twin[id] % 3] = static_cast<int>(body.edges.size());
     body.edges.push_back({at.from(id), at.to(id), left, right, bend});
@@ -159,7 +159,7 @@ RayBody::RayBody(Triangles surface) : points(std::move(surface.points)), faces(s
   for (const auto& [a, b, c] : faces) {
     normals.push_back(exact::cross(points[b] - points[a], points[c] - points[a]));
     if (exact::is_zero(normals.back())) refuse("a face without area");
-    normal_shadows.push_back(exact::shadow(normals.back()));
+    normal_approx.push_back(exact::approx(normals.back()));
   }
   low = high = points[faces[0][0]];
   for (const auto& face : faces) {

@@ -56,7 +56,7 @@ struct RayBody {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> faces;
   std::vector<Wide3> normals;  // outward, not reduced
-  std::vector<Shadow3> normal_shadows;
+  std::vector<Approx3> normal_approx;
   std::vector<RayEdge> edges;
   std::vector<std::array<int, 3>> face_edges;  // of face f, edge k joins corners k and k + 1
   std::vector<RayVertex> vertices;

@@ -8,16 +8,16 @@
 namespace findspace::space {
 namespace {
 
-using exact::Shadow3;
+using exact::Approx3;
 
 constexpr double kWiden = 0x1p-20;   // far beyond the roundings of acos: a wider cone only tests more pairs
 constexpr double kHalfTurn = 3.125;  // below pi: all cones beyond meet
 constexpr double kNarrow = 1.5;      // caps above this count as full: short arcs stay in caps below a hemisphere
 
-double dot(const Shadow3& a, const Shadow3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double angle_between(const Shadow3& a, const Shadow3& b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
+double dot(const Approx3& a, const Approx3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double angle_between(const Approx3& a, const Approx3& b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
-Cone around(const Shadow3& sum) {
+Cone around(const Approx3& sum) {
   const double size = std::sqrt(dot(sum, sum));
   if (!(size > kWiden)) return {{0, 0, 1}, kFullCone};
   return {{sum.x / size, sum.y / size, sum.z / size}, 0};
@@ -25,16 +25,16 @@ Cone around(const Shadow3& sum) {
 
 }  // namespace
 
-Shadow3 unit(const Shadow3& v) {
+Approx3 unit(const Approx3& v) {
   const double size = std::sqrt(dot(v, v));
   return {v.x / size, v.y / size, v.z / size};
 }
 
-Cone cone_of(std::span<const Shadow3> units) {
-  Shadow3 sum;
-  for (const Shadow3& u : units) sum = {sum.x + u.x, sum.y + u.y, sum.z + u.z};
+Cone cone_of(std::span<const Approx3> units) {
+  Approx3 sum;
+  for (const Approx3& u : units) sum = {sum.x + u.x, sum.y + u.y, sum.z + u.z};
   Cone cone = around(sum);
-  for (const Shadow3& u : units) cone.angle = std::max(cone.angle, angle_between(cone.axis, u) + kWiden);
+  for (const Approx3& u : units) cone.angle = std::max(cone.angle, angle_between(cone.axis, u) + kWiden);
   if (cone.angle > kNarrow) cone.angle = kFullCone;
   return cone;
 }
@@ -57,9 +57,9 @@ ConeTree::ConeTree(std::vector<Cone> cones) : cones_(std::move(cones)) {
 
 void ConeTree::build(int node, int first, int count) {
   const auto begin = order_.begin() + first, end = begin + count;
-  Shadow3 sum, low{2, 2, 2}, high{-2, -2, -2};
+  Approx3 sum, low{2, 2, 2}, high{-2, -2, -2};
   for (auto i = begin; i != end; ++i) {
-    const Shadow3& a = cones_[*i].axis;
+    const Approx3& a = cones_[*i].axis;
     sum = {sum.x + a.x, sum.y + a.y, sum.z + a.z};
     low = {std::min(low.x, a.x), std::min(low.y, a.y), std::min(low.z, a.z)};
     high = {std::max(high.x, a.x), std::max(high.y, a.y), std::max(high.z, a.z)};
@@ -74,9 +74,9 @@ void ConeTree::build(int node, int first, int count) {
     nodes_[node].count = count;
     return;
   }
-  const Shadow3 size = high - low;
+  const Approx3 size = high - low;
   const auto key = [&](int i) {
-    const Shadow3& a = cones_[i].axis;
+    const Approx3& a = cones_[i].axis;
     return size.x >= size.y && size.x >= size.z ? a.x : size.y >= size.z ? a.y : a.z;
   };
   const int half = count / 2;

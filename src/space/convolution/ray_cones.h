@@ -16,7 +16,7 @@ namespace findspace::space {
 
 /// All unit vectors within `angle` of `axis` (a unit vector); an angle of pi or more holds them all.
 struct Cone {
-  exact::Shadow3 axis{0, 0, 1};
+  exact::Approx3 axis{0, 0, 1};
   double angle = 0;
 };
 
@@ -24,8 +24,8 @@ inline constexpr double kFullCone = 4;
 
 /// A cone that holds the directions of the (unit) vectors and the short arcs between them; full if they fit in no cap
 /// below a hemisphere.
-Cone cone_of(std::span<const exact::Shadow3> units);
-exact::Shadow3 unit(const exact::Shadow3& v);
+Cone cone_of(std::span<const exact::Approx3> units);
+exact::Approx3 unit(const exact::Approx3& v);
 
 class ConeTree {
  public:

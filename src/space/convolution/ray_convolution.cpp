@@ -14,16 +14,16 @@ namespace {
 /// The units of parallel work: fixed, so that the order of facets does not depend on the number of threads.
 constexpr std::size_t kBlock = 256;
 
-std::vector<Shadow3> unit_normals(const RayBody& body) {
-  std::vector<Shadow3> units;
+std::vector<Approx3> unit_normals(const RayBody& body) {
+  std::vector<Approx3> units;
   units.reserve(body.faces.size());
-  for (const Shadow3& n : body.normal_shadows) units.push_back(unit(n));
+  for (const Approx3& n : body.normal_approx) units.push_back(unit(n));
   return units;
 }
 
-std::vector<Cone> vertex_cones(const RayBody& body, const std::vector<Shadow3>& units) {
+std::vector<Cone> vertex_cones(const RayBody& body, const std::vector<Approx3>& units) {
   std::vector<Cone> cones;
-  std::vector<Shadow3> about;
+  std::vector<Approx3> about;
   for (const RayVertex& v : body.vertices) {
     about.clear();
     for (int j = 0; j < v.count; ++j) about.push_back(units[body.corners[v.first + j].face]);
@@ -32,8 +32,8 @@ std::vector<Cone> vertex_cones(const RayBody& body, const std::vector<Shadow3>& 
   return cones;
 }
 
-Cone edge_cone(const RayEdge& e, const std::vector<Shadow3>& units) {
-  const Shadow3 two[2] = {units[e.left], units[e.right]};
+Cone edge_cone(const RayEdge& e, const std::vector<Approx3>& units) {
+  const Approx3 two[2] = {units[e.left], units[e.right]};
   return cone_of(two);
 }
 
@@ -49,13 +49,13 @@ void in_blocks(std::size_t count, std::vector<RayFacet>& facets, Task task) {
 }
 
 /// Faces of `of_faces` with vertices of `of_vertices`; tie: +1 where the faces are those of A.
-void faces_with_vertices(const RayBody& of_faces, const std::vector<Shadow3>& units, const RayBody& of_vertices,
-                         const std::vector<Shadow3>& others, int tie, std::vector<RayFacet>& facets) {
+void faces_with_vertices(const RayBody& of_faces, const std::vector<Approx3>& units, const RayBody& of_vertices,
+                         const std::vector<Approx3>& others, int tie, std::vector<RayFacet>& facets) {
   const ConeTree tree(vertex_cones(of_vertices, others));
   in_blocks(of_faces.faces.size(), facets, [&](int f, std::vector<RayFacet>& out) {
     tree.each_meeting({units[f], 0}, [&](int v) {
       const RayVertex& vertex = of_vertices.vertices[v];
-      const int index = local_index(of_vertices, vertex, of_faces.normals[f], of_faces.normal_shadows[f], tie);
+      const int index = local_index(of_vertices, vertex, of_faces.normals[f], of_faces.normal_approx[f], tie);
       if (index == 0) return;
       RayFacet facet;
       for (int k = 0; k < 3; ++k) facet.corner[k] = of_faces.corner(f, k) + of_vertices.points[vertex.point];
@@ -67,7 +67,7 @@ void faces_with_vertices(const RayBody& of_faces, const std::vector<Shadow3>& un
 
 /// The sign of the normal of face f along e, as the moved normals of A have it.
 int moved_sign(const RayBody& body, int f, const Point& e, int tie) {
-  const int s = exact::sign_dot(body.normals[f], body.normal_shadows[f], e);
+  const int s = exact::sign_dot(body.normals[f], body.normal_approx[f], e);
   return s != 0 ? s : tie * exact::lexicographic_sign(body.normals[f]) * exact::lexicographic_sign(e);
 }
 
@@ -91,8 +91,8 @@ void edge_with_edge(const RayBody& a, const RayEdge& e, const RayBody& c, const 
   out.push_back(facet);
 }
 
-void edges_with_edges(const RayBody& a, const std::vector<Shadow3>& a_units, const RayBody& c,
-                      const std::vector<Shadow3>& c_units, std::vector<RayFacet>& facets) {
+void edges_with_edges(const RayBody& a, const std::vector<Approx3>& a_units, const RayBody& c,
+                      const std::vector<Approx3>& c_units, std::vector<RayFacet>& facets) {
   std::vector<Cone> cones;
   std::vector<int> bent;
   for (std::size_t k = 0; k < c.edges.size(); ++k) {
@@ -112,7 +112,7 @@ void edges_with_edges(const RayBody& a, const std::vector<Shadow3>& a_units, con
 
 std::vector<RayFacet> convolution(const RayBody& a, const RayBody& c) {
   std::vector<RayFacet> facets;
-  const std::vector<Shadow3> a_units = unit_normals(a), c_units = unit_normals(c);
+  const std::vector<Approx3> a_units = unit_normals(a), c_units = unit_normals(c);
   faces_with_vertices(a, a_units, c, c_units, 1, facets);
   faces_with_vertices(c, c_units, a, a_units, -1, facets);
   edges_with_edges(a, a_units, c, c_units, facets);

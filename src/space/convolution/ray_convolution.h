@@ -45,6 +45,6 @@ std::vector<RayFacet> convolution(const RayBody& a, const RayBody& c);
 
 /// i(w, n): the local index of the solid at a vertex in direction n, which may be any vector but 0. `tie` (+1 or -1) is
 /// the sense in which ties are decided.
-int local_index(const RayBody& body, const RayVertex& vertex, const Wide3& n, const Shadow3& n_shadow, int tie);
+int local_index(const RayBody& body, const RayVertex& vertex, const Wide3& n, const Approx3& n_approx, int tie);
 
 }  // namespace findspace::space

@@ -36,12 +36,12 @@ T to_segment(const Triple<T>& a, const Triple<T>& b) {
   if (!(along > T(0))) return dot(a, a);
   if (!(along < length)) return dot(b, b);
   const T part = along / length;
-  const Triple<T> foot{a[0] + part * e[0], a[1] + part * e[1], a[2] + part * e[2]};
-  return dot(foot, foot);
+  const Triple<T> projection{a[0] + part * e[0], a[1] + part * e[1], a[2] + part * e[2]};
+  return dot(projection, projection);
 }
 
 /// The squared distance from the origin to the triangle. `slack`: how far outside (relative to the size of the terms)
-/// the foot on the plane still counts as inside: for doubles, so that they never claim too much.
+/// the projection on the plane still counts as inside: for doubles, so that they never claim too much.
 template <class T>
 T to_triangle(const Triple<Triple<T>>& c, const T& slack) {
   const Triple<T> n = cross(minus(c[1], c[0]), minus(c[2], c[0]));
@@ -53,7 +53,7 @@ T to_triangle(const Triple<Triple<T>>& c, const T& slack) {
   bool inside = true;
   for (int k = 0; k < 3; ++k) {
     const Triple<T> out = cross(minus(c[(k + 1) % 3], c[k]), n);
-    const T side = dot(out, c[k]);  // how far inside the foot of the origin is
+    const T side = dot(out, c[k]);  // how far inside the projection of the origin is
     inside = inside && !(side + slack * size(out) * size(c[k]) < T(0));
   }
   if (!inside) return least;

@@ -103,13 +103,13 @@ bool solid_in_cone(const RayBody& body, const RayVertex& v) {
 
 }  // namespace
 
-int local_index(const RayBody& body, const RayVertex& vertex, const Wide3& n, const Shadow3& n_shadow, int tie) {
+int local_index(const RayBody& body, const RayVertex& vertex, const Wide3& n, const Approx3& n_approx, int tie) {
   constexpr int kFew = 64;
   Crossing few[kFew];
   int count = 0, ups = 0, last = 0, first = 0;
   const auto above = [&](int j) {
     const Point e = edge(body, vertex, j);
-    const int s = exact::sign_dot(n, n_shadow, e);
+    const int s = exact::sign_dot(n, n_approx, e);
     return s != 0 ? s : tie * exact::lexicographic_sign(n) * exact::lexicographic_sign(e);
   };
   std::vector<Crossing> many;

@@ -13,7 +13,8 @@ using exact::Fraction;
 RowWork::RowWork(const PairRays& pair) : pair_(pair), sheets_(*pair.sheets_), columns_(pair.grid().nu) {}
 
 RayRow RowWork::run(int j) {
-  j_ = j, y_ = sheets_.grid().v_at(j);
+  j_ = j;
+  y_ = sheets_.grid().v_at(j);
   dirty_.assign(columns_, 0);
   exacts_.clear();
   walls_.clear();

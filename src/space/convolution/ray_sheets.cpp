@@ -35,7 +35,7 @@ Sheet make_sheet(const RayFacet& facet) {
     left = std::min(left, facet.corner[k].x);
     right = std::max(right, facet.corner[k].x);
   }
-  const Shadow3 a = exact::shadow(facet.along()), b = exact::shadow(facet.across());
+  const Approx3 a = exact::approx(facet.along()), b = exact::approx(facet.across());
   const Component z = component(a.x, b.y, a.y, b.x);
   const int up = std::fabs(z.value) > 2 * z.error ? (z.value > 0 ? 1 : -1) : exact::sign(facet.normal().z);
   s.jump = static_cast<std::int8_t>(-up * facet.weight);

@@ -232,7 +232,10 @@ bool is_convex(const Mesh& mesh) {
       used[a] = 1;
       const int g = at.at({b, a});
       for (const int v : mesh.faces[g]) below = below && exact::dot(n, mesh.vertices[v] - mesh.vertices[a]) <= 0;
-      if (!reached[g]) reached[g] = 1, stack.push_back(g);
+      if (!reached[g]) {
+        reached[g] = 1;
+        stack.push_back(g);
+      }
     });
     if (!below) return false;
   }

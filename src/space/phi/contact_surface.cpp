@@ -55,8 +55,14 @@ void GaussOverlay::add_planar_sum(std::span<const int> p, std::span<const int> q
     const int order = left_p == 0   ? -1
                       : left_q == 0 ? 1
                                     : turn(flat_p_[i], flat_p_[next_i], flat_q_[j], flat_q_[next_j]);
-    if (order >= 0) i = next_i, --left_p;
-    if (order <= 0) j = next_j, --left_q;
+    if (order >= 0) {
+      i = next_i;
+      --left_p;
+    }
+    if (order <= 0) {
+      j = next_j;
+      --left_q;
+    }
   }
 }
 
@@ -86,7 +92,7 @@ ContactSurface::ContactSurface(const Point& a, const Polytope& b) : first_{0} {
   for (int g = 0; g < b.facet_count(); ++g) {
     const Plane& plane = b.planes()[g];
     std::vector<int> circuit = b.circuit(g);
-    std::reverse(circuit.begin(), circuit.end());  // the reflection turns it about
+    std::reverse(circuit.begin(), circuit.end());  // the reflection rotates it about
     add_facet(std::move(circuit), {-plane.normal, plane.offset + exact::dot(plane.normal, a)}, Contact::kVF, {0, g});
   }
 }

@@ -58,7 +58,10 @@ std::vector<int> DepthGrid::candidates(const Box& box, const std::vector<int>& f
     double most = -std::numeric_limits<double>::infinity();
     for (const int f : facets) {
       const double v = phi_.plane_value(f, u);
-      if (v > most) most = v, best = f;
+      if (v > most) {
+        most = v;
+        best = f;
+      }
     }
     if (std::find(references.begin(), references.end(), best) == references.end()) references.push_back(best);
   }

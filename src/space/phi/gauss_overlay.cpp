@@ -178,9 +178,9 @@ bool GaussOverlay::leaves(int edge, int across) const {
 }
 
 int GaussOverlay::walk(int edge, int at) {
-  const Shadow3 e = a_.edge_shadow(edge);
+  const Approx3 e = a_.edge_approx(edge);
   const auto side = [&](int g) {
-    const int fast = exact::filtered_sign_dot(b_.normal_shadow(g), e);
+    const int fast = exact::filtered_sign_dot(b_.normal_approx(g), e);
     return fast != 2 ? fast : exact::sign(exact::dot(b_.planes()[g].normal, a_.edge(edge)));
   };
   // A cell is left over the half-edge whose left facet has a sign >= 0 and whose right facet has one < 0.

@@ -58,7 +58,7 @@ class GaussOverlay {
   const Polytope& a_;
   const Polytope& b_;
   ContactSurface& out_;
-  // Scratch comes from here: for small bodies nothing is allocated but the surface itself.
+  // Arena comes from here: for small bodies nothing is allocated but the surface itself.
   std::array<std::byte, 8192> room_;
   std::pmr::monotonic_buffer_resource arena_{room_.data(), room_.size()};
   std::pmr::vector<int> place_{&arena_};  // of each facet of A: one lowest vertex of B, or -1

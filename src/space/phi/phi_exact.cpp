@@ -19,7 +19,8 @@ Level level(const Plane& plane, const RealVector& u) {
   return {dot(n, u) + Real(plane.offset), dot(n, n)};
 }
 
-/// The squared distance of u to the polygon of facet f: to its plane where the foot is inside, else to its border.
+/// The squared distance of u to the polygon of facet f: to its plane where the projection is inside, else to its
+/// border.
 Real squared_distance_to(const PhiFunction& phi, int f, const RealVector& u) {
   const auto ring = phi.surface().circuit(f);
   const RealVector n = real(phi.surface().raw_plane(f).normal);
@@ -42,7 +43,7 @@ Real squared_distance_to(const PhiFunction& phi, int f, const RealVector& u) {
 
 PhiAt phi_at(const PhiFunction& phi, const RealVector& u) {
   const Vector near = rounded(u);
-  // The rounding of u moves values by less than the error bound, whose constant has room for it.
+  // The rounding of u moves values by less than the error bound, whose constant has tolerance for it.
   const double threshold = phi.max_form(near) - 4 * phi.error_bound(near);
   PhiAt result;
   Level top;

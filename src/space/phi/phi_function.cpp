@@ -33,9 +33,9 @@ PhiFunction::PhiFunction(const Polytope& a, const Polytope& b) : PhiFunction(Con
 
 PhiFunction::PhiFunction(ContactSurface surface) : surface_(std::move(surface)) {
   const int n = surface_.facet_count();
-  for (const Point& v : surface_.vertices()) vertices_.push_back(exact::shadow(v));
+  for (const Point& v : surface_.vertices()) vertices_.push_back(exact::approx(v));
   for (int f = 0; f < n; ++f) {
-    const Vector normal = exact::shadow(surface_.raw_plane(f).normal);
+    const Vector normal = exact::approx(surface_.raw_plane(f).normal);
     const double size = length(normal);
     unit_normals_.push_back({normal.x / size, normal.y / size, normal.z / size});
     offsets_.push_back(static_cast<double>(surface_.raw_plane(f).offset) / size);
@@ -101,9 +101,12 @@ Vector nearest_on_polygon(const Vector& u, const Vector& n, std::span<const Vect
     if (dot(cross(e, w), n) >= 0) continue;
     inside = false;
     const double t = std::clamp(dot(e, w) / dot(e, e), 0.0, 1.0);
-    const Vector foot = p + t * e;
-    const double d = length(u - foot);
-    if (d < least) least = d, best = foot;
+    const Vector projection = p + t * e;
+    const double d = length(u - projection);
+    if (d < least) {
+      least = d;
+      best = projection;
+    }
   }
   return inside ? u + (-dot(u - corners[0], n)) * n : best;
 }
@@ -115,9 +118,12 @@ Vector PhiFunction::nearest(const Vector& u) const {
   const auto look = [&](int f) {
     corners.clear();
     for (const int v : surface_.circuit(f)) corners.push_back(vertices_[v]);
-    const Vector foot = nearest_on_polygon(u, unit_normals_[f], corners);
-    const double d = length(u - foot);
-    if (d < least) least = d, best = foot;
+    const Vector projection = nearest_on_polygon(u, unit_normals_[f], corners);
+    const double d = length(u - projection);
+    if (d < least) {
+      least = d;
+      best = projection;
+    }
   };
   // The distance to a facet is at least the value of its plane, so most are passed over once a good one is known.
   look(highest_plane(blocks_, u).plane);
@@ -142,7 +148,7 @@ Vector PhiFunction::normalised_gradient(const Vector& u) const {
 
 double PhiFunction::depth(const Vector& u) const { return std::max(0.0, -max_form(u)); }
 
-Vector PhiFunction::way_out(const Vector& u) const {
+Vector PhiFunction::penetration_depth(const Vector& u) const {
   check_finite(u);
   const Highest top = highest_plane(blocks_, u);
   return std::max(0.0, -top.value) * unit_normals_[top.plane];

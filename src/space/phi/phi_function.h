@@ -68,7 +68,7 @@ class PhiFunction {
   /// How deep B + u lies in A (0 unless they overlap), and the shortest translation that brings them into contact from
   /// an overlap: the direction is the outward normal of the active facet.
   double depth(const Vector& u) const;
-  Vector way_out(const Vector& u) const;
+  Vector penetration_depth(const Vector& u) const;
 
   /// The max form at many positions, and the facet that is highest at each when `facets` is not empty.
   void evaluate(std::span<const Vector> at, std::span<double> values, std::span<int> facets = {}) const;

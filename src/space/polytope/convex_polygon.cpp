@@ -103,7 +103,10 @@ int PlanarPhi::highest(const Vector2& u, double& most) const {
   most = -std::numeric_limits<double>::infinity();
   for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
     const double v = value(e, u);
-    if (v > most) most = v, best = e;
+    if (v > most) {
+      most = v;
+      best = e;
+    }
   }
   return best;
 }

@@ -68,7 +68,7 @@ class PlanarPhi {
   /// Of one edge: the signed distance to its line, and its outward normal of length 1.
   double value(int e, const Vector2& u) const;
   const Vector2& unit_normal(int e) const { return unit_normals_[e]; }
-  /// Of a value, with room for a position that was itself rounded.
+  /// Of a value, with tolerance for a position that was itself rounded.
   double error_bound(const Vector2& u) const;
 
  private:

@@ -59,9 +59,12 @@ std::optional<Four> proposed(std::span<const HalfSpace> planes) {
           const auto tiny = [](double v) { return std::fabs(v) < 0x1p-30; };  // no sign: real numbers decide afterwards
           if (!solve<double>({row(f[0]), row(f[1]), row(f[2]), row(f[3])}, tiny, m) || !(m.value < least)) continue;
           const bool holds = std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
-            return h.shadow_value({m.at[0], m.at[1], m.at[2]}) <= m.value + slack;
+            return h.approx_value({m.at[0], m.at[1], m.at[2]}) <= m.value + slack;
           });
-          if (holds) best = f, least = m.value;
+          if (holds) {
+            best = f;
+            least = m.value;
+          }
         }
       }
     }

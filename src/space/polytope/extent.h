@@ -17,9 +17,9 @@ namespace findspace::space {
 /// Sides may be infinite.
 struct Extent {
   Vector low, high;
-  bool holds(const Vector& p, double room) const {
-    return p.x >= low.x - room && p.y >= low.y - room && p.z >= low.z - room && p.x <= high.x + room &&
-           p.y <= high.y + room && p.z <= high.z + room;
+  bool holds(const Vector& p, double tolerance) const {
+    return p.x >= low.x - tolerance && p.y >= low.y - tolerance && p.z >= low.z - tolerance &&
+           p.x <= high.x + tolerance && p.y <= high.y + tolerance && p.z <= high.z + tolerance;
   }
   bool meets(const Extent& o) const {
     return low.x <= o.high.x && low.y <= o.high.y && low.z <= o.high.z && o.low.x <= high.x && o.low.y <= high.y &&
@@ -67,8 +67,8 @@ inline Extent extent_of(std::span<const Vector> points) {
     e.add({p, p});
     size = std::max(size, size_of(p));
   }
-  const Vector room{0x1p-48 * size, 0x1p-48 * size, 0x1p-48 * size};
-  return {e.low - room, plus(e.high, room)};
+  const Vector tolerance{0x1p-48 * size, 0x1p-48 * size, 0x1p-48 * size};
+  return {e.low - tolerance, plus(e.high, tolerance)};
 }
 
 /// {a - b}.

@@ -43,9 +43,12 @@ int Hull::farthest_from(int a) const {
   int best = -1;
   double distance = 0;
   for (int p = 0; p < static_cast<int>(points_.size()); ++p) {
-    const Shadow3 e = shadows_[p] - shadows_[a];
+    const Approx3 e = approx_[p] - approx_[a];
     const double d = e.x * e.x + e.y * e.y + e.z * e.z;
-    if (d > distance) distance = d, best = p;
+    if (d > distance) {
+      distance = d;
+      best = p;
+    }
   }
   return best;
 }
@@ -55,12 +58,15 @@ int Hull::farthest_from(int a) const {
 int Hull::off_line(int a, int b) const {
   int best = -1;
   double longest = 0;
-  const Shadow3 u = shadows_[b] - shadows_[a];
+  const Approx3 u = approx_[b] - approx_[a];
   for (int p = 0; p < static_cast<int>(points_.size()); ++p) {
-    const Shadow3 w = shadows_[p] - shadows_[a];
+    const Approx3 w = approx_[p] - approx_[a];
     const double x = u.y * w.z - u.z * w.y, y = u.z * w.x - u.x * w.z, z = u.x * w.y - u.y * w.x;
     const double d = x * x + y * y + z * z;
-    if (d > longest) longest = d, best = p;
+    if (d > longest) {
+      longest = d;
+      best = p;
+    }
   }
   const auto off = [&](int p) {
     return !exact::is_zero(exact::cross(points_[b] - points_[a], points_[p] - points_[a]));
@@ -77,7 +83,10 @@ int Hull::off_plane(const Triangle& t) const {
   double most = 0;
   for (int p = 0; p < static_cast<int>(points_.size()); ++p) {
     const double d = std::fabs(height(t, p));
-    if (d > most) most = d, best = p;
+    if (d > most) {
+      most = d;
+      best = p;
+    }
   }
   if (best >= 0 && side(t, best) != 0) return best;
   for (int p = 0; p < static_cast<int>(points_.size()); ++p) {
@@ -126,7 +135,10 @@ void Hull::add(int t) {
   double most = height(seed, apex);
   for (const int p : seed.outside) {
     const double h = height(seed, p);
-    if (h > most) most = h, apex = p;
+    if (h > most) {
+      most = h;
+      apex = p;
+    }
   }
   find_visible(t, apex);
   cover_horizon(apex);
@@ -157,7 +169,10 @@ void Hull::cover_horizon(int apex) {
   int dead = visible_[0], edge = 0;
   for (const int d : visible_) {
     for (int i = 0; i < 3; ++i) {
-      if (triangles_[triangles_[d].next[i]].alive) dead = d, edge = i;
+      if (triangles_[triangles_[d].next[i]].alive) {
+        dead = d;
+        edge = i;
+      }
     }
   }
   const int first_vertex = triangles_[dead].v[edge];
@@ -172,7 +187,7 @@ void Hull::cover_horizon(int apex) {
     }
     fresh_.push_back(t);
     vertex = end;
-    // Turn about `end` through the dead triangles to the next horizon edge.
+    // ExactAngle about `end` through the dead triangles to the next horizon edge.
     edge = (edge + 1) % 3;
     while (!triangles_[triangles_[dead].next[edge]].alive) {
       const int over = triangles_[dead].next[edge];

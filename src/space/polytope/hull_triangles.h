@@ -16,7 +16,7 @@ struct Triangle {
   std::array<int, 3> v{};     // counter-clockwise from outside
   std::array<int, 3> next{};  // the triangle across the edge v[i] v[i + 1]
   Wide3 normal;
-  Shadow3 shadow;
+  Approx3 approx;
   std::vector<int> outside;  // points strictly above that no other triangle owns
   bool alive = true;
   int mark = -1;
@@ -25,7 +25,7 @@ struct Triangle {
 class Hull {
  public:
   explicit Hull(std::vector<Point> points) : points_(std::move(points)) {
-    for (const Point& p : points_) shadows_.push_back(exact::shadow(p));
+    for (const Point& p : points_) approx_.push_back(exact::approx(p));
   }
 
   void run() {
@@ -40,19 +40,19 @@ class Hull {
 
  private:
   int side(const Triangle& t, int p) const {
-    const int fast = exact::filtered_sign_dot(t.shadow, shadows_[p] - shadows_[t.v[0]]);
+    const int fast = exact::filtered_sign_dot(t.approx, approx_[p] - approx_[t.v[0]]);
     if (fast != 2) return fast;
     return exact::sign(exact::dot(t.normal, points_[p] - points_[t.v[0]]));
   }
   double height(const Triangle& t, int p) const {
-    const Shadow3 e = shadows_[p] - shadows_[t.v[0]];
-    return t.shadow.x * e.x + t.shadow.y * e.y + t.shadow.z * e.z;
+    const Approx3 e = approx_[p] - approx_[t.v[0]];
+    return t.approx.x * e.x + t.approx.y * e.y + t.approx.z * e.z;
   }
   int make(int a, int b, int c) {
     Triangle t;
     t.v = {a, b, c};
     t.normal = exact::cross(points_[b] - points_[a], points_[c] - points_[a]);
-    t.shadow = exact::shadow(t.normal);
+    t.approx = exact::approx(t.normal);
     triangles_.push_back(std::move(t));
     return static_cast<int>(triangles_.size()) - 1;
   }
@@ -67,7 +67,7 @@ class Hull {
   std::vector<int> groups() const;
 
   std::vector<Point> points_;
-  std::vector<Shadow3> shadows_;
+  std::vector<Approx3> approx_;
   std::vector<Triangle> triangles_;
   std::vector<int> visible_, fresh_;
   int round_ = 0;

@@ -38,7 +38,11 @@ std::optional<RealVector> crossing(const RealVector& a, const RealVector& b, con
   Real all = dot(cross(e, f), u);
   if (all.sign() == 0) return std::nullopt;
   Real first = dot(cross(between, f), u), other = dot(cross(between, e), u);
-  if (all.sign() < 0) all = -all, first = -first, other = -other;
+  if (all.sign() < 0) {
+    all = -all;
+    first = -first;
+    other = -other;
+  }
   if (first.sign() <= 0 || other.sign() <= 0 || !(first < all) || !(other < all)) return std::nullopt;
   return along(a, first / all, e);
 }
@@ -70,7 +74,11 @@ LongestChord longest_chord(const ConvexRegion& region, const RealVector& directi
     const Real length = chord.to - chord.from;
     const int order = count == 0 ? 1 : compare(length, out.length);
     if (order < 0) continue;
-    if (order > 0) out.length = length, out.middle = {}, count = 0;
+    if (order > 0) {
+      out.length = length;
+      out.middle = {};
+      count = 0;
+    }
     out.middle = plus(out.middle, along(x, (chord.from + chord.to) / Real(2), direction));
     ++count;
   }

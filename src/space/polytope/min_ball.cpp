@@ -52,7 +52,11 @@ EnclosingBall min_ball(const std::vector<RealVector>& points) {
     bool found = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Real d = square(points[i], ball.center);
-      if (most < d) most = d, out = i, found = true;
+      if (most < d) {
+        most = d;
+        out = i;
+        found = true;
+      }
     }
     if (!found) return ball;
     std::vector<std::size_t> few = basis;
@@ -62,7 +66,10 @@ EnclosingBall min_ball(const std::vector<RealVector>& points) {
       std::vector<std::size_t> on;
       std::vector<const RealVector*> corners;
       for (std::size_t i = 0; i < few.size(); ++i) {
-        if (set >> i & 1) on.push_back(few[i]), corners.push_back(&points[few[i]]);
+        if (set >> i & 1) {
+          on.push_back(few[i]);
+          corners.push_back(&points[few[i]]);
+        }
       }
       if (on.size() > 4) continue;
       const auto center = circumcenter(corners);

@@ -3,8 +3,8 @@
 //
 // The place of a triangle that is nearest to the origin, and the shortest way between two segments inside both, for
 // doubles and for exact numbers. Guarantee: exact for Real; in doubles never nearer than true but for roundings, and
-// farther by no more than 2^-18 of the longest edge where a foot is hard to tell. Source: Ericson, Real-Time Collision
-// Detection, 2004, 5.1. Keywords: point to triangle, segment to segment.
+// farther by no more than 2^-18 of the longest edge where a projection is hard to tell. Source: Ericson, Real-Time
+// Collision Detection, 2004, 5.1. Keywords: point to triangle, segment to segment.
 #pragma once
 
 #include <algorithm>
@@ -57,13 +57,13 @@ Triple<T> nearest_of_triangle(const Triple<T>& a, const Triple<T>& b, const Trip
 /// Its squared distance from the origin, in doubles.
 inline double squared_of_segment(const Triple<double>& a, const Triple<double>& b) {
   const Triple<double> e = minus(b, a);
-  const Triple<double> foot = along(a, std::clamp(-dot(a, e) / dot(e, e), 0.0, 1.0), e);
-  return dot(foot, foot);
+  const Triple<double> projection = along(a, std::clamp(-dot(a, e) / dot(e, e), 0.0, 1.0), e);
+  return dot(projection, projection);
 }
 inline double squared_of_triangle(const Triple<double>& a, const Triple<double>& b, const Triple<double>& c) {
-  const Triple<double> foot = nearest_of_triangle(a, b, c);
+  const Triple<double> projection = nearest_of_triangle(a, b, c);
   return std::fmin(std::fmin(squared_of_segment(a, b), squared_of_segment(b, c)),
-                   std::fmin(squared_of_segment(c, a), dot(foot, foot)));
+                   std::fmin(squared_of_segment(c, a), dot(projection, projection)));
 }
 
 /// From the nearest place of the segment b, b + v to that of a, a + u, where these are no ends of lines that are
@@ -84,9 +84,9 @@ inline double squared_between(const Triple<double>& a, const Triple<double>& u, 
                               const Triple<double>& v) {
   const Triple<double> w = minus(a, b);
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
-  const double all = uu * vv - uv * uv, room = 0x1p-10 * all;
+  const double all = uu * vv - uv * uv, tolerance = 0x1p-10 * all;
   const double on_u = uv * vw - vv * uw, on_v = uu * vw - uv * uw;
-  const auto within = [&](double t) { return t >= -room && t <= all + room; };
+  const auto within = [&](double t) { return t >= -tolerance && t <= all + tolerance; };
   // Of nearly parallel ones the ends are as near.
   if (all <= 0x1p-40 * uu * vv || !within(on_u) || !within(on_v)) return exact::kInfinity;
   const double t = std::clamp((uv * std::clamp(on_u / all, 0.0, 1.0) + vw) / vv, 0.0, 1.0);

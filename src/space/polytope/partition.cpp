@@ -103,7 +103,10 @@ class Partition {
       }
       if (above == 0 && nothing_above(plane, facets)) return planes[i];
       const long cost = 8 * split + std::abs(above - below);
-      if (best == nullptr || cost < least) best = &planes[i], least = cost;
+      if (best == nullptr || cost < least) {
+        best = &planes[i];
+        least = cost;
+      }
     }
     return *best;
   }

@@ -41,9 +41,9 @@ std::vector<Index> boundary_of(const plane::Region& region, Index start) {
 std::optional<FacePart> disc(const plane::Region& region, const plane::Face& face) {
   if (!face.inner.empty()) return std::nullopt;
   const std::vector<Index> walk = boundary_of(region, face.outer);
-  const exact::Carrier& circle = region.carrier(walk[0] / 2);
+  const exact::SupportingCurve& circle = region.supporting_curve(walk[0] / 2);
   const bool round = circle.circle && std::all_of(walk.begin(), walk.end(), [&](Index h) {
-                       return exact::same_carrier(region.carrier(h / 2), circle);
+                       return exact::same_supporting_curve(region.supporting_curve(h / 2), circle);
                      });
   if (!round) return std::nullopt;
   return FacePart{{{{circle.center_x(), circle.center_y()}}}, circle.w};

@@ -50,14 +50,14 @@ Polytope PolytopeBuilder::build(std::vector<Point> vertices, const std::vector<s
     p.first_.push_back(begin + size);
     // A strictly convex circuit: any three of its vertices span the plane, in its sense.
     p.planes_.push_back(plane_through(p.vertices_[ring[0]], p.vertices_[ring[1]], p.vertices_[ring[2]]));
-    p.normal_shadows_.push_back(exact::shadow(p.planes_.back().normal));
+    p.normal_approx_.push_back(exact::approx(p.planes_.back().normal));
   }
   join_twins(p.half_edges_);
-  for (const Point& v : p.vertices_) p.vertex_shadows_.push_back(exact::shadow(v));
+  for (const Point& v : p.vertices_) p.vertex_approx_.push_back(exact::approx(v));
   for (HalfEdge& h : p.half_edges_) {
     h.turn = p.half_edges_[h.twin].next;
     h.right = p.half_edges_[h.twin].facet;
-    p.edge_shadows_.push_back(p.vertex_shadows_[h.target] - p.vertex_shadows_[h.origin]);
+    p.edge_approx_.push_back(p.vertex_approx_[h.target] - p.vertex_approx_[h.origin]);
   }
   return p;
 }
@@ -72,7 +72,7 @@ Polytope Polytope::translated(const Point& t) const {
   Polytope p = *this;
   for (std::size_t i = 0; i < p.vertices_.size(); ++i) {
     p.vertices_[i] = p.vertices_[i] + t;
-    p.vertex_shadows_[i] = exact::shadow(p.vertices_[i]);
+    p.vertex_approx_[i] = exact::approx(p.vertices_[i]);
   }
   for (Plane& plane : p.planes_) plane.offset -= exact::dot(plane.normal, t);
   return p;

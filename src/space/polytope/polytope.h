@@ -16,9 +16,9 @@
 
 namespace findspace::space {
 
+using exact::Approx3;
 using exact::Grid3;
 using exact::int128;
-using exact::Shadow3;
 using exact::Wide3;
 
 /// A grid point; |coordinate| <= 2^40.
@@ -77,10 +77,10 @@ class Polytope {
   /// The vector from its origin to its target.
   Point edge(int h) const { return vertices_[half_edges_[h].target] - vertices_[half_edges_[h].origin]; }
 
-  /// Doubles that shadow vertices and edge vectors (exactly) and facet normals (one rounding), for filters.
-  const Shadow3& vertex_shadow(int v) const { return vertex_shadows_[v]; }
-  const Shadow3& edge_shadow(int h) const { return edge_shadows_[h]; }
-  const Shadow3& normal_shadow(int f) const { return normal_shadows_[f]; }
+  /// Doubles that approx vertices and edge vectors (exactly) and facet normals (one rounding), for filters.
+  const Approx3& vertex_approx(int v) const { return vertex_approx_[v]; }
+  const Approx3& edge_approx(int h) const { return edge_approx_[h]; }
+  const Approx3& normal_approx(int f) const { return normal_approx_[f]; }
 
   /// The same body moved by t, or reflected through the origin. Exact.
   Polytope translated(const Point& t) const;
@@ -97,22 +97,22 @@ class Polytope {
   std::vector<Plane> planes_;
   std::vector<int> first_;
   std::vector<int> outgoing_;
-  std::vector<Shadow3> vertex_shadows_;
-  std::vector<Shadow3> edge_shadows_;
-  std::vector<Shadow3> normal_shadows_;
+  std::vector<Approx3> vertex_approx_;
+  std::vector<Approx3> edge_approx_;
+  std::vector<Approx3> normal_approx_;
 };
 
 /// The sign of normal . (to - from): the filter first, then int128.
 inline int sign_along(const Polytope& of_normal, int facet, const Polytope& of_edge, int from, int to) {
   const int fast =
-      exact::filtered_sign_dot(of_normal.normal_shadow(facet), of_edge.vertex_shadow(to) - of_edge.vertex_shadow(from));
+      exact::filtered_sign_dot(of_normal.normal_approx(facet), of_edge.vertex_approx(to) - of_edge.vertex_approx(from));
   if (fast != 2) return fast;
   return exact::sign(exact::dot(of_normal.planes()[facet].normal, of_edge.vertices()[to] - of_edge.vertices()[from]));
 }
 
 /// The same along the half-edge h.
 inline int sign_along(const Polytope& of_normal, int facet, const Polytope& of_edge, int h) {
-  const int fast = exact::filtered_sign_dot(of_normal.normal_shadow(facet), of_edge.edge_shadow(h));
+  const int fast = exact::filtered_sign_dot(of_normal.normal_approx(facet), of_edge.edge_approx(h));
   return fast != 2 ? fast : exact::sign(exact::dot(of_normal.planes()[facet].normal, of_edge.edge(h)));
 }
 

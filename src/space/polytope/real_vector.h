@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Vectors of three exact reals, and half spaces with real coefficients beside their doubles. A half space is
-// {x : normal . x + offset <= 0}; its shadow, divided by the length of the normal, serves filters and searches.
-// Guarantee: what is Real is exact; shadows carry at most four roundings.
+// {x : normal . x + offset <= 0}; its approx, divided by the length of the normal, serves filters and searches.
+// Guarantee: what is Real is exact; approx carry at most four roundings.
 #pragma once
 
 #include <array>
@@ -53,11 +53,11 @@ struct HalfSpace {
   /// normal . x + offset.
   exact::Real value(const RealVector& x) const { return dot(normal, x) + offset; }
   /// The same over the length of the normal, in doubles; `error` of it.
-  double shadow_value(const Vector& x) const { return dot(unit, x) + shift; }
+  double approx_value(const Vector& x) const { return dot(unit, x) + shift; }
   double error(const Vector& x) const { return 0x1p-48 * (size_of(x) + std::fabs(shift)); }
   /// The exact sign of value(x); `near` is x rounded.
   int sign(const RealVector& x, const Vector& near) const {
-    const double v = shadow_value(near), e = error(near);
+    const double v = approx_value(near), e = error(near);
     return v > e ? 1 : v < -e ? -1 : value(x).sign();
   }
   /// The half space on the other side of the same plane.

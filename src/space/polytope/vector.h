@@ -12,7 +12,7 @@
 namespace findspace::space {
 
 /// A position or a direction in grid steps.
-using Vector = exact::Shadow3;
+using Vector = exact::Approx3;
 
 inline double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vector cross(const Vector& a, const Vector& b) {

@@ -15,9 +15,9 @@ using exact::Real;
 constexpr double kWiden = 1 + 0x1p-40;
 
 void widen(Vector& low, Vector& high, double by) {
-  const double room = by * kWiden + 0x1p-40 * (size_of(low) + size_of(high)) + 1;
-  low = low - Vector{room, room, room};
-  high = plus(high, {room, room, room});
+  const double tolerance = by * kWiden + 0x1p-40 * (size_of(low) + size_of(high)) + 1;
+  low = low - Vector{tolerance, tolerance, tolerance};
+  high = plus(high, {tolerance, tolerance, tolerance});
 }
 
 void box_of(std::span<const RealVector> points, LinePiece& piece) {
@@ -46,7 +46,10 @@ RealVector shortened(const RealVector& v) {
 LinePiece cylinder_piece(const RealVector& p, const RealVector& q, const Real& radius) {
   LinePiece piece;
   piece.round = true;
-  piece.base = p, piece.tip = q, piece.direction = shortened(minus(q, p)), piece.radius = radius;
+  piece.base = p;
+  piece.tip = q;
+  piece.direction = shortened(minus(q, p));
+  piece.radius = radius;
   piece.planes.emplace_back(negated(piece.direction), dot(piece.direction, p));
   piece.planes.emplace_back(piece.direction, -dot(piece.direction, q));
   const RealVector ends[2] = {p, q};
@@ -72,7 +75,8 @@ LinePiece slab_piece(std::span<const RealVector> ring, const RealVector& long_no
 LinePiece polytope_piece(std::vector<HalfSpace> planes, const Vector& low, const Vector& high) {
   LinePiece piece;
   piece.planes = std::move(planes);
-  piece.low = low, piece.high = high;
+  piece.low = low;
+  piece.high = high;
   if (std::isfinite(size_of(low)) && std::isfinite(size_of(high))) widen(piece.low, piece.high, 0);
   return piece;
 }
@@ -80,7 +84,8 @@ LinePiece polytope_piece(std::vector<HalfSpace> planes, const Vector& low, const
 LinePiece ball_piece(const RealVector& center, const Real& radius) {
   LinePiece piece;
   piece.round = true;
-  piece.base = piece.tip = center, piece.radius = radius;
+  piece.base = piece.tip = center;
+  piece.radius = radius;
   box_of(std::span(&center, 1), piece);
   return piece;
 }
@@ -107,9 +112,11 @@ void hold(LinePiece& piece) {
 
 LinePiece moved(LinePiece piece, const RealVector& by) {
   for (HalfSpace& h : piece.planes) h = HalfSpace(h.normal, h.offset - dot(h.normal, by));
-  piece.base = plus(piece.base, by), piece.tip = plus(piece.tip, by);
+  piece.base = plus(piece.base, by);
+  piece.tip = plus(piece.tip, by);
   const Vector near = space::rounded(by);
-  piece.low = plus(piece.low, near), piece.high = plus(piece.high, near);
+  piece.low = plus(piece.low, near);
+  piece.high = plus(piece.high, near);
   widen(piece.low, piece.high, 0);
   return piece;
 }

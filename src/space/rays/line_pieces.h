@@ -3,8 +3,9 @@
 //
 // Simple convex pieces for rays: polytopes and half spaces, balls, cylinders with flat ends, slabs about polygons.
 // Balls, cylinders and slabs about the vertices, edges and polygons of a set are together the set grown by their
-// radius, and their interiors hold the points nearer than the radius: every foot lies inside a polygon, inside an edge
-// or is a vertex. Guarantee: exact. Keywords: offset surface, capsule, rounded polytope, Minkowski sum with a ball.
+// radius, and their interiors hold the points nearer than the radius: every projection lies inside a polygon, inside an
+// edge or is a vertex. Guarantee: exact. Keywords: offset surface, capsule, rounded polytope, Minkowski sum with a
+// ball.
 #pragma once
 
 #include <vector>

@@ -49,10 +49,13 @@ int PieceRays::compare_ends(const End& a, const End& b, int i, int j) const {
 
 RayPosition PieceRays::position(const End& e, int i, int j) const {
   RayPosition at;
-  at.value = e.value, at.radius = e.error;
+  at.value = e.value;
+  at.radius = e.error;
   at.roots = this;
-  at.patch = e.piece, at.which = e.which;
-  at.i = i, at.j = j;
+  at.patch = e.piece;
+  at.which = e.which;
+  at.i = i;
+  at.j = j;
   return at;
 }
 

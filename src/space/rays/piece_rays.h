@@ -52,7 +52,7 @@ class PieceRays : public RaySource, private RayRoots {
     Lines lines;
   };
   /// What a line meets of a piece. kTouch: no inner point.
-  enum class Meets : std::int8_t { kNothing, kTouch, kInside, kUnsure };
+  enum class Meets : std::int8_t { kNothing, kTouch, kInside, kUnresolved };
   /// Where it ends, whether it holds that place as an inner one.
   template <class T>
   struct Bound {

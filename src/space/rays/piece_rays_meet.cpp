@@ -123,7 +123,7 @@ void PieceRays::meet_round(const Piece& piece, const Turned<T>& d, const T& x, c
   const Meets at_radius = piece.held_round ? Meets::kInside : Meets::kTouch;
   if (piece.cylinder && piece.upright) {
     const int outside = certain_sign(u * u + v * v - d.square);
-    span.meets = outside == 2  ? Meets::kUnsure
+    span.meets = outside == 2  ? Meets::kUnresolved
                  : outside > 0 ? Meets::kNothing
                  : outside < 0 ? Meets::kInside
                                : at_radius;
@@ -132,7 +132,7 @@ void PieceRays::meet_round(const Piece& piece, const Turned<T>& d, const T& x, c
   const T discriminant = piece.cylinder ? b * b - a * c : -c;
   const int real = certain_sign(discriminant);
   if (real == 2 || real < 0) {
-    span.meets = real == 2 ? Meets::kUnsure : Meets::kNothing;
+    span.meets = real == 2 ? Meets::kUnresolved : Meets::kNothing;
     return;
   }
   const T root = sqrt(discriminant);
@@ -166,24 +166,25 @@ PieceRays::Span<T> PieceRays::meet(const Piece& piece, const Turned<T>& d, const
   if (piece.round) meet_round(piece, d, x, y, span);
   const bool any_held = !piece.held.empty() || piece.held_round;
   for (std::size_t k = 0; k < d.planes.size(); ++k) {
-    if (span.meets == Meets::kNothing || span.meets == Meets::kUnsure) return span;
+    if (span.meets == Meets::kNothing || span.meets == Meets::kUnresolved) return span;
     const auto& n = d.planes[k];
     const T value = n[0] * x + n[1] * y + n[3];
     const bool holds = !piece.held.empty() && piece.held[k] != 0;
     if (piece.rise[k] == 0) {
       const int outside = certain_sign(value);
-      if (outside == 2) span.meets = Meets::kUnsure;
+      if (outside == 2) span.meets = Meets::kUnresolved;
       if (outside == 1) span.meets = Meets::kNothing;
       if (outside == 0 && !holds) span.meets = Meets::kTouch;
       continue;
     }
     const int side = piece.rise[k];
-    if (!narrow(side > 0 ? span.high : span.low, T(-value / n[2]), side, holds, any_held)) span.meets = Meets::kUnsure;
+    if (!narrow(side > 0 ? span.high : span.low, T(-value / n[2]), side, holds, any_held))
+      span.meets = Meets::kUnresolved;
   }
-  if (span.meets == Meets::kNothing || span.meets == Meets::kUnsure || !span.low.bounded || !span.high.bounded)
+  if (span.meets == Meets::kNothing || span.meets == Meets::kUnresolved || !span.low.bounded || !span.high.bounded)
     return span;
   const int width = certain_sign(span.high.at - span.low.at);
-  if (width == 2) span.meets = Meets::kUnsure;
+  if (width == 2) span.meets = Meets::kUnresolved;
   if (width == 0 && !(span.low.held && span.high.held)) span.meets = Meets::kTouch;
   if (width == -1) span.meets = Meets::kNothing;
   return span;
@@ -201,7 +202,7 @@ bool PieceRays::stretch(int piece, int i, int j, Stretch& out) const {
   if (i < lines.first_column || i > lines.last_column || j < lines.first_row || j > lines.last_row) return false;
   const Approx x{static_cast<double>(grid_.u_at(i)), 0}, y{static_cast<double>(grid_.v_at(j)), 0};
   Span<Approx> span = meet<Approx>(p, p.near, x, y);
-  if (span.meets == Meets::kUnsure) {
+  if (span.meets == Meets::kUnresolved) {
     const Span<Real> sure = meet_exactly(piece, i, j);
     const auto rounded = [](const Bound<Real>& b) {
       return Bound<Approx>{b.bounded, b.held, b.bounded ? rounded_number(b.at) : Approx{}};

@@ -35,8 +35,15 @@ class Collector {
       summary.precision = std::max(summary.precision, event(e).at.radius / static_cast<double>(lattice_.parts));
       const bool here = inside_(event(e).here), after = inside_(event(e).after);
       if (in && !(here && after)) close(e, here);
-      if (!in && here && !after) from = e, from_in = true, close(e, true);
-      if (after && !(in && here)) from = e, from_in = here && !in;
+      if (!in && here && !after) {
+        from = e;
+        from_in = true;
+        close(e, true);
+      }
+      if (after && !(in && here)) {
+        from = e;
+        from_in = here && !in;
+      }
       in = after;
     }
     if (in) close(-1, true);
@@ -107,14 +114,17 @@ void add_stretches(const RayLattice& lattice, Connector& sets, std::vector<Part>
       std::array<double, 3> low{};
       for (std::size_t k = 0; k < 3; ++k) low[k] = static_cast<double>(lattice.at(static_cast<int>(k), p[k])) / unit;
       std::array<double, 3> high = low, middle = low;
-      low[axis] = s.from / unit, high[axis] = s.to / unit;
+      low[axis] = s.from / unit;
+      high[axis] = s.to / unit;
       middle[axis] = (low[axis] + high[axis]) / 2;
       extend(part, low);
       extend(part, high);
       part.along[axis] += (high[axis] - low[axis]) * step * step;
       part.solid = part.solid || s.first <= s.last;
-      if (high[axis] - low[axis] > part.component.longest)
-        part.component.longest = high[axis] - low[axis], part.component.sample = middle;
+      if (high[axis] - low[axis] > part.component.longest) {
+        part.component.longest = high[axis] - low[axis];
+        part.component.sample = middle;
+      }
     });
   }
 }
@@ -165,7 +175,8 @@ RayAxes ray_axes(const RayLattice& lattice, const std::function<std::unique_ptr<
     extend(all, c.low);
     extend(all, c.high);
   }
-  summary.low = all.component.low, summary.high = all.component.high;
+  summary.low = all.component.low;
+  summary.high = all.component.high;
   return out;
 }
 

@@ -33,7 +33,8 @@ void each_edge_about(int axis, const std::array<int, 3>& p, Visit visit) {
   std::array<int, 3> q = p;
   for (int i = -1; i <= 1; ++i) {
     for (int j = -1; j <= 1; ++j) {
-      q[u] = p[u] + i, q[v] = p[v] + j;
+      q[u] = p[u] + i;
+      q[v] = p[v] + j;
       visit(axis, q);
     }
   }
@@ -42,7 +43,9 @@ void each_edge_about(int axis, const std::array<int, 3>& p, Visit visit) {
       for (int j = -1; j <= 1; ++j) {
         for (int k = 0; k <= 1; ++k) {
           q = p;
-          q[along] += i, q[across] += j, q[static_cast<std::size_t>(axis)] += k;
+          q[along] += i;
+          q[across] += j;
+          q[static_cast<std::size_t>(axis)] += k;
           visit(static_cast<int>(along), q);
         }
       }
@@ -58,7 +61,10 @@ Connector::Connector(const RayLattice& lattice, std::array<Lines, 3>& lines) : l
     axis.base = base;
     base += static_cast<int>(axis.stretches.size());
   }
-  for (int k = 0; k < base; ++k) crossing_.add(), near_.add();
+  for (int k = 0; k < base; ++k) {
+    crossing_.add();
+    near_.add();
+  }
 }
 
 std::size_t Connector::line_of(int axis, const std::array<int, 3>& p) const {

@@ -30,7 +30,8 @@ class Sets {
     return k;
   }
   void join(int a, int b) {
-    a = find(a), b = find(b);
+    a = find(a);
+    b = find(b);
     root_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   }
   std::size_t size() const { return root_.size(); }

@@ -31,8 +31,14 @@ void RayExtreme::add(const RayGrid& grid, int j, const RayRow& row) {
       take(at, (near > found.from || found.from_in) && (near < found.to || found.to_in));
       return;
     }
-    if (std::isfinite(found.from)) at[found.axis] = found.from, take(at, found.from_in);
-    if (std::isfinite(found.to)) at[found.axis] = found.to, take(at, found.to_in);
+    if (std::isfinite(found.from)) {
+      at[found.axis] = found.from;
+      take(at, found.from_in);
+    }
+    if (std::isfinite(found.to)) {
+      at[found.axis] = found.to;
+      take(at, found.to_in);
+    }
   });
 }
 

@@ -30,15 +30,25 @@ void each_interval(const RayGrid& grid, int j, const RayRow& row, const Visit& v
     const auto line = static_cast<std::size_t>(i);
     found.at[(found.axis + 1) % 3] = static_cast<double>(grid.u_at(i)) / parts;
     bool in = row.before[line] <= 0;
-    const auto begin = [&](double from, bool from_in) { found.from = from, found.from_in = from_in; };
-    const auto end = [&](double to, bool to_in) { found.to = to, found.to_in = to_in, visit(found); };
+    const auto begin = [&](double from, bool from_in) {
+      found.from = from;
+      found.from_in = from_in;
+    };
+    const auto end = [&](double to, bool to_in) {
+      found.to = to;
+      found.to_in = to_in;
+      visit(found);
+    };
     begin(-std::numeric_limits<double>::infinity(), false);
     for (int e = row.first[line]; e < row.first[line + 1]; ++e) {
       const RayEvent& event = row.events[static_cast<std::size_t>(e)];
       const bool here = event.here <= 0, after = event.after <= 0;
       const double place = event.at.value / parts;
       if (in && !(here && after)) end(place, here);
-      if (!in && here && !after) begin(place, true), end(place, true);
+      if (!in && here && !after) {
+        begin(place, true);
+        end(place, true);
+      }
       // A place that belongs to the interval before does not to the next.
       if (after && !(in && here)) begin(place, here && !in);
       in = after;

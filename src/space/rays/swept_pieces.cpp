@@ -45,7 +45,10 @@ std::vector<std::array<Real, 3>> sides_of(const std::vector<Shade>& corners) {
     out.push_back({a, b, -(a * at[0] + b * at[1])});
   };
   if (corners.size() == 1) {
-    for (const int s : {1, -1}) side(Real(s), Real(), corners[0]), side(Real(), Real(s), corners[0]);
+    for (const int s : {1, -1}) {
+      side(Real(s), Real(), corners[0]);
+      side(Real(), Real(s), corners[0]);
+    }
     return out;
   }
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -83,9 +86,9 @@ void find_box(LinePiece& piece, std::span<const ConvexRegion::Vertex> vertices, 
       size = std::max({size, size_of(v.near), size_of(p)});
     }
   }
-  const double room = 0x1p-40 * size;
-  piece.low = piece.low - Vector{room, room, room};
-  piece.high = plus(piece.high, {room, room, room});
+  const double tolerance = 0x1p-40 * size;
+  piece.low = piece.low - Vector{tolerance, tolerance, tolerance};
+  piece.high = plus(piece.high, {tolerance, tolerance, tolerance});
 }
 
 }  // namespace
@@ -107,9 +110,9 @@ LinePiece swept_piece(const ConvexRegion& set, const Sweep& sweep) {
   }
   aside[least] = Real(1);
   const RealVector across = cross(aside, sweep.unit), upward = cross(sweep.unit, across);
-  std::vector<Shade> shadow;
-  for (const ConvexRegion::Vertex& v : set.vertices()) shadow.push_back({dot(across, v.at), dot(upward, v.at)});
-  for (const auto& [a, b, c] : sides_of(hull_of(std::move(shadow))))
+  std::vector<Shade> approx;
+  for (const ConvexRegion::Vertex& v : set.vertices()) approx.push_back({dot(across, v.at), dot(upward, v.at)});
+  for (const auto& [a, b, c] : sides_of(hull_of(std::move(approx))))
     add(piece, HalfSpace(plus(scaled(a, across), scaled(b, upward)), c), true);
   const Vector unit = space::rounded(sweep.unit);
   find_box(piece, set.vertices(), scaled(sweep.from.to_double(), unit), scaled(sweep.to.to_double(), unit));

@@ -107,7 +107,11 @@ int step_at(const Level& level, std::int64_t x, std::int64_t y) {
 /// Columns of open boxes between the coordinates of all vertices, filled between the levels over them.
 std::optional<BoxComplex> filled(const Faces& faces) {
   std::array<std::vector<std::int64_t>, 3> at;
-  for (const Point& v : faces.vertices) at[0].push_back(v.x), at[1].push_back(v.y), at[2].push_back(v.z);
+  for (const Point& v : faces.vertices) {
+    at[0].push_back(v.x);
+    at[1].push_back(v.y);
+    at[2].push_back(v.z);
+  }
   for (auto& axis : at) {
     std::sort(axis.begin(), axis.end());
     axis.erase(std::unique(axis.begin(), axis.end()), axis.end());
@@ -125,7 +129,7 @@ std::optional<BoxComplex> filled(const Faces& faces) {
       for (std::size_t s = 0; s + 1 < steps.size(); ++s) {
         depth += steps[s].second;
         if (steps[s].first == steps[s + 1].first) continue;
-        // A surface that covers some space twice, or turns it inside out, is for the convex parts to refuse.
+        // A surface that covers some space twice, or rotates it inside out, is for the convex parts to refuse.
         if (depth < 0 || depth > 1) return std::nullopt;
         if (depth == 0) continue;
         IntervalBox box;

@@ -27,7 +27,7 @@ class Rotator {
     }
     if (s.kind == Kind::kTranslate) return translated(s, r);
     Rotation first = r, others = r;
-    // Of a sum only one operand moves; -x turns into -(turn x - by).
+    // Of a sum only one operand moves; -x rotates into -(turn x - by).
     if (s.kind == Kind::kMinkowskiSum || s.kind == Kind::kMinkowskiDifference) others.by = RealVector{};
     if (s.kind == Kind::kMirror) first.by = negated(r.by);
     for (std::size_t k = 0; k < s.children.size(); ++k)
@@ -118,9 +118,9 @@ Rotation Rotation::about_axis(int axis, const Real& degrees, const Point& about)
   Rotation r;
   r.axis = axis;
   r.quarters = rest.sign() == 0;
-  if (!r.quarters) r.turn = exact::Turn::near(rest.to_double(), kBits);
+  if (!r.quarters) r.turn = exact::ExactAngle::near(rest.to_double(), kBits);
   const int128 whole = *count.integer();
-  for (int k = static_cast<int>((whole % 4 + 4) % 4); k > 0; --k) r.turn = r.turn + exact::Turn{Real(0), Real(1)};
+  for (int k = static_cast<int>((whole % 4 + 4) % 4); k > 0; --k) r.turn = r.turn + exact::ExactAngle{Real(0), Real(1)};
   const RealVector center = real(about);
   r.by = minus(center, r.linear(center));
   return r;

@@ -18,7 +18,7 @@ namespace findspace::space {
 /// x -> turn(x) + by, the turn about the axis `axis` (0 x, 1 y, 2 z) through the origin.
 struct Rotation {
   int axis = 2;
-  exact::Turn turn;
+  exact::ExactAngle turn;
   bool quarters = true;  // a multiple of 90 degrees
   RealVector by;
 
@@ -29,7 +29,7 @@ struct Rotation {
 };
 
 /// Throws Error(kOutOfRange) where a vertex leaves the grid, Error(kUnsupported) for a prism with arcs that is not
-/// turned into one, Error(kGeometry) where rounding breaks a surface. `rounding` is told every point that moved.
+/// turned into one, Error(kGeometry) where rounding breaks a surface. `rounding` is decided every point that moved.
 plane::ShapePtr rotated(const plane::Shape& shape, const Rotation& rotation, plane::Rounding& rounding);
 
 }  // namespace findspace::space

@@ -58,7 +58,10 @@ void extend_by_common(const plane::Shape& shape, const Placing& placing, Bounds&
       return Point{std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)};
     };
     const Point low = larger(common.low, one.low), high = -larger(-common.high, -one.high);
-    if (low.x <= high.x && low.y <= high.y && low.z <= high.z) common.low = low, common.high = high;
+    if (low.x <= high.x && low.y <= high.y && low.z <= high.z) {
+      common.low = low;
+      common.high = high;
+    }
   }
   extend_box(common.low, box.low, box.high, box.any);
   extend_box(common.high, box.low, box.high, box.any);
@@ -70,7 +73,8 @@ void extend_by_difference(const plane::Shape& shape, const Placing& placing, Bou
   extend(*shape.children[0], {}, a);
   if (shape.kind == Kind::kOffset) {
     const auto r = static_cast<std::int64_t>(exact::floor(-shape.amount)) + 1;
-    b.low = {-r, -r, -r}, b.high = {r, r, r};
+    b.low = {-r, -r, -r};
+    b.high = {r, r, r};
   } else {
     extend(*shape.children[1], {}, b);
   }

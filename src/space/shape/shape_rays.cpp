@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "space/body/cut_body.h"
+#include "space/body/csg_solid.h"
 #include "space/convolution/ray_ball.h"
 #include "space/convolution/ray_pair.h"
 #include "space/convolution/ray_solids.h"
@@ -77,7 +77,10 @@ RaySourcePointer body_rays(const Body& body, const Placing& placing, const Wante
     RealVector low = placed(real(part.vertices()[0])), high = low;
     for (const Point& v : part.vertices()) {
       const RealVector p = placed(real(v));
-      for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], p[k]);
+        high[k] = std::max(high[k], p[k]);
+      }
     }
     ConvexRegion region(low, high);
     for (const HalfSpace& h : planes) region.cut(h);
@@ -116,9 +119,9 @@ RaySourcePointer union_rays(std::vector<RaySourcePointer> sources) {
 }
 
 /// What all convex sets of a part have in common outside the open ones, and so for all parts.
-RaySourcePointer cut_rays(const CutBody& cut, const Placing& placing, const Wanted& wanted) {
+RaySourcePointer csg_rays(const CsgSolid& cut, const Placing& placing, const Wanted& wanted) {
   std::vector<RaySourcePointer> parts;
-  for (const CutPart& part : cut.parts) {
+  for (const CsgPart& part : cut.parts) {
     std::vector<RaySourcePointer> sets;
     const auto add = [&](const BodyPart& set, bool outside) {
       Body one;
@@ -166,7 +169,7 @@ RaySourcePointer difference_rays(const plane::Shape& shape, const Placing& placi
   if (shape.kind == Kind::kOffset && part_by_part(child, false))
     return rays_of(child, placing, wanted.with(Topology::kPlain).grown(shape.amount));
   if (!is_closed(child)) refuse(shape, "what is left of a set that is not closed is not computed on lines");
-  return cut_rays(cut_erosion(shape), placing, wanted);
+  return csg_rays(cut_erosion(shape), placing, wanted);
 }
 
 /// The interior or the closure of the child, and of that what is wanted.

@@ -46,9 +46,9 @@ ContactPlanes::Featured::Featured(const RayBody& of) : body(of), vertices(of.fac
     const RayEdge& e = of.edges[k];
     if (e.bend <= 0) continue;  // along others no solid can lie on one side
     const Point& from = of.points[at(e.from)];
-    edges[at(e.left)].push_back({static_cast<int>(k), exact::shadow(of.points[at(e.to)] - from),
-                                 exact::shadow(apex(of, e.left, e) - from),
-                                 exact::shadow(apex(of, e.right, e) - from)});
+    edges[at(e.left)].push_back({static_cast<int>(k), exact::approx(of.points[at(e.to)] - from),
+                                 exact::approx(apex(of, e.left, e) - from),
+                                 exact::approx(apex(of, e.right, e) - from)});
   }
 }
 
@@ -58,9 +58,9 @@ ContactPlanes::ContactPlanes(const RayBody& a, const BoxTree& a_tree, const RayB
 class ContactPlanes::Collector {
  public:
   Collector(const ContactPlanes& of, const Vector& middle, double reach) : of_(of), middle_(middle), reach_(reach) {
-    const double size = size_of(middle) + size_of(exact::shadow(of.a_.body.low)) +
-                        size_of(exact::shadow(of.a_.body.high)) + size_of(exact::shadow(of.b_.body.low)) +
-                        size_of(exact::shadow(of.b_.body.high));
+    const double size = size_of(middle) + size_of(exact::approx(of.a_.body.low)) +
+                        size_of(exact::approx(of.a_.body.high)) + size_of(exact::approx(of.b_.body.low)) +
+                        size_of(exact::approx(of.b_.body.high));
     reach_ += 0x1p-44 * size;  // roundings
     square_ = reach_ * reach_;
   }
@@ -82,22 +82,22 @@ class ContactPlanes::Collector {
 
  private:
   /// Where it stands, its middle position taken.
-  Triple of_a(const Point& p) const { return triple(exact::shadow(p)); }
-  Triple of_b(const Point& p) const { return triple(plus(exact::shadow(p), middle_)); }
+  Triple of_a(const Point& p) const { return triple(exact::approx(p)); }
+  Triple of_b(const Point& p) const { return triple(plus(exact::approx(p), middle_)); }
 
   /// Overlap is where normal . (b + p - a) < 0.
   void put(const Wide3& normal, const Point& a, const Point& b) {
     const Wide3 n = exact::primitive(normal);
     const Plane plane{n, exact::dot(n, b - a)};
     const HalfSpace seen(plane);
-    if (std::fabs(seen.shadow_value(middle_)) <= reach_ + seen.error(middle_)) planes_.push_back(plane);
+    if (std::fabs(seen.approx_value(middle_)) <= reach_ + seen.error(middle_)) planes_.push_back(plane);
   }
 
   /// Whether all edges of the circuit rise along the normal, or run level.
-  static bool stands_on(const RayBody& body, const RayVertex& v, const Wide3& normal, const Shadow3& shadow) {
+  static bool stands_on(const RayBody& body, const RayVertex& v, const Wide3& normal, const Approx3& approx) {
     for (int j = v.first; j < v.first + v.count; ++j) {
       const Point way = body.points[at(body.corners[at(j)].to)] - body.points[at(v.point)];
-      if (exact::sign_dot(normal, shadow, way) < 0) return false;
+      if (exact::sign_dot(normal, approx, way) < 0) return false;
     }
     return true;
   }
@@ -107,7 +107,7 @@ class ContactPlanes::Collector {
     const Triple x = of_b(b.points[at(v.point)]);
     const auto from = [&](int k) { return near::minus(of_a(a.corner(f, k)), x); };
     if (near::squared_of_triangle(from(0), from(1), from(2)) > square_) return;
-    if (!stands_on(b, v, a.normals[at(f)], a.normal_shadows[at(f)])) return;
+    if (!stands_on(b, v, a.normals[at(f)], a.normal_approx[at(f)])) return;
     put(a.normals[at(f)], a.corner(f, 0), b.points[at(v.point)]);
   }
 
@@ -116,7 +116,7 @@ class ContactPlanes::Collector {
     const Triple x = of_a(a.points[at(v.point)]);
     const auto from = [&](int k) { return near::minus(of_b(b.corner(g, k)), x); };
     if (near::squared_of_triangle(from(0), from(1), from(2)) > square_) return;
-    if (!stands_on(a, v, b.normals[at(g)], b.normal_shadows[at(g)])) return;
+    if (!stands_on(a, v, b.normals[at(g)], b.normal_approx[at(g)])) return;
     put(-b.normals[at(g)], a.points[at(v.point)], b.corner(g, 0));
   }
 
@@ -136,14 +136,14 @@ class ContactPlanes::Collector {
                 &b1 = b.points[at(d.to)];
     const Wide3 n = exact::cross(a1 - a0, b1 - b0);
     if (exact::is_zero(n)) return;
-    const Shadow3 shadow = exact::shadow(n), of_e = exact::shadow(a1 - a0), of_d = exact::shadow(b1 - b0);
+    const Approx3 approx = exact::approx(n), of_e = exact::approx(a1 - a0), of_d = exact::approx(b1 - b0);
     // Of nearly parallel ones the distance is hard to tell.
-    const bool told = dot(shadow, shadow) > 0x1p-36 * dot(of_e, of_e) * dot(of_d, of_d);
-    if (told && squared_of_segments(of_a(a0), of_a(a1), of_b(b0), of_b(b1)) > square_) return;
+    const bool decided = dot(approx, approx) > 0x1p-36 * dot(of_e, of_e) * dot(of_d, of_d);
+    if (decided && squared_of_segments(of_a(a0), of_a(a1), of_b(b0), of_b(b1)) > square_) return;
     const auto sides = [&](const RayBody& body, const RayEdge& of) {
       const Point& from = body.points[at(of.from)];
-      const int left = exact::sign_dot(n, shadow, apex(body, of.left, of) - from),
-                right = exact::sign_dot(n, shadow, apex(body, of.right, of) - from);
+      const int left = exact::sign_dot(n, approx, apex(body, of.left, of) - from),
+                right = exact::sign_dot(n, approx, apex(body, of.right, of) - from);
       return left * right < 0 ? 0 : left + right;
     };
     const int below = sides(a, e), above = sides(b, d);

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Whether the interiors of two solids meet, B moved to any real position: ray_overlap.h, which takes those on rays. So
-// a candidate for a position of contact is told from one at which they overlap, without convex parts. Guarantee: exact
-// in every degenerate position. Cost: the pairs of triangles whose boxes meet, less than a microsecond each where
+// a candidate for a position of contact is decided from one at which they overlap, without convex parts. Guarantee:
+// exact in every degenerate position. Cost: the pairs of triangles whose boxes meet, less than a microsecond each where
 // doubles tell their signs, else some ten. Keywords: collision detection, contact.
 #pragma once
 

@@ -54,7 +54,8 @@ class Search {
       if (node.count == 0) {
         const bool first = box_gap(sheet.tree.nodes()[std::size_t(node.first)].box, origin, at) <
                            box_gap(sheet.tree.nodes()[std::size_t(node.first) + 1].box, origin, at);
-        stack.push_back(node.first + (first ? 1 : 0)), stack.push_back(node.first + (first ? 0 : 1));
+        stack.push_back(node.first + (first ? 1 : 0));
+        stack.push_back(node.first + (first ? 0 : 1));
         continue;
       }
       for (int k = node.first; k < node.first + node.count; ++k) {
@@ -111,9 +112,11 @@ class Search {
           for (int m = y.first; m < y.first + y.count; ++m)
             if (worth(box_gap(a.box(k), b.box(m), p))) visit(a.face(k), b.face(m));
       } else if (y.count > 0 || (x.count == 0 && width(x.box) >= width(y.box))) {
-        push(x.first, top.b), push(x.first + 1, top.b);
+        push(x.first, top.b);
+        push(x.first + 1, top.b);
       } else {
-        push(top.a, y.first), push(top.a, y.first + 1);
+        push(top.a, y.first);
+        push(top.a, y.first + 1);
       }
     }
   }
@@ -126,7 +129,7 @@ class Search {
     std::array<DoubleTriple, 3> s, t;
     for (std::size_t k = 0; k < 3; ++k) {
       s[k] = triple(a.body.corner(f, static_cast<int>(k)));
-      t[k] = triple(plus(exact::shadow(b.body.corner(g, static_cast<int>(k))), p_));
+      t[k] = triple(plus(exact::approx(b.body.corner(g, static_cast<int>(k))), p_));
     }
     const auto from = [](const std::array<DoubleTriple, 3>& c, const DoubleTriple& x) {
       return near::squared_of_triangle(near::minus(c[0], x), near::minus(c[1], x), near::minus(c[2], x));
@@ -167,23 +170,23 @@ RealVector nearest_of_face(const Sheet& sheet, int face, const RealVector& x) {
 double farthest_out(const SurfaceSet& set) {
   double size = 0;
   for (const auto& sheet : set.sheets()) {
-    for (const Point& c : {sheet->body.low, sheet->body.high}) size = std::max(size, size_of(exact::shadow(c)));
+    for (const Point& c : {sheet->body.low, sheet->body.high}) size = std::max(size, size_of(exact::approx(c)));
   }
   for (const auto& ball : set.balls())
-    size = std::max(size, size_of(exact::shadow(ball.center)) + ball.radius.to_double());
+    size = std::max(size, size_of(exact::approx(ball.center)) + ball.radius.to_double());
   return size;
 }
 
 }  // namespace
 
 double squared_distance(const Sheet& sheet, int face, const Vector& x) {
-  const auto corner = [&](int k) { return triple(exact::shadow(sheet.body.corner(face, k)) - x); };
+  const auto corner = [&](int k) { return triple(exact::approx(sheet.body.corner(face, k)) - x); };
   return near::squared_of_triangle(corner(0), corner(1), corner(2));
 }
 
 RealVector way_to(const Sheet& sheet, const RealVector& x) {
   const Vector at = space::rounded(x);
-  Search search({}, size_of(exact::shadow(sheet.body.low)) + size_of(exact::shadow(sheet.body.high)) + size_of(at),
+  Search search({}, size_of(exact::approx(sheet.body.low)) + size_of(exact::approx(sheet.body.high)) + size_of(at),
                 sheet.longest);
   search.point(sheet, at, {Pair::Kind::kBallOfB}, 0);
   std::optional<RealVector> best;
@@ -195,7 +198,7 @@ RealVector way_to(const Sheet& sheet, const RealVector& x) {
 }
 
 Vector nearest_place(const Sheet& sheet, int face, const Vector& x) {
-  const auto corner = [&](int k) { return triple(exact::shadow(sheet.body.corner(face, k)) - x); };
+  const auto corner = [&](int k) { return triple(exact::approx(sheet.body.corner(face, k)) - x); };
   const DoubleTriple way = near::nearest_of_triangle(corner(0), corner(1), corner(2));
   return plus(x, Vector{way[0], way[1], way[2]});
 }
@@ -216,17 +219,17 @@ SurfaceGaps::Near SurfaceGaps::near(const RealVector& position) const {
     for (int j = 0; j < of_b; ++j) search.sheets(sheet, i, *b_->sheets()[std::size_t(j)], j);
     for (int j = 0; j < static_cast<int>(b_->balls().size()); ++j) {
       const SurfaceSet::Ball& ball = b_->balls()[std::size_t(j)];
-      search.point(sheet, plus(exact::shadow(ball.center), p), {Pair::Kind::kBallOfB, i, j}, ball.radius.to_double());
+      search.point(sheet, plus(exact::approx(ball.center), p), {Pair::Kind::kBallOfB, i, j}, ball.radius.to_double());
     }
   }
   for (int i = 0; i < static_cast<int>(a_->balls().size()); ++i) {
     const SurfaceSet::Ball& ball = a_->balls()[std::size_t(i)];
-    const Vector center = exact::shadow(ball.center) - p;
+    const Vector center = exact::approx(ball.center) - p;
     for (int j = 0; j < of_b; ++j)
       search.point(*b_->sheets()[std::size_t(j)], center, {Pair::Kind::kBallOfA, i, j}, ball.radius.to_double());
     for (int j = 0; j < static_cast<int>(b_->balls().size()); ++j) {
       const SurfaceSet::Ball& other = b_->balls()[std::size_t(j)];
-      search.points(center - exact::shadow(other.center), {Pair::Kind::kBalls, i, j},
+      search.points(center - exact::approx(other.center), {Pair::Kind::kBalls, i, j},
                     (ball.radius + other.radius).to_double());
     }
   }

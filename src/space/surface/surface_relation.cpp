@@ -22,7 +22,7 @@ struct BoxWays {
 };
 
 BoxWays box_ways(const Sheet& a, const Sheet& b) {
-  const auto way = [](const Point& p, const Point& q) { return exact::shadow(p) - exact::shadow(q); };
+  const auto way = [](const Point& p, const Point& q) { return exact::approx(p) - exact::approx(q); };
   return {way(a.body.low, b.body.high), way(a.body.high, b.body.low), way(a.body.low, b.body.low),
           way(a.body.high, b.body.high)};
 }
@@ -91,7 +91,8 @@ Relation SurfaceGaps::with_balls(const RealVector& p) const {
       const Relation next = ball_relation(center, ball.radius, *sheet);
       const bool fits = next == Relation::kApart || (next == Relation::kInside && a_->one_sheet());
       if (!fits || (!first && next != all)) return Relation::kOther;
-      all = next, first = false;
+      all = next;
+      first = false;
     }
     for (const SurfaceSet::Ball& other : a_->balls()) {
       const RealVector way = minus(real(other.center), center);

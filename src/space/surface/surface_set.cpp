@@ -12,7 +12,7 @@ using exact::Real;
 
 SurfaceSet::Sheet::Sheet(Triangles surface) : body(std::move(surface)), tree(body) {
   for (const RayEdge& e : body.edges) {
-    const Vector way = exact::shadow(body.points[std::size_t(e.to)] - body.points[std::size_t(e.from)]);
+    const Vector way = exact::approx(body.points[std::size_t(e.to)] - body.points[std::size_t(e.from)]);
     longest = std::max(longest, length(way));
   }
 }

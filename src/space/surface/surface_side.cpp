@@ -14,10 +14,10 @@ using exact::Real;
 int turn(const Point& p, const Point& q, const RealVector& x, const Vector& near) {
   const double ex = static_cast<double>(q.x - p.x), ey = static_cast<double>(q.y - p.y);
   const double a = ex * (near.y - static_cast<double>(p.y)), b = ey * (near.x - static_cast<double>(p.x));
-  const double room = 0x1p-50 * (std::fabs(ex) * (std::fabs(near.y) + std::fabs(static_cast<double>(p.y))) +
-                                 std::fabs(ey) * (std::fabs(near.x) + std::fabs(static_cast<double>(p.x))));
-  if (a - b > room) return 1;
-  if (a - b < -room) return -1;
+  const double tolerance = 0x1p-50 * (std::fabs(ex) * (std::fabs(near.y) + std::fabs(static_cast<double>(p.y))) +
+                                      std::fabs(ey) * (std::fabs(near.x) + std::fabs(static_cast<double>(p.x))));
+  if (a - b > tolerance) return 1;
+  if (a - b < -tolerance) return -1;
   return (Real(q.x - p.x) * (x[1] - Real(p.y)) - Real(q.y - p.y) * (x[0] - Real(p.x))).sign();
 }
 
@@ -41,7 +41,7 @@ std::int64_t down(double c) { return static_cast<std::int64_t>(std::floor(c)) - 
 std::int64_t up(double c) { return static_cast<std::int64_t>(std::ceil(c)) + 1; }
 
 bool beside(const RayBody& body, const Vector& near) {
-  const Vector low = exact::shadow(body.low), high = exact::shadow(body.high);
+  const Vector low = exact::approx(body.low), high = exact::approx(body.high);
   return near.x < low.x - 1 || near.x > high.x + 1 || near.y < low.y - 1 || near.y > high.y + 1 || near.z < low.z - 1 ||
          near.z > high.z + 1;
 }

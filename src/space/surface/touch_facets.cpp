@@ -20,12 +20,12 @@ struct TouchFacets::Seen {
   const RayBody& body;
   std::size_t triangle;
   const Wide3& n;
-  const Shadow3& n_shadow;
+  const Approx3& n_approx;
 
   int point(int k) const { return body.faces[triangle][static_cast<std::size_t>(k)]; }
   /// The sign of n . (w - v).
   int rise(int v, int w) const {
-    return exact::sign_dot(n, n_shadow,
+    return exact::sign_dot(n, n_approx,
                            body.points[static_cast<std::size_t>(w)] - body.points[static_cast<std::size_t>(v)]);
   }
 };
@@ -64,8 +64,8 @@ TouchSet touch_set(const RayBody& body, std::size_t triangle, const Polytope& pa
   return set;
 }
 
-bool TouchFacets::may_touch(std::size_t triangle, const Wide3& n, const Shadow3& n_shadow) const {
-  const Seen seen{body_, triangle, n, n_shadow};
+bool TouchFacets::may_touch(std::size_t triangle, const Wide3& n, const Approx3& n_approx) const {
+  const Seen seen{body_, triangle, n, n_approx};
   int highest = 0;
   for (int k = 1; k < 3; ++k) {
     if (seen.rise(seen.point(highest), seen.point(k)) > 0) highest = k;

@@ -27,8 +27,8 @@ class TouchFacets {
   /// Keeps a reference. Positions that touch from this side are wanted.
   TouchFacets(const RayBody& body, TouchSide side);
 
-  /// Of the facet with the outward normal n; the side is not told where only a vertex of the triangle touches.
-  bool may_touch(std::size_t triangle, const Wide3& n, const Shadow3& n_shadow) const;
+  /// Of the facet with the outward normal n; the side is not decided where only a vertex of the triangle touches.
+  bool may_touch(std::size_t triangle, const Wide3& n, const Approx3& n_approx) const;
 
  private:
   struct Seen;

@@ -12,15 +12,15 @@ namespace {
 /// The units of parallel work: fixed, so that the order of pieces does not depend on the number of threads.
 constexpr std::size_t kBlock = 16;
 
-void add_pieces(const TouchSets& sets, const TouchSets::Pair& of, const BoxWish& wanted, std::vector<FlatPiece>& out) {
+void add_pieces(const TouchSets& sets, const TouchSets::Pair& of, const BoxQuery& wanted, std::vector<FlatPiece>& out) {
   for (const TouchSets::Facet& facet : sets.facets(of)) {
-    if (wanted(exact::shadow(facet.box.low), exact::shadow(facet.box.high))) sets.add_pieces(facet, out);
+    if (wanted(exact::approx(facet.box.low), exact::approx(facet.box.high))) sets.add_pieces(facet, out);
   }
 }
 
 }  // namespace
 
-TouchFrontier touch_frontier(std::shared_ptr<const TouchSets> sets, const BoxWish& wanted) {
+TouchFrontier touch_frontier(std::shared_ptr<const TouchSets> sets, const BoxQuery& wanted) {
   const std::size_t triangles = sets->sheet().body.faces.size(), parts = sets->parts().size(),
                     blocks = (triangles + kBlock - 1) / kBlock;
   std::vector<std::vector<FlatPiece>> found(blocks);

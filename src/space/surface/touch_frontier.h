@@ -18,9 +18,9 @@ struct TouchFrontier {
 };
 
 /// Whether pieces in a box are wanted.
-using BoxWish = std::function<bool(const Vector& low, const Vector& high)>;
+using BoxQuery = std::function<bool(const Vector& low, const Vector& high)>;
 
 /// Pieces that lie in no wanted box may be missing.
-TouchFrontier touch_frontier(std::shared_ptr<const TouchSets> sets, const BoxWish& wanted);
+TouchFrontier touch_frontier(std::shared_ptr<const TouchSets> sets, const BoxQuery& wanted);
 
 }  // namespace findspace::space

@@ -99,7 +99,7 @@ std::vector<RealVector> outer_corners(const std::vector<FlatPiece>& pieces) {
   for (const FlatPiece::Corner* c : corners) {
     // The points were moved by less than a step, so what is two steps inside their hull lies in that of the corners.
     const bool inner = !planes.empty() && std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
-      return h.shadow_value(c->near) < -2 - h.error(c->near);
+      return h.approx_value(c->near) < -2 - h.error(c->near);
     });
     if (!inner) out.push_back(c->at);
   }
@@ -115,9 +115,9 @@ std::shared_ptr<const TouchSets> sets_of(const TouchPair& pair) {
 
 RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const RayGrid& grid) {
   const Real radius = level * Real(pair.scale);
-  const double room = radius.to_double() * (1 + 0x1p-40) + 2;
+  const double tolerance = radius.to_double() * (1 + 0x1p-40) + 2;
   const auto wanted = [&](const Vector& low, const Vector& high) {
-    const Vector by{room, room, room};
+    const Vector by{tolerance, tolerance, tolerance};
     return PieceRays::any_line(grid, low - by, plus(high, by), pair.scale);
   };
   const TouchFrontier frontier = touch_frontier(sets_of(pair), wanted);

@@ -32,8 +32,8 @@ Cover cover(const std::vector<Point>& ring, const TouchSet& set, double& depth) 
     bool inside = false;
     double sum = 0;
     for (const Point& p : ring) {
-      const Vector near = exact::shadow(p);
-      const double v = plane.shadow_value(near), e = plane.error(near);
+      const Vector near = exact::approx(p);
+      const double v = plane.approx_value(near), e = plane.error(near);
       const Plane& whole = set.closed.planes()[h];
       const int sign = v > e ? 1 : v < -e ? -1 : exact::sign(exact::dot(whole.normal, p) + whole.offset);
       inside = inside || sign < 0;
@@ -80,7 +80,7 @@ std::vector<TouchSets::Facet> TouchSets::facets(const Pair& of) const {
   const Polytope& closed = set(of).closed;
   for (int f = 0; f < closed.facet_count(); ++f) {
     const Wide3& normal = closed.planes()[static_cast<std::size_t>(f)].normal;
-    if (!facets_.may_touch(of.triangle, normal, closed.normal_shadow(f))) continue;
+    if (!facets_.may_touch(of.triangle, normal, closed.normal_approx(f))) continue;
     Facet facet{of, f, {}, {}};
     for (const int v : closed.circuit(f)) facet.ring.push_back(closed.vertices()[static_cast<std::size_t>(v)]);
     facet.box = box_of(facet.ring);
@@ -117,7 +117,7 @@ void TouchSets::add_pieces(const Facet& facet, std::vector<FlatPiece>& out) cons
   for (int h = own.closed.first_half_edge(facet.facet); h < own.closed.first_half_edge(facet.facet + 1); ++h) {
     const HalfEdge& edge = own.closed.half_edges()[static_cast<std::size_t>(h)];
     const Point& p = own.closed.vertices()[static_cast<std::size_t>(edge.origin)];
-    whole.corners.push_back({real(p), exact::shadow(p), &own.planes[static_cast<std::size_t>(edge.right)]});
+    whole.corners.push_back({real(p), exact::approx(p), &own.planes[static_cast<std::size_t>(edge.right)]});
   }
   std::vector<FlatPiece> left{std::move(whole)}, next;
   for (const Cutter& cutter : cutters) {

@@ -5,8 +5,8 @@
 // meet} and of E = {p : B + p lies in A}, as closed convex polygons, segments and points. No convex parts of A are
 // needed. With S the convex parts of B, the interior of S + p meets the surface of A where p is in one of the open
 // convex sets t - int S, t a triangle; elsewhere S + p is wholly outside A or inside. So both frontiers are the facets
-// of these sets less the sets, told apart by the side of A on which a point of each S lies. Facets that a triangle next
-// to their own covers are left out: where S is convex every touching position lies on another one, too. Guarantee:
+// of these sets less the sets, decided apart by the side of A on which a point of each S lies. Facets that a triangle
+// next to their own covers are left out: where S is convex every touching position lies on another one, too. Guarantee:
 // exact, slits and single positions included; pieces may overlap. Cost: a set is made when it is first looked at (some
 // ten microseconds); for a facet the sets whose boxes meet its own, some hundred nanoseconds each, some microseconds
 // for each corner of a piece that is made. Threads: safe. Source: docs/decisions/0016. Keywords: boundary of a

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "reporter.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace findspace::app {
+namespace {
+
+bool wants_colour() {
+  const char* no = std::getenv("NO_COLOR");
+  const char* term = std::getenv("TERM");
+  return (no == nullptr || *no == '\0') && !(term != nullptr && std::string_view(term) == "dumb");
+}
+
+void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+}  // namespace
+
+Reporter::Reporter(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), colour_(terminal_ && wants_colour()) {}
+
+Reporter::~Reporter() { stage(""); }
+
+void Reporter::note(std::string_view text) {
+  stage("");
+  if (!quiet_) say(fmt::format("{}note:{} {}\n", colour_ ? "\033[36m" : "", colour_ ? "\033[0m" : "", text));
+}
+
+void Reporter::error(std::string_view text) {
+  stage("");
+  say(fmt::format("{}findspace:{} {}\n", colour_ ? "\033[1;31m" : "", colour_ ? "\033[0m" : "", text));
+}
+
+void Reporter::error(const Error& e) {
+  error(std::string_view(e.what()));
+  for (const auto& p : e.geometry()) say(fmt::format("  at ({}, {})\n", p[0], p[1]));
+}
+
+void Reporter::stage(std::string_view text) {
+  if (!terminal_ || quiet_ || (text.empty() && !staged_)) return;
+  say(fmt::format("\r\033[K{}", text));
+  staged_ = !text.empty();
+  std::fflush(stderr);
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/csg/csg_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "distance/search/boundary_slack.h"
+#include "distance/search/swept_part.h"
+#include "exact/number/interval.h"
+
+namespace findspace::distance {
+
+using space::BodyPart;
+using space::Vector;
+
+namespace {
+
+constexpr double kTouching = 0x1p-42;  // of the size: slack that counts as none
+constexpr double kBlur = 0x1p-4;       // of a cell: slack that is not decided from less
+constexpr double kAgain = 0x1p-1;      // of a cell: where deeper places are looked for again
+constexpr int kTimes = 4;              // that a place is made deeper
+constexpr double kSame = 0x1p-2;       // of a cell: places of one deepest
+constexpr long kMostCellsInAll = 200000;
+constexpr std::size_t kRecent = 8, kMostCuts = 8;
+
+/// A tetrahedron about the box.
+Tetrahedron about_box(const Vector& low, const Vector& high) {
+  const Vector wide = space::scaled(3.0625, high - low), from = low - space::scaled(0x1p-8, high - low);
+  return {from, space::plus(from, {wide.x, 0, 0}), space::plus(from, {0, wide.y, 0}),
+          space::plus(from, {0, 0, wide.z})};
+}
+
+Tetrahedron moved(Tetrahedron t, const Vector& by) {
+  for (Vector& v : t) v = space::plus(v, by);
+  return t;
+}
+
+}  // namespace
+
+/// Of one search.
+class CsgConstraints : public LazyConstraints {
+ public:
+  explicit CsgConstraints(const CsgDepth& all) : all_(all) {
+    for (const CsgDepth::Pair& pair : all_.pairs_) {
+      Constraints& common = common_.emplace_back(pair.part->rules);
+      common.keep_in.push_back([this, &pair](const Vector& x) { return pair.in(x - at_); });
+    }
+  }
+
+  /// Those of the pairs that nothing is cut out of as they are.
+  Constraints rules() {
+    Constraints out;
+    out.more = this;
+    for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
+      if (!all_.pairs_[k].out.empty()) continue;
+      const int number = static_cast<int>(cuts_.size());
+      cuts_.push_back({k, {}, all_.pairs_[k].part->low, 0});
+      out.keep_out.push_back([this, number](const Vector& x) { return beyond(number, x); });
+    }
+    return out;
+  }
+
+  bool spent() const override { return cells_ > kMostCellsInAll; }
+
+  double beyond(int number, const Vector& x) const override {
+    return -slack(cuts_[static_cast<std::size_t>(number)], x).value;
+  }
+
+  std::vector<int> near(const Vector& middle, double edge, std::span<const int> known) override {
+    std::vector<int> out;
+    for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
+      if (all_.pairs_[k].out.empty() || apart(k, middle, edge)) continue;
+      std::vector<Deep> cuts = moved_to(k, middle, edge, known);
+      double checked = last_checked(k, known);
+      const double deep = cuts.empty() ? 0 : cuts[0].slack;
+      if (!apart(k, middle) && deep < edge && (cuts.empty() || edge < kAgain * checked)) {
+        checked = edge;
+        const double enough = cuts.empty() ? -edge : cuts[0].slack;
+        const Slack found = most(k, middle, {enough, 1, kBlur * edge});
+        if (found.value > enough) cuts.insert(cuts.begin(), {through(k, found.place), found.value});
+      }
+      for (Deep& cut : cuts) {
+        out.push_back(static_cast<int>(cuts_.size()));
+        cut.cut.checked = checked;
+        cuts_.push_back(std::move(cut.cut));
+        if (cut.slack > edge) return {out.back()};  // the cell is in it
+      }
+    }
+    return out;
+  }
+
+  bool allows(const Vector& x, std::span<const int> known) const override {
+    const double least = kTouching * all_.size_;
+    for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
+      if (all_.pairs_[k].out.empty() || apart(k, x)) continue;
+      if (overlap(k, x, known)) return false;
+    }
+    for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
+      if (all_.pairs_[k].out.empty() || apart(k, x)) continue;
+      const Slack found = most(k, x, {least, 0, kBlur * least});
+      if (found.value > least) remember(through(k, found.place));
+      if (found.bound > 2 * least) return false;
+    }
+    return true;
+  }
+
+ private:
+  /// A convex subset of the part of A of a pair: what is beyond a plane for each set that is cut out.
+  struct Cut {
+    std::size_t pair = 0;
+    std::vector<MeetSet> planes;
+    Vector place;
+    double checked = exact::kInfinity;  // the size of the cell in which deeper places than known were looked for
+  };
+  struct Deep {
+    Cut cut;
+    double slack = 0;
+  };
+
+  double last_checked(std::size_t k, std::span<const int> known) const {
+    double least = exact::kInfinity;
+    for (const int i : known) {
+      const Cut& cut = cuts_[static_cast<std::size_t>(i)];
+      if (cut.pair == k) least = std::min(least, cut.checked);
+    }
+    return least;
+  }
+
+  /// By more than `edge`, or touching.
+  bool apart(std::size_t k, const Vector& p, double edge = 0) const {
+    const CsgDepth::Pair& pair = all_.pairs_[k];
+    const Vector by{edge, edge, edge}, low = space::plus(pair.low, p) - by, high = space::plus(pair.high, p),
+                                       &from = pair.part->low, to = space::plus(pair.part->high, by);
+    return high.x <= from.x - edge || high.y <= from.y - edge || high.z <= from.z - edge || to.x <= low.x + edge ||
+           to.y <= low.y + edge || to.z <= low.z + edge;
+  }
+
+  MeetSlack slack(const Cut& cut, const Vector& p) const {
+    const CsgDepth::Pair& pair = all_.pairs_[cut.pair];
+    std::vector<MeetSet> sets;
+    sets.reserve(pair.moving.size() + pair.fixed.size() + cut.planes.size());
+    for (MeetSet set : pair.moving) {
+      if (set.ball)
+        set.at = space::plus(set.at, p);
+      else
+        set.by -= space::dot(set.at, p);
+      sets.push_back(set);
+    }
+    sets.insert(sets.end(), pair.fixed.begin(), pair.fixed.end());
+    sets.insert(sets.end(), cut.planes.begin(), cut.planes.end());
+    return meet_slack(sets, moved(pair.about, p), cut.place);
+  }
+
+  /// What is beyond the tangents at x. A plane that is below a convex function is 0 where that is 0 or more.
+  Cut through(std::size_t k, const Vector& x) const {
+    Cut out{k, {}, x, exact::kInfinity};
+    for (const TouchingRule& rule : all_.pairs_[k].out) {
+      const Touching at = rule(x);
+      const double long_by = space::length(at.slope);
+      if (!(long_by > 0)) continue;  // so deep inside that any plane will do: the place is not one of A
+      const Vector away = space::scaled(-1 / long_by, at.slope);
+      out.planes.push_back({false, away, -space::dot(away, x) - at.value / long_by});
+    }
+    return out;
+  }
+
+  /// The cut is moved to where it is deeper at p, as far as that goes; the slack.
+  double deeper(Cut& cut, const Vector& p, double known) const {
+    double best = known;
+    for (int times = 0; times < kTimes; ++times) {
+      const MeetSlack at = slack(cut, p);
+      const bool more = at.value > best * (1 + 0x1p-7);
+      best = std::max(best, at.value);
+      if (!more) break;
+      cut = through(cut.pair, at.place);
+    }
+    return best;
+  }
+
+  /// The cuts that count near p, each where it is deepest there, the deepest one first.
+  std::vector<Deep> moved_to(std::size_t k, const Vector& p, double edge, std::span<const int> known) const {
+    std::vector<Deep> out;
+    const auto look = [&](const Cut& cut, double least) {
+      if (cut.pair != k) return;
+      const MeetSlack at = slack(cut, p);
+      if (at.value <= least) return;
+      const auto same = [&](const Deep& d) { return space::length(d.cut.place - at.place) < kSame * edge; };
+      const auto twin = std::find_if(out.begin(), out.end(), same);
+      if (twin == out.end())
+        out.push_back({through(k, at.place), at.value});
+      else if (twin->slack < at.value)
+        *twin = {through(k, at.place), at.value};
+    };
+    for (const int i : known) look(cuts_[static_cast<std::size_t>(i)], -edge);
+    for (const Cut& cut : recent_) look(cut, 0);
+    std::sort(out.begin(), out.end(), [](const Deep& a, const Deep& b) { return a.slack > b.slack; });
+    if (out.size() > kMostCuts) out.resize(kMostCuts);
+    if (!out.empty() && out[0].slack > 0) out[0].slack = deeper(out[0].cut, p, out[0].slack);
+    return out;
+  }
+
+  /// Whether a known cut, or one like it, tells so.
+  bool overlap(std::size_t k, const Vector& p, std::span<const int> known) const {
+    const double least = kTouching * all_.size_;
+    const auto deep = [&](const Cut& cut) {
+      if (cut.pair != k) return false;
+      const MeetSlack at = slack(cut, p);
+      if (at.value > least) return true;
+      Cut next = through(k, at.place);
+      return deeper(next, p, 0) > least;
+    };
+    return std::any_of(known.begin(), known.end(), [&](int i) { return deep(cuts_[static_cast<std::size_t>(i)]); }) ||
+           std::any_of(recent_.begin(), recent_.end(), deep);
+  }
+
+  /// What cells do not know: it decided that a place is not allowed.
+  void remember(Cut cut) const {
+    if (recent_.size() == kRecent) recent_.pop_front();
+    recent_.push_back(std::move(cut));
+  }
+
+  Slack most(std::size_t k, const Vector& p, const SlackEnd& end) const {
+    at_ = p;
+    const CsgDepth::Pair& pair = all_.pairs_[k];
+    const Vector low = space::plus(pair.low, p), high = space::plus(pair.high, p), &from = pair.part->low,
+                 &to = pair.part->high;
+    const auto [least, greatest] = askew({std::max(low.x, from.x), std::max(low.y, from.y), std::max(low.z, from.z)},
+                                         {std::min(high.x, to.x), std::min(high.y, to.y), std::min(high.z, to.z)});
+    const Slack out = most_slack(tetrahedra_of_box(least, greatest), common_[k], end);
+    cells_ += out.cells;
+    return out;
+  }
+
+  const CsgDepth& all_;
+  std::deque<Cut> cuts_;
+  std::vector<Constraints> common_;  // of what both parts of a pair hold
+  mutable std::deque<Cut> recent_;
+  mutable long cells_ = 0;  // of searches for deepest places
+  mutable Vector at_;       // of B, for the rules of common_
+};
+
+CsgDepth::CsgDepth(const space::Body& b, const std::vector<CutSearch>& parts, double size) : size_(size) {
+  low_ = {exact::kInfinity, exact::kInfinity, exact::kInfinity};
+  high_ = space::scaled(-1, low_);
+  for (const BodyPart& s : b.parts) {
+    space::Body one;
+    one.parts.push_back(s);
+    const space::Bounds3 box = bounds(one);
+    for (const CutSearch& part : parts) {
+      Pair& pair = pairs_.emplace_back();
+      pair.low = space::rounded(box.low);
+      pair.high = space::rounded(box.high);
+      pair.about = about_box(pair.low, pair.high);
+      pair.moving = meet_sets(s);
+      for (const BodyPart& set : part.sets->within) {
+        for (const MeetSet& m : meet_sets(set)) pair.fixed.push_back(m);
+      }
+      for (const BodyPart& set : part.sets->without) pair.out.push_back(gap_to(set, {}));
+      pair.in = keep_in(s, {});
+      pair.part = &part;
+      const Vector low = part.low - pair.high, high = part.high - pair.low;
+      low_ = {std::min(low_.x, low.x), std::min(low_.y, low.y), std::min(low_.z, low.z)};
+      high_ = {std::max(high_.x, high.x), std::max(high_.y, high.y), std::max(high_.z, high.z)};
+    }
+  }
+}
+
+BoundaryPlace CsgDepth::nearest(const Vector& p, const Incumbent& known, const Until* until) const {
+  double out = exact::kInfinity;
+  for (const double d : {p.x - low_.x, high_.x - p.x, p.y - low_.y, high_.y - p.y, p.z - low_.z, high_.z - p.z})
+    out = std::min(out, d);
+  out = std::max(0.0, out) + 0x1p-20 * size_;
+  const Vector by{out, out, out};
+  return nearest_in(p - by, space::plus(p, by), p, known, until);
+}
+
+BoundaryPlace CsgDepth::nearest_in(const Vector& low, const Vector& high, const Vector& p, const Incumbent& known,
+                                   const Until* until) const {
+  return nearest_to(distance_to_segment(p, {}, 0, 0), low, high, known, until);
+}
+
+BoundaryPlace CsgDepth::nearest_to(const TouchingRule& away, const Vector& low, const Vector& high,
+                                   const Incumbent& known, const Until* until) const {
+  CsgConstraints fronts(*this);
+  const auto [from, to] = askew(low, high);
+  return nearest_allowed(tetrahedra_of_box(from, to), fronts.rules(), away, size_, 0, known, until);
+}
+
+BoundaryPlace CsgDepth::farthest_in(const Vector& low, const Vector& high, const Vector& p) const {
+  CsgConstraints fronts(*this);
+  const auto [from, to] = askew(low, high);
+  return farthest_allowed(
+      tetrahedra_of_box(from, to), fronts.rules(), [p](const Vector& x) { return space::length(x - p); }, size_);
+}
+
+}  // namespace findspace::distance

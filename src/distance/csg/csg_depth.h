@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The positions p at which a body B + p and a solid A that convex sets are cut out of have no interior in common, and
+// the one nearest to a position: the depth of B in A, and, of the solid that others leave, how far B is from fitting
+// among them. What a part of B has in common with a part of A that nothing is cut out of has slack that is concave in
+// p (meet_slack.h), so the front search (boundary_search.h) takes it as it is. Else each place x of A, with a plane
+// between it and what is cut out, says a convex subset of A, and so a concave function below the slack that is the
+// slack itself where x is the deepest place: each cell of the search makes those that it needs (LazyConstraints), right
+// to the square of its size. Guarantee: doubles; the place is one at which common slack is at most 2^-42 of the sizes,
+// no such position is nearer than `bound`; the search may end before (`complete`), so where edges of B lie on edges of
+// what is cut out. Sets cut out may be anything convex; others polytopes and balls. Cost: some hundred cells, each some
+// dozen slacks. Keywords: penetration depth, reverse convex programming, cutting planes.
+#pragma once
+
+#include <vector>
+
+#include "distance/csg/csg_part.h"
+
+namespace findspace::distance {
+
+class CsgDepth {
+ public:
+  /// The parts have to outlive it. Throws Error(kUnsupported) for round polyhedra and for what has no interior.
+  CsgDepth(const space::Body& b, const std::vector<CutSearch>& parts, double size);
+
+  /// Of all positions, or of those in the box. `known`: as of boundary_search.h.
+  BoundaryPlace nearest(const space::Vector& p, const Incumbent& known, const Until* until = nullptr) const;
+  BoundaryPlace nearest_in(const space::Vector& low, const space::Vector& high, const space::Vector& p,
+                           const Incumbent& known, const Until* until = nullptr) const;
+  /// Of those in the box, the one nearest to what the rule is the distance to.
+  BoundaryPlace nearest_to(const TouchingRule& away, const space::Vector& low, const space::Vector& high,
+                           const Incumbent& known, const Until* until) const;
+  /// The farthest one of those in the box.
+  BoundaryPlace farthest_in(const space::Vector& low, const space::Vector& high, const space::Vector& p) const;
+
+ private:
+  friend class CsgConstraints;
+  /// A part of B and one of A.
+  struct Pair {
+    std::vector<MeetSet> moving, fixed;
+    Tetrahedron about;              // holds the part of B
+    space::Vector low, high;        // likewise
+    TouchingRule in;                // the part of B
+    std::vector<TouchingRule> out;  // what is cut out, negative inside
+    const CutSearch* part = nullptr;
+  };
+
+  std::vector<Pair> pairs_;
+  space::Vector low_, high_;  // beyond this all is free
+  double size_ = 1;
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// named_gaps of csg_part.h: what the distance of a convex body to a part of a solid is at places that square roots
+// name. Whether such a place belongs to the part is decided exactly; the search says which is the nearest.
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/csg/csg_part.h"
+#include "space/polytope/convex_region.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::CsgPart;
+using space::dot;
+using space::HalfSpace;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+struct Sphere {
+  RealVector center;
+  Real radius;
+};
+
+class Names {
+ public:
+  Names(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place, double size)
+      : a_(a), s_(s), p_(p), place_(place), blur_(0x1p-16 * size) {}
+
+  std::vector<SolidValue> all() {
+    for (const BodyPart& set : a_.within) on_set(set);
+    for (const BodyPart& set : a_.without) {
+      if (set.point()) on_sphere_from_inside(set);
+    }
+    on_circles();
+    return std::move(found_);
+  }
+
+ private:
+  /// From the point b of s without its radius to the place, if that belongs.
+  void offer(const RealVector& b, const RealVector& place) {
+    if (!holds(a_, place)) return;
+    const RealVector way = space::minus(place, b);
+    const Real d = sqrt(dot(way, way));
+    SolidValue v;
+    v.value = d - s_.radius;
+    if (d.sign() > 0) {
+      const RealVector from = space::along(b, s_.radius / d, way);
+      v.points = {from, place};
+      if (v.value.sign() > 0) v.nearest = space::plus(p_, space::minus(place, from));
+    }
+    found_.push_back(std::move(v));
+  }
+
+  /// The nearest places of one set of A alone.
+  void on_set(const BodyPart& set) {
+    const std::vector<HalfSpace> planes = space::difference_planes(set, s_);
+    RealVector q = space::real(set.center - s_.center);
+    if (!planes.empty()) {
+      const auto nearest = nearest_in(planes, p_);
+      if (!nearest) return;
+      q = *nearest;
+    }
+    const RealVector away = space::minus(p_, q);
+    const Real d = sqrt(dot(away, away));
+    if (d.sign() == 0) return;
+    for (const space::ConvexRegion::Vertex& v : shared_corners(set, q)) {
+      const RealVector b = space::plus(v.at, away);
+      offer(b, space::along(v.at, set.radius / d, away));
+    }
+  }
+
+  /// The corners of what the core of the set has in common with that of s moved by q.
+  std::vector<space::ConvexRegion::Vertex> shared_corners(const BodyPart& set, const RealVector& q) const {
+    const auto box = [](const BodyPart& part) {
+      Body one;
+      one.parts.push_back(part);
+      one.parts[0].radius = Real();
+      return bounds(one);
+    };
+    const space::Bounds3 of_set = box(set), of_s = box(s_);
+    space::ConvexRegion region(of_set.low, of_set.high);
+    for (std::size_t k = 0; k < 3; ++k) {
+      RealVector n;
+      n[k] = Real(1);
+      region.cut(HalfSpace(n, -(of_s.high[k] + q[k])));
+      region.cut(HalfSpace(space::negated(n), of_s.low[k] + q[k]));
+    }
+    for (const HalfSpace& h : set.planes()) region.cut(h);
+    for (const HalfSpace& h : s_.planes()) region.cut(HalfSpace(h.normal, h.offset - dot(h.normal, q)));
+    return {region.vertices().begin(), region.vertices().end()};
+  }
+
+  void on_sphere_from_inside(const BodyPart& set) {
+    const RealVector center = space::real(set.center);
+    for (const space::Point& v : s_.vertices()) {
+      const RealVector b = space::plus(space::real(v), p_), off = space::minus(b, center);
+      if (space::is_zero(off)) continue;
+      const RealVector place = space::along(center, set.radius / sqrt(dot(off, off)), off);
+      if (near(place)) offer(b, place);
+    }
+  }
+
+  bool near(const RealVector& x) const { return space::length(space::rounded(x) - place_) < blur_; }
+
+  /// The planes of facets and the spheres that come near the place.
+  void surfaces(std::vector<HalfSpace>& planes, std::vector<Sphere>& spheres) const {
+    for (const std::vector<BodyPart>* sets : {&a_.within, &a_.without}) {
+      for (const BodyPart& set : *sets) {
+        if (set.point()) {
+          const RealVector center = space::real(set.center);
+          const double off = space::length(place_ - space::rounded(center)) - set.radius.to_double();
+          if (std::fabs(off) < blur_) spheres.push_back({center, set.radius});  // no sign: places are tested
+        }
+        if (set.radius.sign() > 0) continue;
+        for (HalfSpace& h : set.planes()) {
+          if (std::fabs(h.approx_value(place_)) < blur_) planes.push_back(std::move(h));  // no sign, either
+        }
+      }
+    }
+  }
+
+  void on_circles() {
+    std::vector<HalfSpace> planes;
+    std::vector<Sphere> spheres;
+    surfaces(planes, spheres);
+    for (std::size_t k = 1; k < spheres.size(); ++k) {
+      // Two spheres meet where their equations differ by nothing.
+      const RealVector n = space::minus(spheres[k].center, spheres[0].center);
+      if (space::is_zero(n)) continue;
+      const auto power = [](const Sphere& s) { return dot(s.center, s.center) - s.radius * s.radius; };
+      planes.emplace_back(space::scaled(Real(2), n), power(spheres[0]) - power(spheres[k]));
+    }
+    if (spheres.empty()) return;
+    for (const HalfSpace& h : planes) on_circle(spheres[0], h);
+  }
+
+  void on_circle(const Sphere& sphere, const HalfSpace& plane) {
+    const Real square = dot(plane.normal, plane.normal);
+    const auto on_plane = [&](const RealVector& x) {
+      return space::along(x, -(plane.value(x) / square), plane.normal);
+    };
+    const RealVector middle = on_plane(sphere.center), off = space::minus(middle, sphere.center);
+    const Real radius = sphere.radius * sphere.radius - dot(off, off);
+    if (radius.sign() <= 0) return;
+    for (const space::Point& v : s_.vertices()) {
+      const RealVector b = space::plus(space::real(v), p_), way = space::minus(on_plane(b), middle);
+      if (space::is_zero(way)) continue;
+      const RealVector place = space::along(middle, sqrt(radius / dot(way, way)), way);
+      if (near(place)) offer(b, place);
+    }
+  }
+
+  const CsgPart& a_;
+  const BodyPart& s_;
+  RealVector p_;
+  Vector place_;
+  double blur_;
+  std::vector<SolidValue> found_;
+};
+
+}  // namespace
+
+std::vector<SolidValue> named_gaps(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place,
+                                   double size) {
+  return Names(a, s, p, place, size).all();
+}
+
+}  // namespace findspace::distance

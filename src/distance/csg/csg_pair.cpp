@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/csg/csg_pair.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+
+#include "distance/csg/csg_part.h"
+#include "distance/search/solid_value.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::CsgPart;
+using space::CsgSolid;
+using space::RealVector;
+
+namespace {
+
+constexpr double kError = 0x1p-40;  // of the size
+constexpr double kShare = 0x1p-1;   // of a value that is only used to go on from
+
+[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
+
+SolidValue turned(SolidValue v) {
+  v.value = -v.value;
+  return v;
+}
+
+Which exchanged(Which which) {
+  switch (which) {
+    case Which::kEta1:
+      return Which::kDelta1;
+    case Which::kDelta1:
+      return Which::kEta1;
+    case Which::kEta2:
+      return Which::kDelta2;
+    case Which::kDelta2:
+      return Which::kEta2;
+    case Which::kMu:
+      return Which::kMuBack;
+    case Which::kMuBack:
+      return Which::kMu;
+    case Which::kH:
+      return Which::kHBack;
+    case Which::kHBack:
+      return Which::kH;
+    case Which::kDstar:
+      return Which::kDstarBack;
+    case Which::kDstarBack:
+      return Which::kDstar;
+    default:
+      return which;
+  }
+}
+
+}  // namespace
+
+CsgPair::CsgPair(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> a, bool cut_moves)
+    : b_(std::move(b)), a_(std::move(a)), cut_moves_(cut_moves) {
+  size_ = cut_size(*b_, *a_);
+  for (const CsgPart& part : a_->parts) {
+    CutSearch search = cut_search(part, size_);
+    if (!search.empty) parts_.push_back(std::move(search));
+  }
+  const auto pairs = [&](const std::vector<Body>& all, std::vector<std::unique_ptr<const SolidPair>>& out) {
+    for (const Body& body : all)
+      out.push_back(std::make_unique<const SolidPair>(b_, std::make_shared<const Body>(body)));
+  };
+  pairs(a_->containers, containers_);
+  pairs(a_->obstacles, obstacles_);
+}
+
+/// How B + p fits, by each tolerance and obstacle alone: the worst of them, which is no more than what it is by all
+/// together; nothing where one tolerance is too small.
+std::optional<SolidValue> CsgPair::worst_fit(const RealVector& p) const {
+  std::optional<SolidValue> worst;
+  const auto take = [&](SolidValue v) {
+    if (!worst || worst->value < v.value) worst = std::move(v);
+  };
+  for (const auto& tolerance : containers_) {
+    auto v = tolerance->value(Which::kEta1, p);
+    if (!v) return std::nullopt;
+    take(*std::move(v));
+  }
+  for (const auto& obstacle : obstacles_) take(turned(*obstacle->value(Which::kGamma1, p)));
+  return worst;
+}
+
+/// Whether the worst fit is the true one: B fits already, or where it next fits by that alone.
+bool CsgPair::is_whole(const SolidValue& worst) const {
+  if (worst.value.sign() <= 0) return true;
+  if (!worst.proven || !worst.nearest) return false;
+  const auto there = worst_fit(*worst.nearest);
+  return there && there->proven && there->value.sign() <= 0;
+}
+
+std::optional<SolidValue> CsgPair::contained(const RealVector& p) const {
+  if (containers_.empty()) return contained_in_union(p);
+  auto worst = worst_fit(p);
+  if (!worst || is_whole(*worst)) return worst;
+  const FreeSpace* fits = this->fits();
+  return fits ? fits->nearest(p, false) : std::nullopt;
+}
+
+/// Null: nothing fits.
+const FreeSpace* CsgPair::fits() const {
+  std::call_once(fits_made_, [&] {
+    std::optional<space::Bounds3> box;
+    std::vector<FreeSpace> all;
+    const space::Bounds3 inner = bounds(*b_);
+    for (const Body& tolerance : a_->containers) {
+      if (!tolerance.convex())
+        fail("how far a shape is from fitting into such a shape is computed where its rooms are convex");
+      const space::Bounds3 outer = bounds(tolerance);
+      space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
+      if (!box) box = one;
+      for (std::size_t k = 0; k < 3; ++k) {
+        box->low[k] = std::max(box->low[k], one.low[k]);
+        box->high[k] = std::min(box->high[k], one.high[k]);
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (box->high[k] < box->low[k]) return;
+    }
+    for (const Body& tolerance : a_->containers)
+      all.push_back(FreeSpace::inside(*b_, tolerance.parts[0], box->low, box->high));
+    std::vector<GrownSet> sets;
+    for (const Body& obstacle : a_->obstacles) {
+      for (const BodyPart& t : obstacle.parts) {
+        for (const BodyPart& s : b_->parts)
+          sets.push_back({space::difference_planes(t, s), space::real(t.center - s.center), t.radius + s.radius});
+      }
+    }
+    all.push_back(FreeSpace::outside(std::move(sets), box->low, box->high));
+    fits_ = FreeSpace::common(all, box->low, box->high);
+  });
+  return fits_ ? &*fits_ : nullptr;
+}
+
+std::optional<SolidValue> CsgPair::farthest_fit(const RealVector& p) const {
+  if (containers_.empty()) return farthest_in_union(p);
+  const FreeSpace* fits = this->fits();
+  auto v = fits ? fits->farthest(p) : std::nullopt;
+  if (v) v->nearest.reset();
+  return v;
+}
+
+SolidValue CsgPair::protrusion(const RealVector& p) const {
+  auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
+  // B that fits nowhere sticks out everywhere.
+  if (!worst || worst->value.sign() > 0)
+    fail("how far a shape sticks out of one that round ones are cut out of is not computed");
+  return *std::move(worst);
+}
+
+SolidValue CsgPair::hausdorff(const RealVector& p) const {
+  SolidValue back = protrusion_back(p);
+  // No point of B is farther from A than the gap and B's own width.
+  const double most = apart(p).value.to_double() + diameter(*b_).to_double();
+  if (most < back.value.to_double() - back.error) return back;
+  SolidValue forth = protrusion(p);
+  return forth.value < back.value ? back : forth;
+}
+
+/// Whether A is wider than B along an axis, and so never in it.
+bool CsgPair::too_large() const {
+  std::call_once(extents_made_, [&] {
+    const space::Bounds3 box = bounds(*b_);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double wide = 0;
+      for (const double sense : {1.0, -1.0}) {
+        const ConvexDistance ahead = [k, sense](const space::Vector& x) {
+          return sense * (k == 0 ? x.x : k == 1 ? x.y : x.z);
+        };
+        double most = -exact::kInfinity;
+        for (const CutSearch& part : parts_)
+          most = std::max(most, farthest_allowed(part.cells, part.rules, ahead, size_).value);
+        wide += most;
+      }
+      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * kError * size_) too_large_ = true;
+    }
+  });
+  return too_large_;
+}
+
+/// max(0, -eta1), and max(0, mu) where it is 0.
+SolidValue CsgPair::clearance(const RealVector& p) const {
+  const auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
+  return worst ? *cut_off(worst, true) : SolidValue{};
+}
+
+std::optional<SolidValue> CsgPair::covered(const RealVector& p) const {
+  if (too_large()) return std::nullopt;
+  SolidValue v = protrusion_back(p);
+  if (v.value.to_double() > v.error)
+    fail("how far a shape that round ones are cut out of is from fitting into another is not computed");
+  return v;
+}
+
+SolidValue CsgPair::apart_or_deep(const RealVector& p) const {
+  Gap found = gap(p);
+  return found.depth > 0 ? overlapping(p) : std::move(found.value);
+}
+
+std::optional<SolidValue> CsgPair::value_at(Which which, const RealVector& p) const {
+  switch (which) {
+    case Which::kGamma1:
+      return apart_or_deep(p);
+    case Which::kD1:
+      return cut_off(gap(p).value, false);
+    case Which::kPenetration:
+      return cut_off(apart_or_deep(p), true);
+    case Which::kGamma2:
+      return reach(p);
+    case Which::kEta1:
+      return contained(p);
+    case Which::kEta2:
+      return farthest_fit(p);
+    case Which::kMu:
+      return protrusion(p);
+    case Which::kH:
+      return cut_off(protrusion(p), false);
+    case Which::kDstarBack:
+      return clearance(p);
+    case Which::kMuBack:
+      return protrusion_back(p);
+    case Which::kHBack:
+      return cut_off(protrusion_back(p), false);
+    case Which::kDelta1:
+      return covered(p);
+    case Which::kDelta2:
+      if (too_large()) return std::nullopt;
+      fail("the farthest fit of a shape that round ones are cut out of is not computed");
+    case Which::kHausdorff:
+      return hausdorff(p);
+    case Which::kDstar:
+      return cut_off(protrusion_back(p), true);
+    default:
+      fail("this distance to a shape that round ones are cut out of is not computed");
+  }
+}
+
+std::optional<SolidValue> CsgPair::value(Which which, const RealVector& p) const {
+  if (!cut_moves_) return value_at(which, p);
+  auto v = value_at(exchanged(which), space::negated(p));
+  if (v && v->nearest) v->nearest = space::negated(*v->nearest);
+  if (v && v->points) v->points = {space::plus((*v->points)[1], p), space::plus((*v->points)[0], p)};
+  return v;
+}
+
+/// How far B + p is from fitting, less a level above 0.
+std::optional<Between> CsgPair::nearly_fits(const RealVector& p, double level) const {
+  const FreeSpace* fits = this->fits();
+  if (!fits) return std::nullopt;
+  const double least = fits->beyond(space::rounded(p)), error = kError * size_;
+  if (least - error > level) return Between{least - error - level, exact::kInfinity};
+  if (least + error < 0) return Between{-exact::kInfinity, least + error - level};
+  if (const auto worst = worst_fit(p); worst && is_whole(*worst)) {
+    const double v = worst->value.to_double();
+    return Between{v - error - level, v + error - level};
+  }
+  const BoundaryPlace found = fits->nearly(p, {level, kShare});
+  if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
+  return Between{std::max(least, found.bound) - error - level, found.value + error - level};
+}
+
+std::optional<Between> CsgPair::between(Which which, const Real& level, const RealVector& p) const {
+  const double at = level.to_double();
+  const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
+  const bool out = which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at <= 0;
+  if ((fit || out) && containers_.empty()) return nearly_in_union(cut_moves_ ? space::negated(p) : p, at);
+  if (fit && at > 0) return nearly_fits(cut_moves_ ? space::negated(p) : p, at);
+  const auto v = value(which, p);
+  if (!v) return std::nullopt;
+  const double d = v->value.to_double();
+  return Between{d - v->error - at, d + v->error - at};
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// T-distances of a body B and a solid A that round ones are cut out of (csg_solid.h), at a position of B:
+//   gamma1, d1, penetration
+//                   the depth by search (csg_depth.h), of B and parts of A without round polyhedra;
+//   gamma2
+//   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every tolerance and meets no
+//   obstacle; mu, h           of B to A where B + p lies in A; hausdorff where A sticks out of B by more than B could
+//   of A; eta2            where all containers are convex;
+//                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of
+//                   that;
+//   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A.
+// Guarantee: distances from and to places on one sphere or on the polyhedra are exact, others found by search
+// (boundary_search.h; `proven` false, `error`). Whether B + p lies in A is decided exactly. What is not computed is
+// refused with Error(kUnsupported). Threads: safe. Keywords: bowl, spherical cavity, dome, lens, containment.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "distance/csg/csg_part.h"
+#include "distance/rays/near_rays.h"
+#include "distance/rays/value_rays.h"
+#include "distance/search/free_space.h"
+#include "distance/solid/solid_pair.h"
+#include "space/body/csg_solid.h"
+
+namespace findspace::distance {
+
+class CsgDepth;
+
+class CsgPair {
+ public:
+  /// Both of one scale, B bounded. With `cut_moves` it is A that is moved, by -p in its own words: then the distances
+  /// are those of A + p to B.
+  CsgPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::CsgSolid> a, bool cut_moves);
+
+  /// Nothing where the distance is undefined: +infinity.
+  std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
+  const space::Body& complete() const { return *b_; }
+  const space::CsgSolid& cut() const { return *a_; }
+  bool cut_moves() const { return cut_moves_; }
+  /// What the distance less the level is between, or another function of the same sign that no step changes by more
+  /// than its length; nothing where it is undefined. Not of gamma1.
+  std::optional<Between> between(Which which, const exact::Real& level, const space::RealVector& p) const;
+  /// The distance less the level, or another function of the same sign, along lines of that direction; null where
+  /// `between` is to tell. What is said of gamma1 at levels below 0 has the opposite sign.
+  static std::unique_ptr<const NearRule> nearness(std::shared_ptr<const CsgPair> pair, Which which, double level,
+                                                  const space::Vector& unit, const NearRange& range);
+
+ private:
+  class GapNear;
+  class FreeNear;
+  /// B + p and A are apart by `value`, or, if `depth` is more than 0, their interiors meet.
+  struct Gap {
+    SolidValue value;
+    double depth = 0;
+  };
+
+  std::optional<SolidValue> value_at(Which which, const space::RealVector& p) const;
+  Gap gap(const space::RealVector& p) const;
+  /// The slack of what the two have in common; 0 where it is at most `enough` of the sizes.
+  double common_depth(const space::RealVector& p, double enough) const;
+  SolidValue apart(const space::RealVector& p) const;
+  Between nearly_apart(const space::RealVector& p, double level) const;
+  SolidValue apart_or_deep(const space::RealVector& p) const;
+  const CsgDepth& depths() const;
+  SolidValue overlapping(const space::RealVector& p) const;
+  std::optional<SolidValue> free_of_sets(const space::RealVector& p) const;
+  SolidValue reach(const space::RealVector& p) const;
+  SolidValue named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
+  std::optional<SolidValue> worst_fit(const space::RealVector& p) const;
+  bool is_whole(const SolidValue& worst) const;
+  std::optional<SolidValue> contained(const space::RealVector& p) const;
+  /// Without containers: by what A leaves of a box.
+  struct Among;
+  const Among* among() const;
+  bool in_union(const Among& all, const space::RealVector& p, SolidValue& depth) const;
+  std::optional<SolidValue> contained_in_union(const space::RealVector& p) const;
+  std::optional<SolidValue> farthest_in_union(const space::RealVector& p) const;
+  std::optional<Between> nearly_in_union(const space::RealVector& p, double level) const;
+  std::optional<SolidValue> farthest_fit(const space::RealVector& p) const;
+  std::optional<Between> nearly_fits(const space::RealVector& p, double level) const;
+  const FreeSpace* fits() const;
+  SolidValue protrusion(const space::RealVector& p) const;
+  SolidValue hausdorff(const space::RealVector& p) const;
+  bool too_large() const;
+  SolidValue clearance(const space::RealVector& p) const;
+  /// Of A out of B + p.
+  SolidValue protrusion_back(const space::RealVector& p) const;
+  std::optional<SolidValue> covered(const space::RealVector& p) const;
+
+  std::shared_ptr<const space::Body> b_;
+  std::shared_ptr<const space::CsgSolid> a_;
+  bool cut_moves_ = false;
+  std::vector<CutSearch> parts_;
+  std::vector<std::unique_ptr<const SolidPair>> containers_, obstacles_;
+  double size_ = 1;
+  mutable std::once_flag fits_made_;
+  mutable std::optional<FreeSpace> fits_;
+  mutable std::once_flag among_made_;
+  mutable std::shared_ptr<const Among> among_;
+  mutable std::once_flag depths_made_;
+  mutable std::shared_ptr<const CsgDepth> depths_;
+  mutable std::once_flag extents_made_;
+  mutable bool too_large_ = false;
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Where B of a CsgPair fits into a union of solids that balls are cut out of: it is in the union where it is free of
+// what that leaves of a box about both.
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/csg/csg_depth.h"
+#include "distance/csg/csg_pair.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Point;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+constexpr double kError = 0x1p-40, kMostError = 0x1p-32;  // of the size
+constexpr double kSeen = 0x1p-32;                         // of the size: depths that lines do not tell from none
+
+[[noreturn]] void fail() {
+  throw Error(ErrorCode::kUnsupported,
+              "how far a shape is from fitting into a union of shapes that round ones are cut out of was not found "
+              "within the limit of the search");
+}
+
+bool inside(const RealVector& p, const space::Bounds3& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (p[k] < box.low[k] || box.high[k] < p[k]) return false;
+  }
+  return true;
+}
+
+double beyond(const Vector& p, const Vector& low, const Vector& high) {
+  const auto off = [](double x, double from, double to) { return std::max({0.0, from - x, x - to}); };
+  return space::length({off(p.x, low.x, high.x), off(p.y, low.y, high.y), off(p.z, low.z, high.z)});
+}
+
+}  // namespace
+
+struct CsgPair::Among {
+  space::Bounds3 places;  // beyond this B sticks out of the box about A
+  std::unique_ptr<const CsgPair> left;
+
+  Vector low() const { return space::rounded(places.low); }
+  Vector high() const { return space::rounded(places.high); }
+};
+
+/// Null: B is larger than the box about A.
+const CsgPair::Among* CsgPair::among() const {
+  std::call_once(among_made_, [this] {
+    const space::Bounds3 outer = bounds(*a_), inner = bounds(*b_);
+    auto out = std::make_shared<Among>();
+    out->places = {space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
+    std::array<std::int64_t, 3> low{}, high{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (out->places.high[k] < out->places.low[k]) return;
+      const double from = outer.low[k].to_double(), to = outer.high[k].to_double(), tolerance = (to - from) / 4 + 2;
+      low[k] = static_cast<std::int64_t>(std::floor(from - tolerance));
+      high[k] = static_cast<std::int64_t>(std::ceil(to + tolerance));
+    }
+    auto left = std::make_shared<const space::CsgSolid>(
+        left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]}));
+    out->left = std::make_unique<const CsgPair>(b_, std::move(left), false);
+    among_ = std::move(out);
+  });
+  return among_.get();
+}
+
+/// Whether B + p is in A, and how deep.
+bool CsgPair::in_union(const Among& all, const RealVector& p, SolidValue& depth) const {
+  if (!inside(p, all.places)) return false;
+  Gap gap = all.left->gap(p);
+  if (gap.depth > 0) return false;
+  depth = std::move(gap.value);
+  depth.value = -depth.value;
+  return true;
+}
+
+std::optional<SolidValue> CsgPair::contained_in_union(const RealVector& p) const {
+  const Among* all = among();
+  if (!all) return std::nullopt;
+  SolidValue out;
+  if (in_union(*all, p, out)) return out;
+  const BoundaryPlace found = all->left->depths().nearest_in(all->low(), all->high(), space::rounded(p), {});
+  const double off = std::fabs(found.value - found.bound);
+  if (!found.found && !found.unresolved && found.complete) return std::nullopt;
+  if (!found.found || off > kMostError * size_) fail();
+  out.value = Real::from_double(found.value);
+  out.nearest = space::real(found.place);
+  out.proven = false;
+  out.error = kError * size_ + off;
+  return out;
+}
+
+std::optional<SolidValue> CsgPair::farthest_in_union(const RealVector& p) const {
+  const Among* all = among();
+  if (!all) return std::nullopt;
+  const BoundaryPlace found = all->left->depths().farthest_in(all->low(), all->high(), space::rounded(p));
+  const double off = std::fabs(found.value - found.bound);
+  if (!found.found && !found.unresolved && found.complete) return std::nullopt;
+  if (!found.found || off > kMostError * size_) fail();
+  SolidValue out;
+  out.value = Real::from_double(found.value);
+  out.proven = false;
+  out.error = kError * size_ + off;
+  return out;
+}
+
+/// eta1 less the level; for levels up to 0 the slack of what sticks out takes the place of how far that is from none.
+std::optional<Between> CsgPair::nearly_in_union(const RealVector& p, double level) const {
+  const Among* all = among();
+  if (!all) return std::nullopt;
+  const double error = kError * size_, least = beyond(space::rounded(p), all->low(), all->high());
+  if (level <= 0 && least > 0) return Between{least - error - level, exact::kInfinity};
+  if (least - error > level) return Between{least - error - level, exact::kInfinity};
+  if (inside(p, all->places)) {
+    const double slack = all->left->common_depth(p, kSeen);
+    if (!(slack > 0)) {
+      const Between gap = all->left->nearly_apart(p, -level);  // the gap, plus the level
+      return Between{-gap.high, -gap.low};
+    }
+    if (level <= 0) return Between{slack - level, exact::kInfinity};
+  }
+  const Until until{level, 0.5};
+  const BoundaryPlace found = all->left->depths().nearest_in(all->low(), all->high(), space::rounded(p), {}, &until);
+  if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
+  return Between{found.bound - error - level, found.value + error - level};
+}
+
+}  // namespace findspace::distance

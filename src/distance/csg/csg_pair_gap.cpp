@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The distances of CsgPair between places: the nearest and the farthest of B and A, and how far A sticks out of B.
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/csg/csg_pair.h"
+#include "distance/search/boundary_slack.h"
+#include "distance/search/solid_protrusion.h"
+#include "distance/search/solid_value.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+constexpr double kError = 0x1p-40, kThin = 0x1p-44;  // of the size
+constexpr double kFar = 0x1p-4;                      // of the size: where boxes tell enough
+constexpr double kShare = 0x1p-1;                    // of a value that is only used to go on from
+
+struct Box {
+  Vector low, high;
+};
+
+Box box_of(const BodyPart& part, const Vector& p) {
+  Body one;
+  one.parts.push_back(part);
+  const space::Bounds3 box = bounds(one);
+  return {space::plus(space::rounded(box.low), p), space::plus(space::rounded(box.high), p)};
+}
+
+double apart(double low, double high, double other_low, double other_high) {
+  return std::max({0.0, low - other_high, other_low - high});
+}
+
+double distance(const Box& a, const Box& b) {
+  return space::length({apart(a.low.x, a.high.x, b.low.x, b.high.x), apart(a.low.y, a.high.y, b.low.y, b.high.y),
+                        apart(a.low.z, a.high.z, b.low.z, b.high.z)});
+}
+
+SolidValue searched(const BoundaryPlace& found, double size) {
+  SolidValue out;
+  out.value = Real::from_double(found.value);
+  out.proven = false;
+  out.error = kError * size + std::fabs(found.value - found.bound);
+  return out;
+}
+
+/// The part as a body of its own.
+Body body_of(const BodyPart& part) {
+  Body one;
+  one.parts.push_back(part);
+  return one;
+}
+
+}  // namespace
+
+/// Not negative: 0 where they meet.
+SolidValue CsgPair::apart(const RealVector& p) const {
+  std::optional<SolidValue> best;
+  const Vector by = space::rounded(p);
+  for (const BodyPart& s : b_->parts) {
+    const Box box = box_of(s, by);
+    for (const CutSearch& part : parts_) {
+      if (best && distance(box, {part.low, part.high}) > best->value.to_double()) continue;
+      const TouchingRule to = gap_to(s, by);
+      const BoundaryPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0);
+      if (!found.found) continue;
+      SolidValue v = searched(found, size_);
+      const double near = found.value, error = v.error;
+      if (near < error) v.value = Real();
+      const Touching at = to(found.place);
+      v.points = {space::real(found.place - space::scaled(at.value, at.slope)), space::real(found.place)};
+      if (near > error) v.nearest = space::plus(p, space::minus((*v.points)[1], (*v.points)[0]));
+      if (best && best->value.to_double() < near - error) continue;
+      for (SolidValue& named : named_gaps(*part.sets, s, p, found.place, size_)) {
+        if (std::fabs(named.value.to_double() - near) <= error) v = std::move(named);  // no sign: the same value
+      }
+      if (!best || v.value < best->value || (v.proven && !best->proven && !(best->value.to_double() < near - error)))
+        best = std::move(v);
+    }
+  }
+  if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
+  return *std::move(best);
+}
+
+/// What the gap less the level is between; where B + p is not surely nearer than the level, or farther.
+Between CsgPair::nearly_apart(const RealVector& p, double level) const {
+  Between out{exact::kInfinity, exact::kInfinity};
+  const Vector by = space::rounded(p);
+  const Until until{level, kShare};
+  for (const BodyPart& s : b_->parts) {
+    const Box box = box_of(s, by);
+    const TouchingRule to = gap_to(s, by);
+    for (const CutSearch& part : parts_) {
+      const double least = distance(box, {part.low, part.high});
+      if (least > out.low) continue;
+      if (least - level > kFar * size_) {
+        out.low = least;
+        continue;
+      }
+      const BoundaryPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0, {}, &until);
+      out.low = std::min(out.low, found.bound);
+      out.high = std::min(out.high, found.value);
+    }
+  }
+  const double error = kError * size_;
+  return {out.low - error - level, out.high + error - level};
+}
+
+double CsgPair::common_depth(const RealVector& p, double enough) const {
+  const Vector by = space::rounded(p);
+  double most = 0;
+  for (const BodyPart& s : b_->parts) {
+    const Box box = box_of(s, by);
+    for (const CutSearch& part : parts_) {
+      if (distance(box, {part.low, part.high}) > 0) continue;
+      Constraints rules = part.rules;
+      rules.keep_in.push_back(keep_in(s, by));
+      most = std::max(most, most_slack(part.cells, rules, {enough * size_}).value);
+    }
+  }
+  return most > enough * size_ ? most : 0;
+}
+
+CsgPair::Gap CsgPair::gap(const RealVector& p) const {
+  Gap out;
+  out.value = apart(p);
+  const double v = out.value.value.to_double();
+  if (v > out.value.error + kError * size_) return out;
+  out.depth = common_depth(p, kThin);
+  if (out.depth > 0) out.value = SolidValue{};
+  return out;
+}
+
+SolidValue CsgPair::reach(const RealVector& p) const {
+  std::optional<SolidValue> best;
+  for (const BodyPart& s : b_->parts) {
+    for (const space::Point& v : s.vertices()) {
+      const RealVector at = space::plus(space::real(v), p);
+      const Vector near = space::rounded(at);
+      const double radius = s.radius.to_double();
+      for (const CutSearch& part : parts_) {
+        const Vector far{std::max(near.x - part.low.x, part.high.x - near.x),
+                         std::max(near.y - part.low.y, part.high.y - near.y),
+                         std::max(near.z - part.low.z, part.high.z - near.z)};
+        if (best && space::length(far) + radius < best->value.to_double()) continue;
+        const auto away = [near](const Vector& x) { return space::length(x - near); };
+        const BoundaryPlace found = farthest_allowed(part.cells, part.rules, away, size_);
+        if (!found.found || (best && found.value + radius <= best->value.to_double())) continue;
+        best = named_reach(*part.sets, at, found);
+        best->value += s.radius;
+      }
+    }
+  }
+  if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
+  return *std::move(best);
+}
+
+/// At a corner of a set of the part, or on its sphere, where that belongs to the part: exactly.
+SolidValue CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
+  SolidValue out = searched(found, size_);
+  for (const BodyPart& set : part.within) {
+    for (const space::Point& v : set.vertices()) {
+      const RealVector way = space::minus(space::real(v), from);
+      if (space::is_zero(way)) continue;
+      const Real d = sqrt(space::dot(way, way)), value = d + set.radius;
+      const RealVector place = space::along(space::real(v), set.radius / d, way);
+      if (std::fabs(value.to_double() - found.value) > out.error || !holds(part, place)) continue;  // no sign
+      SolidValue v_exact;
+      v_exact.value = value;
+      return v_exact;
+    }
+  }
+  return out;
+}
+
+SolidValue CsgPair::protrusion_back(const RealVector& p) const {
+  if (!b_->convex())
+    throw Error(ErrorCode::kUnsupported,
+                "how far a shape that round ones are cut out of sticks out of another is computed "
+                "where that is convex");
+  const Vector by = space::rounded(p);
+  const ConvexDistance beyond = keep_out(b_->parts[0], by);
+  std::optional<SolidValue> best;
+  for (const CutSearch& part : parts_) {
+    const BoundaryPlace found = farthest_allowed(part.cells, part.rules, beyond, size_);
+    if (!found.found || (best && found.value <= best->value.to_double())) continue;
+    SolidValue v = searched(found, size_);
+    // A set of A sticks out by no less than A; where it does so at a place of A, by as much.
+    for (const BodyPart& set : part.sets->within) {
+      const SolidValue complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));
+      const bool same = std::fabs(complete.value.to_double() - found.value) <= v.error;  // no sign: the same value
+      if (!same || !complete.points) continue;
+      const RealVector place = space::plus((*complete.points)[0], p);
+      if (!holds(*part.sets, place)) continue;
+      v = complete;
+      v.points = {space::plus((*complete.points)[1], p), place};
+      v.nearest.reset();
+      break;
+    }
+    best = std::move(v);
+  }
+  if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
+  return *std::move(best);
+}
+
+}  // namespace findspace::distance

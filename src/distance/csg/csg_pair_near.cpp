@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The functions of a CsgPair along lines whose least values on stretches are searched for (near_rays.h).
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/csg/csg_depth.h"
+#include "distance/csg/csg_pair.h"
+#include "distance/search/swept_part.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::BodyPart;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+constexpr double kError = 0x1p-40;  // of the size
+
+double between_spans(double low, double high, double other_low, double other_high) {
+  return std::max({0.0, low - other_high, other_low - high});
+}
+
+}  // namespace
+
+/// gamma1 less a level from 0 on, inside minus how deep a place of A is in a part of B.
+class CsgPair::GapNear : public NearRule {
+ public:
+  GapNear(std::shared_ptr<const CsgPair> pair, double level, const Vector& unit)
+      : pair_(std::move(pair)), level_(level) {
+    for (const BodyPart& s : pair_->b_->parts) {
+      space::Body one;
+      one.parts.push_back(s);
+      const space::Bounds3 box = bounds(one);
+      parts_.push_back({SweptPart(s, pair_->cut_moves_ ? space::scaled(-1, unit) : unit), space::rounded(box.low),
+                        space::rounded(box.high)});
+    }
+  }
+
+  Least least(const NearLine& line, double from, double to, const Until& until) const override {
+    Least out{exact::kInfinity, exact::kInfinity, {}};
+    const double error = kError * pair_->size_;
+    const Until wanted{level_, until.share, until.blur};
+    const double sense = pair_->cut_moves_ ? -1 : 1;
+    const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
+    for (const Moving& s : parts_) {
+      const TouchingRule gap = s.swept.gap(start, from, to);
+      for (const CutSearch& part : pair_->parts_) {
+        const double boxes = distance(s, start, unit, from, to, part) - error - level_;
+        if (boxes > 0 || boxes > out.low) {
+          out.low = std::min(out.low, boxes);
+          continue;
+        }
+        const BoundaryPlace found =
+            nearest_allowed(part.cells, part.rules, gap, pair_->size_, -exact::kInfinity, {}, &wanted);
+        out.low = std::min(out.low, found.bound - error - level_);
+        const double high = found.value + error - level_;
+        if (!found.found || !(high < out.high)) continue;
+        out.high = high;
+        out.beyond = beyond(s, start, unit, found.place, level_ - error);
+        if (until.share == 0 && high < 0) return out;
+      }
+    }
+    return out;
+  }
+
+ private:
+  struct Moving {
+    SweptPart swept;
+    Vector low, high;
+  };
+
+  static double distance(const Moving& s, const Vector& start, const Vector& unit, double from, double to,
+                         const CutSearch& part) {
+    const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
+    const auto off = [](double u, double v, double low, double high, double other_low, double other_high) {
+      return between_spans(std::min(u, v) + low, std::max(u, v) + high, other_low, other_high);
+    };
+    return space::length({off(p.x, q.x, s.low.x, s.high.x, part.low.x, part.high.x),
+                          off(p.y, q.y, s.low.y, s.high.y, part.low.y, part.high.y),
+                          off(p.z, q.z, s.low.z, s.high.z, part.low.z, part.high.z)});
+  }
+
+  static std::function<AlongPlace(double)> beyond(const Moving& s, const Vector& start, const Vector& unit,
+                                                  const Vector& place, double level) {
+    return [gap = s.swept.gap(start, 0, 0), unit, place, level](double t) {
+      const Touching at = gap(place - space::scaled(t, unit));
+      return AlongPlace{at.value - level, -space::dot(at.slope, unit)};
+    };
+  }
+
+  std::shared_ptr<const CsgPair> pair_;
+  double level_;
+  std::vector<Moving> parts_;
+};
+
+/// How far the nearest position is at which B is free of A, less how far that is to be.
+class CsgPair::FreeNear : public NearRule {
+ public:
+  FreeNear(std::shared_ptr<const CsgPair> pair, double depth, const Vector& unit, const NearRange& range)
+      : pair_(pair), depth_(depth), range_(range), free_(std::move(pair), 0, unit) {}
+
+  /// Where B is free, and up to the depth from there.
+  std::vector<std::pair<double, double>> known(const NearLine& line) const override {
+    std::vector<std::pair<double, double>> out;
+    const double reach = depth_ - 2 * kError * pair_->size_;
+    for (const SignStretch& s : near_stretches(free_, line, range_)) {
+      if (s.sign <= 0) continue;
+      if (!out.empty() && s.from - reach <= out.back().second)
+        out.back().second = s.to + reach;
+      else
+        out.emplace_back(s.from - reach, s.to + reach);
+    }
+    return out;
+  }
+
+  Least least(const NearLine& line, double from, double to, const Until& until) const override {
+    const double error = kError * pair_->size_, sense = pair_->cut_moves_ ? -1 : 1;
+    const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
+    const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
+    const double reach = depth_ * (1 + 0x1p-10) + error;
+    const Vector tolerance{reach, reach, reach};
+    const Vector low = Vector{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)} - tolerance,
+                 high = space::plus({std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}, tolerance);
+    std::optional<Vector> out_of_one;
+    const Incumbent ask = [&] { return out_of_set(p, q, out_of_one); };
+    const Until wanted{depth_, until.share, until.blur};
+    const BoundaryPlace found =
+        pair_->depths().nearest_to(distance_to_segment(start, unit, from, to), low, high, ask, &wanted);
+    Least out{found.bound - error - depth_, exact::kInfinity, {}};
+    if (!found.found && !(found.known && out_of_one)) return out;
+    out.high = found.value + error - depth_;
+    const Vector place = found.found ? found.place : *out_of_one;
+    out.beyond = [away = distance_to_segment(place, {}, 0, 0), start, unit, by = depth_ - error](double t) {
+      const Touching at = away(space::plus(start, space::scaled(t, unit)));
+      return AlongPlace{at.value - by, space::dot(at.slope, unit)};
+    };
+    return out;
+  }
+
+ private:
+  /// From one of the ends by taking B out of one tolerance, or into one obstacle. Between them that is not nearer.
+  std::optional<double> out_of_set(const Vector& p, const Vector& q, std::optional<Vector>& place) const {
+    std::optional<double> best;
+    for (const Vector& from : {p, q}) {
+      const RealVector at = space::real(from);
+      const auto free = pair_->free_of_sets(at);
+      if (!free || !free->nearest || free->value.sign() >= 0) continue;
+      const Vector there = space::rounded(*free->nearest);
+      const double d = space::length(there - from);
+      if (!best || d < *best) {
+        best = d;
+        place = there;
+      }
+    }
+    return best;
+  }
+
+  std::shared_ptr<const CsgPair> pair_;
+  double depth_;
+  NearRange range_;
+  GapNear free_;
+};
+
+std::unique_ptr<const NearRule> CsgPair::nearness(std::shared_ptr<const CsgPair> pair, Which which, double level,
+                                                  const Vector& unit, const NearRange& range) {
+  if (which != Which::kGamma1) return nullptr;
+  if (level >= 0) return std::make_unique<GapNear>(std::move(pair), level, unit);
+  return std::make_unique<FreeNear>(std::move(pair), -level, unit, range);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/csg/csg_part.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/search/boundary_slack.h"
+#include "distance/search/free_space.h"
+#include "distance/search/solid_protrusion.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::CsgPart;
+using space::dot;
+using space::HalfSpace;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+constexpr double kThin = 0x1p-44;  // of the size: interior that doubles cannot see
+
+double size_of(const Body& body) {
+  if (body.parts.empty()) return 0;
+  const space::Bounds3 box = bounds(body);
+  return std::max(space::length(space::rounded(box.low)), space::length(space::rounded(box.high)));
+}
+
+bool flat_sided(const BodyPart& part) { return part.core && part.radius.sign() == 0; }
+
+TouchingRule highest_plane(std::vector<HalfSpace> planes, const Vector& p) {
+  return [planes = std::move(planes), p](const Vector& x) {
+    Touching best{-exact::kInfinity, {}};
+    for (const HalfSpace& h : planes) {
+      const double value = h.approx_value(x - p);
+      if (value > best.value) best = {value, h.unit};
+    }
+    return best;
+  };
+}
+
+}  // namespace
+
+double cut_size(const Body& b, const space::CsgSolid& a) {
+  double size = 1 + size_of(b);
+  const auto take = [&](const BodyPart& part) {
+    Body one;
+    one.parts.push_back(part);
+    size = std::max(size, 1 + size_of(one));
+  };
+  for (const CsgPart& part : a.parts) {
+    std::for_each(part.within.begin(), part.within.end(), take);
+    std::for_each(part.without.begin(), part.without.end(), take);
+  }
+  return size;
+}
+
+TouchingRule keep_in(const BodyPart& set, const Vector& p) {
+  return flat_sided(set) ? highest_plane(set.planes(), p) : touching_distance(set, p, set.radius.to_double());
+}
+
+TouchingRule gap_to(const BodyPart& set, const Vector& p) {
+  TouchingRule away = touching_distance(set, p, set.radius.to_double());
+  if (!flat_sided(set)) return away;
+  return [inside = highest_plane(set.planes(), p), away = std::move(away)](const Vector& x) {
+    const Touching at = inside(x);
+    return at.value < 0 ? at : away(x);
+  };
+}
+
+ConvexDistance keep_out(const BodyPart& set, const Vector& p) {
+  return [rule = grown_distance({set.planes(), space::real(set.center), set.radius}), p](const Vector& x) {
+    return rule(x - p);
+  };
+}
+
+CutSearch cut_search(const CsgPart& part, double size) {
+  CutSearch out;
+  out.sets = &part;
+  const space::Bounds3 box = bounds(part);
+  const double slack = 0x1p-40 * size;
+  out.low = space::rounded(box.low) - Vector{slack, slack, slack};
+  out.high = space::plus(space::rounded(box.high), {slack, slack, slack});
+  const auto [low, high] = askew(out.low, out.high);
+  out.cells = tetrahedra_of_box(low, high);
+  for (const BodyPart& set : part.within) out.rules.keep_in.push_back(keep_in(set, {}));
+  for (const BodyPart& set : part.without) out.rules.keep_out.push_back(keep_out(set, {}));
+  out.empty = most_slack(out.cells, out.rules, {kThin * size}).value <= kThin * size;
+  return out;
+}
+
+std::vector<MeetSet> meet_sets(const BodyPart& part) {
+  if (part.point() && part.radius.sign() > 0) return {{true, exact::approx(part.center), part.radius.to_double()}};
+  if (!part.core || part.radius.sign() != 0)
+    throw Error(ErrorCode::kUnsupported,
+                "how deep round polyhedra, or shapes without interior, are in one that round ones are cut out of is "
+                "not computed");
+  std::vector<MeetSet> out;
+  for (const space::HalfSpace& h : part.planes()) out.push_back({false, h.unit, h.shift});
+  return out;
+}
+
+bool is_empty(const space::CsgSolid& body) {
+  const double size = cut_size({}, body);
+  return std::all_of(body.parts.begin(), body.parts.end(),
+                     [&](const CsgPart& part) { return cut_search(part, size).empty; });
+}
+
+namespace {
+
+bool in_closed(const BodyPart& set, const RealVector& x, const Vector& near) {
+  if (set.point()) {
+    const RealVector off = space::minus(x, space::real(set.center));
+    return dot(off, off) <= set.radius * set.radius;
+  }
+  const std::vector<HalfSpace> planes = set.planes();
+  if (std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) { return h.sign(x, near) <= 0; })) return true;
+  if (set.radius.sign() == 0) return false;
+  const RealVector off = space::minus(x, *nearest_in(planes, x));
+  return dot(off, off) <= set.radius * set.radius;
+}
+
+}  // namespace
+
+bool holds(const CsgPart& part, const RealVector& x) {
+  const Vector near = space::rounded(x);
+  return std::all_of(part.within.begin(), part.within.end(),
+                     [&](const BodyPart& set) { return in_closed(set, x, near); }) &&
+         std::none_of(part.without.begin(), part.without.end(), [&](const BodyPart& set) {
+           return GrownSet{set.planes(), space::real(set.center), set.radius}.holds(x);
+         });
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar/penetration_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "distance/planar_features/feature_pair_search.h"
+
+namespace findspace::distance {
+
+using exact::RealPoint;
+using plane::GridBox;
+using plane::Mark;
+using plane::Nearest;
+
+namespace {
+
+constexpr std::size_t kFewCurves = 100;        // arranged at once
+constexpr std::size_t kManyCurves = 20000;     // not counted further
+constexpr std::int64_t kSmallest = 4;          // of a box, in grid steps
+constexpr int kVainHalvings = 4;               // that leave nearly all curves in the box: they run along each other
+constexpr std::size_t kCurvesOfMap = 10000;    // a map of fewer is cheap
+constexpr std::size_t kCurvesOfArcMap = 2000;  // with arcs, or where one shape could go round a hole of the other
+constexpr std::size_t kPairsOfMap = 5000;      // of edges: there are no more curves
+// What a map costs, in boxes: the square of the number of curves, in these.
+constexpr double kCurvesPerBox = 1000, kCurvesPerArcBox = 500;
+constexpr double kTolerance = 0x1p-40;  // of the coordinates: more than doubles lose, no sign
+
+/// The vertex farthest from p among those whose mark is not negative.
+std::optional<Nearest> farthest_vertex(const plane::SignMap& map, const RealPoint& p) {
+  const double x = near_value(p.x), y = near_value(p.y);
+  double most = -1, scale = std::abs(x) + std::abs(y);
+  auto number = [&](const plane::Vertex& v) {
+    const exact::Point& q = map.geometry.points[v.point];
+    scale = std::max({scale, std::abs(q.x), std::abs(q.y)});
+    return std::hypot(q.x - x, q.y - y);
+  };
+  for (const plane::Vertex& v : map.vertices)
+    if (v.mark >= 0) most = std::max(most, number(v));
+  std::optional<Nearest> best;
+  for (plane::Index k = 0; k < map.vertices.size(); ++k) {
+    const plane::Vertex& v = map.vertices[k];
+    if (v.mark < 0 || number(v) < most - (scale + most) * kTolerance) continue;
+    RealPoint at = map.geometry.exact(v.point);
+    exact::Real dx = at.x - p.x, dy = at.y - p.y, d = sqrt(dx * dx + dy * dy);
+    if (!best || d > best->distance) best = Nearest{d, at, {0, k}};
+  }
+  return best;
+}
+
+/// Curves of the boundary of grid polygons, arranged.
+class GridPlaces {
+ public:
+  using Curves = std::vector<plane::ConvolutionIndex::Curve>;
+  GridPlaces(const plane::LocalSum& sum, const RealPoint& p) : sum_(sum), p_(p) {}
+
+  Curves curves_in(const GridBox& w, std::size_t most) const { return plane::curves_in(sum_.index(), w, most); }
+  Curves curves_in(const GridBox& w, const Curves& among) const { return plane::curves_in(sum_.index(), w, among); }
+  std::optional<Nearest> best(const GridBox& w, const Curves& curves, bool far,
+                              const plane::FreePlaces::Certain& certain) const {
+    const plane::SignMap map =
+        sum_.map(w, curves, [&](const exact::Point& q) { return certain.held(q.x, q.y, q.error); });
+    return far ? farthest_vertex(map, p_)
+               : nearest(
+                     map, [](Mark m) { return m >= 0; }, p_);
+  }
+
+ private:
+  const plane::LocalSum& sum_;
+  const RealPoint& p_;
+};
+
+/// Contact curves of sets of any kind, their meetings tried.
+class CurvePlaces {
+ public:
+  using Curves = plane::FreePlaces::Curves;
+  CurvePlaces(const plane::FreePlaces& places, const RealPoint& p) : places_(places), from_(places, p) {}
+
+  Curves curves_in(const GridBox& w, std::size_t most) const { return places_.curves_in(w, most); }
+  Curves curves_in(const GridBox& w, const Curves& among) const { return places_.curves_in(w, among); }
+  std::optional<Nearest> best(const GridBox& w, const Curves& curves, bool far,
+                              const plane::FreePlaces::Certain& certain) const {
+    return from_.best(w, curves, far, certain);
+  }
+
+ private:
+  const plane::FreePlaces& places_;
+  plane::FreePlaces::From from_;
+};
+
+template <class Curves>
+struct Box {
+  GridBox window;
+  double bound;        // no position in it is better: the least distance from p, or minus the greatest
+  std::size_t before;  // curves of the box it is a half of
+  int vain = 0;        // halvings in a row that left nearly all curves
+  std::shared_ptr<const Curves> among = nullptr;  // all curves of the box it is a half of, if there are not many
+  bool operator<(const Box& o) const { return bound > o.bound; }  // the best on top
+};
+
+/// Halves across the longer side.
+std::array<GridBox, 2> halves(const GridBox& w) {
+  std::array<GridBox, 2> out{w, w};
+  if (w.x1 - w.x0 >= w.y1 - w.y0)
+    out[0].x1 = out[1].x0 = w.x0 + (w.x1 - w.x0) / 2;
+  else
+    out[0].y1 = out[1].y0 = w.y0 + (w.y1 - w.y0) / 2;
+  return out;
+}
+
+double bound(const GridBox& w, double x, double y, bool far) {
+  const double left = double(w.x0) - x, right = x - double(w.x1), low = double(w.y0) - y, high = y - double(w.y1);
+  const double tolerance = (std::abs(x) + std::abs(y) + std::abs(double(w.x0)) + std::abs(double(w.y0))) * kTolerance;
+  if (far) return -std::hypot(std::min(left, right), std::min(low, high)) - tolerance;
+  return std::max(0.0, std::hypot(std::max({left, right, 0.0}), std::max({low, high, 0.0})) - tolerance);
+}
+
+/// A step more on every side: the map of a window says nothing certain about its border.
+GridBox grown(const GridBox& w) { return {w.x0 - 1, w.y0 - 1, w.x1 + 1, w.y1 + 1}; }
+
+/// One of the vertices that stand for the pieces of a shape's boundary, moved by (dx, dy), lies deeper than `margin` in
+/// the other shape (or outside it, if not `inside`).
+bool has_vertex_deep(const FeatureTree& of, const FeatureTree& in, double dx, double dy, double margin, bool inside) {
+  return std::any_of(of.representatives().begin(), of.representatives().end(), [&](plane::Index v) {
+    const exact::Point& p = of.region().point(v);
+    auto depth = depth_in(in, p.x + dx, p.y + dy);
+    return depth && (inside ? *depth : -*depth) > margin;
+  });
+}
+
+}  // namespace
+
+PenetrationDepth::PenetrationDepth(const FeatureTree& moving, const FeatureTree& fixed, Of of, Sum sum,
+                                   std::int64_t boxes)
+    : moving_(moving),
+      fixed_(fixed),
+      of_(of),
+      sum_(std::move(sum)),
+      moving_disc_(inner_disc(moving)),
+      fixed_disc_(inner_disc(fixed)),
+      boxes_left_(boxes) {}
+
+std::unique_ptr<const PenetrationDepth> PenetrationDepth::make(const FeatureTree& moving, const FeatureTree& fixed,
+                                                               Of of, When when) {
+  const plane::Region &a = fixed.region(), &b = moving.region();
+  const bool always = when == When::kAlways, contact = of == Of::kContact;
+  const auto made = [&](Sum sum, std::size_t curves, double per_box) {
+    const auto boxes =
+        always ? std::numeric_limits<std::int64_t>::max() : std::int64_t(std::pow(double(curves) / per_box, 2)) + 1;
+    return std::unique_ptr<const PenetrationDepth>(new PenetrationDepth(moving, fixed, of, std::move(sum), boxes));
+  };
+  auto grid = contact ? plane::LocalSum::contact(a, b) : plane::LocalSum::containment(a, b);
+  if (grid && !grid->index().may_be_unresolved()) {
+    const std::size_t curves = grid->index().convex_count();
+    if (!always && grid->bounds() && curves < kCurvesOfMap) return nullptr;
+    return made(std::move(grid), curves, kCurvesPerBox);
+  }
+  using Keep = plane::FreePlaces::Keep;
+  if (moving.features().size() * fixed.features().size() < kPairsOfMap && !always) return nullptr;
+  auto places = plane::FreePlaces::make(a, b, contact ? Keep::kApart : Keep::kInside);
+  if (!places) return nullptr;
+  const std::size_t curves = places->curve_count();
+  if (!always && curves < kCurvesOfArcMap) return nullptr;
+  return made(std::move(places), curves, kCurvesPerArcBox);
+}
+
+bool PenetrationDepth::holds(const RealPoint& p) const {
+  if (const auto* grid = std::get_if<Grid>(&sum_)) return (*grid)->holds(p);
+  return !std::get<Places>(sum_)->is_free(p);
+}
+
+bool PenetrationDepth::certainly_holds(double x, double y, double reach) const {
+  const double margin = reach + (moving_.scale() + fixed_.scale() + std::abs(x) + std::abs(y)) * kTolerance;
+  const bool contact = of_ == Of::kContact;
+  auto meets = [&](const InnerDisc& d, const FeatureTree& other, double dx, double dy, bool inside) {
+    auto depth = d.radius > 0 ? depth_in(other, d.x + dx, d.y + dy) : std::nullopt;
+    return depth && (inside ? *depth : -*depth) + d.radius > margin;
+  };
+  return meets(moving_disc_, fixed_, x, y, contact) || (contact && meets(fixed_disc_, moving_, -x, -y, true)) ||
+         certainly_cross(fixed_, moving_, x, y, margin) || has_vertex_deep(moving_, fixed_, x, y, margin, contact) ||
+         has_vertex_deep(fixed_, moving_, -x, -y, margin, true);
+}
+
+bool PenetrationDepth::certainly_free(double x, double y, double margin) const {
+  if (!certainly_apart(fixed_, moving_, x, y, margin)) return false;
+  // Boundaries that do not meet: what one vertex of a piece does, all the piece does.
+  const auto lie = [](const FeatureTree& of, const FeatureTree& in, double dx, double dy, bool inside) {
+    return std::all_of(of.representatives().begin(), of.representatives().end(), [&](plane::Index v) {
+      const exact::Point& p = of.region().point(v);
+      auto depth = depth_in(in, p.x + dx, p.y + dy);
+      return depth && (*depth > 0) == inside;
+    });
+  };
+  return lie(moving_, fixed_, x, y, of_ == Of::kContainment) && lie(fixed_, moving_, -x, -y, false);
+}
+
+bool PenetrationDepth::certainly_holds(const GridBox& w) const {
+  return certainly_holds((double(w.x0) + double(w.x1)) / 2, (double(w.y0) + double(w.y1)) / 2,
+                         std::hypot(double(w.x1 - w.x0), double(w.y1 - w.y0)) / 2);
+}
+
+PenetrationDepth::Answer PenetrationDepth::search(const RealPoint& p, bool far) const {
+  if (const auto* grid = std::get_if<Grid>(&sum_)) return search(GridPlaces(**grid, p), (*grid)->bounds(), p, far);
+  const Places& places = std::get<Places>(sum_);
+  return search(CurvePlaces(*places, p), places->bounds(), p, far);
+}
+
+template <class Boundary>
+PenetrationDepth::Answer PenetrationDepth::search(const Boundary& boundary, const std::optional<GridBox>& bounds,
+                                                  const RealPoint& p, bool far) const {
+  using Curves = typename Boundary::Curves;
+  const plane::FreePlaces::Certain certain{
+      [&](double qx, double qy, double error) { return certainly_holds(qx, qy, error); },
+      [&](double qx, double qy, double margin) { return certainly_free(qx, qy, margin); }};
+  const double x = near_value(p.x), y = near_value(p.y);
+  std::optional<Nearest> best;
+  std::priority_queue<Box<Curves>> boxes;
+  if (bounds) boxes.push({*bounds, bound(*bounds, x, y, far), kManyCurves});
+  while (!boxes.empty()) {
+    const Box<Curves> box = boxes.top();
+    boxes.pop();
+    if (best) {
+      const double d = best->distance.to_double();
+      if (box.bound > (far ? -d : d) + d * kTolerance) break;
+    }
+    if (--boxes_left_ < 0) return {false, std::nullopt};
+    const GridBox& w = box.window;
+    if (certainly_holds(w)) continue;
+    const bool small = std::max(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest;
+    const std::size_t most = small ? SIZE_MAX : kManyCurves;
+    auto curves = std::make_shared<const Curves>(box.among ? boundary.curves_in(grown(w), *box.among)
+                                                           : boundary.curves_in(grown(w), most));
+    const std::size_t count = curves->size();
+    const int vain = count < most && count * 5 > box.before * 4 ? box.vain + 1 : 0;
+    if (count < kFewCurves || vain == kVainHalvings || small) {
+      auto found = boundary.best(grown(w), *curves, far, certain);
+      if (found && (!best || (far ? found->distance > best->distance : found->distance < best->distance)))
+        best = std::move(found);
+      continue;
+    }
+    if (count == most) curves = nullptr;
+    for (const GridBox& half : halves(w)) boxes.push({half, bound(half, x, y, far), count, vain, curves});
+  }
+  return {true, std::move(best)};
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar_features/feature_pair_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "distance/planar_features/feature_pairs.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::Cell;
+using plane::Index;
+using plane::kNone;
+using plane::Region;
+
+namespace {
+
+constexpr double kPairSlack = 0x1p-43;  // of the scale: what doubles cannot tell apart
+
+class PairSearch {
+ public:
+  PairSearch(const FeatureTree& a, const FeatureTree& b, const RealPoint& p)
+      : a_(a), b_(b), p_(p), px_(near_value(p.x)), py_(near_value(p.y)) {
+    double scale = a.scale() + b.scale() + std::abs(px_) + std::abs(py_);
+    slack_ = scale * kPairSlack;
+    room_ = scale * kPairMeets;
+  }
+
+  /// Returns false where the boundaries meet or come closer than numbers can tell; not if `touching`.
+  bool run_nearest(bool touching);
+  void run_farthest();
+  double gap() const { return best_ - slack_; }
+  /// A crossing of straight edges, certain; with `arcs` also a place where arcs meet or seem to.
+  std::optional<FeaturePair> run_common(bool arcs);
+  bool run_crossing(double margin);
+  /// The exact best among what numbers left over.
+  FeaturePair best(bool far) const;
+  /// What numbers say is nearest, exactly.
+  FeaturePair first() const;
+
+ private:
+  struct Entry {
+    double squared;
+    Index i, j;
+  };
+  void keep(const Candidate& c);
+  Entry entry(Index i, Index j, bool far) const;
+  /// leaf(feature of A, feature of B) for the pairs of features that may count; ends when it returns false.
+  template <class Leaf>
+  void walk(bool far, Leaf&& leaf);
+  bool worth(double squared, bool far) const;
+
+  const FeatureTree &a_, &b_;
+  const RealPoint& p_;
+  double px_, py_, slack_ = 0, room_ = 0, best_ = std::numeric_limits<double>::infinity();
+  std::vector<Candidate> candidates_;
+};
+
+/// Nearest values count as they are, farthest ones with a minus: less is better.
+void PairSearch::keep(const Candidate& c) {
+  if (c.value > best_ + slack_) return;
+  if (c.value < best_) {
+    best_ = c.value;
+    std::erase_if(candidates_, [&](const Candidate& k) { return k.value > best_ + slack_; });
+  }
+  auto same = [&](const Candidate& k) { return k.first == c.first && k.second == c.second; };
+  if (std::none_of(candidates_.begin(), candidates_.end(), same)) candidates_.push_back(c);
+}
+
+PairSearch::Entry PairSearch::entry(Index i, Index j, bool far) const {
+  const FeatureBox &s = a_.nodes()[i].box, &t = b_.nodes()[j].box;
+  return {far ? -s.farthest_squared(t, px_, py_) : s.nearest_squared(t, px_, py_), i, j};
+}
+
+bool PairSearch::worth(double squared, bool far) const {
+  double limit = best_ + slack_;
+  return far ? limit > 0 || -squared >= limit * limit : squared <= limit * limit;
+}
+
+template <class Leaf>
+void PairSearch::walk(bool far, Leaf&& leaf) {
+  std::vector<Entry> stack{entry(0, 0, far)};
+  while (!stack.empty()) {
+    Entry e = stack.back();
+    stack.pop_back();
+    if (!worth(e.squared, far)) continue;
+    const FeatureTree::Node &s = a_.nodes()[e.i], &t = b_.nodes()[e.j];
+    bool split_first = s.right != kNone && (t.right == kNone || s.last - s.first >= t.last - t.first);
+    if (!split_first && t.right == kNone) {
+      for (Index j = t.first; j < t.last; ++j) {
+        Placed q = placed(b_.region(), b_.features()[j], px_, py_);
+        for (Index i = s.first; i < s.last; ++i)
+          if (!leaf(placed(a_.region(), a_.features()[i], 0, 0), q)) return;
+      }
+      continue;
+    }
+    Entry near = split_first ? entry(e.i + 1, e.j, far) : entry(e.i, e.j + 1, far);
+    Entry other = split_first ? entry(s.right, e.j, far) : entry(e.i, t.right, far);
+    if (other.squared < near.squared) std::swap(near, other);
+    if (worth(other.squared, far)) stack.push_back(other);
+    if (worth(near.squared, far)) stack.push_back(near);
+  }
+}
+
+bool PairSearch::run_nearest(bool touching) {
+  bool meet = false;
+  walk(false, [&](const Placed& p, const Placed& q) {
+    if (!worth(box_of(p.s).nearest_squared(box_of(q.s), 0, 0), false)) return true;
+    nearest_features(p, q, [&](const Candidate& c) { keep(c); });
+    meet = !touching && (best_ <= slack_ || may_meet(p.s, q.s, room_));
+    return !meet;
+  });
+  return !meet;
+}
+
+void PairSearch::run_farthest() {
+  walk(true, [&](const Placed& p, const Placed& q) {
+    farthest_features(p, q, [&](Candidate c) {
+      c.value = -c.value;
+      keep(c);
+    });
+    return true;
+  });
+}
+
+std::optional<FeaturePair> PairSearch::run_common(bool arcs) {
+  std::optional<FeaturePair> found;
+  best_ = 0;
+  walk(false, [&](const Placed& p, const Placed& q) {
+    const BoundaryFeature &s = p.s, &t = q.s;
+    if (!s.arc && !t.arc) {
+      if (!s.is_vertex() && !t.is_vertex() && segments_cross(s, t, slack_))
+        found = crossing(a_.region(), b_.region(), s.cell, t.cell, p_);
+    } else if (arcs) {
+      if (auto at = s.arc ? arc_meeting(s, t, room_) : arc_meeting(t, s, room_)) {
+        RealPoint place{Real::from_double((*at)[0]), Real::from_double((*at)[1])};
+        found = FeaturePair{Real(), place, place, s.cell, t.cell};
+      }
+    }
+    return !found;
+  });
+  return found;
+}
+
+bool PairSearch::run_crossing(double margin) {
+  bool found = false;
+  best_ = 0;
+  walk(false, [&](const Placed& p, const Placed& q) {
+    const BoundaryFeature &s = p.s, &t = q.s;
+    found = !s.is_vertex() && !t.is_vertex() && edges_cross(s, t, margin, slack_);
+    return !found;
+  });
+  return found;
+}
+
+FeaturePair PairSearch::best(bool far) const {
+  std::optional<FeaturePair> best;
+  for (const Candidate& c : candidates_) {
+    auto k = exact_pair(a_.region(), b_.region(), p_, c, far);
+    if (k && (!best || (far ? k->distance > best->distance : k->distance < best->distance))) best = std::move(k);
+  }
+  return *best;
+}
+
+FeaturePair PairSearch::first() const {
+  std::vector<Candidate> all = candidates_;
+  std::stable_sort(all.begin(), all.end(), [](const Candidate& c, const Candidate& d) { return c.value < d.value; });
+  for (const Candidate& c : all)
+    if (auto k = exact_pair(a_.region(), b_.region(), p_, c, false)) return *k;
+  return {};
+}
+
+}  // namespace
+
+std::optional<FeaturePair> nearest_pair(const FeatureTree& a, const FeatureTree& b, const RealPoint& p) {
+  PairSearch search(a, b, p);
+  if (!search.run_nearest(false)) return std::nullopt;
+  return search.best(false);
+}
+
+FeaturePair closest_pair(const FeatureTree& a, const FeatureTree& b, const RealPoint& p) {
+  PairSearch search(a, b, p);
+  search.run_nearest(true);
+  return search.best(false);
+}
+
+std::optional<FeaturePair> crossing_pair(const FeatureTree& a, const FeatureTree& b, const RealPoint& p) {
+  return PairSearch(a, b, p).run_common(false);
+}
+
+bool certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, double margin) {
+  return PairSearch(a, b, {Real::from_double(x), Real::from_double(y)}).run_crossing(margin);
+}
+
+bool certainly_apart(const FeatureTree& a, const FeatureTree& b, double x, double y, double margin) {
+  const RealPoint p{Real::from_double(x), Real::from_double(y)};
+  PairSearch search(a, b, p);
+  return search.run_nearest(false) && search.gap() > margin;
+}
+
+FeaturePair common_point(const FeatureTree& a, const FeatureTree& b, const RealPoint& p) {
+  auto found = PairSearch(a, b, p).run_common(true);
+  return found ? *found : touching_pair(a, b, p);
+}
+
+FeaturePair touching_pair(const FeatureTree& a, const FeatureTree& b, const RealPoint& p) {
+  PairSearch search(a, b, p);
+  search.run_nearest(true);
+  return search.first();
+}
+
+FeaturePair farthest_pair(const FeatureTree& a, const FeatureTree& b, const RealPoint& p) {
+  PairSearch search(a, b, p);
+  search.run_farthest();
+  return search.best(true);
+}
+
+FeaturePair nearest_point(const FeatureTree& a, const RealPoint& at) {
+  double x = near_value(at.x), y = near_value(at.y);
+  double limit = a.nearest(x, y).distance + (a.scale() + std::abs(x) + std::abs(y)) * kPairSlack;
+  std::optional<FeaturePair> best;
+  std::vector<Cell> known;  // two edges share a vertex
+  auto take = [&](Cell cell) {
+    if (std::find(known.begin(), known.end(), cell) != known.end()) return;
+    known.push_back(cell);
+    auto k = exact_pair(a.region(), cell, at);
+    if (k && (!best || k->distance < best->distance)) best = std::move(k);
+  };
+  a.for_near(x, y, limit, [&](Index k) {
+    const BoundaryFeature& s = a.features()[k];
+    const Placed p = placed(a.region(), s, 0, 0);
+    if (plain_length(x - s.x0, y - s.y0) <= limit) take({0, p.vertex[0]});
+    if (plain_length(x - s.x1, y - s.y1) <= limit) take({0, p.vertex[1]});
+    if (!s.is_vertex() && s.faces(x, y)) take(s.cell);
+    return true;
+  });
+  return *best;
+}
+
+}  // namespace findspace::distance

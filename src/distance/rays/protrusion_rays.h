@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Where a body B of polyhedra and balls lies within V, the union of the parts of A each grown by a level: {mu(B + p, A)
+// <= level} on rays, A not convex. V has creases and pockets, so a position can be lost at an edge or in a face of B
+// between vertices that are all in V. On each line the places that all vertices allow are found exactly. A
+// branch-and-bound search (solid_max_min.h) through what B sweeps over a stretch of them then proves that nothing
+// sticks out, or gives a point of B outside V; all places at which that point is outside are cut away, and the search
+// goes on with the rest. Guarantee: the sign is - or + only where that is certain; 0 where the distance is within
+// kCertain of the shapes' size and the level of the level. Ends of {<= level} that a vertex decides are exact. Cost: a
+// search a stretch, and some for an end that no vertex decides. Keywords: directed Hausdorff distance, cutting planes,
+// certified bounds.
+#pragma once
+
+#include <array>
+
+#include "distance/search/protrusion_field.h"
+#include "space/body/body.h"
+#include "space/rays/ray_sources.h"
+
+namespace findspace::distance {
+
+class ProtrusionRays : public space::RaySource {
+ public:
+  /// How near to the level the sign is 0, of the size of both bodies and the level.
+  static constexpr double kCertain = 0x1p-30;
+
+  /// Makes the sign map that the vertices of B have for a level.
+  using Vertices = std::function<space::RaySourcePointer(const exact::Real& level)>;
+
+  /// B of polyhedra and balls, of the same scale as A; the level and the radii of A are not both 0.
+  ProtrusionRays(const space::Body& b, std::unique_ptr<ProtrusionField> a, const exact::Real& level,
+                 const Vertices& vertices, const space::RayGrid& grid);
+
+  const space::RayGrid& grid() const override { return grid_; }
+  space::RayRow row(int j) const override;
+
+ private:
+  /// Where a line runs, in the bodies' steps: from `start` along `unit`.
+  struct Line {
+    space::Vector start, unit;
+  };
+  /// Places along a line.
+  struct Stretch {
+    double from, to;
+  };
+  /// A side of the region: what is kept certainly holds it, or lies in it.
+  struct Side {
+    space::RaySourcePointer vertices;
+    double cut;     // beyond this distance from A a point of B is outside
+    double enough;  // up to this nothing sticks out
+  };
+
+  /// A polyhedron or, with a radius, a ball.
+  struct Part {
+    std::vector<Tetrahedron> solid;
+    std::vector<std::array<space::Vector, 3>> faces;  // triangles
+    std::vector<space::Vector> normals;               // of the triangles, outward
+    std::vector<space::HalfSpace> planes;
+    space::Vector center;
+    double radius = 0;
+  };
+
+  Line line(int i, int j) const;
+  std::vector<Stretch> stretches(const space::RayRow& row, int i) const;
+  space::RayRow kept(const Side& side, int j, const space::RayRow* inner) const;
+  void keep(const Side& side, const Line& line, const space::RayEvent& first, const space::RayEvent& last,
+            std::span<const Stretch> known, std::vector<space::RayEvent>& out) const;
+  std::vector<Stretch> cuts(const Side& side, const Line& line, const Stretch& whole,
+                            std::span<const Stretch> known) const;
+  std::vector<Tetrahedron> swept(const Line& line, const Stretch& stretch) const;
+  std::vector<RoundSolid> swept_balls(const Line& line, const Stretch& stretch) const;
+  Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;
+  Stretch chord(const Line& line, const space::Vector& x, const Stretch& within) const;
+  /// The places at which the part of B, drawn at 0, holds `off`.
+  static Stretch held(const Part& part, const Line& line, const space::Vector& off);
+
+  space::RayGrid grid_;
+  std::unique_ptr<ProtrusionField> field_;  // of A
+  double unit_, size_;                      // grid parts to the bodies' steps
+  std::vector<Part> parts_;                 // of B
+  std::array<Side, 2> sides_;               // outer, inner
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/rotation/rotation_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "distance/planar_features/boundary_features.h"
+#include "plane/build/transform.h"
+#include "plane/query/scaled.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+
+namespace {
+
+constexpr int kRefinements = 60;
+
+/// How many instants are looked at between the first ones; a fine search looks at more of small shapes, whose distances
+/// take less time.
+int most_instants(std::size_t edges, RotatingMotion::Effort effort) {
+  constexpr std::size_t kLeast = 400, kMost = 4000, kEdges = 200'000;
+  if (effort == RotatingMotion::Effort::kCoarse) return kLeast;
+  return static_cast<int>(std::clamp(kEdges / std::max<std::size_t>(edges, 1), kLeast, kMost));
+}
+
+/// As fine as the reach allows within the grid's 2^40 steps.
+std::int64_t refinement(double reach) {
+  std::int64_t factor = 1;
+  while (factor < (1 << 20) && reach * double(2 * factor) < 0x1p39) factor *= 2;
+  return factor;
+}
+
+/// gamma and mu change no faster than the shapes, eta1 and delta1 where they are not positive; but the places where a
+/// shape fits (eta, delta) may come and go at once.
+bool has_rate(Which which, double most) {
+  if (which == Which::kEta2 || which == Which::kDelta2) return false;
+  return (which != Which::kEta1 && which != Which::kDelta1) || most <= 0;
+}
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+/// An instant that was looked at. f is rotated round for suprema, so that the least value is looked for.
+struct Sample {
+  std::size_t leg;
+  double s, f;
+};
+
+/// Looks for the least f at instants of the motion: first evenly, then where it may be least (Piyavskii 1972), then
+/// beside the best one.
+class LeastSearch {
+ public:
+  LeastSearch(const RotatingMotion& motion, const RealPoint& p, Sense sense)
+      : motion_(motion), p_(p), sign_(sense == Sense::kMinimum ? 1 : -1) {}
+
+  void look_evenly(std::size_t legs) {
+    constexpr int kFirst = 8;
+    for (std::size_t leg = 0; leg < legs; ++leg) {
+      Sample before = look(leg, 0);
+      for (int k = 1; k <= kFirst; ++k) {
+        const Sample next = look(leg, double(k) / kFirst);
+        add(before, next);
+        before = next;
+      }
+      scale_ = std::max(scale_, motion_.rate(leg));
+    }
+    std::make_heap(gaps_.begin(), gaps_.end(), by_low);
+  }
+
+  /// Until the best value is as near its bound as `enough`, and roundings allow, or `most` more instants are known.
+  void narrow(double enough, int most) {
+    least_gap_ = std::max(enough, scale_ * 0x1p-46);
+    for (int k = 0; k < most && best_.f - certain() > least_gap_; ++k) {
+      std::pop_heap(gaps_.begin(), gaps_.end(), by_low);
+      const Gap gap = gaps_.back();
+      gaps_.pop_back();
+      const Sample middle = look(gap.a.leg, (gap.a.s + gap.b.s) / 2);
+      add(gap.a, middle);
+      std::push_heap(gaps_.begin(), gaps_.end(), by_low);
+      add(middle, gap.b);
+      std::push_heap(gaps_.begin(), gaps_.end(), by_low);
+    }
+  }
+
+  /// f is smooth or has one kink near its extremum: golden sections of the gaps beside the best instant.
+  void refine() {
+    constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
+    double from = 0, to = 0;
+    std::tie(from, to) = beside_best();
+    const std::size_t leg = best_.leg;
+    const auto inner = [&](bool first) {
+      return look(leg, first ? to - kGolden * (to - from) : from + kGolden * (to - from));
+    };
+    Sample low = inner(true), high = inner(false);
+    for (int k = 0; k < kRefinements && (to - from) * scale_ > least_gap_; ++k) {
+      if (low.f < high.f) {
+        to = high.s;
+        high = low;
+        low = inner(true);
+      } else {
+        from = low.s;
+        low = high;
+        high = inner(false);
+      }
+      keep_better(low);
+      keep_better(high);
+    }
+  }
+
+  bool undefined() const { return undefined_; }  // at an instant that was looked at
+  double best() const { return best_.f; }
+  double certain() const { return gaps_.front().low; }  // f is nowhere less, if it keeps to its rate
+  double rounding() const { return rounding_; }
+  double most() const { return most_; }  // of the plain f
+
+ private:
+  struct Gap {
+    Sample a, b;
+    double low;
+  };
+  static bool by_low(const Gap& g, const Gap& h) { return g.low > h.low; }
+
+  Sample look(std::size_t leg, double s) {
+    const auto v = motion_.instant(p_, leg, Real::from_double(s));
+    undefined_ |= !v;
+    if (!v) return {leg, s, kNone};
+    rounding_ = std::max(rounding_, v->off());
+    most_ = std::max(most_, v->middle());
+    return {leg, s, sign_ * v->middle()};
+  }
+
+  void keep_better(const Sample& k) {
+    if (k.f < best_.f) best_ = k;
+  }
+
+  void add(const Sample& a, const Sample& b) {
+    const double drop = motion_.rate(a.leg) * (b.s - a.s);
+    // Where f is undefined nothing is known of it beside: the other end bounds it.
+    const double low = std::isinf(a.f) && std::isinf(b.f) ? kNone
+                       : std::isinf(a.f)                  ? b.f - drop
+                       : std::isinf(b.f)                  ? a.f - drop
+                                                          : (a.f + b.f - drop) / 2;
+    gaps_.push_back({a, b, low});
+    keep_better(a);
+    keep_better(b);
+  }
+
+  /// The instants looked at before and after the best one, on its leg.
+  std::pair<double, double> beside_best() const {
+    double from = best_.s, to = best_.s;
+    for (const Gap& g : gaps_) {
+      if (g.a.leg != best_.leg) continue;
+      if (g.b.s == best_.s) from = g.a.s;
+      if (g.a.s == best_.s) to = g.b.s;
+    }
+    return {from, to};
+  }
+
+  const RotatingMotion& motion_;
+  const RealPoint& p_;
+  double sign_;
+  std::vector<Gap> gaps_;  // a heap, the lowest first
+  Sample best_{0, 0, kNone};
+  double scale_ = 0, least_gap_ = 0, rounding_ = 0, most_ = -kNone;
+  bool undefined_ = false;
+};
+
+}  // namespace
+
+double reach(const plane::Region& r) {
+  double most = 0;
+  for (const BoundaryFeature& s : features(r, [](plane::Mark m) { return m > 0; }))
+    most = std::max(most, s.farthest(0, 0));
+  return most;
+}
+
+RotatingMotion::RotatingMotion(const plane::Region& b, const plane::Region& a, Which which,
+                               std::vector<RotatingPose> poses)
+    : b_reach_(reach(b)), a_reach_(reach(a)), which_(which), poses_(std::move(poses)) {
+  const std::int64_t factor = refinement(std::max(b_reach_, a_reach_));
+  b_ = plane::scaled(b, factor);
+  a_ = plane::scaled(a, factor);
+  factor_ = double(factor);
+}
+
+double RotatingMotion::rate(std::size_t leg) const {
+  const RotatingPose &p = poses_[leg], &q = poses_[leg + 1];
+  const double way = std::hypot(near_value(q.at.x - p.at.x), near_value(q.at.y - p.at.y));
+  const double radians = std::numbers::pi / 180;
+  return way + radians * (std::abs(near_value(q.moving - p.moving)) * b_reach_ +
+                          std::abs(near_value(q.fixed - p.fixed)) * a_reach_);
+}
+
+std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_t leg, const Real& s) const {
+  const RotatingPose& from = poses_[leg];
+  const RotatingPose& to = poses_[std::min(leg + 1, poses_.size() - 1)];
+  plane::Rounding rounding;
+  auto rotated = [&](const plane::Region& r, const Real& degrees) {
+    return plane::rotated(r, {0, 0}, degrees, 1 / factor_, rounding);
+  };
+  const ShapePair pair(rotated(b_, between(from.moving, to.moving, s)), rotated(a_, between(from.fixed, to.fixed, s)));
+  const Real f = Real::from_double(factor_);
+  const auto v = pair.distance(which_)->value(
+      {f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))});
+  if (!v) return std::nullopt;
+  const double value = v->value.to_double() / factor_;
+  const double off = 2 * rounding.largest / factor_ + std::abs(value) * 0x1p-50;
+  return ValueRange{value - off, value + off};
+}
+
+std::optional<ValueRange> RotatingMotion::extremum(const RealPoint& p, Sense sense, double enough,
+                                                   Effort effort) const {
+  if (poses_.size() == 1) return instant(p, 0, Real(0));
+  const bool least = sense == Sense::kMinimum;
+  LeastSearch search(*this, p, sense);
+  search.look_evenly(poses_.size() - 1);
+  if (search.undefined() && !least) return std::nullopt;
+  search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size(), effort));
+  if (std::isinf(search.best())) return std::nullopt;
+  const double certain = search.certain();
+  search.refine();
+  if (search.undefined() && !least) return std::nullopt;
+  const bool bounded = !search.undefined() && has_rate(which_, search.most());
+  const double found = search.best() + search.rounding();
+  const double from_below = bounded ? std::min(search.best(), certain) - search.rounding() : -kNone;
+  return least ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/boundary_cells.h"
+
+namespace findspace::distance {
+
+using space::Vector;
+
+std::pair<Vector, Vector> askew(const Vector& low, const Vector& high) {
+  const Vector wide = high - low;
+  return {low - Vector{0.0371 * wide.x, 0.0493 * wide.y, 0.0287 * wide.z},
+          space::plus(high, {0.0231 * wide.x, 0.0419 * wide.y, 0.0527 * wide.z})};
+}
+
+double longest_edge(const Tetrahedron& t, std::size_t& a, std::size_t& b) {
+  double most = -1;
+  for (std::size_t v = 0; v < 4; ++v) {
+    for (std::size_t w = v + 1; w < 4; ++w) {
+      const double d = space::length(t[v] - t[w]);
+      if (d > most) {
+        most = d;
+        a = v;
+        b = w;
+      }
+    }
+  }
+  return most;
+}
+
+Vector centre(const Tetrahedron& t) {
+  return space::scaled(0.25, space::plus(space::plus(t[0], t[1]), space::plus(t[2], t[3])));
+}
+
+bool holds(const Tetrahedron& t, const Vector& x) {
+  for (std::size_t v = 0; v < 4; ++v) {
+    const Vector &a = t[(v + 1) % 4], &b = t[(v + 2) % 4], &c = t[(v + 3) % 4];
+    const Vector e = b - a, g = c - a, normal{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
+    if (space::dot(normal, x - a) * space::dot(normal, t[v] - a) < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/boundary_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+
+#include "distance/search/boundary_columns.h"
+#include "exact/number/interval.h"
+
+namespace findspace::distance {
+
+using space::Vector;
+
+namespace {
+
+/// Of the size: what rounding may do to a function, how much of it what is found has to be allowed by (distances to
+/// planes err to the safe side), and where cells are no longer divided.
+constexpr double kNoise = 0x1p-46, kTolerance = 0x1p-48, kLeast = 0x1p-44;
+/// Of the size: what is better than the best by less is not looked for. It is more than the noise, so that near the
+/// best place, where fronts and the sphere about it part by squares only, cells are settled before these are lost in
+/// noise.
+constexpr double kBetter = 0x1p-43;
+
+constexpr int kRounds = 3;  // of tangents in a cell
+
+/// Cells after which it is asked for a place of no tolerance, as most of what is left may be such.
+constexpr int kAskAt = 3000;
+
+struct Cell {
+  Tetrahedron corner;
+  std::vector<int> out, in;  // the functions that are not satisfied in all of the cell
+  std::vector<int> more;     // likewise, of LazyConstraints
+  double key = 0;            // nothing in it is better
+  int depth = 0;
+  /// Of cells as good as each other the smallest comes first: where all of a front is as near, any place of it will do.
+  bool operator<(const Cell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
+};
+
+/// The objective is minimised: the distance, or minus the one that is to be great.
+class Search {
+ public:
+  Search(const Constraints& rules, const TouchingRule* distance, const ConvexDistance* far, double size,
+         const Incumbent& known)
+      : rules_(rules), distance_(distance), far_(far), size_(size), known_(known) {
+    best_.value = exact::kInfinity;
+  }
+
+  BoundaryPlace run(std::span<const Tetrahedron> tolerance, double floor, const Until* until = nullptr) {
+    Cell all;
+    all.out.resize(rules_.keep_out.size());
+    all.in.resize(rules_.keep_in.size());
+    std::iota(all.out.begin(), all.out.end(), 0);
+    std::iota(all.in.begin(), all.in.end(), 0);
+    room_ = tolerance;
+    until_ = until;
+    if (rules_.more) ask();
+    for (const Tetrahedron& t : tolerance) add(t, all, floor, 0);
+    double left = exact::kInfinity;
+    for (int count = 0; !queue_.empty(); ++count) {
+      const Cell top = queue_.top();
+      if (!(top.key < wanted())) break;
+      if (until && decided(*until, top.key)) {
+        left = std::min(left, top.key);
+        break;
+      }
+      if (count == kAskAt) ask();
+      if (count == kMostSearchCells || (rules_.more && rules_.more->spent())) {
+        best_.complete = false;
+        left = std::min(left, top.key);
+        break;
+      }
+      queue_.pop();
+      std::size_t a = 0, b = 1;
+      if (longest_edge(top.corner, a, b) < kLeast * size_) {
+        if (top.key < left) {
+          left = top.key;
+          best_.unresolved = centre(top.corner);
+        }
+        ask();
+        continue;
+      }
+      split(top, a, b);
+    }
+    best_.bound = std::min({best_.value, wanted(), left});
+    return best_;
+  }
+
+ private:
+  /// Whether all between `lowest` and the best value known is on one side of the level, and nearly as far from it, or
+  /// all is next to it.
+  bool decided(const Until& until, double lowest) const {
+    const double low = lowest - until.level, high = best_.value - until.level;
+    const double near = low > 0 ? low : -high, far = low > 0 ? high : -low;
+    if (near > 0) return until.share == 0 || near >= until.share * far;
+    return until.blur > 0 && low >= -until.blur && high <= until.blur;
+  }
+
+  /// What is not less than this need not be looked for.
+  double wanted() const {
+    const double better = std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value;
+    if (!until_ || !(until_->blur > 0)) return better;
+    const double off = best_.value - until_->level;
+    if (off > until_->blur) return std::min(better, until_->level + until_->blur);
+    const double lower = until_->share > 0 ? off / until_->share : off;
+    return std::min(better, until_->level + std::min(lower, -until_->blur));
+  }
+
+  double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -(*far_)(x); }
+
+  /// By more than rounding, by the functions that are not satisfied in all of the cell, or by all.
+  bool allowed(const Vector& x, const Cell* cell) const {
+    const double tolerance = kTolerance * size_;
+    const auto out = [&](const ConvexDistance& f) { return f(x) >= tolerance; };
+    const auto in = [&](const TouchingRule& f) { return f(x).value <= -tolerance; };
+    if (!cell)
+      return std::all_of(rules_.keep_out.begin(), rules_.keep_out.end(), out) &&
+             std::all_of(rules_.keep_in.begin(), rules_.keep_in.end(), in) &&
+             (!rules_.more || rules_.more->allows(x, {}));
+    return std::all_of(cell->out.begin(), cell->out.end(),
+                       [&](int i) { return out(rules_.keep_out[static_cast<std::size_t>(i)]); }) &&
+           std::all_of(cell->in.begin(), cell->in.end(),
+                       [&](int i) { return in(rules_.keep_in[static_cast<std::size_t>(i)]); }) &&
+           std::all_of(cell->more.begin(), cell->more.end(),
+                       [&](int i) { return rules_.more->beyond(i, x) >= tolerance; }) &&
+           (!rules_.more || rules_.more->allows(x, cell->more));
+  }
+
+  void offer(const Vector& x, const Cell& cell) {
+    const double value = objective(x);
+    if (!(value < best_.value) || !allowed(x, &cell)) return;
+    take(x, value);
+    if (distance_) go_nearer(x);
+  }
+
+  bool inside_room(const Vector& x) const {
+    return std::any_of(room_.begin(), room_.end(), [&](const Tetrahedron& t) { return holds(t, x); });
+  }
+
+  void take(const Vector& x, double value) {
+    best_.value = value;
+    best_.place = x;
+    best_.found = true;
+    best_.known = false;
+  }
+
+  /// On the straight way from x to where the distance is from: as far as that is allowed. So complete faces of the
+  /// front that are as near as each other are settled at once.
+  void go_nearer(const Vector& x) {
+    const Touching at = (*distance_)(x);
+    double allowed_by = 0, by = at.value;
+    for (int k = 0; k < 50 && by - allowed_by > kBetter * size_; ++k) {
+      const double middle = k == 0 ? by : (allowed_by + by) / 2;
+      const Vector y = x - space::scaled(middle, at.slope);
+      if (inside_room(y) && allowed(y, nullptr)) {
+        allowed_by = middle;
+        const double value = objective(y);
+        if (value < best_.value) take(y, value);
+      } else {
+        by = middle;
+      }
+    }
+  }
+
+  void ask() {
+    if (asked_ || !known_) return;
+    asked_ = true;
+    const auto value = known_();
+    if (value && *value < best_.value) {
+      best_.value = *value;
+      best_.found = false;
+      best_.known = true;
+    }
+  }
+
+  /// Functions that cannot be 0 or beyond in the cell are left out; false where one allows nothing of the cell.
+  bool keep_near(const Tetrahedron& corner, const std::vector<int>& out, const std::vector<int>& in, double edge,
+                 Cell& cell, std::vector<Column>& columns) const {
+    const Vector middle = centre(corner);
+    for (const int i : out) {
+      const ConvexDistance& f = rules_.keep_out[static_cast<std::size_t>(i)];
+      Column c{};
+      for (std::size_t v = 0; v < 4; ++v) c[v] = f(corner[v]);
+      if (most(c) < -kNoise * size_) return false;
+      if (least(c) > edge + kNoise * size_) continue;
+      cell.out.push_back(i);
+      columns.push_back(c);
+    }
+    for (const int i : in) {
+      const Touching at = rules_.keep_in[static_cast<std::size_t>(i)](middle);
+      if (at.value < -edge - kNoise * size_) continue;
+      const Column c = less(0, tangent(at, middle, corner));
+      if (most(c) < -kNoise * size_) return false;
+      cell.in.push_back(i);
+      columns.push_back(c);
+    }
+    return true;
+  }
+
+  /// Likewise of LazyConstraints.
+  bool keep_near_more(const Tetrahedron& corner, const std::vector<int>& known, double edge, Cell& cell,
+                      std::vector<Column>& columns) const {
+    const auto take = [&](int i) {
+      Column c{};
+      for (std::size_t v = 0; v < 4; ++v) c[v] = rules_.more->beyond(i, corner[v]);
+      if (most(c) < -kNoise * size_) return false;
+      if (least(c) > edge + kNoise * size_) return true;
+      cell.more.push_back(i);
+      columns.push_back(c);
+      return true;
+    };
+    const std::vector<int> made = rules_.more->near(centre(corner), edge, known);
+    return std::all_of(made.begin(), made.end(), take);
+  }
+
+  /// What no place of the cell is better than, at the corners: linear, or concave.
+  Column floor_of(const Tetrahedron& corner) const {
+    if (distance_) {
+      const Vector middle = centre(corner);
+      return tangent((*distance_)(middle), middle, corner);
+    }
+    Column out;
+    for (std::size_t v = 0; v < 4; ++v) out[v] = -(*far_)(corner[v]);
+    return out;
+  }
+
+  void add(const Tetrahedron& corner, const Cell& of, double floor, int depth) {
+    Cell cell;
+    cell.corner = corner;
+    cell.depth = depth;
+    const Column objective = floor_of(corner);
+    cell.key = std::max(floor, least(objective));
+    if (!(cell.key < wanted())) return;
+    std::size_t a = 0, b = 1;
+    std::vector<Column> columns;
+    const double edge = longest_edge(corner, a, b);
+    if (!keep_near(corner, of.out, of.in, edge, cell, columns)) return;
+    if (rules_.more && !keep_near_more(corner, of.more, edge, cell, columns)) return;
+    offer(centre(corner), cell);
+    // First what is a little better than the best, so that this comes as near to the least as rounding lets it; the
+    // cell is kept only where something clearly better may be.
+    for (const double target : {best_.value, wanted()}) {
+      std::vector<Column> all = columns;
+      if (std::isfinite(target)) all.push_back(less(target, objective));
+      if (!try_best(all, target, corner, cell)) return;
+    }
+    if (cell.key < wanted()) queue_.push(std::move(cell));
+  }
+
+  /// Offers places at which the least of the columns is greatest, with tangents there; false where that is less than 0.
+  bool try_best(std::vector<Column>& columns, double target, const Tetrahedron& corner, const Cell& cell) {
+    if (columns.empty()) return true;
+    for (int round = 0; round < (rules_.more ? 1 : kRounds); ++round) {
+      const HighestPlace high = highest_place(columns, corner);
+      if (high.value < -kNoise * size_ - 0x1p-44 * high.spread) return false;
+      offer(high.place, cell);
+      if (!touch(high.place, target, corner, cell, columns)) break;
+    }
+    return true;
+  }
+
+  /// Adds the tangents at x of what x breaks; false where there is none.
+  bool touch(const Vector& x, double target, const Tetrahedron& corner, const Cell& cell,
+             std::vector<Column>& columns) const {
+    const std::size_t before = columns.size();
+    const double tolerance = kNoise * size_;
+    if (distance_ && std::isfinite(target)) {
+      const Touching at = (*distance_)(x);
+      if (at.value > target + tolerance) columns.push_back(less(target, tangent(at, x, corner)));
+    }
+    for (const int i : cell.in) {
+      const Touching at = rules_.keep_in[static_cast<std::size_t>(i)](x);
+      if (at.value > tolerance) columns.push_back(less(0, tangent(at, x, corner)));
+    }
+    return columns.size() > before;
+  }
+
+  void split(const Cell& cell, std::size_t a, std::size_t b) {
+    const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
+    for (const std::size_t moved : {a, b}) {
+      Tetrahedron corner = cell.corner;
+      corner[moved] = middle;
+      add(corner, cell, cell.key, cell.depth + 1);
+    }
+  }
+
+  const Constraints& rules_;
+  std::span<const Tetrahedron> room_;
+  const TouchingRule* distance_;
+  const ConvexDistance* far_;
+  double size_;
+  const Incumbent& known_;
+  BoundaryPlace best_;
+  const Until* until_ = nullptr;
+  bool asked_ = false;
+  std::priority_queue<Cell> queue_;
+};
+
+}  // namespace
+
+BoundaryPlace nearest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
+                              const TouchingRule& distance, double size, double floor, const Incumbent& known,
+                              const Until* until) {
+  return Search(rules, &distance, nullptr, size, known).run(tolerance, floor, until);
+}
+
+BoundaryPlace farthest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
+                               const ConvexDistance& distance, double size, const Incumbent& known) {
+  BoundaryPlace out = Search(rules, nullptr, &distance, size, known).run(tolerance, -exact::kInfinity);
+  out.value = -out.value;
+  out.bound = -out.bound;
+  return out;
+}
+
+}  // namespace findspace::distance

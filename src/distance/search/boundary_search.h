@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The place of a tolerance nearest to a convex set, or farthest from one, among those that convex functions allow: each
+// of `keep_out` is to be at least 0 there (the place is outside a grown set), each of `keep_in` at most 0 (inside one).
+// So distances to and from round fronts are found, of which planes alone are not enough. Branch and bound over
+// tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what its
+// tangent is there; weights for which no place of the cell can be allowed and better than the best one known are a
+// linear program, whose other side is a place to try. Both bounds are off by the square of a cell's size, so smooth
+// fronts cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed place is
+// better than `bound`. Passages and places of no tolerance, which numbers cannot tell from closed ones, make `bound`
+// differ from `value` (or nothing is found), unless such a place is known: `unresolved` is one. Cost: some hundred to
+// some thousand cells, each as many values as functions are near 0 in it. Keywords: reverse convex programming,
+// penetration depth, global optimisation.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "distance/search/boundary_cells.h"
+#include "distance/search/solid_max_min.h"
+
+namespace findspace::distance {
+
+/// A convex function at x: value + slope . (y - x) is nowhere more than it. No step changes it by more than its length.
+struct Touching {
+  double value = 0;
+  space::Vector slope;
+};
+using TouchingRule = std::function<Touching(const space::Vector&)>;
+
+/// What else places have to keep out of, which no few convex functions say: each cell is decided those that count
+/// there.
+class LazyConstraints {
+ public:
+  virtual ~LazyConstraints() = default;
+  /// By number a convex function that is at least 0 at all allowed places. Numbers of one search stay.
+  virtual double beyond(int number, const space::Vector& x) const = 0;
+  /// Those for a cell of one that had those of `known`: the numbers.
+  virtual std::vector<int> near(const space::Vector& middle, double edge, std::span<const int> known) = 0;
+  /// Whether the place keeps all of them, known or not; `known` may tell at once that it does not.
+  virtual bool allows(const space::Vector& x, std::span<const int> known) const = 0;
+  /// Whether so much was done that the search is to end.
+  virtual bool spent() const = 0;
+};
+
+struct Constraints {
+  std::vector<ConvexDistance> keep_out;
+  std::vector<TouchingRule> keep_in;
+  LazyConstraints* more = nullptr;
+};
+
+/// The objective at a place of no tolerance that is known to be allowed; asked once, where the search comes to one or
+/// is long, or first where there are LazyConstraints.
+using Incumbent = std::function<std::optional<double>()>;
+
+inline constexpr int kMostSearchCells = 60000;
+
+struct BoundaryPlace {
+  bool found = false;
+  double value = 0, bound = 0;
+  space::Vector place;
+  std::optional<space::Vector> unresolved;
+  bool known = false;    // instead of `found`: the value is that at the place asked for
+  bool complete = true;  // false: ended at kMostSearchCells
+};
+
+/// A search that need not end: it may where how far the value is from the level, and on which side, is known but for
+/// that share, or where it is within `blur` of the level. With `blur` it does not matter how much more than that the
+/// value is.
+struct Until {
+  double level = 0, share = 0, blur = 0;
+};
+
+/// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.
+BoundaryPlace nearest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
+                              const TouchingRule& distance, double size, double floor, const Incumbent& known = {},
+                              const Until* until = nullptr);
+/// At which the distance is greatest.
+BoundaryPlace farthest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
+                               const ConvexDistance& distance, double size, const Incumbent& known = {});
+
+}  // namespace findspace::distance

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/solid_protrusion.h"
+
+#include <algorithm>
+
+#include "distance/search/convex_distance.h"
+#include "distance/search/round_solid.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::Body;
+using space::BodyPart;
+using space::dot;
+using space::HalfSpace;
+using space::is_zero;
+using space::real;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+Real length(const RealVector& v) { return sqrt(space::dot(v, v)); }
+
+/// The greatest plane value over its normal's length at x, among planes that come near it in doubles.
+Real depth_value(std::span<const HalfSpace> planes, const RealVector& x, const Vector& near, double top) {
+  std::optional<Real> best;
+  for (const HalfSpace& h : planes) {
+    if (h.approx_value(near) < top - 2 * h.error(near)) continue;
+    const Real value = h.value(x) / sqrt(dot(h.normal, h.normal));
+    if (!best || *best < value) best = value;
+  }
+  return *best;
+}
+
+struct Corner {
+  const BodyPart* part;
+  RealVector at;
+  Vector near;
+  double floor = 0;  // at most the signed distance to the core, plus the part's radius
+};
+
+}  // namespace
+
+RoundSolid round_solid(const BodyPart& part, const Vector& by) {
+  RoundSolid out;
+  out.radius = part.radius.to_double();
+  const std::span<const space::Point> ends = part.vertices();
+  if (ends.size() <= 2) {
+    out.from = space::plus(exact::approx(ends.front()), by);
+    out.to = space::plus(exact::approx(ends.back()), by);
+    return out;
+  }
+  out.way = [way = way_to(part.planes()), by](const Vector& x) { return way(x - by); };
+  out.from = out.to = space::plus(exact::approx(part.vertices()[0]), by);
+  for (const space::Point& v : part.vertices()) {
+    const Vector at = space::plus(exact::approx(v), by);
+    out.from = {std::min(out.from.x, at.x), std::min(out.from.y, at.y), std::min(out.from.z, at.z)};
+    out.to = {std::max(out.to.x, at.x), std::max(out.to.y, at.y), std::max(out.to.z, at.z)};
+  }
+  return out;
+}
+
+std::vector<ConvexDistance> distances_to_parts(const Body& a) {
+  std::vector<ConvexDistance> out;
+  for (const BodyPart& part : a.parts) {
+    const double radius = part.radius.to_double();
+    if (part.point())
+      out.emplace_back([center = space::rounded(real(part.center)), radius](const Vector& x) {
+        return space::length(x - center) - radius;
+      });
+    else if (radius == 0)
+      out.push_back(distance_to(part.planes()));
+    else
+      out.emplace_back([core = distance_to(part.planes()), radius](const Vector& x) { return core(x) - radius; });
+  }
+  return out;
+}
+
+bool polyhedra_and_balls(const Body& b) {
+  return std::none_of(b.parts.begin(), b.parts.end(),
+                      [](const BodyPart& part) { return !part.point() && part.radius.sign() > 0; });
+}
+
+std::optional<std::pair<Body, Body>> without_radius(const Body& b, const Body& a) {
+  const Real by = a.parts[0].radius;
+  std::pair<Body, Body> out{b, a};
+  for (BodyPart& part : out.first.parts) {
+    if (part.radius < by) return std::nullopt;
+    part.radius -= by;
+  }
+  out.second.parts[0].radius = Real();
+  return out;
+}
+
+SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
+  const std::vector<HalfSpace> planes = a.planes();
+  const RealVector center = real(a.center);
+  std::vector<Corner> corners;
+  for (const BodyPart& part : b.parts) {
+    for (const space::Point& v : part.vertices()) {
+      Corner c{&part, space::plus(real(v), p), {}, 0};
+      c.near = space::rounded(c.at);
+      double highest = !a.point() ? -exact::kInfinity : space::length(c.near - space::rounded(center));
+      for (const HalfSpace& h : planes) highest = std::max(highest, h.approx_value(c.near));
+      c.floor = highest + part.radius.to_double();
+      corners.push_back(std::move(c));
+    }
+  }
+  std::sort(corners.begin(), corners.end(), [](const Corner& x, const Corner& y) { return x.floor > y.floor; });
+  std::optional<SolidValue> best;
+  std::vector<Vector> projections;
+  const double slack = 0x1p-40 * (space::size_of(corners[0].near) + std::fabs(corners[0].floor));
+  for (const Corner& c : corners) {
+    const double radius = c.part->radius.to_double();
+    const double highest = c.floor - radius;
+    double ceiling = highest > 0 ? exact::kInfinity : highest;
+    for (const Vector& q : projections) ceiling = std::min(ceiling, space::length(c.near - q));
+    const double known = best ? (best->value + a.radius).to_double() : 0;
+    if (best && ceiling + radius < known - slack) continue;
+    RealVector projection = center;
+    Real core;
+    if (a.point()) {
+      core = length(space::minus(c.at, center));
+    } else if (highest < -slack) {
+      core = depth_value(planes, c.at, c.near, highest);
+    } else {
+      projection = *nearest_in(planes, c.at);
+      projections.push_back(space::rounded(projection));
+      const RealVector off = space::minus(c.at, projection);
+      core = is_zero(off) ? depth_value(planes, c.at, c.near, highest) : length(off);
+    }
+    const Real value = core + c.part->radius - a.radius;
+    if (best && !(best->value < value)) continue;
+    best = SolidValue{};
+    best->value = value;
+    if (core.sign() > 0) {
+      const RealVector away = space::minus(c.at, projection);
+      best->points = {space::along(c.at, c.part->radius / core, away), space::along(projection, a.radius / core, away)};
+    }
+  }
+  return *best;
+}
+
+namespace {
+
+/// A convex core and a radius, as what is protrusion out of.
+struct Target {
+  std::vector<HalfSpace> planes;  // none of a point
+  RealVector center;
+  Real radius;
+};
+
+struct Solids {
+  std::vector<Tetrahedron> cells;
+  std::vector<RoundSolid> round;
+};
+
+Solids solids_of(const Body& b, const RealVector& p) {
+  Solids out;
+  const Vector by = space::rounded(p);
+  for (const BodyPart& part : b.parts) {
+    if (part.point() || part.radius.sign() > 0) {
+      out.round.push_back(round_solid(part, by));
+    } else {
+      for (Tetrahedron& t : tetrahedra(*part.core)) {
+        for (Vector& v : t) v = space::plus(v, by);
+        out.cells.push_back(t);
+      }
+    }
+  }
+  return out;
+}
+
+/// At a vertex of B the exact distance to the nearest set is known.
+std::optional<SolidValue> at_vertex(const Body& b, std::span<const Target> targets, const RealVector& p,
+                                    const Vector& place) {
+  for (const BodyPart& part : b.parts) {
+    if (part.radius.sign() > 0) continue;
+    for (const space::Point& v : part.vertices()) {
+      const RealVector at = space::plus(real(v), p);
+      if (space::length(space::rounded(at) - place) > 0x1p-44 * space::size_of(place)) continue;
+      std::optional<SolidValue> best;
+      for (const Target& t : targets) {
+        const RealVector projection = t.planes.empty() ? t.center : *nearest_in(t.planes, at);
+        const Real core = length(space::minus(at, projection)), d = core - t.radius;
+        if (best && !(d < best->value)) continue;
+        best = SolidValue{};
+        best->value = d;
+        if (core.sign() > 0)
+          best->points = {at, space::along(projection, t.radius / core, space::minus(at, projection))};
+      }
+      return best;
+    }
+  }
+  return std::nullopt;
+}
+
+SolidValue protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const Target> targets,
+                      const RealVector& p) {
+  const Solids solids = solids_of(b, p);
+  const SolidMaxMin max_min = solid_max_min(solids.cells, solids.round, distances, 0);
+  if (max_min.complete) {
+    if (auto exact = at_vertex(b, targets, p, max_min.place)) return *exact;
+  }
+  SolidValue out;
+  out.value = Real::from_double(max_min.value);
+  out.proven = false;
+  out.error = max_min.bound - max_min.value + 0x1p-40 * space::size_of(max_min.place);
+  return out;
+}
+
+}  // namespace
+
+SolidValue protrusion_of_union(const Body& b, const Body& a, const RealVector& p) {
+  std::vector<Target> targets;
+  for (const BodyPart& part : a.parts) targets.push_back({part.planes(), real(part.center), part.radius});
+  return protrusion(b, distances_to_parts(a), targets, p);
+}
+
+SolidValue protrusion_of_cells(const Body& b, std::span<const space::OutsideCell> a, const RealVector& p) {
+  std::vector<Target> targets;
+  std::vector<ConvexDistance> distances;
+  for (const space::OutsideCell& cell : a) {
+    targets.push_back({cell.planes, {}, Real()});
+    distances.push_back(distance_to(cell.planes));
+  }
+  return protrusion(b, distances, targets, p);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The signed directed Hausdorff distance of bodies: mu(B+p, A) = max over b in B + p of the signed distance of b to A.
+//   A convex: at a vertex of B, exactly.
+//   A a union, B + p not inside A: h = max over B of the distance to the nearest part of A, by solid_max_min.h. The
+//   complement of polyhedra is such a union, of the cells outside them.
+// Guarantee: convex: exact. Else within 2^-40 of the value, or of the size of B where the limit of kMostCells cells is
+// reached (`proven` is false then). Keywords: directed Hausdorff distance, branch and bound.
+#pragma once
+
+#include <span>
+#include <utility>
+
+#include "distance/search/round_solid.h"
+#include "distance/search/solid_max_min.h"
+#include "distance/search/solid_value.h"
+#include "space/body/body.h"
+#include "space/body/open_union.h"
+#include "space/body/outside_cells.h"
+
+namespace findspace::distance {
+
+/// To the core of each part of the body, less its radius.
+std::vector<ConvexDistance> distances_to_parts(const space::Body& a);
+/// A part with a radius, or a point, moved.
+RoundSolid round_solid(const space::BodyPart& part, const space::Vector& by);
+/// Whether no polyhedron among the parts has a radius.
+bool polyhedra_and_balls(const space::Body& b);
+/// Both less the radius of a convex A, where no part of B is less round: (P (+) r) (-) r = P, so they fit as they did.
+std::optional<std::pair<space::Body, space::Body>> without_radius(const space::Body& b, const space::Body& a);
+/// A convex, of any radius.
+SolidValue protrusion_of_convex(const space::Body& b, const space::BodyPart& a, const space::RealVector& p);
+/// The closed sets are convex and their union is A; B + p is not inside A.
+SolidValue protrusion_of_cells(const space::Body& b, std::span<const space::OutsideCell> a, const space::RealVector& p);
+/// B + p is not inside A.
+SolidValue protrusion_of_union(const space::Body& b, const space::Body& a, const space::RealVector& p);
+
+}  // namespace findspace::distance

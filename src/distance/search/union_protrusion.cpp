@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/union_protrusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/search/convex_distance.h"
+#include "distance/search/free_space.h"
+#include "distance/search/lp_bound.h"
+#include "distance/search/solid_protrusion.h"
+
+namespace findspace::distance {
+
+using space::plus;
+using space::scaled;
+using space::Vector;
+
+namespace {
+
+/// Of the sizes: what rounding may do to a distance.
+constexpr double kNoise = 0x1p-46;
+/// To the nearest place that sticks out farthest; a place before is as good.
+constexpr int kMostSteps = 12;
+
+Vector mixed(const std::array<double, 4>& weights, const Tetrahedron& t) {
+  Vector out;
+  for (std::size_t v = 0; v < 4; ++v) out = plus(out, scaled(weights[v], t[v]));
+  return out;
+}
+
+Vector middle_of(const Tetrahedron& t) { return mixed({0.25, 0.25, 0.25, 0.25}, t); }
+
+/// How far a point is beyond the tetrahedron, about: the most beyond a face.
+double beyond_faces(const Tetrahedron& t, const Vector& x) {
+  double out = -exact::kInfinity;
+  for (std::size_t v = 0; v < 4; ++v) {
+    const Vector &a = t[(v + 1) % 4], e = t[(v + 2) % 4] - a, g = t[(v + 3) % 4] - a;
+    const Vector n{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
+    const double own = space::dot(n, t[v] - a), there = space::dot(n, x - a), size = space::length(n);
+    out = std::max(out, (own > 0 ? -there : there) / size);
+  }
+  return out;
+}
+
+}  // namespace
+
+TouchingRule signed_touching(const space::BodyPart& part) {
+  const double radius = part.radius.to_double();
+  if (part.vertices().size() <= 2) {
+    return [core = round_solid(part, {})](const Vector& x) {
+      const Vector off = x - core.projection(x);
+      const double d = space::length(off);
+      return Touching{d - core.radius, d > 0 ? scaled(1 / d, off) : Vector{}};
+    };
+  }
+  return [planes = part.planes(), outside = touching_distance(part, {}, radius), radius](const Vector& x) {
+    Touching most{-exact::kInfinity, {}};
+    for (const space::HalfSpace& h : planes) {
+      const double value = h.approx_value(x) - radius;
+      if (value > most.value) most = {value, h.unit};
+    }
+    if (most.value < -radius) return most;
+    const Touching far = outside(x);
+    return far.value > most.value ? far : most;
+  };
+}
+
+UnionProtrusion::UnionProtrusion(const space::Body& b, const space::Body& a) {
+  for (const space::BodyPart& part : a.parts) parts_.push_back(signed_touching(part));
+  for (const space::BodyPart& part : b.parts) {
+    if (part.core && part.radius.sign() == 0) {
+      const std::vector<Tetrahedron> cells = tetrahedra(*part.core);
+      cells_.insert(cells_.end(), cells.begin(), cells.end());
+    } else {
+      rounds_.push_back(round_solid(part, {}));
+    }
+  }
+  for (const space::Body* body : {&b, &a}) {
+    const space::Bounds3 box = bounds(*body);
+    size_ += std::max(space::length(space::rounded(box.low)), space::length(space::rounded(box.high)));
+  }
+}
+
+std::size_t UnionProtrusion::piece_of(const Vector& point) const {
+  std::size_t best = 0;
+  double least = exact::kInfinity;
+  for (std::size_t k = 0; k < cells_.size() + rounds_.size(); ++k) {
+    const double d = k < cells_.size() ? beyond_faces(cells_[k], point) : rounds_[k - cells_.size()].beyond(point);
+    if (d < least) {
+      least = d;
+      best = k;
+    }
+  }
+  return best;
+}
+
+UnionProtrusion::Farthest UnionProtrusion::farthest(const Vector& x, double precision, int most) const {
+  std::vector<ConvexDistance> sets;
+  for (const TouchingRule& part : parts_)
+    sets.emplace_back([&part, &x](const Vector& y) { return part(plus(x, y)).value; });
+  // Nothing is deeper than that: so all of it counts.
+  const double depth = 2 * (size_ + space::length(x));
+  const SolidMaxMin max_min = solid_max_min(cells_, rounds_, sets, -depth, precision / (2 * depth), most);
+  return {max_min.value, max_min.complete ? std::max(max_min.bound, max_min.value + precision) : max_min.bound,
+          max_min.place, piece_of(max_min.place)};
+}
+
+double UnionProtrusion::beyond(const Vector& y) const {
+  double least = exact::kInfinity;
+  for (const TouchingRule& part : parts_) least = std::min(least, part(y).value);
+  return least;
+}
+
+/// A tetrahedron within the piece; of a round one near the point, and nearly touching its front.
+Tetrahedron UnionProtrusion::around(const Witness& witness, double reach) const {
+  if (witness.piece < cells_.size()) return cells_[witness.piece];
+  const RoundSolid& solid = rounds_[witness.piece - cells_.size()];
+  Vector out = witness.point - solid.projection(witness.point);
+  const double far = space::length(out);
+  // Deep inside any way will do.
+  out = far > solid.radius / 2 && far > 0 ? scaled(1 / far, out) : Vector{0, 0, 1};
+  const Vector aside = std::fabs(out.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0};  // no sign: any other way
+  Vector u{out.y * aside.z - out.z * aside.y, out.z * aside.x - out.x * aside.z, out.x * aside.y - out.y * aside.x};
+  u = scaled(1 / space::length(u), u);
+  const Vector w{out.y * u.z - out.z * u.y, out.z * u.x - out.x * u.z, out.x * u.y - out.y * u.x};
+  const auto at = [&](double a, double b, double c) {
+    return solid.pulled_in(plus(witness.point, scaled(reach, plus(scaled(a, u), plus(scaled(b, w), scaled(c, out))))));
+  };
+  const double rise = far < solid.radius * (1 - 0x1p-20) ? 0.5 : 0;  // no sign: which tetrahedron
+  return {at(1, 0, rise), at(-0.5, 0.8, rise), at(-0.5, -0.8, rise), at(0, 0, -1)};
+}
+
+std::vector<Touching> UnionProtrusion::touching(const Vector& y) const {
+  std::vector<Touching> out;
+  for (const TouchingRule& part : parts_) out.push_back(part(y));
+  return out;
+}
+
+/// The point of a tetrahedron of B that sticks out farthest at x, by what touches the distances at `at`.
+Vector UnionProtrusion::farthest_out(const Tetrahedron& among, const Vector& x, std::span<const Touching> touching,
+                                     const Vector& at) const {
+  std::vector<Column> columns;
+  double lowest = exact::kInfinity;
+  for (const Touching& t : touching) {
+    Column& c = columns.emplace_back();
+    for (std::size_t v = 0; v < 4; ++v) {
+      c[v] = t.value + space::dot(t.slope, plus(x, among[v]) - at);
+      lowest = std::min(lowest, c[v]);
+    }
+  }
+  for (Column& c : columns) {
+    for (double& entry : c) entry -= lowest;
+  }
+  return mixed(lp_bound(columns).rows, among);
+}
+
+void UnionProtrusion::follow(Witness& witness, const Vector& to, double reach) const {
+  witness.at = to;
+  Vector at = plus(witness.point, witness.at);
+  double out = beyond(at);
+  for (int k = 0; k < kMostSteps; ++k) {
+    Witness next = witness;
+    next.point = farthest_out(around(witness, reach), witness.at, touching(at), at);
+    const Vector there = plus(next.point, next.at);
+    const double farther = beyond(there);
+    if (farther > out) {
+      witness = next;
+      at = there;
+      out = farther;
+    } else if (witness.piece < cells_.size()) {
+      return;
+    } else {
+      reach /= 3;
+    }
+  }
+}
+
+std::vector<UnionProtrusion::Column> UnionProtrusion::holders(const Witness& witness, const Tetrahedron& cell,
+                                                              double reach) const {
+  Vector at = plus(witness.point, witness.at);
+  const Tetrahedron near = around(witness, 1.5 * reach);
+  const std::vector<Touching> there = touching(at);
+  Tetrahedron moved;  // the point at each corner of the cell
+  for (std::size_t v = 0; v < 4; ++v)
+    moved[v] = plus(cell[v], reach > 0 ? farthest_out(near, cell[v], there, at) : witness.point);
+  at = middle_of(moved);
+  std::vector<Column> out;
+  for (const TouchingRule& part : parts_) {
+    const Touching t = part(at);
+    Column c{};
+    for (std::size_t v = 0; v < 4; ++v) c[v] = t.value + space::dot(t.slope, moved[v] - at);
+    if (*std::min_element(c.begin(), c.end()) <= kNoise * size_) out.push_back(c);
+  }
+  return out;
+}
+
+}  // namespace findspace::distance

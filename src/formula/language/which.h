@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// From the formula's names of distances to those of a pair of shapes, in which the first moves.
+#pragma once
+
+#include "distance/planar/directional.h"
+#include "distance/planar/shape_pair.h"
+#include "formula/language/formula.h"
+
+namespace findspace::formula {
+
+/// For a distance whose first shape moves, unless `second_moves`.
+distance::Which which(Kind kind, bool second_moves);
+
+/// gamma2, eta2 and delta2.
+bool is_farthest(Kind kind);
+/// gamma1 of gamma2, eta1 of eta2, delta1 of delta2; else the kind itself.
+Kind nearest_kind(Kind kind);
+/// A distance in rotation at level 0, where it is on the same side as the plain one (and of those of the second kind
+/// nothing is known so simply).
+bool is_plain_level(const SignMap& wanted);
+/// The plain one in its place, where it is.
+SignMap plain_level(SignMap wanted);
+/// Throws Error(kUnsupported) that names the distance.
+[[noreturn]] void refuse(const Distance& distance, const std::string& what);
+
+/// With along= or toward=.
+bool is_directional(const Distance& d);
+/// Their direction; throws Error(kUnsupported) where it is no ratio of integers below 2^53.
+distance::TranslationDirection direction(const Distance& d);
+
+/// Whether the second argument of a distance of moving_first() is the one that moves.
+bool second_is_moving(const Distance& d, const std::vector<std::string>& moving);
+
+}  // namespace findspace::formula

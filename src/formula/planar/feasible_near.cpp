@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "formula/planar/feasible_near.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "distance/planar/signed_distance.h"
+#include "formula/language/evaluate.h"
+#include "plane/base/parallel.h"
+#include "plane/complex/extent.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/topology.h"
+
+namespace findspace::formula {
+namespace {
+
+using exact::Real;
+using plane::CellComplex;
+using plane::Index;
+using plane::Mark;
+using plane::PieceBox;
+using plane::Region;
+
+/// A node of a formula as a formula of its own.
+Node taken(const Node& node, const Formula& from, std::vector<Atom>& atoms) {
+  Node out{node.op, 0, {}};
+  if (node.op == Node::Op::kAtom) {
+    out.atom = atoms.size();
+    atoms.push_back(from.atoms()[node.atom]);
+  }
+  for (const Node& operand : node.operands) out.operands.push_back(taken(operand, from, atoms));
+  return out;
+}
+
+bool is_plain(const Distance& d) { return d.mode == Mode::kPlain; }
+
+class Near {
+ public:
+  Near(const Solver& solver, const Formula& formula) : solver_(solver), formula_(formula) {}
+
+  Region run() {
+    const Node& root = formula_.root();
+    if (root.op != Node::Op::kAnd || solver_.world().instant) return solver_.feasible(formula_);
+    std::vector<Formula> bounding, near;
+    std::vector<const Node*> others;
+    for (const Node& operand : root.operands) {
+      if (bounds(operand))
+        bounding.push_back(alone(operand));
+      else
+        others.push_back(&operand);
+    }
+    if (bounding.empty() || others.empty()) return solver_.feasible(formula_);
+    Region tolerance = solver_.feasible(conjunction(bounding));
+    if (plane::is_empty(tolerance)) return tolerance;
+    if (!plane::is_bounded(tolerance)) return solver_.feasible(formula_);
+    box_ = *plane::extent(tolerance);
+    for (const Node* other : others) {
+      const std::optional<bool> far = if_far(*other);
+      if (!far) near.push_back(alone(*other));
+      if (far && !*far) return CellComplex::uniform(0);
+    }
+    std::vector<std::optional<Region>> sets(near.size());
+    plane::parallel_for(near.size(), [&](std::size_t k) { sets[k] = set(near[k]); });
+    std::vector<const Region*> all{&tolerance};
+    for (const auto& s : sets)
+      if (s) all.push_back(&*s);
+    return plane::intersect(all);
+  }
+
+ private:
+  struct Mover {
+    Region shape;
+    std::optional<PieceBox> box;
+  };
+  using Names = std::vector<std::string>;
+
+  Formula alone(const Node& node) const {
+    std::vector<Atom> atoms;
+    Node copy = taken(node, formula_, atoms);
+    return Formula(std::move(copy), std::move(atoms));
+  }
+
+  bool moves(const std::string& name) const {
+    const auto& moving = solver_.world().moving;
+    return std::find(moving.begin(), moving.end(), name) != moving.end();
+  }
+
+  /// "inside a container": eta1 at most something, of the moving shape.
+  bool bounds(const Node& node) const {
+    if (node.op != Node::Op::kAtom) return false;
+    const Atom& atom = formula_.atoms()[node.atom];
+    return !atom.minimum && is_plain(atom.distance) && atom.distance.kind == Kind::kEta1 &&
+           moves(atom.distance.first[0]) && (atom.relation == Relation::kLess || atom.relation == Relation::kLessEqual);
+  }
+
+  /// The positions where the formula holds, right within the box only; nothing: everywhere there.
+  std::optional<Region> set(const Formula& formula) const {
+    std::vector<plane::SignMap> maps;
+    bool varies = false;
+    for (const SignMap& m : formula.sign_maps()) {
+      maps.push_back(sign_map(m));
+      varies = varies || !maps.back().vertices.empty();
+    }
+    std::vector<Mark> signs;
+    for (const auto& m : maps) signs.push_back(m.faces[0].mark);
+    if (!varies) return evaluate(formula, signs) ? std::nullopt : std::optional(CellComplex::uniform(0));
+    std::vector<const CellComplex*> operands;
+    for (const auto& m : maps) operands.push_back(&m);
+    return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+  }
+
+  /// Does an atom hold everywhere in the box, or nowhere, because its obstacles are out of reach? Nothing: they are
+  /// not, or it is another kind of condition.
+  std::optional<bool> if_far(const Node& node) {
+    if (node.op != Node::Op::kAtom) return std::nullopt;
+    const Atom& atom = formula_.atoms()[node.atom];
+    const Distance d = moving_first(atom.distance, solver_.world().moving);
+    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
+        atom.level.sign() < 0)
+      return std::nullopt;
+    auto mover = movers_.find(d.first);
+    if (mover == movers_.end()) mover = movers_.emplace(d.first, made(d.first)).first;
+    if (!mover->second.box) return std::nullopt;
+    const PieceBox window = reached(*mover->second.box, d, atom.level / solver_.world().step);
+    for (const std::string& name : d.second) {
+      const PieceBox* box = solver_.box(name);
+      if (!box || box->meets(window)) return std::nullopt;
+    }
+    return holds(atom, 1);
+  }
+
+  plane::SignMap sign_map(const SignMap& wanted) const {
+    const Real level = wanted.level / solver_.world().step;
+    const Distance d = moving_first(wanted.distance, solver_.world().moving);
+    if (wanted.minimum) {
+      distance::Extremum e = solver_.least(wanted.distance);
+      if (!e.exists) return CellComplex::uniform(1);
+      return plane::remark(std::move(e.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
+    }
+    const bool local = is_plain(d) && d.kind == Kind::kGamma1 && level.sign() >= 0 && moves(d.first[0]);
+    const bool bounded = local && std::all_of(d.second.begin(), d.second.end(),
+                                              [&](const std::string& name) { return solver_.box(name) != nullptr; });
+    if (!bounded) return solver_.function(wanted.distance)->sign_map(level);
+    const auto known = movers_.find(d.first);
+    const Mover b = known == movers_.end() ? made(d.first) : known->second;
+    if (!b.box) return solver_.function(wanted.distance)->sign_map(level);
+    const PieceBox window = reached(*b.box, d, level);
+    std::vector<Region> parts;
+    for (const std::string& name : d.second)
+      if (solver_.box(name)->meets(window)) parts.push_back(part(name, window));
+    std::vector<const Region*> all;
+    for (const Region& p : parts) all.push_back(&p);
+    if (all.empty()) return CellComplex::uniform(1);
+    const Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
+    if (plane::is_empty(a)) return CellComplex::uniform(1);
+    const auto pair = std::make_shared<distance::SignedDistance>(distance::SignedDistance::gamma1(b.shape, a));
+    return solver_.over_its_time(d, pair)->sign_map(level);
+  }
+
+  /// A shape as it is within the window.
+  Region part(const std::string& name, const PieceBox& window) const {
+    const Region& whole = solver_.world().shapes.at(name);
+    const plane::BoundaryComponents* boundary_components = solver_.boundary_components(name);
+    return plane::within(boundary_components ? boundary_components->near(whole, window) : whole, window);
+  }
+
+  Mover made(const Names& names) const {
+    Region shape = solver_.shape(names);
+    auto box = plane::extent(shape);
+    return {std::move(shape), box};
+  }
+
+  /// What a shape with this box comes within the level of, from the positions in question, at any time.
+  PieceBox reached(const PieceBox& shape, const Distance& d, const Real& level) const {
+    std::optional<PieceBox> all;
+    for (const exact::RealPoint& at : solver_.way(d)) {
+      const PieceBox here = plane::moved(shape, at);
+      all = all ? plane::joined(*all, here) : here;
+    }
+    return grown({box_.x0 + all->x0, box_.y0 + all->y0, box_.x1 + all->x1, box_.y1 + all->y1}, level);
+  }
+
+  /// By the level and by more than all rounding.
+  static PieceBox grown(const PieceBox& b, const Real& level) {
+    const double size = std::max({std::abs(b.x0), std::abs(b.y0), std::abs(b.x1), std::abs(b.y1)});
+    const double by = level.interval().hi + 2 + size * 0x1p-40;
+    return {b.x0 - by, b.y0 - by, b.x1 + by, b.y1 + by};
+  }
+
+  const Solver& solver_;
+  const Formula& formula_;
+  PieceBox box_{};                 // of the positions in question
+  std::map<Names, Mover> movers_;  // known so far
+};
+
+}  // namespace
+
+Region feasible_near(const Solver& solver, const Formula& formula) { return Near(solver, formula).run(); }
+
+}  // namespace findspace::formula

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// `minimize` and `maximize` of a scene over a region of positions, and the minimum behind `distance -> min`
+// (docs/formula.md, distances.md 4.4): value, whether it is attained, and the positions. Objectives: a distance, x, y,
+// distance to a point. Guarantee: exact where `proven` (see distance/planar_least/extremum.h). Use:
+// `optimize(solver.feasible(where), objective, sense, solver)`; where the scene has no objective, `minimum_of(where,
+// solver)` gives the value of its first `distance -> min`, if it has one. Keywords: constrained minimum, argmin,
+// infimum.
+#pragma once
+
+#include <optional>
+
+#include "distance/planar_least/extremum.h"
+#include "formula/language/formula.h"
+#include "formula/planar/solve.h"
+
+namespace findspace::formula {
+
+struct Optimum {
+  /// Nothing where there is no finite one: the region is empty, or unbounded in this sense, or the distance undefined.
+  std::optional<exact::Real> value;  // in the scene's unit: of the objective
+  bool unbounded = false;            // no bound in this sense
+  bool attained = false;             // by a position of the region; else it is an infimum (supremum)
+  bool proven = false;
+  double bound = 0,
+         within = 0;  // where not proven (distance/planar_least/extremum.h), in the scene's unit; infinite: not known
+  plane::Region at;   // the positions (in grid steps): of the region, or of its closure if not attained
+};
+
+Optimum optimize(const plane::Region& region, const Objective& objective, distance::Sense sense, const Solver& solver);
+
+/// The values of the objective, too, are known between bounds only (Solver::is_bounded).
+bool is_bounded(const Objective& objective, const Solver& solver);
+/// Where the region is known between bounds, or the values: a value that a certain position has, and `bound`, which no
+/// possible one passes.
+Optimum optimize(const Solver::Bounds& regions, const Objective& objective, distance::Sense sense,
+                 const Solver& solver);
+
+/// The global minimum of the first `distance -> min` of a formula; nothing if it has none.
+std::optional<Optimum> minimum_of(const Formula& formula, const Solver& solver);
+
+}  // namespace findspace::formula

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Instants of shapes that turn in time: Solver::instant_bounds. A distance changes at most at a known rate
+// (rotation_motion.h), so its value in the middle of a piece of time tells its sign in all of it, or the piece is
+// halved.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+
+#include "findspace/error.h"
+#include "formula/language/evaluate.h"
+#include "formula/language/text.h"
+#include "formula/language/which.h"
+#include "formula/planar/solve.h"
+
+namespace findspace::formula {
+
+using distance::RotatingMotion;
+using distance::Which;
+using exact::Real;
+using exact::RealPoint;
+using plane::Mark;
+using plane::Section;
+
+namespace {
+
+constexpr int kMostLooks = 1000;
+constexpr double kNarrowest = 0x1p-40;  // no sign: of a leg; what is still open then stays between the bounds
+
+/// A part of a leg, and the signs that may occur in it.
+struct Piece {
+  std::size_t leg;
+  double from, to;
+  Mark low = -1, high = 1;
+  bool open() const { return low < high && to - from > kNarrowest; }
+};
+
+using Look = std::function<void(Piece&)>;
+
+/// Halves the widest pieces whose signs are open.
+std::vector<Piece> looked_through(std::size_t legs, int most, const Look& look) {
+  const auto wider = [](const Piece& a, const Piece& b) { return a.to - a.from < b.to - b.from; };
+  std::priority_queue<Piece, std::vector<Piece>, decltype(wider)> queue(wider);
+  std::vector<Piece> done;
+  const auto add = [&](Piece piece) {
+    look(piece);
+    if (piece.open())
+      queue.push(piece);
+    else
+      done.push_back(piece);
+  };
+  for (std::size_t leg = 0; leg < legs; ++leg) add({leg, 0, 1});
+  for (int k = 0; k < most && !queue.empty(); k += 2) {
+    const Piece piece = queue.top();
+    queue.pop();
+    const double middle = piece.from + (piece.to - piece.from) / 2;
+    add({piece.leg, piece.from, middle});
+    add({piece.leg, middle, piece.to});
+  }
+  for (; !queue.empty(); queue.pop()) done.push_back(queue.top());
+  std::sort(done.begin(), done.end(),
+            [](const Piece& a, const Piece& b) { return a.leg != b.leg ? a.leg < b.leg : a.from < b.from; });
+  return done;
+}
+
+/// `least_only`: the value is a lower bound of the distance, which is not above 0 where the value is not.
+Look by_value(const RotatingMotion& f, const RealPoint& p, double level, bool least_only) {
+  return [&f, &p, level, least_only](Piece& piece) {
+    const auto v = f.instant(p, piece.leg, Real::from_double(piece.from + (piece.to - piece.from) / 2));
+    if (!v) return;
+    const double tolerance = f.rate(piece.leg) * (piece.to - piece.from) / 2;
+    const double at_most = least_only ? 0 : level;
+    if (v->low - tolerance > level) piece.low = 1;
+    if (v->high + tolerance < at_most) piece.high = -1;
+  };
+}
+
+Look by_circles(const distance::RotationInTime& f, const Real& level) {
+  return [&f, level](Piece& piece) {
+    const distance::SignRange s =
+        f.signs({piece.leg, Real::from_double(piece.from), Real::from_double(piece.to)}, level);
+    piece.low = s.low;
+    piece.high = s.high;
+  };
+}
+
+/// The lower (upper) signs along the time.
+Section line_of(const std::vector<Piece>& pieces, const std::vector<Real>& times, bool low) {
+  const auto mark = [low](const Piece& p) { return low ? p.low : p.high; };
+  const auto worse = [low](Mark a, Mark b) { return low ? std::min(a, b) : std::max(a, b); };
+  Section out;
+  out.before = mark(pieces[0]);
+  Mark last = out.before;
+  for (const Piece& p : pieces) {
+    const Real at = times[p.leg] + Real::from_double(p.from) * (times[p.leg + 1] - times[p.leg]);
+    out.stops.push_back({at, worse(last, mark(p)), mark(p)});
+    last = mark(p);
+  }
+  out.stops.push_back({times.back(), last, last});
+  return out;
+}
+
+}  // namespace
+
+std::array<Section, 2> Solver::rotation_instants(const SignMap& wanted, const Roles& r, const RealPoint& p) const {
+  const std::vector<Real> times = common_times(world_.motion, common_trajectory(world_.motion, r.names.first),
+                                               common_trajectory(world_.motion, r.names.second));
+  if (in_rotation(wanted) && !wanted.minimum) {
+    const distance::RotationInTime f = rotation_in_time(r, p, false);
+    const std::vector<Piece> pieces = looked_through(times.size() - 1, kMostLooks / 4, by_circles(f, wanted.level));
+    return {line_of(pieces, times, true), line_of(pieces, times, false)};
+  }
+  if (wanted.minimum || r.wanted.mode != Mode::kPlain)
+    throw Error(ErrorCode::kUnsupported,
+                text(r.wanted) + ": only distances in all directions are computed of shapes that turn in time");
+  Which which = formula::which(r.wanted.kind, r.second_moves);
+  const bool eta = which == Which::kEta1 || which == Which::kEta2;
+  const bool first = which == Which::kEta1 || which == Which::kDelta1,
+             second = which == Which::kEta2 || which == Which::kDelta2;
+  // Containment up to level 0 is mu; above, mu is less, and where it is not above 0 nor are eta1 and delta1.
+  if (first || second) which = eta ? Which::kMu : Which::kMuBack;
+  const bool least_only = second || (first && wanted.level.sign() > 0);
+  const RotatingMotion f(shape(r.names.first), shape(r.names.second), which, rotation_poses(r, false));
+  const double level = (wanted.level / world_.step).to_double();
+  std::vector<Piece> pieces =
+      looked_through(times.size() - 1, least_only ? kMostLooks / 4 : kMostLooks, by_value(f, p, level, least_only));
+  if (second) {
+    for (Piece& piece : pieces) piece.high = 1;
+  }
+  return {line_of(pieces, times, true), line_of(pieces, times, false)};
+}
+
+Solver::InstantBounds Solver::instant_bounds(const Formula& formula, const RealPoint& position) const {
+  const RealPoint p = steps(position);
+  std::vector<Section> lines;
+  for (const SignMap& map : formula.sign_maps()) {
+    const SignMap m = plain_level(map);
+    const Roles r = roles(m.distance);
+    const bool between_bounds = r.rotating || in_rotation(m);
+    if (between_bounds && m.distance.prefix == Extremum::kNone) {
+      for (Section& s : rotation_instants(m, r, p)) lines.push_back(std::move(s));
+      continue;
+    }
+    const Section line =
+        between_bounds ? Section::constant(world_.motion.start, world_.motion.end, sign(m, p)) : instants(m, p);
+    lines.insert(lines.end(), 2, line);
+  }
+  const auto limited = [&](Mark wanted) {
+    Section out =
+        overlay_sections(lines, [&](std::span<const Mark> marks) { return Mark(certainty(formula, marks) >= wanted); });
+    out.before = out.stops.back().after = 0;  // there is no time outside the motion
+    return out;
+  };
+  return {limited(2), limited(1)};
+}
+
+}  // namespace findspace::formula

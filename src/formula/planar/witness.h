@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Witnesses in the scene's terms: which vertex, edge or arc of which shape, and of which part of a collection, attains
+// a distance. A collection counts as the union of its parts (distances.md 5); the part that decides is the one on which
+// the point lies. Cost: linear in the parts' cells. Keywords: closest features, contact, report.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "distance/planar/at_position.h"
+
+namespace findspace::formula {
+
+using Shapes = std::map<std::string, plane::Region>;
+/// The named parts of the shapes that are collections, in order.
+using Parts = std::map<std::string, std::vector<std::pair<std::string, plane::Region>>>;
+
+struct FeatureAt {
+  enum class Kind { kVertex, kEdge, kArc, kInside };
+  Kind kind = Kind::kVertex;
+  std::string shape, part;  // the part of a collection, else empty
+  exact::RealPoint at;      // the point, in grid steps, with the moving shape at its place
+  // In the shape's own coordinates: a vertex; the ends of an edge; the centre of an arc.
+  std::vector<exact::RealPoint> points;
+  exact::Real radius;  // of an arc
+};
+
+/// `f` as a feature of one of the shapes with the given names, which stand at `p` if they move.
+FeatureAt named_feature(const distance::Feature& f, const plane::Region& region, const std::vector<std::string>& names,
+                        const Shapes& shapes, const Parts& parts, const exact::RealPoint& p);
+
+}  // namespace findspace::formula

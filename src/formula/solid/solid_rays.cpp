@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "formula/solid/solid_rays.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "distance/rays/protrusion_rays.h"
+#include "distance/rays/ray_signs.h"
+#include "space/convolution/ray_ball.h"
+
+namespace findspace::formula {
+
+using distance::Which;
+using exact::Real;
+using space::RayGrid;
+using space::RaySolid;
+using Source = space::RaySourcePointer;
+
+namespace {
+
+/// Pairs of triangles up to which convex parts are quicker, and up to which there is memory for the surface about every
+/// corner.
+constexpr std::size_t kFewPairs = 1500, kMostPairs = 200000;
+
+/// max(0, f), or max(0, -f) if negated.
+struct CutOff {
+  Which which;
+  bool negated;
+};
+
+std::optional<CutOff> cut_off(Which which) {
+  switch (which) {
+    case Which::kD1:
+      return CutOff{Which::kGamma1, false};
+    case Which::kPenetration:
+      return CutOff{Which::kGamma1, true};
+    case Which::kH:
+      return CutOff{Which::kMu, false};
+    case Which::kHBack:
+      return CutOff{Which::kMuBack, false};
+    case Which::kDstarBack:
+      return CutOff{Which::kEta1, true};
+    case Which::kDstar:
+      return CutOff{Which::kDelta1, true};
+    default:
+      return std::nullopt;
+  }
+}
+
+SurfaceRays one(Source source) {
+  SurfaceRays rays;
+  if (source) rays.sources.push_back(std::move(source));
+  return rays;
+}
+
+bool convex(const std::vector<RaySolid>& solids) { return solids.size() == 1 && space::is_convex(solids[0]); }
+
+/// The hull; nothing where there are balls.
+std::optional<space::Body> hull(const std::vector<RaySolid>& solids) {
+  std::vector<space::Point> points;
+  for (const RaySolid& s : solids) {
+    if (s.ball()) return std::nullopt;
+    for (const auto& face : s.surface.faces) {
+      for (const int v : face) points.push_back(s.surface.points[static_cast<std::size_t>(v)]);
+    }
+  }
+  space::Body body;
+  body.parts.push_back(space::part_of(points, Real()));
+  return body;
+}
+
+/// How far one sticks out of a convex one by more than 0: as far as its hull does.
+Source protrusion_of_convex(Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
+                            const Real& level, const RayGrid& grid) {
+  if (!convex(which == Which::kMu ? a : b)) return nullptr;
+  const auto of_b = hull(b), of_a = hull(a);
+  return of_a && of_b ? distance::ray_sign_map(which, level, *of_b, *of_a, grid) : nullptr;
+}
+
+/// The sign of the greatest distance of a corner to the surface, less a level above 0.
+Source corners_near(const space::Body& b, const space::Triangles& a, const Real& level, const RayGrid& grid) {
+  std::vector<space::Point> corners;
+  for (const space::BodyPart& part : b.parts)
+    corners.insert(corners.end(), part.vertices().begin(), part.vertices().end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<Source> all;
+  for (const space::Point& v : corners)
+    all.push_back(std::make_unique<space::BallRays>(space::moved(a, -v), level, grid));
+  return space::greatest_rays(std::move(all));
+}
+
+/// How far a polyhedron of few corners sticks out of one that is not convex.
+Source protrusion(const TouchingSolid& b, const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
+  if (a.size() != 1 || a[0].ball()) return nullptr;
+  for (const RaySolid& s : b.solids) {
+    if (s.ball()) return nullptr;
+    const std::size_t pairs = s.surface.faces.size() * a[0].surface.faces.size();
+    if (pairs <= kFewPairs || pairs > kMostPairs) return nullptr;
+  }
+  const space::Body body = b.body();
+  if (body.scale != 1 || body.round() || body.outside) return nullptr;
+  const Real shift = Real::from_double(distance::ProtrusionRays::kCertain) * Real(exact::kRayLimit);
+  if (level < shift) return nullptr;
+  return std::make_unique<distance::ProtrusionRays>(
+      body, distance::field_of_surface(a[0].surface), level,
+      [&](const Real& l) { return corners_near(body, a[0].surface, l, grid); }, grid);
+}
+
+/// A in B + p is -A + p in -B.
+Source protrusion_back(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
+  std::vector<RaySolid> moving = a.solids, fixed = b.solids;
+  for (std::vector<RaySolid>* all : {&moving, &fixed}) {
+    for (RaySolid& s : *all) {
+      s.surface = space::scaled(std::move(s.surface), -1);
+      s.center = -s.center;
+    }
+  }
+  return protrusion({moving, [&] { return space::mirrored(a.body()); }}, fixed, level, grid);
+}
+
+/// The greatest of both; what needs no search is asked first, and rows without a place that it allows no more.
+SurfaceRays hausdorff(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
+  std::vector<Source> both;
+  const bool back_first = convex(b.solids);
+  for (const Which way : {back_first ? Which::kMuBack : Which::kMu, back_first ? Which::kMu : Which::kMuBack}) {
+    SurfaceRays some = solid_rays(way, b, a, level, grid);
+    if (some.sources.empty()) return {};
+    both.push_back(as_source(std::move(some)));
+  }
+  return one(space::greatest_rays(std::move(both)));
+}
+
+}  // namespace
+
+SurfaceRays solid_rays(Which which, const TouchingSolid& b, const TouchingSolid& a, const Real& level,
+                       const RayGrid& grid) {
+  if (const auto base = cut_off(which)) {
+    if (level.sign() < 0) return one(space::constant_rays(grid, 1));
+    SurfaceRays rays = solid_rays(base->which, b, a, base->negated ? -level : level, grid);
+    if (rays.sources.empty()) return rays;
+    return one(space::cut_off_rays(as_source(std::move(rays)), base->negated, level));
+  }
+  if (which == Which::kHausdorff) return hausdorff(b, a, level, grid);
+  if (which == Which::kDiameter) return {};
+  const bool protrudes = which == Which::kMu || which == Which::kMuBack;
+  if (protrudes && level.sign() > 0) {
+    if (auto rays = protrusion_of_convex(which, b.solids, a.solids, level, grid)) return one(std::move(rays));
+    return one(which == Which::kMu ? protrusion(b, a.solids, level, grid) : protrusion_back(b, a, level, grid));
+  }
+  if (which == Which::kMuBack) which = Which::kDelta1;
+  SurfaceRays rays;
+  if (which != Which::kEta2 && which != Which::kDelta2) rays = surface_rays(which, b.solids, a.solids, level, grid);
+  if (!rays.sources.empty()) return rays;
+  return one(touching_rays(which, b, a, level, grid,
+                           [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
+}
+
+std::optional<bool> found_by_search(Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
+                                    const Real& level) {
+  const auto flat = [](const std::vector<RaySolid>& all) {
+    return std::none_of(all.begin(), all.end(), [](const RaySolid& s) { return s.ball(); });
+  };
+  if (level.sign() >= 0 && (which == Which::kGamma1 || which == Which::kD1)) return false;
+  if (!flat(b) || !flat(a)) return std::nullopt;
+  if (level.sign() <= 0) return false;
+  const bool forth = which == Which::kMu || which == Which::kH || which == Which::kHausdorff,
+             back = which == Which::kMuBack || which == Which::kHBack || which == Which::kHausdorff;
+  return (forth && !convex(a)) || (back && !convex(b));
+}
+
+Source as_source(SurfaceRays rays) {
+  if (rays.sources.size() == 1) return std::move(rays.sources[0]);
+  return space::combined_rays(std::move(rays.sources), [least = rays.least](std::span<const std::int8_t> s) {
+    return least ? *std::min_element(s.begin(), s.end()) : *std::max_element(s.begin(), s.end());
+  });
+}
+
+}  // namespace findspace::formula

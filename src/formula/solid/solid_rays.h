@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sign maps on rays of solids that are taken by their surfaces as far as these answer: at level 0, clearances and
+// margins (surface_rays.h), depths and how far one is from fitting (touching_rays.h), how far one of few corners sticks
+// out of the other (by search where that is not convex, distance/rays/protrusion_rays.h), and the distances made of
+// these (d1, penetration, dstar, h, hausdorff). Guarantee: exact on every line, but for the search. Cost: as there.
+#pragma once
+
+#include <optional>
+
+#include "formula/solid/surface_rays.h"
+#include "formula/solid/touching_rays.h"
+
+namespace findspace::formula {
+
+/// The level in grid steps. No sources: surfaces do not answer, or are not the quick way.
+SurfaceRays solid_rays(distance::Which which, const TouchingSolid& b, const TouchingSolid& a, const exact::Real& level,
+                       const space::RayGrid& grid);
+
+/// As distance::found_by_search, where that is clear without convex parts, which surfaces may not have in reasonable
+/// time: of polyhedra only how far one sticks out of one that is not convex needs a search, of balls no clearance.
+std::optional<bool> found_by_search(distance::Which which, const std::vector<space::RaySolid>& b,
+                                    const std::vector<space::RaySolid>& a, const exact::Real& level);
+
+/// All in one; not of no sources.
+space::RaySourcePointer as_source(SurfaceRays rays);
+
+}  // namespace findspace::formula

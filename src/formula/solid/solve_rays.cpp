@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "formula/solid/solve_rays.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "distance/csg/csg_rays.h"
+#include "distance/rays/ray_directional.h"
+#include "distance/rays/ray_runs.h"
+#include "distance/rays/ray_signs.h"
+#include "formula/language/evaluate.h"
+#include "formula/language/text.h"
+#include "formula/language/which.h"
+#include "formula/solid/container_parts.h"
+#include "formula/solid/csg_shapes.h"
+#include "formula/solid/solid_rays.h"
+#include "formula/solid/solve_space.h"
+#include "space/rays/oblique_line.h"
+#include "space/shape/shape_rays.h"
+
+namespace findspace::formula {
+namespace {
+
+using exact::Real;
+using space::RayGrid;
+using space::RayRow;
+using space::RaySolid;
+using space::RaySource;
+using space::RealVector;
+
+/// Denominators of positions that are tried.
+constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 3, 8, 64, 1024};
+
+[[noreturn]] void refuse(const SignMap& map, const std::string& why) {
+  throw Error(ErrorCode::kUnsupported, text(map.distance) + " has no ray map here: " + why);
+}
+
+/// All solids of the names; nothing where one of them is no union of solids.
+std::optional<std::vector<RaySolid>> solids(const RayWorld& world, const std::vector<std::string>& names) {
+  std::vector<RaySolid> all;
+  for (const std::string& name : names) {
+    const auto* more = world.shapes.at(name).solids();
+    if (!more) return std::nullopt;
+    all.insert(all.end(), more->begin(), more->end());
+  }
+  return all;
+}
+
+space::Body body(const RayWorld& world, const std::vector<std::string>& names) {
+  std::vector<const space::Body*> bodies;
+  for (const std::string& name : names) bodies.push_back(&world.shapes.at(name).body());
+  return united(bodies);
+}
+
+RealVector direction_of(const Distance& d) { return {d.vector.at(0), d.vector.at(1), d.vector.at(2)}; }
+
+/// By the convex parts of the shapes.
+space::RaySourcePointer by_parts(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                                 const RayGrid& grid) {
+  space::Body b = body(world, second ? d.second : d.first), a = body(world, second ? d.first : d.second);
+  const std::int64_t scale = std::lcm(b.scale, a.scale);
+  if (b.outside) refuse(map, "a moving shape has to be bounded");
+  b = space::at_scale(b, scale);
+  a = space::at_scale(a, scale);
+  const distance::Which base = which(d.kind, second);
+  const Real level = map.level / world.step * Real(scale);
+  if (!is_directional(d)) return distance::ray_sign_map(base, level, b, a, grid);
+  return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
+}
+
+SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid);
+
+/// Containment up to level 0 in a shape that has no convex parts, by those it is made of (container_parts.h); nothing
+/// where it is made of one.
+SurfaceRays in_room(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
+  SurfaceRays out;
+  out.least = false;
+  if ((d.kind != Kind::kEta1 && d.kind != Kind::kMu) || map.level.sign() > 0 || d.second.size() != 1) return out;
+  const std::vector<ContainerPart> tolerance = container_parts(world.shapes.at(d.second[0]).stated());
+  if (tolerance.size() < 2) return out;
+  for (const ContainerPart& part : tolerance) {
+    RayWorld one = world;
+    one.shapes.insert_or_assign(d.second[0], RayShape(part.shape));
+    SignMap wanted{d, part.without ? -map.level : map.level, false};
+    wanted.distance.kind = part.without ? Kind::kGamma1 : Kind::kEta1;
+    auto source = as_source(parts(one, wanted, grid));
+    out.sources.push_back(part.without ? space::negated_rays(std::move(source)) : std::move(source));
+  }
+  return out;
+}
+
+/// To or from a shape that balls are cut out of, by values; null where neither is one.
+space::RaySourcePointer by_cut(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                               const RayGrid& grid) {
+  const auto forms = [&](const std::vector<std::string>& names) {
+    std::vector<SpaceShape> out;
+    for (const std::string& name : names) out.push_back(space_shape(*world.shapes.at(name).stated()));
+    return out;
+  };
+  CsgShapes cut = csg_shapes(forms(second ? d.second : d.first), forms(second ? d.first : d.second));
+  if (!cut.pair) return nullptr;
+  const Real level = map.level / world.step * Real(cut.scale);
+  return distance::cut_map(which(d.kind, second), level, std::move(cut.pair), cut.scale, grid);
+}
+
+/// Whether the direction is that of the lines, or the opposite one.
+bool runs_along(const Distance& d, const RayGrid& grid) {
+  const RealVector direction = direction_of(d);
+  if (grid.oblique) return space::is_zero(space::cross(direction, grid.oblique->frame[2]));
+  RealVector axis;
+  axis[static_cast<std::size_t>(grid.axis)] = Real(1);
+  return space::is_zero(space::cross(direction, axis));
+}
+
+/// Off the signs at level 0 on the same lines.
+space::RaySourcePointer along_lines(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
+  SignMap zero{d, Real(), false};
+  zero.distance.mode = Mode::kPlain;
+  zero.distance.vector.clear();
+  distance::RunQuery query;
+  query.farthest = is_farthest(d.kind);
+  zero.distance.kind = nearest_kind(d.kind);
+  query.both_ways = d.mode == Mode::kAlong;
+  const RealVector direction = direction_of(d);
+  query.forward =
+      (grid.oblique ? space::dot(direction, grid.oblique->frame[2]) : direction[static_cast<std::size_t>(grid.axis)])
+          .sign() > 0;
+  auto rays = std::make_shared<SurfaceRays>(parts(world, zero, grid));
+  return std::make_unique<distance::RayRuns>([rays](int j) { return rays->row(j); }, query,
+                                             map.level / world.step * Real(grid.parts), grid);
+}
+
+SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+  Distance d = moving_first(map.distance, world.moving);
+  if (d.mode == Mode::kRotation || d.prefix != Extremum::kNone) refuse(map, "only translations are");
+  const bool second = second_is_moving(d, world.moving);
+  SurfaceRays result;
+  if (!grid.oblique && (!is_directional(d) || (map.level.sign() == 0 && nearest_kind(d.kind) == d.kind))) {
+    const std::vector<std::string>&moving = second ? d.second : d.first, &fixed = second ? d.first : d.second;
+    const auto b = solids(world, moving), a = solids(world, fixed);
+    if (b && a)
+      result = solid_rays(which(d.kind, second), {*b, [&] { return body(world, moving); }},
+                          {*a, [&] { return body(world, fixed); }}, map.level / world.step, grid);
+  }
+  if (!result.sources.empty()) return result;
+  if (is_directional(d) && runs_along(d, grid)) {
+    result.sources.push_back(along_lines(world, map, d, grid));
+    return result;
+  }
+  try {
+    result.sources.push_back(by_parts(world, map, d, second, grid));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    if (!second && !is_directional(d)) result = in_room(world, map, d, grid);
+    if (!result.sources.empty()) return result;
+    auto cut = is_directional(d) ? nullptr : by_cut(world, map, d, second, grid);
+    if (!cut) throw e.within(text(map.distance));
+    result.sources.push_back(std::move(cut));
+  }
+  return result;
+}
+
+class RegionRays : public RaySource {
+ public:
+  RegionRays(const RayWorld& world, const Formula& formula, const RayGrid& grid) : formula_(formula), grid_(grid) {
+    for (const SignMap& map : formula.sign_maps()) maps_.push_back(parts(world, map, grid));
+    if (maps_.empty()) throw Error(ErrorCode::kUnsupported, "a constant formula has no ray map");
+  }
+  const RayGrid& grid() const override { return grid_; }
+  RayRow row(int j) const override {
+    std::vector<RayRow> rows;
+    for (std::size_t k = 0; k < maps_.size(); ++k) rows.push_back(named_row(k, j));
+    return space::combined(rows, [&](std::span<const std::int8_t> signs) {
+      return static_cast<std::int8_t>(evaluate(formula_, signs) ? -1 : 1);
+    });
+  }
+
+ private:
+  RayRow named_row(std::size_t k, int j) const {
+    try {
+      return maps_[k].row(j);
+    } catch (const Error& e) {
+      if (e.code() != ErrorCode::kUnsupported) throw;
+      throw e.within(text(formula_.sign_maps()[k].distance));
+    }
+  }
+
+  const Formula& formula_;
+  RayGrid grid_;
+  std::vector<SurfaceRays> maps_;
+};
+
+}  // namespace
+
+RayWindow window(const RayWorld& world, const Formula& formula) {
+  RayWindow result;
+  bool first = true;
+  for (const SignMap& map : formula.sign_maps()) {
+    Distance d = moving_first(map.distance, world.moving);
+    if (second_is_moving(d, world.moving)) std::swap(d.first, d.second);
+    space::Point b_low, b_high, a_low, a_high;
+    bool any_b = false, any_a = false;
+    for (const std::string& name : d.first) world.shapes.at(name).extend_box(b_low, b_high, any_b);
+    for (const std::string& name : d.second) world.shapes.at(name).extend_box(a_low, a_high, any_a);
+    const Real steps = abs(map.level / world.step);
+    if (steps > Real(exact::kRayLimit))
+      throw Error(ErrorCode::kOutOfRange, "a level exceeds 2^38 grid steps, the limit of ray maps");
+    const auto r = static_cast<std::int64_t>(exact::floor(steps)) + 1;
+    const space::Point low = a_low - b_high - space::Point{r, r, r}, high = a_high - b_low + space::Point{r, r, r};
+    if (first) result = {low, high};
+    first = false;
+    result.low = {std::min(result.low.x, low.x), std::min(result.low.y, low.y), std::min(result.low.z, low.z)};
+    result.high = {std::max(result.high.x, high.x), std::max(result.high.y, high.y), std::max(result.high.z, high.z)};
+  }
+  return result;
+}
+
+std::unique_ptr<RaySource> ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
+  return std::make_unique<RegionRays>(world, formula, grid);
+}
+
+plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+  const SurfaceRays source = parts(world, map, grid);
+  const RayRow row = source.row(0);
+  plane::Section out{row.before[0], {}};
+  for (int e = row.first[0]; e < row.first[1]; ++e) {
+    const space::RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    out.stops.push_back({event.at.to_real(), event.here, event.after});
+  }
+  return out;
+}
+
+std::optional<RayGrid> grid_through(const space::RealVector& p, int axis) {
+  const auto across = [&](int k) -> const Real& { return p[static_cast<std::size_t>((axis + k) % 3)]; };
+  const auto* fits = std::find_if(kParts.begin(), kParts.end(), [&](std::int64_t parts) {
+    return (across(1) * Real(parts)).integer() && (across(2) * Real(parts)).integer();
+  });
+  if (fits == kParts.end()) return std::nullopt;
+  std::array<std::int64_t, 2> at{};
+  for (int k = 0; k < 2; ++k) {
+    const auto whole = *(across(k + 1) * Real(*fits)).integer();
+    if (whole > exact::kRayLimit || whole < -exact::kRayLimit) return std::nullopt;
+    at[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(whole);
+  }
+  return RayGrid{axis, *fits, at[0], at[1], 1, 1, 1, 1};
+}
+
+std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
+  const auto grid = grid_through(p, 2);
+  if (!grid) return std::nullopt;
+  const SurfaceRays source = parts(world, map, *grid);
+  const int sign = space::sign_at(source.row(0), 0, p[2] * Real(grid->parts));
+  if (sign == 0 && found_by_search(world, map, &*grid)) return std::nullopt;
+  return sign;
+}
+
+namespace {
+
+/// In all directions, or at level 0 along one: from the sign of that on the same line others follow (along_lines).
+bool searched(const Distance& d, bool second, const Real& level, const space::Body& b, const space::Body& a,
+              bool runs) {
+  const distance::Which base = which(d.kind, second);
+  if (!is_directional(d)) return distance::found_by_search(base, level, b, a);
+  const bool at_zero = level.sign() == 0 && !is_farthest(d.kind);
+  if (runs || at_zero) return distance::found_by_search(which(nearest_kind(d.kind), second), Real(), b, a);
+  return distance::directional_by_values(base, level, b, a);
+}
+
+}  // namespace
+
+bool found_by_search(const RayWorld& world, const SignMap& map, const RayGrid* grid) {
+  const Distance d = moving_first(map.distance, world.moving);
+  if (d.mode == Mode::kRotation) return false;
+  const bool second = second_is_moving(d, world.moving);
+  const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
+  if (d.kind == Kind::kGamma2) return false;
+  const auto of_b = solids(world, b), of_a = solids(world, a);
+  if (of_b && of_a && (!is_directional(d) || map.level.sign() <= 0)) {
+    if (const auto known = found_by_search(which(d.kind, second), *of_b, *of_a, map.level)) return *known;
+  }
+  try {
+    return searched(d, second, map.level, body(world, b), body(world, a),
+                    grid != nullptr && is_directional(d) && runs_along(d, *grid));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    const bool fit = d.kind == Kind::kEta1 || d.kind == Kind::kMu;
+    return !(fit && map.level.sign() <= 0);  // by surfaces, or by rooms and obstacles
+  }
+}
+
+}  // namespace findspace::formula

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A formula over solids of any shape, on the lines of a grid: each sign map of the formula on rays, laid over each
+// other line by line, and the formula read off their signs in one pass. Surfaces are taken as they are
+// where they answer (surface_rays.h); everything else goes by the convex parts of the shapes
+// (distance/rays/ray_signs.h, which says what is refused). Guarantee: exact on every line. Cost: one convolution a pair
+// of solids and axis, or the pieces of the sets of positions. Keywords: feasible region, configuration space.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formula/language/formula.h"
+#include "plane/query/section.h"
+#include "space/body/body.h"
+#include "space/convolution/ray_solids.h"
+#include "space/rays/ray_map.h"
+
+namespace findspace::formula {
+
+/// A shape as closed surfaces, or as convex parts, each made when first asked for.
+class RayShape {
+ public:
+  explicit RayShape(plane::ShapePtr shape) : shape_(std::move(shape)) {}
+  /// Null where the shape is no union of solids.
+  const std::vector<space::RaySolid>* solids() const;
+  /// Throws Error(kUnsupported) for shapes that have none.
+  const space::Body& body() const;
+  /// Whether it goes on for ever.
+  bool outside() const;
+  const plane::ShapePtr& stated() const { return shape_; }
+  /// The box around it, or around what it is the complement of.
+  void extend_box(space::Point& low, space::Point& high, bool& any) const;
+
+ private:
+  bool has_body() const;
+
+  struct Made {
+    std::once_flag solids_once, body_once;
+    std::optional<std::vector<space::RaySolid>> solids;
+    std::shared_ptr<const space::Body> body;
+  };
+  plane::ShapePtr shape_;
+  std::shared_ptr<Made> made_ = std::make_shared<Made>();
+};
+
+struct RayWorld {
+  std::map<std::string, RayShape> shapes;
+  std::vector<std::string> moving;
+  exact::Real step;  // one grid step in the scene's unit
+};
+
+/// A box (grid steps) beyond which no sign of the formula changes.
+struct RayWindow {
+  space::Point low, high;
+};
+RayWindow window(const RayWorld& world, const Formula& formula);
+
+/// -1 where the formula holds, +1 elsewhere. Keeps a reference to the formula.
+std::unique_ptr<space::RaySource> ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
+
+/// The one line along an axis through p; nothing where its coordinates are no fractions of small denominators.
+std::optional<space::RayGrid> grid_through(const space::RealVector& p, int axis);
+
+/// The signs of one sign map along line (0, 0) of the grid, in parts of a step.
+plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const space::RayGrid& grid);
+
+/// The sign of one sign map at p (grid steps), from the line along z through it; nothing where there is no such
+/// grid, or where the sign is not certain.
+std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p);
+
+/// Whether the sign map is known only where the value is not very near the level (distance::found_by_search);
+/// `grid`: on these lines.
+bool found_by_search(const RayWorld& world, const SignMap& map, const space::RayGrid* grid = nullptr);
+
+/// Whether the formula holds far away.
+bool holds_far_away(const RayWorld& world, const Formula& formula);
+
+}  // namespace findspace::formula

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A formula along one line of space, and distances along a direction at one position, which are read off the signs at
+// level 0 on the line through it. Signs come from the exact set of boxes where there is one, else from the one ray that
+// the line is. Guarantee: exact, as the sources'. A line that is not parallel to an axis needs convex parts of the
+// shapes.
+#include <findspace/error.h>
+
+#include <algorithm>
+
+#include "distance/planar/translation_value.h"
+#include "formula/language/evaluate.h"
+#include "formula/language/text.h"
+#include "formula/language/which.h"
+#include "formula/solid/solve_rays.h"
+#include "formula/solid/solve_space.h"
+#include "formula/solid/space_pair.h"
+#include "space/box/box_section.h"
+#include "space/polytope/longest_chord.h"
+#include "space/rays/oblique_line.h"
+
+namespace findspace::formula {
+namespace {
+
+constexpr const char* kNotTaken = "no position takes a least value, so that lines do not show it";
+
+using distance::SolidValue;
+using exact::Real;
+using plane::Section;
+using space::Mark;
+using space::RealVector;
+
+/// The same line gone the other way.
+Section reversed(const Section& line) {
+  Section out{line.stops.empty() ? line.before : line.stops.back().after, {}};
+  for (std::size_t k = line.stops.size(); k-- > 0;)
+    out.stops.push_back({-line.stops[k].t, line.stops[k].at, k > 0 ? line.stops[k - 1].after : line.before});
+  return out;
+}
+
+/// The axis that the line is parallel to, or -1.
+int axis_of(const RealVector& direction) {
+  int axis = -1;
+  for (int k = 0; k < 3; ++k) {
+    if (direction[static_cast<std::size_t>(k)].sign() == 0) continue;
+    if (axis >= 0) return -1;
+    axis = k;
+  }
+  return axis;
+}
+
+Section ray_signs(const RayWorld& world, const SignMap& map, const SpaceLine& line) {
+  const int axis = axis_of(line.direction);
+  const auto grid = axis < 0 ? std::nullopt : grid_through(line.through, axis);
+  if (!grid) {
+    space::RayGrid oblique{2, 1, 0, 0, 1, 1, 1, 1};
+    oblique.oblique = std::make_shared<const space::ObliqueLine>(line.through, line.direction);
+    return signs_on_line(world, map, oblique);
+  }
+  Section out = signs_on_line(world, map, *grid);
+  const Real unit = Real::ratio(1, grid->parts), &start = line.through[static_cast<std::size_t>(axis)];
+  for (Section::Stop& stop : out.stops) stop.t = stop.t * unit - start;
+  return line.direction[static_cast<std::size_t>(axis)].sign() < 0 ? reversed(out) : out;
+}
+
+Section box_signs(const space::BoxComplex& map, const SpaceLine& line) {
+  return section(map, line.through,
+                 space::scaled(Real(1) / sqrt(space::dot(line.direction, line.direction)), line.direction));
+}
+
+/// gamma1, eta1 or delta1 plainly: at level 0 it is - on the open set, 0 on the rest of the closed one.
+SignMap level_zero(const Distance& d) {
+  Distance base = d;
+  base.mode = Mode::kPlain;
+  base.vector.clear();
+  base.kind = nearest_kind(base.kind);
+  SignMap map;
+  map.distance = base;
+  return map;
+}
+
+bool is_bounded(const Section& line) { return line.before > 0 && (line.stops.empty() || line.stops.back().after > 0); }
+
+}  // namespace
+
+Section SpaceSolver::signs_on(const SignMap& map, const SpaceLine& line) const {
+  try {
+    return box_signs(sign_map(map), line);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported || map.minimum || !world_.rays) throw;
+    return ray_signs(*world_.rays, map, line);
+  }
+}
+
+SpaceSolver::Axial SpaceSolver::axial(const Distance& wanted) const {
+  const Distance d = moving_first(wanted, world_.moving);
+  const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
+  const int axis = axis_of(direction);
+  if (axis < 0) refuse(d, "the exact map needs a direction along an axis");
+  Distance plain = level_zero(d).distance;
+  plain.kind = d.kind;
+  return {named(plain), axis, d.mode == Mode::kAlong ? 0 : direction[static_cast<std::size_t>(axis)].sign()};
+}
+
+space::BoxComplex SpaceSolver::directional_map(const SignMap& map) const {
+  const Axial d = axial(map.distance);
+  return d.plain.pair->boxes().directional_map(d.plain.which, map.level / world_.step, d.axis, d.way);
+}
+
+std::optional<distance::BoxPair::Least> SpaceSolver::directional_least(const Distance& wanted) const {
+  const Axial d = axial(wanted);
+  try {
+    return d.plain.pair->boxes().directional_least(d.plain.which, d.axis, d.way);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    refuse(wanted, "the exact least value along a direction needs axis-parallel faces");
+  }
+}
+
+/// Where the positions of level 0 are a convex polytope: minus half its longest chord both ways; one way only, the
+/// whole of it, which no position takes, as it ends in contact.
+std::optional<distance::SolidLeast> SpaceSolver::convex_directional_least(const Distance& wanted) const {
+  const Distance d = moving_first(wanted, world_.moving);
+  const Named plain = named(level_zero(d).distance);
+  const auto zero = is_farthest(d.kind) ? std::nullopt : plain.pair->sublevel(plain.which, Real());
+  if (!zero || zero->radius.sign() != 0)
+    refuse(wanted,
+           "least values along a direction are computed in 3D for convex polyhedra, and where faces are "
+           "axis-parallel along an axis, only");
+  if (zero->region.empty()) return std::nullopt;
+  const Real unit = world_.step / zero->scale;
+  if (zero->region.dimension() < 3)
+    return distance::SolidLeast{Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at)};
+  const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
+  const space::LongestChord chord = longest_chord(zero->region, direction);
+  if (d.mode != Mode::kAlong || !chord.inside) refuse(wanted, kNotTaken);
+  const Real value = -chord.length * sqrt(space::dot(direction, direction)) / Real(2) * unit;
+  return distance::SolidLeast{value, value, true, space::scaled(unit, chord.middle)};
+}
+
+/// On lines the least value stands for where it is taken.
+std::optional<distance::SolidLeast> SpaceSolver::directional_nearly_least(const Distance& wanted) const {
+  std::optional<distance::BoxPair::Least> found;
+  try {
+    found = directional_least(wanted);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    return convex_directional_least(wanted);
+  }
+  if (!found || found->at.empty()) refuse(wanted, kNotTaken);
+  RealVector at;
+  const space::IntervalBox box = found->at.boxes()[0];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &from = box[k].from, &to = box[k].to;
+    at[k] = from && to ? (*from + *to) / Real(2) : from ? *from + Real(1) : to ? *to - Real(1) : Real();
+  }
+  const Real value = found->value * world_.step;
+  return distance::SolidLeast{value, value, true, space::scaled(world_.step, at)};
+}
+
+/// Whether the value at p is the least.
+bool SpaceSolver::takes_least(const Distance& wanted, const std::optional<SolidValue>& v, const RealVector& p) const {
+  std::optional<distance::BoxPair::Least> whole;
+  try {
+    whole = least(wanted);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+  }
+  if (whole) return whole->at.mark(p) != 0;
+  const auto least = directional_nearly_least(wanted);
+  return v && least && !v->lowest && v->value * world_.step == least->value;
+}
+
+Section SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {
+  const auto rule = [&](std::span<const Mark> signs) { return Mark(evaluate(formula, signs)); };
+  if (formula.sign_maps().empty()) return {rule({}), {}};
+  std::vector<Section> all;
+  for (const SignMap& map : formula.sign_maps()) all.push_back(signs_on(map, line));
+  return overlay_sections(all, rule);
+}
+
+std::optional<SolidValue> SpaceSolver::directional_value(const Distance& wanted, const RealVector& p) const {
+  if (wanted.prefix != Extremum::kNone) refuse(wanted, "distances over time are not computed in 3D");
+  const SpaceLine line{p, {wanted.vector.at(0), wanted.vector.at(1), wanted.vector.at(2)}};
+  const Section signs = signs_on(level_zero(moving_first(wanted, world_.moving)), line);
+  const bool both_ways = wanted.mode == Mode::kAlong;
+  if (is_farthest(wanted.kind) && !is_bounded(signs)) return std::nullopt;
+  const auto found = is_farthest(wanted.kind) ? distance::farthest_place(signs, both_ways)
+                                              : distance::nearest_change(signs, both_ways);
+  if (!found) return std::nullopt;
+  SolidValue out;
+  out.value = Real(found->sign) * abs(found->t);
+  out.lowest = found->lowest;
+  if (!is_farthest(wanted.kind) && !found->lowest && found->sign != 0)
+    out.nearest = space::along(p, found->t / sqrt(space::dot(line.direction, line.direction)), line.direction);
+  return out;
+}
+
+}  // namespace findspace::formula

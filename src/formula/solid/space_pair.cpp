@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "formula/solid/space_pair.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "findspace/error.h"
+#include "space/shape/box_shape.h"
+
+namespace findspace::formula {
+
+using distance::BoxPair;
+using distance::SolidValue;
+using distance::Which;
+using exact::Real;
+using space::Body;
+using space::BoxComplex;
+using space::Mark;
+using space::RealVector;
+
+namespace {
+
+/// The union of the shapes as closed boxes.
+std::optional<BoxComplex> united_boxes(const std::vector<SpaceShape>& shapes) {
+  std::vector<const BoxComplex*> sets;
+  for (const SpaceShape& s : shapes) {
+    if (!s.boxes) return std::nullopt;
+    sets.push_back(&*s.boxes);
+  }
+  return overlay(sets,
+                 [](std::span<const Mark> m) {
+                   return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x != 0; }));
+                 })
+      .closure();
+}
+
+/// The union as a body; `boxes`: the same set as boxes, where it is made of them. Null: `refused` says why.
+std::shared_ptr<const Body> united_bodies(const std::vector<SpaceShape>& shapes, const std::optional<BoxComplex>& boxes,
+                                          std::string& refused) {
+  if (boxes && shapes.size() > 1) {
+    if (auto made = space::body_of(boxes->simplified())) return std::make_shared<const Body>(*std::move(made));
+  }
+  std::vector<const Body*> bodies;
+  for (const SpaceShape& s : shapes) {
+    if (!s.body) {
+      refused = s.refused;
+      return nullptr;
+    }
+    bodies.push_back(s.body.get());
+  }
+  if (bodies.size() == 1) return shapes[0].body.pointer();
+  try {
+    return std::make_shared<const Body>(united(bodies));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kUnsupported) throw;
+    refused = e.what();
+    return nullptr;
+  }
+}
+
+void scale_down(SolidValue& v, const Real& scale) {
+  const auto down = [&](RealVector& q) {
+    for (Real& c : q) c /= scale;
+  };
+  v.value /= scale;
+  v.error /= scale.to_double();
+  if (v.nearest) down(*v.nearest);
+  if (v.points) {
+    down((*v.points)[0]);
+    down((*v.points)[1]);
+  }
+}
+
+}  // namespace
+
+SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed) {
+  for (const SpaceShape* s : moving) moving_.push_back(*s);
+  for (const SpaceShape* s : fixed) fixed_.push_back(*s);
+  moving_boxes_ = united_boxes(moving_);
+  fixed_boxes_ = united_boxes(fixed_);
+  if (moving_boxes_ && fixed_boxes_) boxes_ = std::make_unique<BoxPair>(*moving_boxes_, *fixed_boxes_);
+  cut_ = csg_shapes(moving_, fixed_);
+  const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
+  if (std::any_of(moving_.begin(), moving_.end(), large) || std::any_of(fixed_.begin(), fixed_.end(), large))
+    make_surfaces();
+  else
+    all();
+}
+
+std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
+  auto out = std::make_unique<Bodies>();
+  out->b = united_bodies(moving_, moving_boxes_, out->refused);
+  out->a = united_bodies(fixed_, fixed_boxes_, out->refused);
+  if (!out->b || !out->a) return out;
+  if (out->b->outside) {
+    if (!boxes_) throw Error(ErrorCode::kUnsupported, "a moving shape has to be bounded");
+    out->refused = "a moving shape has to be bounded";
+    return out;
+  }
+  out->scale = std::lcm(out->b->scale, out->a->scale);
+  out->b = std::make_shared<const Body>(space::at_scale(*out->b, out->scale));
+  out->a = std::make_shared<const Body>(space::at_scale(*out->a, out->scale));
+  out->pair = std::make_unique<distance::SolidPair>(out->b, out->a);
+  return out;
+}
+
+namespace {
+
+/// Nothing of it where a shape has no surface, or goes on for ever.
+distance::Surfaced surfaced(const std::vector<SpaceShape>& shapes, std::int64_t scale) {
+  auto set = std::make_shared<space::SurfaceSet>();
+  for (const SpaceShape& s : shapes) {
+    if (s.surfaces)
+      set->add(*s.surfaces, scale);
+    else if (!s.body || !set->add(space::at_scale(*s.body, scale)))
+      return {};
+  }
+  distance::Surfaced out{set, nullptr, false};
+  const SpaceShape& only = shapes[0];
+  out.convex = shapes.size() == 1 && (only.surfaces ? only.convex : only.body->convex());
+  const bool as_it_is = shapes.size() == 1 && (out.convex || !only.surfaces);
+  out.outline = as_it_is ? std::make_shared<const Body>(space::at_scale(*only.body, scale)) : set->hull(scale);
+  if (as_it_is) out.parts = out.outline;
+  return out;
+}
+
+}  // namespace
+
+/// Where they cannot be made the bodies answer alone.
+void SpacePair::make_surfaces() {
+  for (const auto* shapes : {&moving_, &fixed_}) {
+    for (const SpaceShape& s : *shapes) {
+      if (!s.surfaces && s.body) surface_scale_ = std::lcm(surface_scale_, s.body->scale);
+    }
+  }
+  try {
+    surfaced_b_ = surfaced(moving_, surface_scale_);
+    surfaced_a_ = surfaced(fixed_, surface_scale_);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kOutOfRange) throw;
+    surfaced_b_ = surfaced_a_ = {};
+  }
+  surfaces_ = std::make_unique<distance::SurfacePair>(surfaced_b_, surfaced_a_);
+}
+
+const SpacePair::Bodies& SpacePair::all() const {
+  const std::lock_guard lock(bodies_guard_);
+  if (!bodies_) bodies_ = made_bodies();
+  return *bodies_;
+}
+
+const BoxPair& SpacePair::boxes() const {
+  if (boxes_) return *boxes_;
+  throw Error(ErrorCode::kUnsupported,
+              "an exact map needs shapes whose faces are all parallel to the axes; --resolution N gives one on N times "
+              "N lines");
+}
+
+const distance::SolidPair& SpacePair::bodies() const {
+  if (all().pair) return *all().pair;
+  throw Error(ErrorCode::kUnsupported, all().refused);
+}
+
+std::optional<SolidValue> SpacePair::value(Which which, const RealVector& p) const {
+  if (boxes_ && (BoxPair::has_value(which) || (BoxPair::is_reach(which) && !all().pair))) {
+    try {
+      return boxes_->value(which, p);
+    } catch (const Error& e) {
+      // Too many coordinates for the grid: the bodies need none.
+      if (e.code() != ErrorCode::kUnsupported || !all().pair) throw;
+    }
+  }
+  const auto asked = [&](std::int64_t scale, const auto& ask) {
+    auto v = ask(space::scaled(Real(scale), p));
+    if (v && scale != 1) scale_down(*v, Real(scale));
+    return v;
+  };
+  if (cut_.pair) return asked(cut_.scale, [&](const RealVector& at) { return cut_.pair->value(which, at); });
+  if (surfaces_) {
+    bool decided = false;
+    auto v = asked(surface_scale_, [&](const RealVector& at) {
+      const auto found = surfaces_->value(which, at);
+      decided = found.has_value();
+      return found ? found->value : std::nullopt;
+    });
+    if (decided) return v;
+  }
+  return asked(all().scale, [&](const RealVector& at) { return bodies().value(which, at); });
+}
+
+}  // namespace findspace::formula

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// One moving and one fixed shape of space (each perhaps several names) in the forms they have: as boxes, as bodies, or
+// both, large meshes as surfaces too. Lengths in grid steps. Distances that boxes answer exactly are asked of them,
+// then surfaces what they tell, the others the bodies, which are made for it where there are surfaces. Guarantee: as
+// box_pair.h, surface_pair.h and solid_pair.h.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "distance/solid/box_pair.h"
+#include "distance/solid/solid_least.h"
+#include "distance/surface/surface_pair.h"
+#include "formula/solid/csg_shapes.h"
+#include "space/polytope/convex_region.h"
+
+namespace findspace::formula {
+
+class SpacePair {
+ public:
+  SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed);
+
+  std::optional<distance::SolidValue> value(distance::Which which, const space::RealVector& p) const;
+  /// The least value and its positions; nothing where this is not computed.
+  std::optional<distance::BoxPair::Least> least(distance::Which which) const;
+  /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.
+  std::optional<distance::SolidLeast> nearly_least(distance::Which which) const;
+  /// {distance <= level}, if it is a convex polytope, or one grown by a ball: gamma1 of convex shapes, eta1 in a convex
+  /// polytope or of a ball in a ball, delta1 of such, mu to these at levels up to 0, gamma2 of balls. Its coordinates
+  /// and radius are in grid steps times `scale`.
+  struct Sublevel {
+    space::ConvexRegion region;
+    exact::Real radius;
+    exact::Real scale;
+  };
+  std::optional<Sublevel> sublevel(distance::Which which, const exact::Real& level) const;
+  /// Throws Error(kUnsupported) if one of the shapes has slanted or round faces.
+  const distance::BoxPair& boxes() const;
+
+ private:
+  using BodyPointer = std::shared_ptr<const space::Body>;
+  using Shapes = std::vector<SpaceShape>;
+  /// Of one scale; without a pair `refused` says why.
+  struct Bodies {
+    BodyPointer b, a;
+    std::unique_ptr<distance::SolidPair> pair;
+    std::int64_t scale = 1;
+    std::string refused;
+  };
+  /// Two bodies of convex outlines, as far as sublevel sets go.
+  struct Outlines {
+    const space::Body *b, *a;
+    std::int64_t scale;
+  };
+
+  const Bodies& all() const;  // made when first asked for
+  const distance::SolidPair& bodies() const;
+  std::unique_ptr<const Bodies> made_bodies() const;
+  void make_surfaces();
+  std::optional<Outlines> outlines(bool eta, bool delta) const;
+  static Sublevel none(std::int64_t scale);
+  std::optional<distance::BoxPair::Least> deepest_fit(distance::Which which) const;
+
+  Shapes moving_, fixed_;
+  std::optional<space::BoxComplex> moving_boxes_, fixed_boxes_;
+  std::unique_ptr<distance::BoxPair> boxes_;
+  CsgShapes cut_;
+  std::unique_ptr<distance::SurfacePair> surfaces_;
+  distance::Surfaced surfaced_b_, surfaced_a_;
+  std::int64_t surface_scale_ = 1;
+  mutable std::mutex bodies_guard_, least_guard_;
+  mutable std::unique_ptr<const Bodies> bodies_;
+  mutable std::map<distance::Which, std::unique_ptr<std::optional<distance::SolidLeast>>> least_;  // in steps / scale
+};
+
+}  // namespace findspace::formula

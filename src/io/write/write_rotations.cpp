@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/write/write_rotations.h"
+
+#include <fmt/format.h>
+
+#include "io/write/write_json.h"
+
+namespace findspace::io {
+
+std::vector<DegreeInterval> degree_intervals(const plane::RotationMap& set) {
+  std::vector<DegreeInterval> out;
+  for (const plane::RotationInterval& i : plane::intervals(set)) {
+    DegreeInterval d{i.from.degrees(), i.to.degrees(), i.from_in, i.to_in};
+    if (i.round || compare(i.to, i.from) < 0) d.to += 360;
+    out.push_back(d);
+  }
+  return out;
+}
+
+std::string rotations_json(const plane::RotationMap& set, const ExtremeValue* extreme) {
+  std::string list;
+  const auto all = degree_intervals(set);
+  for (const DegreeInterval& i : all) {
+    list += fmt::format("{}{{\"from\": {}, \"to\": {}, \"from_in\": {}, \"to_in\": {}}}", list.empty() ? "" : ", ",
+                        json_number(i.from), json_number(i.to), i.from_in, i.to_in);
+  }
+  std::string best;
+  if (extreme != nullptr) {
+    best = fmt::format(" \"{}\": {}, \"attained\": {},{}", extreme->maximum ? "maximum" : "minimum",
+                       extreme->value ? json_number(*extreme->value) : "null", extreme->attained,
+                       extreme->proven ? "" : " \"proven\": false,");
+    if (extreme->bound) best += fmt::format(" \"bound\": {},", json_number(*extreme->bound));
+  }
+  return fmt::format("{{\"empty\": {}, \"whole\": {},{} \"intervals\": [{}]}}\n", all.empty(),
+                     set.at.empty() && set.everywhere != 0, best, list);
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/rotation/rotated_contact.h"
+
+#include <algorithm>
+
+#include "plane/base/parallel.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/summary.h"
+#include "plane/rotation/rotation_events.h"
+
+namespace findspace::plane {
+
+using exact::ExactAngle;
+using exact::Real;
+
+namespace {
+
+MarkSet bit(Mark m) { return 1u << (m + 1); }
+
+}  // namespace
+
+RotatedContact::RotatedContact(const Pair& pair)
+    : rotation_(pair.rotating),
+      fixed_(pair.fixed),
+      about_(pair.about),
+      to_(pair.to),
+      net_(RotatedNet::of(rotation_, about_)),
+      fixed_net_(RotatedNet::of(fixed_, to_)),
+      rough_(net_, fixed_net_),
+      unbounded_(rotation_.faces[0].mark != 0),
+      locate_rotation_(rotation_),
+      locate_fixed_(fixed_) {
+  std::erase_if(net_.edges, [&](const RotatedEdge& e) { return rotation_.edges[e.cell].mark == 0; });
+  for (const RotatedEdge& e : fixed_net_.edges) fixed_boxes_.push_back(box_of(e));
+  add_samples();
+}
+
+void RotatedContact::add_samples() {
+  for (Mark m : {-1, 0, 1}) {
+    const Region part = remark(fixed_, [m](Mark k) { return Mark(k == m); });
+    for (const Component& c : summarize(part, Real(1)).components) {
+      // What is unbounded leaves a bounded set, and is met by an unbounded one.
+      if (c.bbox) samples_.push_back({c.sample_point - to_, m});
+    }
+  }
+}
+
+std::vector<ExactAngle> RotatedContact::events() const { return contact_rotations(net_, fixed_net_); }
+
+const RealVector& RotatedContact::vertex(Index v) {
+  if (!vertices_[v]) vertices_[v] = angle_(net_.vertices[v]) + shift_;
+  return *vertices_[v];
+}
+
+RotatedEdge RotatedContact::edge(const RotatedEdge& e) {
+  RotatedEdge now = e;
+  now.p = vertex(e.v0);
+  now.q = vertex(e.v1);
+  if (e.arc) now.center = angle_(e.center) + shift_;
+  return now;
+}
+
+/// Where a vertex lies: in the cell of any point near it, where no edge is near.
+Cell RotatedContact::cell_of(Index v) {
+  const std::optional<RoughPoint> clear = rough_.clear(v);
+  if (!clear) return locate_fixed_.locate(vertex(v) + to_);
+  return locate_fixed_.locate(RealVector{Real::from_double(clear->real()), Real::from_double(clear->imag())} + to_);
+}
+
+MarkSet RotatedContact::marks_met(const ExactAngle& angle, MarkSet enough, const RealVector& shift) {
+  MarkSet met = unbounded_ ? bit(fixed_.faces[0].mark) : 0;
+  angle_ = angle;
+  shift_ = shift;
+  rough_.set(angle, shift);
+  vertices_.assign(net_.vertices.size(), std::nullopt);
+  in_face_.assign(net_.vertices.size(), 0);
+  for (Index v = 0; v < net_.vertices.size() && (met & enough) == 0; ++v) {
+    if (rotation_.vertices[v].mark == 0) continue;
+    const Cell cell = cell_of(v);
+    met |= bit(mark_of(fixed_, cell));
+    in_face_[v] = cell.dimension == 2;
+  }
+  for (const RotatedEdge& e : net_.edges) {
+    if ((met & enough) != 0) return met;
+    const auto crossed = rough_.crossed(e);
+    if (!crossed) meet_edge(edge(e), met, enough);
+    if (!crossed) continue;
+    for (const Index k : *crossed) {
+      const Index cell = fixed_net_.edges[k].cell;
+      met |= bit(fixed_.edges[cell].mark);
+      for (const Index side : {2 * cell, 2 * cell + 1}) met |= bit(fixed_.faces[fixed_.face(side)].mark);
+    }
+  }
+  if ((met & enough) != 0) return met;
+  return met | marks_inside(met);
+}
+
+void RotatedContact::meet_edge(const RotatedEdge& e, MarkSet& met, MarkSet enough) {
+  const RoughBox box = box_of(e);
+  std::vector<RealVector> stops;
+  for (std::size_t k = 0; k < fixed_net_.edges.size(); ++k) {
+    if (box.apart(fixed_boxes_[k])) continue;
+    const RotatedEdge& f = fixed_net_.edges[k];
+    for (RealVector& p : meetings(e, f)) {
+      met |= bit(fixed_.edges[f.cell].mark);
+      stops.push_back(std::move(p));
+    }
+  }
+  for (Index v = 0; v < fixed_net_.vertices.size(); ++v) {
+    const RealVector& p = fixed_net_.vertices[v];
+    if (box.apart(rough(p.x), rough(p.y)) || !lies_on(e, p)) continue;
+    met |= bit(fixed_.vertices[v].mark);
+    stops.push_back(p);
+  }
+  if ((met & enough) != 0) return;
+  std::sort(stops.begin(), stops.end(), [&](const auto& s, const auto& t) { return compare_along(e, s, t) < 0; });
+  stops.insert(stops.begin(), e.p);
+  stops.push_back(e.q);
+  for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+    const bool first = k == 0, last = k + 2 == stops.size();
+    // A piece that begins or ends in a face lies in it, and that has been seen.
+    if ((first && in_face_[e.v0] != 0) || (last && in_face_[e.v1] != 0)) continue;
+    if (!first && !last && compare_along(e, stops[k], stops[k + 1]) == 0) continue;
+    met |= bit(locate_fixed_.mark(point_between(e, stops[k], stops[k + 1]) + to_));
+  }
+}
+
+MarkSet RotatedContact::marks_inside(MarkSet met) {
+  MarkSet inside = 0;
+  for (const Sample& s : samples_) {
+    if (((met | inside) & bit(s.mark)) != 0) continue;
+    if (locate_rotation_.mark((-angle_)(s.at - shift_) + about_) != 0) inside |= bit(s.mark);
+  }
+  return inside;
+}
+
+namespace {
+
+/// The marks at all events and between them, in blocks that threads share.
+struct Rounds {
+  std::vector<Mark> here, after;
+};
+
+Rounds evaluate_all(const RotatedContact::Pair& pair, const std::vector<ExactAngle>& events, Mark (*rule)(MarkSet),
+                    MarkSet enough) {
+  constexpr std::size_t kBlock = 16;
+  const std::size_t n = events.size();
+  Rounds rounds{std::vector<Mark>(n), std::vector<Mark>(n)};
+  parallel_for((n + kBlock - 1) / kBlock, [&](std::size_t block) {
+    RotatedContact contact(pair);
+    for (std::size_t k = block * kBlock; k < std::min(n, (block + 1) * kBlock); ++k) {
+      rounds.here[k] = rule(contact.marks_met(events[k], enough));
+      rounds.after[k] = rule(contact.marks_met(between(events[k], events[(k + 1) % n]), enough));
+    }
+  });
+  return rounds;
+}
+
+}  // namespace
+
+RotationMap RotatedContact::rotation_map(const Pair& pair, Mark (*rule)(MarkSet), MarkSet enough) {
+  RotatedContact contact(pair);
+  const std::vector<ExactAngle> events = contact.events();
+  if (events.empty()) return RotationMap::uniform(rule(contact.marks_met(ExactAngle{}, enough)));
+  Rounds rounds = evaluate_all(pair, events, rule, enough);
+  RotationMap map;
+  for (const ExactAngle& t : events) map.at.push_back({t, Real(0)});
+  map.here = std::move(rounds.here);
+  map.after = std::move(rounds.after);
+  map.everywhere = map.after.back();
+  return merged(std::move(map));
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The boundary of a set as segments and arcs with exact real ends, relative to a centre of rotation, so that the set
+// can be rotated by any exact angle; and where two such edges meet. Arcs run counter-clockwise and measure at most 180
+// degrees. Guarantee: exact. Cost: a few exact operations an edge, a few dozen a pair that meets.
+#pragma once
+
+#include <vector>
+
+#include "exact/planar/angle.h"
+#include "plane/base/real_vector.h"
+#include "plane/complex/cell_complex.h"
+
+namespace findspace::plane {
+
+/// The relatively open edge from p to q.
+struct RotatedEdge {
+  RealVector p, q;
+  bool arc = false;
+  RealVector center;
+  exact::Real radius;
+  Index cell = 0;        // the edge of the complex
+  Index v0 = 0, v1 = 0;  // the vertices of the complex at p and q
+};
+
+struct RoughBox {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool apart(const RoughBox& b) const { return x1 < b.x0 || b.x1 < x0 || y1 < b.y0 || b.y1 < y0; }
+  bool apart(double x, double y) const { return x < x0 || x > x1 || y < y0 || y > y1; }
+};
+
+/// Vertices (all, by their index in the complex) and edges of a complex, moved by -about.
+struct RotatedNet {
+  std::vector<RealVector> vertices;
+  std::vector<RotatedEdge> edges;
+
+  static RotatedNet of(const CellComplex& complex, const exact::RealPoint& about);
+};
+
+/// A double near the number; within a few ulps of the largest coordinates it is made of.
+double rough(const exact::Real& r);
+/// Contains the edge.
+RoughBox box_of(const RotatedEdge& e);
+
+/// Sign of the place of a point of the edge's line or circle: + inside the edge, 0 at an end, - outside.
+int place_on(const RotatedEdge& e, const RealVector& point);
+/// Whether the point lies on the open edge.
+bool lies_on(const RotatedEdge& e, const RealVector& point);
+/// The points inside both edges where they cross or touch; none for edges of one line or one circle.
+std::vector<RealVector> meetings(const RotatedEdge& e, const RotatedEdge& f);
+/// Order of two points of the edge from p to q.
+int compare_along(const RotatedEdge& e, const RealVector& s, const RealVector& t);
+/// A point of the edge strictly between two of its points, or its ends.
+RealVector point_between(const RotatedEdge& e, const RealVector& s, const RealVector& t);
+
+}  // namespace findspace::plane

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/rotation/rotated_free.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "plane/base/parallel.h"
+#include "plane/rotation/curve_meetings.h"
+
+namespace findspace::plane {
+
+using exact::ExactAngle;
+using exact::Real;
+using Kind = ContactPair::Kind;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTolerance = 1e-9;  // no sign: of the sizes; what is nearer is decided exactly
+constexpr double kError = 1e-4;      // no sign: of the tolerance; more than rough curves are off
+constexpr double kNormals = 1e-7;    // no sign: of directions; candidates too many do no harm
+
+bool is_in(Mark m) { return m > 0; }
+bool is_out(Mark m) { return m <= 0; }
+
+RoughPoint unit(const ExactAngle& t) { return {t.cos.to_double(), t.sin.to_double()}; }
+
+}  // namespace
+
+RotatedFree::RotatedFree(const Pair& pair, Keep keep, std::optional<FreeWay> way)
+    : pair_(pair),
+      keep_(keep),
+      way_(std::move(way)),
+      curves_(contact_features(pair.rotating, pair.about, is_in),
+              contact_features(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out)),
+      rotation_(pair.rotating, pair.about, is_in),
+      open_(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out),
+      room_(kTolerance * std::max({1.0, rotation_.reach(), open_.reach()})) {}
+
+/// The signs at single angles. One thread at a time.
+class RotatedFree::Look {
+ public:
+  Look(const RotatedFree& free, const Real& level, bool far)
+      : f_(free), level_(level), rough_level_(level.to_double()), far_(far), contact_(contact_pair(free.pair_)) {
+    if (f_.keep_ == Keep::kApart) {
+      const Pair& p = f_.pair_;
+      back_ = std::make_unique<RotatedContact>(RotatedContact::Pair{p.fixed, p.around_rotation, p.to, p.about});
+    }
+  }
+
+  Mark sign(const ExactAngle& rotation) {
+    prepare(rotation);
+    if (far_) return farthest();
+    return nearest();
+  }
+
+ private:
+  struct Candidate {
+    RoughPoint at;
+    double distance, off;       // off: how far `at` may be off
+    std::size_t first, second;  // of curves_; equal for a projection, kNone for the origin and for the way
+  };
+
+  static RotatedContact::Pair contact_pair(const Pair& p) { return {p.rotating, p.around_fixed, p.about, p.to}; }
+
+  void prepare(const ExactAngle& rotation) {
+    rotation_ = rotation;
+    const double angle = rotation.degrees() * kPi / 180;
+    here_.emplace(f_.rotation_.rotated(unit(rotation)));
+    pairs_ = f_.curves_.pairs(angle, 0);
+    rough_.clear();
+    for (const ContactPair& k : pairs_) rough_.push_back(f_.curves_.rough(k, angle));
+    candidates_.clear();
+    add({RoughPoint(), 0}, kNone, kNone);
+    for (std::size_t i = 0; i < rough_.size(); ++i) {
+      if (!far_ && rough_[i].least() > rough_level_ + f_.room_) continue;
+      if (f_.way_) {
+        add_crossings(i, f_.way_->rough(angle, 1));
+        continue;
+      }
+      for (RoughPoint s : rough_projections(rough_[i], f_.room_)) add({s, 0}, i, i);
+      for (std::size_t k = i + 1; k < rough_.size(); ++k) {
+        if (!far_ && rough_[k].least() > rough_level_ + f_.room_) continue;
+        if (never_cross(i, k)) continue;
+        for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], kError * f_.room_)) {
+          const double tolerance = f_.room_ + m.off;
+          if (rough_[i].holds(m.at, tolerance) && rough_[k].holds(m.at, tolerance)) add(m, i, k);
+        }
+      }
+    }
+    std::sort(candidates_.begin(), candidates_.end(),
+              [](const Candidate& p, const Candidate& q) { return p.distance < q.distance; });
+  }
+
+  /// Lines that are parallel, or circles that are one, at every angle.
+  bool never_cross(std::size_t i, std::size_t k) const {
+    const ContactPair &p = pairs_[i], &q = pairs_[k];
+    if (p.kind != q.kind) return false;
+    const ContactFeatures &a = f_.curves_.fixed(), &b = f_.curves_.rotating();
+    if (p.kind == Kind::kRounds) {
+      return a.rounds[p.fixed].center == a.rounds[q.fixed].center &&
+             b.rounds[p.rotating].center == b.rounds[q.rotating].center;
+    }
+    if (std::abs((std::conj(rough_[i].normal) * rough_[k].normal).imag()) > kNormals) return false;
+    const bool fixed = p.kind == Kind::kFixedEdge;
+    const EdgeFeature &e = fixed ? a.edges[p.fixed] : b.edges[p.rotating],
+                      &g = fixed ? a.edges[q.fixed] : b.edges[q.rotating];
+    return plane::cross(exact_normal(e), exact_normal(g)).sign() == 0;
+  }
+
+  void add(const RoughMeeting& m, std::size_t first, std::size_t second) {
+    const double d = std::abs(m.at);
+    if (!far_ && d > rough_level_ + f_.room_ + m.off) return;
+    candidates_.push_back({m.at, d, m.off, first, second});
+  }
+
+  void add_crossings(std::size_t i, const RoughCurve& way) {
+    for (const RoughMeeting& m : rough_meetings(rough_[i], way, kError * f_.room_)) {
+      const double tolerance = f_.room_ + m.off;
+      const bool ahead = way.p != RoughPoint() || m.at.real() * way.q.real() + m.at.imag() * way.q.imag() >= -tolerance;
+      if (ahead && rough_[i].holds(m.at, tolerance)) add(m, i, kNone);
+    }
+  }
+
+  bool surely_not_free(const Candidate& c) const {
+    if (f_.keep_ == Keep::kNotWithin) return false;
+    return surely_meets(*here_, f_.open_, c.at, f_.keep_ == Keep::kApart, f_.room_ + c.off);
+  }
+
+  bool is_free(const RealVector& s) {
+    if (f_.keep_ == Keep::kNotWithin)
+      return (contact_.marks_met(rotation_, kZero | kPositive, s) & (kZero | kPositive)) != 0;
+    if (f_.keep_ == Keep::kInside) return (contact_.marks_met(rotation_, kPositive, s) & kPositive) == 0;
+    if ((contact_.marks_met(rotation_, kNegative, s) & kNegative) != 0) return false;
+    return (back_->marks_met(-rotation_, kNegative, -((-rotation_)(s))) & kNegative) == 0;
+  }
+
+  /// The exact point; nothing where the curves do not meet after all.
+  std::optional<RealVector> exact_point(const Candidate& c) const {
+    if (c.first == kNone) return RealVector{};
+    const ExactCurve first = f_.curves_.exact(pairs_[c.first], rotation_);
+    if (c.first == c.second) return exact_projection(first, c.at);
+    const ExactCurve other =
+        c.second == kNone ? f_.way_->exact(rotation_) : f_.curves_.exact(pairs_[c.second], rotation_);
+    const std::optional<RealVector> best = exact_meeting(first, other, c.at);
+    if (best && f_.way_ && !f_.way_->both_ways) {
+      const RealVector& u = f_.way_->along;
+      if (plane::dot(f_.way_->rotations ? rotation_(u) : u, *best).sign() < 0) return std::nullopt;
+    }
+    return best;
+  }
+
+  /// The sign of a candidate's distance minus the level, if it is free.
+  std::optional<Mark> of_free(const Candidate& c) {
+    if (surely_not_free(c)) return std::nullopt;
+    const double over = c.distance - rough_level_;
+    const std::optional<RealVector> s = exact_point(c);
+    if (!s || !is_free(*s)) return std::nullopt;
+    if (std::abs(over) > f_.room_ * 10 + c.off) return Mark(over > 0 ? 1 : -1);
+    return Mark(compare(plane::dot(*s, *s), level_ * level_));
+  }
+
+  Mark nearest() {
+    Mark least = 1;
+    for (const Candidate& c : candidates_) {
+      if (least == 0 && c.distance > rough_level_ + f_.room_ + c.off) continue;
+      const std::optional<Mark> m = of_free(c);
+      if (m && *m < 0) return -1;
+      if (m) least = std::min(least, *m);
+    }
+    return least;
+  }
+
+  Mark farthest() {
+    std::optional<Mark> most;
+    for (auto c = candidates_.rbegin(); c != candidates_.rend(); ++c) {
+      if (most && c->distance < rough_level_ - f_.room_ - c->off) continue;
+      const std::optional<Mark> m = of_free(*c);
+      if (m && *m > 0) return 1;
+      if (m && (!most || *m > *most)) most = m;
+    }
+    return most ? *most : Mark(1);
+  }
+
+  const RotatedFree& f_;
+  const Real& level_;
+  double rough_level_;
+  bool far_;
+  RotatedContact contact_;
+  std::unique_ptr<RotatedContact> back_;
+  ExactAngle rotation_;
+  std::optional<RoughSet> here_;
+  std::vector<ContactPair> pairs_;
+  std::vector<RoughCurve> rough_;
+  std::vector<Candidate> candidates_;
+};
+
+RotationMap RotatedFree::rotation_map(const Real& level, bool far) const {
+  const FreeQuestion question{curves_, rotation_, open_, keep_ == Keep::kApart,
+                              level,   far,       room_, way_ ? &*way_ : nullptr};
+  const std::vector<FreeEvent> events = free_events(question);
+  if (events.empty()) return RotationMap::uniform(Look(*this, level, far).sign(ExactAngle{}));
+  const std::size_t n = events.size();
+  RotationMap map;
+  map.here.resize(n);
+  map.after.resize(n);
+  constexpr std::size_t kBlock = 16;
+  parallel_for((n + kBlock - 1) / kBlock, [&](std::size_t block) {
+    Look look(*this, level, far);
+    for (std::size_t k = block * kBlock; k < std::min(n, (block + 1) * kBlock); ++k) {
+      map.here[k] = look.sign(events[k].rotation);
+      map.after[k] = look.sign(between(events[k].rotation, events[(k + 1) % n].rotation));
+    }
+  });
+  for (const FreeEvent& e : events) map.at.push_back({e.rotation, Real(0)});
+  map.everywhere = map.after.back();
+  return merged(std::move(map));
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/rotation/rotation_least.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace findspace::plane {
+namespace {
+
+using exact::Angle;
+using exact::Real;
+
+constexpr Mark kOn = 1, kBelow = 2;
+
+RotationMap closure(RotationMap set) {
+  for (std::size_t k = 0; k < set.at.size(); ++k) set.here[k] = std::max({set.here[k], set.after[k], set.before(k)});
+  return merged(std::move(set));
+}
+
+bool has(const RotationMap& map, Mark least) {
+  const auto is = [least](Mark m) { return m >= least; };
+  return map.at.empty()
+             ? is(map.everywhere)
+             : std::any_of(map.here.begin(), map.here.end(), is) || std::any_of(map.after.begin(), map.after.end(), is);
+}
+
+/// On the set: kBelow where f is below the level, kOn where it is on it.
+RotationMap probe(const RotationMap& sign, const RotationMap& set) {
+  const std::array<const RotationMap*, 2> both{&sign, &set};
+  return overlay(both, [](std::span<const Mark> m) {
+    return Mark(m[1] == 0 || m[0] > 0 ? 0 : m[0] == 0 ? kOn : kBelow);
+  });
+}
+
+/// The middle of every interval.
+RotationMap middles(const RotationMap& set) {
+  RotationMap out = RotationMap::uniform(0);
+  for (const RotationInterval& i : intervals(set)) {
+    const bool single = !i.round && compare(i.from, i.to) == 0;
+    double to = i.to.degrees();
+    if (i.round || to < i.from.degrees()) to += 360;
+    const double middle = std::fmod((i.from.degrees() + to) / 2, 360);
+    out.at.push_back(single ? i.from : Angle{exact::ExactAngle::near(middle, 52), Real()});
+  }
+  std::sort(out.at.begin(), out.at.end(), [](const Angle& p, const Angle& q) { return compare(p, q) < 0; });
+  out.here.assign(out.at.size(), 1);
+  out.after.assign(out.at.size(), 0);
+  return out;
+}
+
+}  // namespace
+
+RotationLeast least_rotation(const std::function<RotationMap(const Real&)>& sign, const RotationMap& set,
+                             const Real& step) {
+  constexpr double kMost = 0x1p44;
+  const RotationMap closed = closure(set);
+  const auto reached = [&](double level) { return has(probe(sign(Real::from_double(level) * step), closed), kOn); };
+  RotationLeast out;
+  double high = 1, low = -1;  // in steps
+  while (high < kMost && !reached(high)) {
+    low = high;
+    high *= 2;
+  }
+  if (high >= kMost) return out;
+  for (; low > -kMost && reached(low); low *= 2) high = low;
+  if (low <= -kMost) return out;
+  out.exists = true;
+  while (high - low > std::max(1.0, std::abs(high)) * 0x1p-42) {
+    const double middle = low + (high - low) / 2;
+    (reached(middle) ? high : low) = middle;
+  }
+  const Real whole = Real::from_double(std::round(high)) * step;
+  const RotationMap map = probe(sign(whole), closed);
+  out.proven = std::abs(high - std::round(high)) < 1 && !has(map, kBelow) && has(map, kOn);
+  out.value = out.proven ? whole : Real::from_double(high) * step;
+  const RotationMap at = out.proven ? map : middles(probe(sign(out.value), closed));
+  const std::array<const RotationMap*, 2> both{&at, &set};
+  const RotationMap inside = overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != 0 && m[1] != 0); });
+  out.attained = has(inside, 1);
+  out.at = out.attained ? inside : at;
+  return out;
+}
+
+}  // namespace findspace::plane

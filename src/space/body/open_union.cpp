@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/open_union.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "space/body/projection_search.h"
+
+namespace findspace::space {
+
+using exact::Real;
+
+void OpenUnion::add(const Extent& extent, std::function<Planes()> make) {
+  index_ = std::make_unique<Index>();  // of all sets
+  parts_.push_back(std::make_unique<Part>());
+  parts_.back()->extent = extent;
+  parts_.back()->make = std::move(make);
+}
+
+void OpenUnion::add(const Extent& extent, Planes planes) {
+  add(extent, [planes = std::move(planes)] { return planes; });
+}
+
+const OpenUnion::Planes& OpenUnion::planes(std::size_t k) const {
+  const Part& part = *parts_[k];
+  std::call_once(part.made, [&] { part.planes = part.make(); });
+  return part.planes;
+}
+
+const ExtentTree& OpenUnion::tree() const {
+  std::call_once(index_->made, [&] {
+    std::vector<Extent> extents;
+    for (const auto& part : parts_) extents.push_back(part->extent);
+    index_->tree = ExtentTree(std::move(extents));
+  });
+  return index_->tree;
+}
+
+int OpenUnion::covering(const RealVector& p) const {
+  const Vector near = space::rounded(p);
+  const double tolerance = 0x1p-40 * size_of(near);
+  int found = -1;
+  tree().each([&](const Extent& e) { return found < 0 && e.holds(near, tolerance); },
+              [&](std::size_t k) {
+                const Planes& all = planes(k);
+                if (std::all_of(all.begin(), all.end(), [&](const HalfSpace& h) { return h.sign(p, near) < 0; }))
+                  found = static_cast<int>(k);
+              });
+  return found;
+}
+
+std::optional<RealVector> OpenUnion::nearest_in_complement(const RealVector& p) const {
+  return ProjectionSearch(*this, p).run();
+}
+
+std::optional<RealVector> OpenUnion::nearest_touching(const RealVector& p) const {
+  const Vector near = space::rounded(p);
+  const double slack = 0x1p-40 * size_of(near);
+  std::optional<RealVector> best;
+  std::optional<Real> least;
+  double bound = std::numeric_limits<double>::infinity();
+  tree().nearest_first(near, [&](std::size_t k, double floor) {
+    if (floor > bound + slack) return false;
+    double highest = 0;
+    for (const HalfSpace& h : planes(k)) highest = std::max(highest, h.approx_value(near) - h.error(near));
+    if (highest > bound + slack) return true;
+    std::optional<RealVector> q = nearest_in(planes(k), p);
+    if (!q) return true;
+    const RealVector off = minus(*q, p);
+    const Real square = dot(off, off);
+    if (least && !(square < *least)) return true;
+    least = square;
+    best = std::move(q);
+    bound = std::sqrt(least->to_double());
+    return least->sign() != 0;
+  });
+  return best;
+}
+
+// A closed convex set is what the open half spaces beyond its planes do not cover.
+std::optional<RealVector> nearest_in(std::span<const HalfSpace> planes, const RealVector& p) {
+  OpenUnion beyond;
+  for (const HalfSpace& h : planes) beyond.add(everywhere(), OpenUnion::Planes{h.opposite()});
+  return beyond.nearest_in_complement(p);
+}
+
+}  // namespace findspace::space

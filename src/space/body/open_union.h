@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A union O of open convex sets of space, each {x : every plane < 0} (bounded or not), and what lies outside it:
+//   nearest_in_complement(p)  the point of the complement of O nearest to p: p itself if no set holds it;
+//   nearest_touching(p)   the point of the union of the closed sets nearest to p.
+// Both distances of the signed pair sd(p; O, C) of distances.md 3.1 are these two. Slits of no width, fits of no play
+// and single points of the complement are found as well as bulky parts of it: whether a point is covered is decided
+// exactly. Method: a point nearest to p is the projection of p on at most three planes. Sets of such planes are tried
+// by growing distance; a projection that a set covers is replaced by the projections with one more plane of that set,
+// each beyond it. Only sets near p are made. Guarantee: covered or not is exact, also where planes have irrational
+// offsets; the point returned is complement, exactly; it is the nearest one but for points that are nearer by less than
+// 2^-40 relative. Cost: grows with the number of projections that are covered: the corners of the arrangement of planes
+// within the ball about p that the sets cover. Keywords: penetration depth of non-convex bodies, distance to
+// complement, union of convex sets, dual simplex, branch and bound.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "space/polytope/extent_tree.h"
+
+namespace findspace::space {
+
+class OpenUnion {
+ public:
+  using Planes = std::vector<HalfSpace>;
+  /// The sets; each is made when it is first looked at.
+  void add(const Extent& extent, std::function<Planes()> make);
+  void add(const Extent& extent, Planes planes);
+
+  std::size_t size() const { return parts_.size(); }
+  /// A set that holds p, or -1.
+  int covering(const RealVector& p) const;
+  bool covers(const RealVector& p) const { return covering(p) >= 0; }
+  /// Nothing where everything is covered.
+  std::optional<RealVector> nearest_in_complement(const RealVector& p) const;
+  /// Nothing where there are no sets.
+  std::optional<RealVector> nearest_touching(const RealVector& p) const;
+  const Planes& planes(std::size_t k) const;
+  const Extent& extent(std::size_t k) const { return parts_[k]->extent; }
+  /// Of the extents; made when first needed.
+  const ExtentTree& tree() const;
+
+ private:
+  struct Part {
+    Extent extent;
+    std::function<Planes()> make;
+    mutable std::once_flag made;
+    mutable Planes planes;
+  };
+  struct Index {
+    std::once_flag made;
+    ExtentTree tree;
+  };
+  std::vector<std::unique_ptr<Part>> parts_;
+  std::unique_ptr<Index> index_ = std::make_unique<Index>();
+};
+
+/// The complement point of the box that is farthest from p; nothing if the box is covered. Cost: the convex pieces
+/// looked at.
+std::optional<RealVector> farthest_in_complement(const OpenUnion& cover, const RealVector& low, const RealVector& high,
+                                                 const RealVector& p);
+
+/// The point of the closed convex set {x : every plane <= 0} nearest to p; nothing if the set is empty.
+std::optional<RealVector> nearest_in(std::span<const HalfSpace> planes, const RealVector& p);
+
+}  // namespace findspace::space

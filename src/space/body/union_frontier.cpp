@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/union_frontier.h"
+
+#include <algorithm>
+
+namespace findspace::space {
+namespace {
+
+struct Box {
+  Vector low, high;
+};
+
+Box box_of(const ConvexRegion& set) {
+  Box box{set.vertices()[0].near, set.vertices()[0].near};
+  double size = 1;
+  for (const ConvexRegion::Vertex& v : set.vertices()) {
+    box.low = {std::min(box.low.x, v.near.x), std::min(box.low.y, v.near.y), std::min(box.low.z, v.near.z)};
+    box.high = {std::max(box.high.x, v.near.x), std::max(box.high.y, v.near.y), std::max(box.high.z, v.near.z)};
+    size = std::max(size, size_of(v.near));
+  }
+  const double tolerance = 0x1p-40 * size;
+  box.low = box.low - Vector{tolerance, tolerance, tolerance};
+  box.high = plus(box.high, {tolerance, tolerance, tolerance});
+  return box;
+}
+
+bool apart(const Box& a, const Box& b) {
+  return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y || a.high.z < b.low.z ||
+         b.high.z < a.low.z;
+}
+
+/// Closed pieces whose union is the piece less the open set.
+void subtract(ConvexRegion piece, const std::vector<HalfSpace>& set, std::vector<ConvexRegion>& out) {
+  for (const HalfSpace& h : set) {
+    if (!piece.sides(h).inside) {  // nothing of it lies in the open set
+      out.push_back(std::move(piece));
+      return;
+    }
+  }
+  for (const HalfSpace& h : set) {
+    const ConvexRegion::Sides sides = piece.sides(h);
+    if (!sides.outside && !sides.on) continue;
+    ConvexRegion beyond = piece;
+    beyond.cut(h.opposite());
+    if (!beyond.empty()) out.push_back(std::move(beyond));
+    piece.cut(h);
+    if (!piece.sides(h).inside) return;
+  }
+}
+
+}  // namespace
+
+std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>> sets, const RealVector& low,
+                                         const RealVector& high) {
+  std::vector<ConvexRegion> bodies;
+  std::vector<Box> boxes;
+  std::vector<const std::vector<HalfSpace>*> planes;
+  for (const std::vector<HalfSpace>& set : sets) {
+    ConvexRegion body(low, high);
+    for (const HalfSpace& h : set) body.cut(h);
+    if (body.dimension() < 3) continue;
+    boxes.push_back(box_of(body));
+    bodies.push_back(std::move(body));
+    planes.push_back(&set);
+  }
+  std::vector<ConvexRegion> frontier;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    for (const int f : bodies[k].facets()) {
+      if (f < 6) continue;  // the box
+      ConvexRegion facet = bodies[k];
+      facet.cut(bodies[k].planes()[static_cast<std::size_t>(f)].opposite());
+      std::vector<ConvexRegion> left{std::move(facet)}, next;
+      for (std::size_t other = 0; other < bodies.size() && !left.empty(); ++other) {
+        if (other == k) continue;
+        next.clear();
+        for (ConvexRegion& piece : left) {
+          if (apart(box_of(piece), boxes[other]))
+            next.push_back(std::move(piece));
+          else
+            subtract(std::move(piece), *planes[other], next);
+        }
+        left.swap(next);
+      }
+      for (ConvexRegion& piece : left) frontier.push_back(std::move(piece));
+    }
+  }
+  return frontier;
+}
+
+std::vector<ConvexRegion> complement_pieces(const OpenUnion& cover, const RealVector& low, const RealVector& high) {
+  std::vector<ConvexRegion> left, next;
+  const ConvexRegion whole(low, high);
+  if (whole.dimension() == 3) left.push_back(whole);
+  for (std::size_t k = 0; k < cover.size() && !left.empty(); ++k) {
+    const Box around{cover.extent(k).low, cover.extent(k).high};
+    next.clear();
+    for (ConvexRegion& piece : left) {
+      if (apart(box_of(piece), around))
+        next.push_back(std::move(piece));
+      else
+        subtract(std::move(piece), cover.planes(k), next);
+    }
+    std::erase_if(next, [](const ConvexRegion& piece) { return piece.dimension() < 3; });
+    left.swap(next);
+  }
+  return left;
+}
+
+}  // namespace findspace::space

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The nearest feasible position, found without a map where contacts decide, is as far as the nearest point of the
+// closure of the whole region, and attained where that is, for conjunctions of signed distances against numbers and
+// random shapes.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "../unit/distance_shapes.h"
+#include "formula/language/parse.h"
+#include "formula/planar/solve.h"
+#include "plane/query/nearest.h"
+#include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
+
+using namespace findspace::formula;
+using findspace::exact::Real;
+using findspace::exact::RealPoint;
+using findspace::plane::Region;
+namespace plane = findspace::plane;
+
+namespace {
+
+Region triangle(std::mt19937& random, int size) {
+  const auto at = [&] { return std::uniform_int_distribution(-size, size)(random); };
+  for (;;) {
+    const int x1 = at(), y1 = at(), x2 = at(), y2 = at();
+    if (x1 * y2 - y1 * x2 > size) return findspace::testing::polygon({{0, 0}, {x1, y1}, {x2, y2}});
+  }
+}
+
+Region random_shape(std::mt19937& random, int size) {
+  if (random() % 3 > 0) return triangle(random, size);
+  return plane::minkowski_sum(triangle(random, size), plane::region_of_disc(0, 0, Real(size / 3 + 1)));
+}
+
+}  // namespace
+
+TEST(NearestFeasible, IsThatOfTheWholeRegion) {
+  std::mt19937 random(11);
+  const std::array<const char*, 17> formulas{"gamma1(B, A) >= 2.5",
+                                             "gamma1(B, A) <= 2.5",
+                                             "gamma1(B, A) <= -1",
+                                             "gamma1(B, A) > 0",
+                                             "gamma1(B, A) < 0",
+                                             "gamma1(B, A) > 3 and gamma1(B, D) >= 1",
+                                             "gamma1(B, A) = 1.5",
+                                             "eta1(B, C) < -2 and gamma1(B, A) > 1",
+                                             "eta1(B, C) <= -3",
+                                             "delta1(B, D) <= 1",
+                                             "gamma1(B, A) >= 0",
+                                             "gamma1(B, A) <= 0",
+                                             "gamma1(B, A) = 0",
+                                             "eta1(B, C) <= 0 and gamma1(B, A) >= 0",
+                                             "eta1(B, C) <= 0",
+                                             "delta1(B, D) <= 0",
+                                             "gamma1(B, A) >= 0 and gamma1(B, D) >= 0 and eta1(B, C) <= 0"};
+  int without_map = 0;
+  for (int round = 0; round < 170; ++round) {
+    World world;
+    world.shapes.emplace("A", random_shape(random, 12));
+    world.shapes.emplace("B", random_shape(random, 9));
+    world.shapes.emplace("C", findspace::testing::box(-25, -20, 30, 25));
+    world.shapes.emplace("D", random_shape(random, 3));
+    world.moving = {"B"};
+    world.step = 1;
+    Context context;
+    context.shapes = {"A", "B", "C", "D"};
+    context.moving = {"B"};
+    const Solver solver(world);
+    const Formula formula = parse_formula(formulas[std::size_t(round) % formulas.size()], context);
+    const RealPoint p{Real(std::int64_t(random() % 61) - 30), Real(std::int64_t(random() % 61) - 30)};
+    const auto found = solver.nearest_feasible(formula, p);
+    const Region region = solver.feasible(formula);
+    ASSERT_EQ(found.has_value(), !plane::is_empty(region)) << round;
+    if (!found) continue;
+    const Region closed = plane::closure(region);
+    const bool here = mark_of(closed, locate(closed, p)) > 0;
+    const auto expected = plane::nearest(
+        closed, [](plane::Mark m) { return m > 0; }, p);
+    EXPECT_NEAR(found->distance.to_double(), here ? 0 : expected->distance.to_double(), 1e-12) << round;
+    EXPECT_GT(mark_of(closed, locate(closed, found->at)), 0) << round;
+    EXPECT_EQ(found->attained, mark_of(region, locate(region, found->at)) > 0) << round;
+    without_map += !here;
+  }
+  EXPECT_GT(without_map, 60);
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A bowl, which has no convex parts: what a world says of it, at positions and on lines.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include "formula/solid/solve_rays.h"
+#include "formula/solid/solve_space.h"
+#include "unit/solid_shapes.h"
+#include "unit/space_bodies.h"
+
+namespace findspace::formula {
+namespace {
+
+using exact::Real;
+using Kind = plane::Shape::Kind;
+
+plane::ShapePtr cube(std::int64_t half) {
+  std::vector<space::Point> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
+  return space::hull(std::move(corners));
+}
+
+plane::ShapePtr bowl() { return space::node(Kind::kDifference, {cube(20), space::ball({0, 0, 20}, 15)}); }
+
+Distance named(findspace::formula::Kind kind, bool rotated = false) {
+  Distance d;
+  d.kind = kind;
+  d.first = {rotated ? "A" : "B"};
+  d.second = {rotated ? "B" : "A"};
+  return d;
+}
+
+SpaceWorld world(const char* moving) {
+  SpaceWorld out;
+  out.shapes["A"] = space_shape(*bowl());
+  out.shapes["B"] = space_shape(*cube(3));
+  out.moving = {moving};
+  out.step = Real(1);
+  return out;
+}
+
+TEST(CutSolid, HasValuesWhicheverShapeMoves) {
+  using K = findspace::formula::Kind;
+  const SpaceSolver solver(world("B")), back(world("A"));
+  const auto p = space::place(0, 0, 17), q = space::place(0, 0, -17);
+  EXPECT_EQ(solver.value(named(K::kGamma1), p)->value, Real(15) - sqrt(Real(54)));
+  EXPECT_EQ(back.value(named(K::kGamma1, true), q)->value, Real(15) - sqrt(Real(54)));
+  EXPECT_EQ(back.value(named(K::kEta1), q)->value, solver.value(named(K::kEta1), p)->value);
+  EXPECT_EQ(solver.value(named(K::kEta1), space::place(0, 0, -10))->value, Real(-7));
+  EXPECT_FALSE(solver.value(named(K::kDelta1), p));
+  EXPECT_EQ(solver.value(named(K::kGamma1), space::place(0, 0, -12))->value, Real(-11));
+  EXPECT_EQ(back.value(named(K::kPenetration, true), space::place(0, 0, 12))->value, Real(11));
+  EXPECT_EQ(solver.value(named(K::kD1), space::place(0, 0, 3))->value, Real());
+}
+
+TEST(CutSolid, HasSignsWhereItHasNoValue) {
+  RayWorld rays;
+  rays.shapes.emplace("A", RayShape(bowl()));
+  rays.shapes.emplace("B", RayShape(cube(3)));
+  rays.moving = {"B"};
+  rays.step = Real(1);
+  const SignMap touching{named(findspace::formula::Kind::kGamma1), Real(), false};
+  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 3)), -1);
+  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
+  EXPECT_TRUE(found_by_search(rays, touching));
+}
+
+/// A bowl, a plate below it and another bowl as one obstacle, or as what moves.
+TEST(CutSolid, IsOneOfSeveral) {
+  using K = findspace::formula::Kind;
+  const plane::ShapePtr plate = space::hull({{-20, -20, -30},
+                                             {20, -20, -30},
+                                             {-20, 20, -30},
+                                             {20, 20, -30},
+                                             {-20, -20, -40},
+                                             {20, -20, -40},
+                                             {-20, 20, -40},
+                                             {20, 20, -40}});
+  SpaceWorld all = world("B");
+  all.shapes["P"] = space_shape(*plate);
+  all.shapes["Q"] = space_shape(*space::node(Kind::kDifference, {cube(20), space::ball({0, 0, -20}, 15)}));
+  const SpaceSolver solver(all);
+  Distance several = named(K::kGamma1), farthest = named(K::kGamma2);
+  several.second = {"A", "P"};
+  farthest.second = {"A", "P"};
+  EXPECT_EQ(solver.value(several, space::place(0, 0, 17))->value, Real(15) - sqrt(Real(54)));
+  EXPECT_EQ(solver.value(several, space::place(-15, 0, -44))->value, Real(1));
+  Distance plate_alone = named(K::kGamma2);
+  plate_alone.second = {"P"};
+  EXPECT_EQ(solver.value(farthest, space::place(0, 0, 17))->value,
+            solver.value(plate_alone, space::place(0, 0, 17))->value);
+  // With the other bowl the pocket is filled.
+  several.second = {"A", "Q"};
+  EXPECT_EQ(solver.value(several, space::place(0, 0, 24))->value, Real(1));
+
+  all.moving = {"A", "P"};
+  const SpaceSolver back(all);
+  Distance moved = named(K::kGamma1, true);
+  moved.first = {"A", "P"};
+  EXPECT_EQ(back.value(moved, space::place(0, 0, -17))->value, Real(15) - sqrt(Real(54)));
+
+  RayWorld rays;
+  rays.shapes.emplace("A", RayShape(bowl()));
+  rays.shapes.emplace("P", RayShape(plate));
+  rays.shapes.emplace("B", RayShape(cube(3)));
+  rays.moving = {"B"};
+  rays.step = Real(1);
+  SignMap touching{named(K::kGamma1), Real(), false};
+  touching.distance.second = {"A", "P"};
+  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
+  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, -25)), 1);
+}
+
+}  // namespace
+}  // namespace findspace::formula

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The best place of intervals on lines, against every place of a fine sampling; ends, ties and single places.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "formula/solid/optimize_rays.h"
+
+namespace findspace::formula {
+namespace {
+
+using Place = std::array<double, 3>;
+using space::RayInterval;
+
+double distance(const Place& p, const Place& q) {
+  return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]));
+}
+
+TEST(OptimizeRays, NothingOnNoLines) {
+  EXPECT_FALSE(best_on_lines({}, false, [](const Place&) { return 0.0; }));
+}
+
+TEST(OptimizeRays, EndsAreOpenOrClosed) {
+  const auto height = [](const Place& p) { return p[2]; };
+  const RayInterval half_open{{1, 2, 0}, 2, 3, 5, false, true};
+  const auto least = best_on_lines({half_open}, false, height), greatest = best_on_lines({half_open}, true, height);
+  EXPECT_DOUBLE_EQ(least->value, 3);
+  EXPECT_FALSE(least->attained);
+  EXPECT_DOUBLE_EQ(greatest->value, 5);
+  EXPECT_TRUE(greatest->attained);
+  EXPECT_EQ(greatest->at, (Place{1, 2, 5}));
+}
+
+TEST(OptimizeRays, ASinglePlaceCounts) {
+  const RayInterval line{{0, 0, 0}, 2, 2, 9, true, true}, place{{0, 1, 0}, 2, 1, 1, true, true};
+  const auto least = best_on_lines({line, place}, false, [](const Place& p) { return distance(p, {}); });
+  EXPECT_DOUBLE_EQ(least->value, std::sqrt(2.0));
+  EXPECT_EQ(least->at, (Place{0, 1, 1}));
+}
+
+/// The distance to the nearest of some points, which has many local optima.
+TEST(OptimizeRays, AgreesWithSampling) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> at(0, 8);
+  for (int round = 0; round < 10; ++round) {
+    std::vector<Place> points(6);
+    for (Place& p : points) p = {at(random), at(random), at(random)};
+    const auto value = [&](const Place& p) {
+      double least = 100;
+      for (const Place& q : points) least = std::min(least, distance(p, q));
+      return least;
+    };
+    std::vector<RayInterval> lines;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (int k = 0; k < 100; ++k) {
+        RayInterval r;
+        r.axis = axis;
+        r.at[(axis + 1) % 3] = k % 10;
+        r.at[(axis + 2) % 3] = k / 10;
+        const double a = at(random), b = at(random);
+        r.from = std::min(a, b);
+        r.to = std::max(a, b);
+        lines.push_back(r);
+      }
+    }
+    double least = 100, greatest = 0;
+    for (const RayInterval& r : lines) {
+      for (int k = 0; k <= 200; ++k) {
+        Place p = r.at;
+        p[r.axis] = r.from + (r.to - r.from) * k / 200;
+        least = std::min(least, value(p));
+        greatest = std::max(greatest, value(p));
+      }
+    }
+    const auto low = best_on_lines(lines, false, value), high = best_on_lines(lines, true, value);
+    EXPECT_LE(low->value, least + 2e-5);
+    EXPECT_GE(low->value, least - 0.05);
+    EXPECT_LE(low->bound, low->value);
+    EXPECT_NEAR(low->bound, low->value, 2e-5);
+    EXPECT_GE(high->value, greatest - 2e-5);
+    EXPECT_LE(high->value, greatest + 0.05);
+    EXPECT_GE(high->bound, high->value);
+    EXPECT_NEAR(high->bound, high->value, 2e-5);
+  }
+}
+
+}  // namespace
+}  // namespace findspace::formula

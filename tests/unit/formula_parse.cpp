@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What formulas mean: every sentence is compared with the canonical text of the formula it has to become.
+#include <gtest/gtest.h>
+
+#include "formula/language/parse.h"
+#include "formula/language/text.h"
+
+namespace findspace::formula {
+namespace {
+
+using exact::Real;
+
+Context scene() {
+  return {.shapes = {"A", "A1", "A2", "B", "C", "board", "my part", "mm", "and"},
+          .moving = {"B"},
+          .extra = {},
+          .independent = false,
+          .motion = true,
+          .unit = Unit::kMillimetre,
+          .dimension = 2};
+}
+
+std::string canonical(std::string_view sentence, const Context& context = scene()) {
+  return text(parse_formula(sentence, context));
+}
+
+TEST(Parse, Comparisons) {
+  for (const char* relation : {"<", "<=", "=", "!=", ">=", ">"}) {
+    const std::string sentence = "gamma1(B, A) " + std::string(relation) + " 0.5";
+    EXPECT_EQ(canonical(sentence), sentence);
+  }
+  EXPECT_EQ(canonical("gamma1(B,A)>=-1"), "gamma1(B, A) >= -1");
+  EXPECT_EQ(canonical("gamma1(B,A)<-.5"), "gamma1(B, A) < -0.5");
+  EXPECT_EQ(canonical("gamma1(B,A)=+2e3"), "gamma1(B, A) = 2000");
+  EXPECT_EQ(canonical("gamma1(B,A) >= -0"), "gamma1(B, A) >= 0");
+}
+
+TEST(Parse, NumberFirst) {
+  EXPECT_EQ(canonical("0.5 < gamma2(B, A)"), "gamma2(B, A) > 0.5");
+  EXPECT_EQ(canonical("0.5 >= gamma2(B, A)"), "gamma2(B, A) <= 0.5");
+  EXPECT_EQ(canonical("-1 = eta1(B, A)"), "eta1(B, A) = -1");
+  EXPECT_EQ(canonical("1 != eta1(B, A)"), "eta1(B, A) != 1");
+}
+
+TEST(Parse, Chains) {
+  EXPECT_EQ(canonical("0.5 <= gamma1(B, A) <= 2"), "gamma1(B, A) >= 0.5 and gamma1(B, A) <= 2");
+  EXPECT_EQ(canonical("2 > gamma1(B, A) != 1"), "gamma1(B, A) < 2 and gamma1(B, A) != 1");
+  EXPECT_EQ(canonical("not 0 <= gamma1(B, A) <= 2"), "not (gamma1(B, A) >= 0 and gamma1(B, A) <= 2)");
+  EXPECT_EQ(canonical("1 <= margin(B, A) < 2"), "eta1(B, A) <= -1 and eta1(B, A) > -2");
+}
+
+TEST(Parse, EveryCanonicalName) {
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    const std::string sentence = std::string(name(static_cast<Kind>(k))) + "(B, A) <= 1";
+    EXPECT_EQ(canonical(sentence), sentence);
+    EXPECT_EQ(parse_formula(sentence, scene()).atoms()[0].distance.kind, static_cast<Kind>(k));
+  }
+}
+
+TEST(Parse, Synonyms) {
+  const std::pair<const char*, const char*> pairs[] = {{"gap", "gamma1(B, A)"},
+                                                       {"reach", "gamma2(B, A)"},
+                                                       {"distance", "d1(B, A)"},
+                                                       {"m1", "mu(B, A)"},
+                                                       {"m2", "mu(A, B)"},
+                                                       {"m3", "hausdorff(B, A)"},
+                                                       {"hBA", "h(B, A)"},
+                                                       {"hAB", "h(A, B)"},
+                                                       {"H", "hausdorff(B, A)"},
+                                                       {"diam_union", "diameter(B, A)"},
+                                                       {"depth", "penetration(B, A)"},
+                                                       {"γ1", "gamma1(B, A)"},
+                                                       {"γ₁", "gamma1(B, A)"},
+                                                       {"γ₂", "gamma2(B, A)"},
+                                                       {"η1", "eta1(B, A)"},
+                                                       {"η₂", "eta2(B, A)"},
+                                                       {"δ2", "delta2(B, A)"},
+                                                       {"\u03bc", "mu(B, A)"},
+                                                       {"\u00b5", "mu(B, A)"}};
+  for (const auto& [word, expected] : pairs) {
+    EXPECT_EQ(canonical(std::string(word) + "(B, A) < 3"), std::string(expected) + " < 3");
+  }
+}
+
+TEST(Parse, MarginIsNegatedAndFlipped) {
+  EXPECT_EQ(canonical("margin(B, A) >= 1"), "eta1(B, A) <= -1");
+  EXPECT_EQ(canonical("margin(B, A) > 0"), "eta1(B, A) < 0");
+  EXPECT_EQ(canonical("margin(B, A) = -2mm"), "eta1(B, A) = 2");
+  EXPECT_EQ(canonical("3 > margin(B, A)"), "eta1(B, A) > -3");
+  EXPECT_EQ(canonical("inf margin(B, A) >= 1"), "sup eta1(B, A) <= -1");
+}
+
+TEST(Parse, Predicates) {
+  EXPECT_EQ(canonical("overlaps(B, A)"), "gamma1(B, A) < 0");
+  EXPECT_EQ(canonical("touches(B, A)"), "gamma1(B, A) = 0");
+  EXPECT_EQ(canonical("disjoint(B, A)"), "gamma1(B, A) > 0");
+  EXPECT_EQ(canonical("clear(B, A)"), "gamma1(B, A) >= 0");
+  EXPECT_EQ(canonical("clear(B, A, 1cm)"), "gamma1(B, A) >= 10");
+  EXPECT_EQ(canonical("within(B, A, 2)"), "gamma1(B, A) <= 2");
+  EXPECT_EQ(canonical("inside(B, A)"), "eta1(B, A) <= 0");
+  EXPECT_EQ(canonical("inside(B, A, 0.5)"), "eta1(B, A) <= -0.5");
+  EXPECT_EQ(canonical("inside(A, B, -0.5)"), "eta1(A, B) <= 0.5");
+  EXPECT_EQ(canonical("covers(B, A)"), "delta1(B, A) <= 0");
+  EXPECT_EQ(canonical("covers(B, A, 2)"), "delta1(B, A) <= -2");
+}
+
+TEST(Parse, Minimum) {
+  EXPECT_EQ(canonical("gamma2(B, A) -> min"), "gamma2(B, A) -> min");
+  EXPECT_EQ(canonical("η1(B, A) → min"), "eta1(B, A) -> min");
+  EXPECT_EQ(canonical("argmin(mu(B, A))"), "mu(B, A) -> min");
+  const Formula formula = parse_formula("gamma2(B, A) -> min", scene());
+  EXPECT_TRUE(formula.atoms()[0].minimum);
+  EXPECT_TRUE(formula.sign_maps()[0].minimum);
+}
+
+TEST(Parse, Precedence) {
+  const std::string a = "gamma1(B, A) > 1", b = "gamma1(B, A) > 2", c = "gamma1(B, A) > 3";
+  EXPECT_EQ(canonical(a + " or " + b + " and " + c), a + " or " + b + " and " + c);
+  EXPECT_EQ(canonical("(" + a + " or " + b + ") and " + c), "(" + a + " or " + b + ") and " + c);
+  EXPECT_EQ(canonical(a + " or (" + b + " and " + c + ")"), a + " or " + b + " and " + c);
+  EXPECT_EQ(canonical("not " + a + " and " + b), "not " + a + " and " + b);
+  EXPECT_EQ(parse_formula("not " + a + " and " + b, scene()).root().op, Node::Op::kAnd);
+  EXPECT_EQ(canonical("not (" + a + " and " + b + ")"), "not (" + a + " and " + b + ")");
+  EXPECT_EQ(canonical("not not " + a), "not not " + a);
+  EXPECT_EQ(canonical("not(not(" + a + "))"), "not not " + a);
+  EXPECT_EQ(canonical("((" + a + "))"), a);
+  EXPECT_EQ(canonical(a + " and (" + b + " and " + c + ")"), a + " and " + b + " and " + c);
+  EXPECT_EQ(canonical("¬(" + a + " ∨ " + b + ") ∧ " + c), "not (" + a + " or " + b + ") and " + c);
+  EXPECT_EQ(canonical("true or false and not true"), "true or false and not true");
+}
+
+TEST(Parse, UnitsAreConvertedExactly) {
+  EXPECT_EQ(canonical("gap(B, A) > 0.5mm"), "gamma1(B, A) > 0.5");
+  EXPECT_EQ(canonical("gap(B, A) > 20mil"), "gamma1(B, A) > 0.508");
+  EXPECT_EQ(canonical("gap(B, A) > 1in"), "gamma1(B, A) > 25.4");
+  EXPECT_EQ(canonical("gap(B, A) > 1 in"), "gamma1(B, A) > 25.4");
+  EXPECT_EQ(canonical("gap(B, A) > 3um"), "gamma1(B, A) > 0.003");
+  EXPECT_EQ(canonical("gap(B, A) > 3\u00b5m"), "gamma1(B, A) > 0.003");
+  EXPECT_EQ(canonical("gap(B, A) > 2.5m"), "gamma1(B, A) > 2500");
+  EXPECT_EQ(canonical("1cm <= gap(B, A) <= 1m"), "gamma1(B, A) >= 10 and gamma1(B, A) <= 1000");
+  EXPECT_EQ(parse_formula("gap(B, A) > 1.1", scene()).atoms()[0].level, Real::ratio(11, 10));
+}
+
+TEST(Parse, NumbersWithoutFiniteDecimalKeepTheirUnit) {
+  Context inches = scene();
+  inches.unit = Unit::kInch;
+  const Formula formula = parse_formula("gap(B, A) > -1mm", inches);
+  EXPECT_EQ(formula.atoms()[0].level, Real::ratio(-5, 127));
+  EXPECT_EQ(text(formula), "gamma1(B, A) > -1mm");
+  EXPECT_EQ(canonical("margin(B, A) > 1mm", inches), "eta1(B, A) < -1mm");
+  EXPECT_EQ(canonical("gap(B, A) > 127mm", inches), "gamma1(B, A) > 5");
+  EXPECT_EQ(canonical("gap(B, A, turning=(1mm, 1)) > 1", inches), "gamma1(B, A, turning=(1mm, 1)) > 1");
+  EXPECT_EQ(parse_formula("gap(B, A) > 10mm or gap(B, A) <= 1cm", inches).sign_maps().size(), 1u);
+}
+
+TEST(Parse, Shapes) {
+  EXPECT_EQ(canonical("gamma1(B, \"my part\") > 0"), "gamma1(B, \"my part\") > 0");
+  EXPECT_EQ(canonical("gamma1(B, 'my part') > 0"), "gamma1(B, \"my part\") > 0");
+  EXPECT_EQ(canonical("gamma1(B, \"board\") > 0"), "gamma1(B, board) > 0");
+  EXPECT_EQ(canonical("gamma1(B, A1 + A2) > 0"), "gamma1(B, A1+A2) > 0");
+  EXPECT_EQ(canonical("gamma1(B, A1+\"my part\") > 0"), "gamma1(B, A1+\"my part\") > 0");
+  EXPECT_EQ(canonical("gamma1(B, mm) > 0 and gamma1(B, and) > 0"), "gamma1(B, mm) > 0 and gamma1(B, and) > 0");
+  EXPECT_EQ(canonical("gamma1(A, B) > 0"), "gamma1(A, B) > 0");
+  const Formula formula = parse_formula("gamma1(A1+A2, B) > 0", scene());
+  EXPECT_EQ(formula.atoms()[0].distance.first, (std::vector<std::string>{"A1", "A2"}));
+  EXPECT_EQ(formula.atoms()[0].distance.second, std::vector<std::string>{"B"});
+}
+
+TEST(Parse, Directions) {
+  EXPECT_EQ(canonical("gamma1(B,A,along=(1,0))<=0"), "gamma1(B, A, along=(1, 0)) <= 0");
+  EXPECT_EQ(canonical("eta2(B, A, toward = (-0.6, .8)) <= 0"), "eta2(B, A, toward=(-0.6, 0.8)) <= 0");
+  EXPECT_EQ(canonical("delta1(B, A, turning=(0, 1cm)) > 45deg"), "delta1(B, A, turning=(0, 10)) > 45");
+  EXPECT_EQ(canonical("30 deg <= gap(B, A, turning=(0, 0))"), "gamma1(B, A, turning=(0, 0)) >= 30");
+  EXPECT_EQ(canonical("margin(B, A, along=(1, 0)) >= 1"), "eta1(B, A, along=(1, 0)) <= -1");
+  const Distance distance = parse_formula("gamma1(B,A,along=(0.1,0)) < 1", scene()).atoms()[0].distance;
+  EXPECT_EQ(distance.mode, Mode::kAlong);
+  EXPECT_EQ(distance.vector[0], Real::ratio(1, 10));
+  Context solid = scene();
+  solid.dimension = 3;
+  EXPECT_EQ(canonical("gamma1(B,A,along=(1,0,2))<=0", solid), "gamma1(B, A, along=(1, 0, 2)) <= 0");
+}
+
+TEST(Parse, ExtremaOverTime) {
+  EXPECT_EQ(canonical("inf gamma1(B, A) > 0"), "inf gamma1(B, A) > 0");
+  EXPECT_EQ(canonical("1 > sup γ₁(B, A)"), "sup gamma1(B, A) < 1");
+  EXPECT_EQ(canonical("sup eta1(B, A) -> min"), "sup eta1(B, A) -> min");
+  const auto natural = [](const char* sentence) {
+    return natural_extremum(parse_formula(sentence, scene()).atoms()[0].distance);
+  };
+  EXPECT_EQ(natural("gamma1(B, A) > 0"), Extremum::kInf);
+  EXPECT_EQ(natural("gamma2(B, A) > 0"), Extremum::kSup);
+  EXPECT_EQ(natural("sup gamma1(B, A) > 0"), Extremum::kSup);
+}
+
+TEST(Parse, SymbolsAndAsciiAreOneLanguage) {
+  const Formula ascii = parse_formula("not (gamma1(B, A) <= -1 or mu(B, A) != 2) and eta2(B, A) -> min", scene());
+  const Formula symbols = parse_formula("¬(γ₁(B, A) ≤ −1 ∨ μ(B, A) ≠ 2) ∧ η2(B, A) → min", scene());
+  EXPECT_EQ(ascii, symbols);
+  EXPECT_EQ(text(ascii, Script::kSymbols), "¬(γ₁(B, A) ≤ -1 ∨ μ(B, A) ≠ 2) ∧ η₂(B, A) → min");
+}
+
+TEST(Parse, Placement) {
+  Context each = scene();
+  each.moving = {"self"};
+  each.extra = {"other"};
+  const Formula pair = parse_formula("clear(self, other, 1mm) and inside(self, A)", each);
+  EXPECT_EQ(text(pair), "gamma1(self, other) >= 1 and eta1(self, A) <= 0");
+  const Formula renamed_pair = renamed(pair, {{"self", "A1"}, {"other", "my part"}});
+  EXPECT_EQ(text(renamed_pair), "gamma1(A1, \"my part\") >= 1 and eta1(A1, A) <= 0");
+  EXPECT_EQ(text(renamed_pair.atoms()[0]), "gamma1(A1, \"my part\") >= 1");
+  EXPECT_EQ(renamed_pair.sign_maps()[0].distance.first, std::vector<std::string>{"A1"});
+  Context constraints = scene();
+  constraints.moving = {"A1", "A2"};
+  constraints.independent = true;
+  EXPECT_EQ(canonical("gamma1(A1, A2) <= 20", constraints), "gamma1(A1, A2) <= 20");
+}
+
+TEST(Parse, ShapesThatMoveTogetherMayBeAUnion) {
+  Context context = scene();
+  context.moving = {"A1", "A2"};
+  EXPECT_EQ(canonical("gamma1(A1+A2, A) > 0", context), "gamma1(A1+A2, A) > 0");
+}
+
+TEST(Parse, MovingFirst) {
+  const std::vector<std::string> moving{"B"};
+  const auto rotated = [&](const char* sentence) {
+    return text(moving_first(parse_formula(sentence, scene()).atoms()[0].distance, moving));
+  };
+  EXPECT_EQ(rotated("gamma1(A, B) > 0"), "gamma1(B, A)");
+  EXPECT_EQ(rotated("eta1(A, B) > 0"), "delta1(B, A)");
+  EXPECT_EQ(rotated("delta2(A, B, toward=(1, 0)) > 0"), "eta2(B, A, toward=(1, 0))");
+  EXPECT_EQ(rotated("mu(A, B) > 0"), "mu(A, B)");
+  EXPECT_EQ(rotated("eta1(B, A) > 0"), "eta1(B, A)");
+}
+
+TEST(ParseObjective, AllForms) {
+  const auto canonical_objective = [](const char* sentence, int dimension = 2) {
+    Context context = scene();
+    context.dimension = dimension;
+    const Objective objective = parse_objective(sentence, context);
+    EXPECT_EQ(parse_objective(text(objective), context), objective) << sentence;
+    return text(objective);
+  };
+  EXPECT_EQ(canonical_objective("gamma2(B, A)"), "gamma2(B, A)");
+  EXPECT_EQ(canonical_objective("reach(B, A)"), "gamma2(B, A)");
+  EXPECT_EQ(canonical_objective("distance(B, A)"), "d1(B, A)");
+  EXPECT_EQ(canonical_objective("sup margin(B, A)"), "sup margin(B, A)");
+  EXPECT_EQ(canonical_objective("x"), "x");
+  EXPECT_EQ(canonical_objective(" y "), "y");
+  EXPECT_EQ(canonical_objective("z", 3), "z");
+  EXPECT_EQ(canonical_objective("distance to [1, -2.5cm]"), "distance to [1, -25]");
+  EXPECT_EQ(canonical_objective("distance to [0,0,1]", 3), "distance to [0, 0, 1]");
+  const Objective margin = parse_objective("margin(B, A)", scene());
+  EXPECT_TRUE(margin.negated);
+  EXPECT_EQ(margin.distance.kind, Kind::kEta1);
+}
+
+TEST(Parse, LongFormulasAreLinear) {
+  std::string sentence = "true";
+  for (int i = 0; i < 20000; ++i) sentence += " and gamma1(B, A) > " + std::to_string(i % 100);
+  const Formula formula = parse_formula(sentence, scene());
+  EXPECT_EQ(formula.atoms().size(), 20000u);
+  EXPECT_EQ(formula.sign_maps().size(), 100u);
+}
+
+}  // namespace
+}  // namespace findspace::formula
