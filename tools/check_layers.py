@@ -17,6 +17,7 @@ import os
 import re
 import sys
 
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LAYERS = ["exact", "plane", "space", "distance", "formula", "planning", "io"]
 CODE = (".h", ".cpp")
 MOST_FILES = 40  # of a street
@@ -164,7 +165,7 @@ def check_small_constants(root):
 
 
 def main(argv):
-    root = argv[0] if argv else os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    root = argv[0] if argv else ROOT
     faults = 0
     for check in (check_layer_includes, check_streets, check_public_headers, check_licence_lines, check_small_constants):
         for path, line, fault in check(root):
