@@ -159,12 +159,6 @@ Tried<space::RaySourcePointer> along_lines(const RayWorld& world, const SignMap&
                                              map.level / world.step * Real(grid.parts), grid);
 }
 
-SurfaceRays one(space::RaySourcePointer source) {
-  SurfaceRays rays;
-  rays.sources.push_back(std::move(source));
-  return rays;
-}
-
 /// By the surfaces of the solids, as they are; no sources where they do not answer.
 Tried<SurfaceRays> by_surfaces(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
                                const RayGrid& grid) {
@@ -183,7 +177,7 @@ Tried<SurfaceRays> by_surfaces(const RayWorld& world, const SignMap& map, const 
 Tried<SurfaceRays> by_sets(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
                            const RayGrid& grid) {
   Tried<space::RaySourcePointer> whole = by_parts(world, map, d, second, grid);
-  if (whole) return one(*std::move(whole));
+  if (whole) return SurfaceRays::of(*std::move(whole));
   if (is_directional(d)) return whole.refusal().within(text(map.distance));
   if (!second) {
     Tried<SurfaceRays> containers = in_room(world, map, d, grid);
@@ -192,7 +186,7 @@ Tried<SurfaceRays> by_sets(const RayWorld& world, const SignMap& map, const Dist
   Tried<space::RaySourcePointer> cut = by_cut(world, map, d, second, grid);
   if (!cut) return cut.refusal();
   if (!*cut) return whole.refusal().within(text(map.distance));
-  return one(*std::move(cut));
+  return SurfaceRays::of(*std::move(cut));
 }
 
 Tried<SurfaceRays> parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
@@ -204,7 +198,7 @@ Tried<SurfaceRays> parts(const RayWorld& world, const SignMap& map, const RayGri
   if (!is_directional(d) || !runs_along(d, grid)) return by_sets(world, map, d, second, grid);
   Tried<space::RaySourcePointer> along = along_lines(world, map, d, grid);
   if (!along) return along.refusal();
-  return one(*std::move(along));
+  return SurfaceRays::of(*std::move(along));
 }
 
 class RegionRays : public RaySource {

@@ -24,6 +24,12 @@ struct SurfaceRays {
   bool least = true;
 
   space::RayRow row(int j) const;
+  /// Of one map; of none where it is null.
+  static SurfaceRays of(space::RaySourcePointer source) {
+    SurfaceRays rays;
+    if (source) rays.sources.push_back(std::move(source));
+    return rays;
+  }
 };
 
 /// `which` is kGamma1, kGamma2, kEta1, kMu or kDelta1; the level in grid steps.
