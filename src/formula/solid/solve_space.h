@@ -21,6 +21,7 @@
 #include "distance/solid/solid_least.h"
 #include "formula/language/formula.h"
 #include "formula/solid/lazy_body.h"
+#include "formula/solid/side.h"
 #include "plane/query/section.h"
 #include "space/body/csg_solid.h"
 #include "space/box/convex_set.h"
@@ -28,6 +29,7 @@
 
 namespace findspace::formula {
 
+struct LineSigns;
 struct RayWorld;
 class SpacePair;
 
@@ -117,8 +119,12 @@ class SpaceSolver {
     exact::Real step;  // one unit of its coordinates in the scene's unit
   };
   exact::Tried<std::optional<ConvexMap>> feasible_convex(const Formula& formula) const;
+  struct OnLine {
+    plane::Section marks;
+    Side side = Side::kExact;  // of the true set
+  };
   /// Where the formula holds along a line: marks 1, and 0 elsewhere, by the length gone from `through`, in grid steps.
-  plane::Section feasible_on(const Formula& formula, const SpaceLine& line) const;
+  OnLine feasible_on(const Formula& formula, const SpaceLine& line) const;
   /// The first `distance -> min` of the formula, if it has one.
   std::optional<SpaceOptimum> minimum_of(const Formula& formula) const;
   /// The least value of a distance over all positions, as far as it is known; nothing where it is undefined. In the
@@ -164,7 +170,7 @@ class SpaceSolver {
   exact::Tried<bool> takes_least(const Distance& distance, const std::optional<distance::SolidValue>& v,
                                  const space::RealVector& p) const;
   /// The signs of one sign map along a line, as feasible_on().
-  exact::Tried<plane::Section> signs_on(const SignMap& map, const SpaceLine& line) const;
+  exact::Tried<LineSigns> signs_on(const SignMap& map, const SpaceLine& line) const;
   exact::Tried<std::optional<distance::SolidValue>> directional_value(const Distance& distance,
                                                                       const space::RealVector& p) const;
 

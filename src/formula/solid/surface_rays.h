@@ -21,6 +21,8 @@ struct SurfaceRays {
   bool least = true;
 
   space::RayRow row(int j) const;
+  /// As RaySource::searched().
+  bool searched() const;
 };
 
 /// `which` is kGamma1, kGamma2, kEta1, kMu or kDelta1; the level in grid steps.
