@@ -16,8 +16,8 @@
 namespace findspace::formula {
 
 struct LeastOf {
-  std::string text;                           // the atom's
-  std::optional<distance::SolidLeast> least;  // in the scene's unit; nothing where undefined: the atom holds nowhere
+  std::string text;                       // the atom's
+  std::optional<distance::Answer> least;  // in the scene's unit; nothing where undefined: the atom holds nowhere
 };
 
 struct MinimaAsLevels {

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "distance/search/way.h"
 #include "formula/language/formula.h"
 #include "formula/solid/side.h"
 #include "plane/query/section.h"
@@ -78,6 +79,7 @@ std::optional<space::RayGrid> grid_through(const space::RealVector& p, int axis)
 struct LineSigns {
   plane::Section section;
   bool searched = false;  // 0 means near the level as well as at it
+  distance::Way way = distance::Way::kLines;
 };
 /// Along line (0, 0) of the grid, in parts of a step.
 exact::Tried<LineSigns> signs_on_line(const RayWorld& world, const SignMap& map, const space::RayGrid& grid);

@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* kNotTaken = "no position takes a least value, so that lines do not show it";
 
-using distance::SolidValue;
+using distance::Answer;
 using exact::Real;
 using exact::Tried;
 using plane::Section;
@@ -90,7 +90,7 @@ bool is_bounded(const Section& line) { return line.before > 0 && (line.stops.emp
 
 Tried<LineSigns> SpaceSolver::signs_on(const SignMap& map, const SpaceLine& line) const {
   const Tried<space::BoxComplex> boxes = sign_map(map);
-  if (boxes) return LineSigns{box_signs(*boxes, line)};
+  if (boxes) return LineSigns{box_signs(*boxes, line), false, distance::Way::kMap};
   if (map.minimum || !world_.rays) return boxes.refusal();
   return ray_signs(*world_.rays, map, line);
 }
@@ -128,7 +128,7 @@ Tried<std::optional<distance::BoxPair::Least>> SpaceSolver::directional_least(co
 
 /// Where the positions of level 0 are a convex polytope: minus half its longest chord both ways; one way only, the
 /// whole of it, which no position takes, as it ends in contact.
-Tried<std::optional<distance::SolidLeast>> SpaceSolver::convex_directional_least(const Distance& wanted) const {
+Tried<std::optional<distance::Answer>> SpaceSolver::convex_directional_least(const Distance& wanted) const {
   const Distance d = moving_first(wanted, world_.moving);
   const Tried<Named> plain = named(level_zero(d).distance);
   if (!plain) return plain.refusal();
@@ -140,16 +140,16 @@ Tried<std::optional<distance::SolidLeast>> SpaceSolver::convex_directional_least
   if (zero->region.empty()) return std::nullopt;
   const Real unit = world_.step / zero->scale;
   if (zero->region.dimension() < 3)
-    return distance::SolidLeast{Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at)};
+    return distance::least_answer(Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at));
   const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
   const space::LongestChord chord = longest_chord(zero->region, direction);
   if (d.mode != Mode::kAlong || !chord.inside) return refused(wanted, kNotTaken);
   const Real value = -chord.length * sqrt(space::dot(direction, direction)) / Real(2) * unit;
-  return distance::SolidLeast{value, value, true, space::scaled(unit, chord.middle)};
+  return distance::least_answer(value, value, true, space::scaled(unit, chord.middle));
 }
 
 /// On lines the least value stands for where it is taken.
-Tried<std::optional<distance::SolidLeast>> SpaceSolver::directional_nearly_least(const Distance& wanted) const {
+Tried<std::optional<distance::Answer>> SpaceSolver::directional_nearly_least(const Distance& wanted) const {
   const auto tried = directional_least(wanted);
   if (!tried) return convex_directional_least(wanted);
   const std::optional<distance::BoxPair::Least>& found = *tried;
@@ -161,16 +161,16 @@ Tried<std::optional<distance::SolidLeast>> SpaceSolver::directional_nearly_least
     at[k] = from && to ? (*from + *to) / Real(2) : from ? *from + Real(1) : to ? *to - Real(1) : Real();
   }
   const Real value = found->value * world_.step;
-  return distance::SolidLeast{value, value, true, space::scaled(world_.step, at)};
+  return distance::least_answer(value, value, true, space::scaled(world_.step, at));
 }
 
 /// Whether the value at p is the least.
-Tried<bool> SpaceSolver::takes_least(const Distance& wanted, const std::optional<SolidValue>& v,
+Tried<bool> SpaceSolver::takes_least(const Distance& wanted, const std::optional<Answer>& v,
                                      const RealVector& p) const {
   if (const auto whole = least(wanted)) return whole->at.mark(p) != 0;
   const auto nearly = directional_nearly_least(wanted);
   if (!nearly) return nearly.refusal();
-  const std::optional<distance::SolidLeast>& least = *nearly;
+  const std::optional<distance::Answer>& least = *nearly;
   return v && least && !v->lowest && v->value * world_.step == least->value;
 }
 
@@ -187,7 +187,7 @@ SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const Space
   return {overlay_sections(all, rule), side_of_search(formula, searched)};
 }
 
-Tried<std::optional<SolidValue>> SpaceSolver::directional_value(const Distance& wanted, const RealVector& p) const {
+Tried<std::optional<Answer>> SpaceSolver::directional_value(const Distance& wanted, const RealVector& p) const {
   if (wanted.prefix != Extremum::kNone) return refused(wanted, "distances over time are not computed in 3D");
   const SpaceLine line{p, {wanted.vector.at(0), wanted.vector.at(1), wanted.vector.at(2)}};
   const Tried<LineSigns> found_signs = signs_on(level_zero(moving_first(wanted, world_.moving)), line);
@@ -198,7 +198,8 @@ Tried<std::optional<SolidValue>> SpaceSolver::directional_value(const Distance& 
   const auto found = is_farthest(wanted.kind) ? distance::farthest_place(signs, both_ways)
                                               : distance::nearest_change(signs, both_ways);
   if (!found) return std::nullopt;
-  SolidValue out;
+  Answer out;
+  out.way = found_signs->way;
   out.value = Real(found->sign) * abs(found->t);
   out.lowest = found->lowest;
   if (!is_farthest(wanted.kind) && !found->lowest && found->sign != 0)
