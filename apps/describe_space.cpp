@@ -47,7 +47,9 @@ Outcome describe_rays(const Session& session, const std::string& name, const Lin
   const Real by = set.side == formula::Side::kOuter   ? cell_radius(set)
                   : set.side == formula::Side::kInner ? -cell_radius(set)
                                                       : Real();
-  set.source = [&shape, by](const space::RayGrid& grid) { return space::shape_rays(shape, grid, by); };
+  set.source = [&shape, by](const space::RayGrid& grid) {
+    return formula::RegionOnLines{space::shape_rays(shape, grid, by)};
+  };
   return rays_outcome(session, set);
 }
 

@@ -73,7 +73,9 @@ Cast cast_lines(const RaySet& set, double step, bool written) {
   space::RaySummarizer summarizer(out.grid);
   io::RayLines lines(out.grid, step);
   space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
-  space::each_row(*set.source(out.grid), [&](int j, space::RayRow&& row) {
+  const formula::RegionOnLines source = set.source(out.grid);
+  out.on_lines = formula::both(set.on_lines, source.side);
+  space::each_row(*source.rays, [&](int j, space::RayRow&& row) {
     summarizer.add(j, row);
     if (written) lines.add(j, row);
     extreme.add(out.grid, j, row);
@@ -92,8 +94,15 @@ Cast cast_axes(const RaySet& set, double step, bool written) {
   io::RayLines lines(out.grid, step);
   space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
   std::array<int, 3> rows{};
+  out.on_lines = set.on_lines;
   space::RayAxes axes = space::ray_axes(
-      lattice, [&](int axis) { return set.source(lattice.grid(axis)); }, in_region,
+      lattice,
+      [&](int axis) {
+        formula::RegionOnLines source = set.source(lattice.grid(axis));
+        out.on_lines = formula::both(out.on_lines, source.side);
+        return std::move(source.rays);
+      },
+      in_region,
       [&](const space::RayGrid& grid, const space::RayRow& row) {
         const int j = rows[static_cast<std::size_t>(grid.axis)]++;
         if (written && grid.axis == 2) lines.add(j, row);
@@ -166,7 +175,7 @@ struct RaysShown {
   /// Does not refer to the session or the set: it may be written after them.
   std::function<void(const io::Sink&)> json() const {
     return [cast = cast, step = step, optimum = optimum, unit = session.unit(), axes = set.lines.axes,
-            unbounded = set.unbounded, on_lines = formula::name(set.on_lines), side = formula::name(set.side),
+            unbounded = set.unbounded, on_lines = formula::name(cast->on_lines), side = formula::name(set.side),
             somewhere = set.somewhere](const io::Sink& sink) {
       const io::RaysText text{unit, &cast->lines, axes, unbounded, on_lines, side, somewhere, optimum};
       io::rays_json(cast->summary, cast->grid, step, text, sink);
@@ -175,14 +184,14 @@ struct RaysShown {
   io::Surface surface() const {
     if (set.lines.axes) return io::ray_surface_mesh(cast->surface, step);
     const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
-    const auto source = [&](int axis) { return set.source(lattice.grid(axis)); };
+    const auto source = [&](int axis) { return set.source(lattice.grid(axis)).rays; };
     return io::ray_surface_mesh(space::ray_surface(lattice, source, in_region), step);
   }
   std::string slices() const {
     const auto [low, high] = shown_box(set, cast->summary);
     const space::RayGrid slices = io::slice_grid(low, high, kLayers, std::max(cast->grid.nu, cast->grid.nv));
     const io::SlicesText layers{set.title, set.subtitle, session.unit(), set.meaning};
-    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, layers);
+    return io::slices_svg(space::all_rows(*set.source(slices).rays), slices, low, high, step, layers);
   }
   Writers writers() const {
     Writers out;
@@ -227,9 +236,10 @@ formula::Formula for_cells(const RaySet& set, const formula::Formula& formula, c
   return set.side == formula::Side::kOuter ? widened(formula, radius) : narrowed(formula, radius);
 }
 
-exact::Tried<space::RaySourcePointer> region_rays(const formula::RayWorld& world, const formula::Formula& formula,
-                                                  const space::RayGrid& grid) {
-  if (formula.sign_maps().empty()) return space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1);
+exact::Tried<formula::RegionOnLines> region_rays(const formula::RayWorld& world, const formula::Formula& formula,
+                                                 const space::RayGrid& grid) {
+  if (formula.sign_maps().empty())
+    return formula::RegionOnLines{space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1)};
   return formula::try_ray_region(world, formula, grid);
 }
 
@@ -267,8 +277,6 @@ Outcome map_rays(const Session& session, const LineChoice& lines) {
   take_minima(levels, set);
   take_side(session, set);
   if (set.side != formula::Side::kNone) formula = for_cells(set, formula, session.step());
-  const space::RayGrid grid = set.lines.grid(set.low, set.high);
-  set.on_lines = formula::both(set.on_lines, formula::side_of_search(world, formula, set.lines.axes ? nullptr : &grid));
   if (by_distance)
     set.objective = objective_of(*solver, *goal);
   else if (goal)
@@ -277,7 +285,7 @@ Outcome map_rays(const Session& session, const LineChoice& lines) {
   if (set.somewhere && !region_rays(world, formula, {2, 1, set.low.x, set.low.y, 1, 1, 1, 1})) {
     session.reporter().note("the minimisers have no map on lines: one of them is given");
     set.on_lines = formula::Side::kInner;
-    set.source = [](const space::RayGrid& grid) { return space::constant_rays(grid, 1); };
+    set.source = [](const space::RayGrid& grid) { return formula::RegionOnLines{space::constant_rays(grid, 1)}; };
   }
   return rays_outcome(session, set);
 }

@@ -64,7 +64,7 @@ TEST(CutSolid, HasSignsWhereItHasNoValue) {
   const SignMap touching{named(findspace::formula::Kind::kGamma1), Real(), false};
   EXPECT_EQ(*sign_at_position(rays, touching, space::place(0, 0, 3)), -1);
   EXPECT_EQ(*sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
-  EXPECT_TRUE(found_by_search(rays, touching));
+  EXPECT_TRUE(signs_on_line(rays, touching, *grid_through(space::place(0, 0, 3), 2))->searched);
 }
 
 /// A bowl, a plate below it and another bowl as one obstacle, or as what moves.

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "distance/csg/csg_part.h"
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
 #include "exact/number/margins.h"
 
 namespace findspace::distance {
@@ -21,7 +21,7 @@ using space::RealVector;
 
 namespace {
 
-SolidValue turned(SolidValue v) {
+Answer turned(Answer v) {
   v.value = -v.value;
   return v;
 }
@@ -72,9 +72,9 @@ CsgPair::CsgPair(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> 
 
 /// How B + p fits, by each tolerance and obstacle alone: the worst of them, which is no more than what it is by all
 /// together; nothing where one tolerance is too small.
-std::optional<SolidValue> CsgPair::worst_fit(const RealVector& p) const {
-  std::optional<SolidValue> worst;
-  const auto take = [&](SolidValue v) {
+std::optional<Answer> CsgPair::worst_fit(const RealVector& p) const {
+  std::optional<Answer> worst;
+  const auto take = [&](Answer v) {
     if (!worst || worst->value < v.value) worst = std::move(v);
   };
   for (const auto& tolerance : containers_) {
@@ -87,14 +87,14 @@ std::optional<SolidValue> CsgPair::worst_fit(const RealVector& p) const {
 }
 
 /// Whether the worst fit is the true one: B fits already, or where it next fits by that alone.
-bool CsgPair::is_whole(const SolidValue& worst) const {
+bool CsgPair::is_whole(const Answer& worst) const {
   if (worst.value.sign() <= 0) return true;
   if (!worst.proven || !worst.nearest) return false;
   const auto there = worst_fit(*worst.nearest);
   return there && there->proven && there->value.sign() <= 0;
 }
 
-std::optional<SolidValue> CsgPair::contained(const RealVector& p) const {
+std::optional<Answer> CsgPair::contained(const RealVector& p) const {
   if (containers_.empty()) return contained_in_union(p);
   auto worst = worst_fit(p);
   if (!worst || is_whole(*worst)) return worst;
@@ -137,7 +137,7 @@ const FreeSpace* CsgPair::fits() const {
   return fits_ ? &*fits_ : nullptr;
 }
 
-std::optional<SolidValue> CsgPair::farthest_fit(const RealVector& p) const {
+std::optional<Answer> CsgPair::farthest_fit(const RealVector& p) const {
   if (containers_.empty()) return farthest_in_union(p);
   const FreeSpace* fits = this->fits();
   auto v = fits ? fits->farthest(p) : std::nullopt;
@@ -145,7 +145,7 @@ std::optional<SolidValue> CsgPair::farthest_fit(const RealVector& p) const {
   return v;
 }
 
-SolidValue CsgPair::protrusion(const RealVector& p) const {
+Answer CsgPair::protrusion(const RealVector& p) const {
   auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
   // B that fits nowhere sticks out everywhere.
   if (!worst || worst->value.sign() > 0)
@@ -153,12 +153,12 @@ SolidValue CsgPair::protrusion(const RealVector& p) const {
   return *std::move(worst);
 }
 
-SolidValue CsgPair::hausdorff(const RealVector& p) const {
-  SolidValue back = protrusion_back(p);
+Answer CsgPair::hausdorff(const RealVector& p) const {
+  Answer back = protrusion_back(p);
   // No point of B is farther from A than the gap and B's own width.
   const double most = apart(p).value.to_double() + diameter(*b_).to_double();
   if (most < back.value.to_double() - back.error) return back;
-  SolidValue forth = protrusion(p);
+  Answer forth = protrusion(p);
   return forth.value < back.value ? back : forth;
 }
 
@@ -184,25 +184,25 @@ bool CsgPair::too_large() const {
 }
 
 /// max(0, -eta1), and max(0, mu) where it is 0.
-SolidValue CsgPair::clearance(const RealVector& p) const {
+Answer CsgPair::clearance(const RealVector& p) const {
   const auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
-  return worst ? *cut_off(worst, true) : SolidValue{};
+  return worst ? *cut_off(worst, true) : Answer{};
 }
 
-std::optional<SolidValue> CsgPair::covered(const RealVector& p) const {
+std::optional<Answer> CsgPair::covered(const RealVector& p) const {
   if (too_large()) return std::nullopt;
-  SolidValue v = protrusion_back(p);
+  Answer v = protrusion_back(p);
   if (v.value.to_double() > v.error)
     not_computed("how far a shape that round ones are cut out of is from fitting into another is not computed");
   return v;
 }
 
-SolidValue CsgPair::apart_or_deep(const RealVector& p) const {
+Answer CsgPair::apart_or_deep(const RealVector& p) const {
   Gap found = gap(p);
   return found.depth > 0 ? overlapping(p) : std::move(found.value);
 }
 
-std::optional<SolidValue> CsgPair::value_at(Which which, const RealVector& p) const {
+std::optional<Answer> CsgPair::value_at(Which which, const RealVector& p) const {
   switch (which) {
     case Which::kGamma1:
       return apart_or_deep(p);
@@ -240,7 +240,7 @@ std::optional<SolidValue> CsgPair::value_at(Which which, const RealVector& p) co
   }
 }
 
-std::optional<SolidValue> CsgPair::value(Which which, const RealVector& p) const {
+std::optional<Answer> CsgPair::value(Which which, const RealVector& p) const {
   if (!cut_moves_) return value_at(which, p);
   auto v = value_at(exchanged(which), space::negated(p));
   if (v && v->nearest) v->nearest = space::negated(*v->nearest);

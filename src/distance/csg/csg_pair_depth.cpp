@@ -24,9 +24,9 @@ const CsgDepth& CsgPair::depths() const {
 }
 
 /// Minus the distance to the nearest position at which B is free of a tolerance, or in a obstacle, and so free of A.
-std::optional<SolidValue> CsgPair::free_of_sets(const RealVector& p) const {
-  std::optional<SolidValue> best;
-  const auto take = [&](std::optional<SolidValue> v, bool negated) {
+std::optional<Answer> CsgPair::free_of_sets(const RealVector& p) const {
+  std::optional<Answer> best;
+  const auto take = [&](std::optional<Answer> v, bool negated) {
     if (!v || !v->proven) return;
     if (negated) v->value = -v->value;
     if (!best || best->value < v->value) best = std::move(v);
@@ -40,8 +40,8 @@ std::optional<SolidValue> CsgPair::free_of_sets(const RealVector& p) const {
   return best;
 }
 
-SolidValue CsgPair::overlapping(const RealVector& p) const {
-  std::optional<SolidValue> known = free_of_sets(p);
+Answer CsgPair::overlapping(const RealVector& p) const {
+  std::optional<Answer> known = free_of_sets(p);
   const Incumbent ask = [&]() -> std::optional<double> {
     if (!known) return std::nullopt;
     return -known->value.to_double();
@@ -52,7 +52,7 @@ SolidValue CsgPair::overlapping(const RealVector& p) const {
     throw Error(ErrorCode::kUnsupported,
                 "how deep a shape is in one that round ones are cut out of was not found within the limit of the "
                 "search");
-  SolidValue out;
+  Answer out;
   out.value = -Real::from_double(found.value);
   out.nearest = space::real(found.place);
   out.proven = false;

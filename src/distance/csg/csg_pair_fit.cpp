@@ -72,7 +72,7 @@ const CsgPair::Among* CsgPair::among() const {
 }
 
 /// Whether B + p is in A, and how deep.
-bool CsgPair::in_union(const Among& all, const RealVector& p, SolidValue& depth) const {
+bool CsgPair::in_union(const Among& all, const RealVector& p, Answer& depth) const {
   if (!inside(p, all.places)) return false;
   Gap gap = all.left->gap(p);
   if (gap.depth > 0) return false;
@@ -81,10 +81,10 @@ bool CsgPair::in_union(const Among& all, const RealVector& p, SolidValue& depth)
   return true;
 }
 
-std::optional<SolidValue> CsgPair::contained_in_union(const RealVector& p) const {
+std::optional<Answer> CsgPair::contained_in_union(const RealVector& p) const {
   const Among* all = among();
   if (!all) return std::nullopt;
-  SolidValue out;
+  Answer out;
   if (in_union(*all, p, out)) return out;
   const BoundaryPlace found = all->left->depths().nearest_in(all->low(), all->high(), space::rounded(p), {});
   const double off = std::fabs(found.value - found.bound);
@@ -97,14 +97,14 @@ std::optional<SolidValue> CsgPair::contained_in_union(const RealVector& p) const
   return out;
 }
 
-std::optional<SolidValue> CsgPair::farthest_in_union(const RealVector& p) const {
+std::optional<Answer> CsgPair::farthest_in_union(const RealVector& p) const {
   const Among* all = among();
   if (!all) return std::nullopt;
   const BoundaryPlace found = all->left->depths().farthest_in(all->low(), all->high(), space::rounded(p));
   const double off = std::fabs(found.value - found.bound);
   if (!found.found && !found.unresolved && found.complete) return std::nullopt;
   if (!found.found || off > margin::kMostFoundError * size_) no_fit_found();
-  SolidValue out;
+  Answer out;
   out.value = Real::from_double(found.value);
   out.proven = false;
   out.error = margin::kFoundError * size_ + off;

@@ -9,9 +9,10 @@
 #include <cmath>
 
 #include "distance/csg/csg_pair.h"
+#include "distance/search/answer.h"
 #include "distance/search/boundary_slack.h"
 #include "distance/search/solid_protrusion.h"
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
 #include "exact/number/margins.h"
 
 namespace findspace::distance {
@@ -44,8 +45,8 @@ double distance(const Box& a, const Box& b) {
                         apart(a.low.z, a.high.z, b.low.z, b.high.z)});
 }
 
-SolidValue searched(const BoundaryPlace& found, double size) {
-  SolidValue out;
+Answer searched(const BoundaryPlace& found, double size) {
+  Answer out;
   out.value = Real::from_double(found.value);
   out.proven = false;
   out.error = margin::kFoundError * size + std::fabs(found.value - found.bound);
@@ -62,8 +63,8 @@ Body body_of(const BodyPart& part) {
 }  // namespace
 
 /// Not negative: 0 where they meet.
-SolidValue CsgPair::apart(const RealVector& p) const {
-  std::optional<SolidValue> best;
+Answer CsgPair::apart(const RealVector& p) const {
+  std::optional<Answer> best;
   const Vector by = space::rounded(p);
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
@@ -72,14 +73,14 @@ SolidValue CsgPair::apart(const RealVector& p) const {
       const TouchingRule to = gap_to(s, by);
       const BoundaryPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0);
       if (!found.found) continue;
-      SolidValue v = searched(found, size_);
+      Answer v = searched(found, size_);
       const double near = found.value, error = v.error;
       if (near < error) v.value = Real();
       const Touching at = to(found.place);
       v.points = {space::real(found.place - space::scaled(at.value, at.slope)), space::real(found.place)};
       if (near > error) v.nearest = space::plus(p, space::minus((*v.points)[1], (*v.points)[0]));
       if (best && best->value.to_double() < near - error) continue;
-      for (SolidValue& named : named_gaps(*part.sets, s, p, found.place, size_)) {
+      for (Answer& named : named_gaps(*part.sets, s, p, found.place, size_)) {
         if (std::fabs(named.value.to_double() - near) <= error) v = std::move(named);  // no sign: the same value
       }
       if (!best || v.value < best->value || (v.proven && !best->proven && !(best->value.to_double() < near - error)))
@@ -135,12 +136,12 @@ CsgPair::Gap CsgPair::gap(const RealVector& p) const {
   const double v = out.value.value.to_double();
   if (v > out.value.error + margin::kFoundError * size_) return out;
   out.depth = common_depth(p, margin::kNoInterior);
-  if (out.depth > 0) out.value = SolidValue{};
+  if (out.depth > 0) out.value = Answer{};
   return out;
 }
 
-SolidValue CsgPair::reach(const RealVector& p) const {
-  std::optional<SolidValue> best;
+Answer CsgPair::reach(const RealVector& p) const {
+  std::optional<Answer> best;
   for (const BodyPart& s : b_->parts) {
     for (const space::Point& v : s.vertices()) {
       const RealVector at = space::plus(space::real(v), p);
@@ -164,8 +165,8 @@ SolidValue CsgPair::reach(const RealVector& p) const {
 }
 
 /// At a corner of a set of the part, or on its sphere, where that belongs to the part: exactly.
-SolidValue CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
-  SolidValue out = searched(found, size_);
+Answer CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
+  Answer out = searched(found, size_);
   for (const BodyPart& set : part.within) {
     for (const space::Point& v : set.vertices()) {
       const RealVector way = space::minus(space::real(v), from);
@@ -173,7 +174,7 @@ SolidValue CsgPair::named_reach(const space::CsgPart& part, const RealVector& fr
       const Real d = sqrt(space::dot(way, way)), value = d + set.radius;
       const RealVector place = space::along(space::real(v), set.radius / d, way);
       if (std::fabs(value.to_double() - found.value) > out.error || !holds(part, place)) continue;  // no sign
-      SolidValue v_exact;
+      Answer v_exact;
       v_exact.value = value;
       return v_exact;
     }
@@ -181,21 +182,21 @@ SolidValue CsgPair::named_reach(const space::CsgPart& part, const RealVector& fr
   return out;
 }
 
-SolidValue CsgPair::protrusion_back(const RealVector& p) const {
+Answer CsgPair::protrusion_back(const RealVector& p) const {
   if (!b_->convex())
     throw Error(ErrorCode::kUnsupported,
                 "how far a shape that round ones are cut out of sticks out of another is computed "
                 "where that is convex");
   const Vector by = space::rounded(p);
   const ConvexDistance beyond = keep_out(b_->parts[0], by);
-  std::optional<SolidValue> best;
+  std::optional<Answer> best;
   for (const CutSearch& part : parts_) {
     const BoundaryPlace found = farthest_allowed(part.cells, part.rules, beyond, size_);
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
-    SolidValue v = searched(found, size_);
+    Answer v = searched(found, size_);
     // A set of A sticks out by no less than A; where it does so at a place of A, by as much.
     for (const BodyPart& set : part.sets->within) {
-      const SolidValue complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));
+      const Answer complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));
       const bool same = std::fabs(complete.value.to_double() - found.value) <= v.error;  // no sign: the same value
       if (!same || !complete.points) continue;
       const RealVector place = space::plus((*complete.points)[0], p);

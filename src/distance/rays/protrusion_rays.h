@@ -34,6 +34,7 @@ class ProtrusionRays : public space::RaySource {
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
+  bool searched() const override { return true; }
 
  private:
   /// Where a line runs, in the bodies' steps: from `start` along `unit`.

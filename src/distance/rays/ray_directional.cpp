@@ -185,10 +185,6 @@ Source Directional::farthest_map(const ClosedSets& closed, const Real& level) co
 /// Of eta1 and eta2, A inside_of.
 bool fit_by_values(const Body& b, const Body& a) { return a.round() || (b.round() && !a.convex()); }
 
-bool depth_by_values(const Real& level, const Body& b, const Body& a) {
-  return level.sign() < 0 && (a.round() || b.round()) && !(a.convex() && b.convex());
-}
-
 Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest);
 
 /// eta1 and eta2. Inside and outside of A exchanged eta1 is -gamma1.
@@ -215,23 +211,6 @@ Source gamma(const Directional& maker, const Body& b, const Body& a, const Real&
 }
 
 }  // namespace
-
-bool directional_by_values(Which which, const Real& level, const Body& b, const Body& a) {
-  switch (which) {
-    case Which::kGamma1:
-      if (a.outside) return fit_by_values(b, inside_of(a));
-      return depth_by_values(level, b, a);
-    case Which::kGamma2:
-      return false;
-    case Which::kEta1:
-      if (a.outside) return depth_by_values(-level, b, inside_of(a));
-      return fit_by_values(b, a);
-    case Which::kEta2:
-      return !a.outside && fit_by_values(b, a);
-    default:
-      return !a.outside && fit_by_values(mirrored(a), mirrored(b));
-  }
-}
 
 std::unique_ptr<space::RaySource> ray_directional_map(Which which, const Real& level, const RealVector& direction,
                                                       bool both_ways, const Body& b, const Body& a,

@@ -14,8 +14,8 @@ using space::RayEvent;
 using space::RayPosition;
 using space::RayRow;
 
-RayRuns::RayRuns(Rows zero, const RunQuery& query, const Real& level, const space::RayGrid& grid)
-    : zero_(std::move(zero)), query_(query), level_(level), grid_(grid) {}
+RayRuns::RayRuns(Rows zero, bool searched, const RunQuery& query, const Real& level, const space::RayGrid& grid)
+    : zero_(std::move(zero)), searched_(searched), query_(query), level_(level), grid_(grid) {}
 
 /// The line as the direction sees it.
 Section RayRuns::section(const RayRow& row, int i) const {

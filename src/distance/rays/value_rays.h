@@ -56,6 +56,7 @@ class ValueRays : public space::RaySource {
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
+  bool searched() const override { return true; }
 
  private:
   struct Walk {

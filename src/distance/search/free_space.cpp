@@ -106,7 +106,7 @@ bool GrownSet::holds(const RealVector& p) const {
   return space::dot(off, off) < radius * radius;
 }
 
-SolidValue GrownSet::front(const RealVector& p) const {
+Answer GrownSet::front(const RealVector& p) const {
   RealVector projection = center;
   bool inside = false;
   if (!planes.empty()) {
@@ -117,7 +117,7 @@ SolidValue GrownSet::front(const RealVector& p) const {
   }
   const RealVector w = space::minus(p, projection);
   const Real d = sqrt(space::dot(w, w));
-  SolidValue out;
+  Answer out;
   out.value = (inside ? -d : d) - radius;
   // The front lies a radius further out, on the line through p; at d = 0 the line is not known.
   if (out.value.sign() != 0 && d.sign() != 0)
@@ -207,9 +207,9 @@ Incumbent FreeSpace::known_at(std::function<std::optional<RealVector>()> find, c
   };
 }
 
-std::optional<SolidValue> FreeSpace::settled(const BoundaryPlace& found, const RealVector& p,
+std::optional<Answer> FreeSpace::settled(const BoundaryPlace& found, const RealVector& p,
                                              const std::optional<RealVector>& known) const {
-  SolidValue out;
+  Answer out;
   const double slack = margin::kFoundError * (size_ + std::fabs(found.bound)),
                off = std::fabs(found.value - found.bound);
   const RealVector place = space::real(found.place);
@@ -274,13 +274,13 @@ BoundaryPlace FreeSpace::nearly(const RealVector& p, const Until& until) const {
   return searched(space::rounded(p), false, {}, &until);
 }
 
-std::optional<SolidValue> FreeSpace::nearest(const RealVector& p, bool open) const {
+std::optional<Answer> FreeSpace::nearest(const RealVector& p, bool open) const {
   // The front of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the place.
   const Vector near = space::rounded(p);
   const double deepest = deepest_at(near);
   for (std::size_t k = 0; k < sets_.size(); ++k) {
     if (rules_.keep_out[k](near) > deepest + 0x1p-40 * size_) continue;
-    SolidValue v = sets_[k].front(p);
+    Answer v = sets_[k].front(p);
     if (!v.nearest || !allows_(*v.nearest)) continue;
     v.value = -v.value;
     return v;
@@ -290,7 +290,7 @@ std::optional<SolidValue> FreeSpace::nearest(const RealVector& p, bool open) con
   return settled(searched(near, open, ask, nullptr), p, known);
 }
 
-SolidValue FreeSpace::nearest_to(const TouchingRule& to) const {
+Answer FreeSpace::nearest_to(const TouchingRule& to) const {
   const double tolerance = 0x1p-30 * size_;
   const BoundaryPlace found =
       nearest_allowed(tetrahedra_of_box(box_low_ - Vector{tolerance, tolerance, tolerance},
@@ -299,14 +299,14 @@ SolidValue FreeSpace::nearest_to(const TouchingRule& to) const {
   const double off = std::fabs(found.value - found.bound);
   if (!found.found || off > margin::kMostFoundError * size_)
     throw Error(ErrorCode::kUnsupported, "the depth of the shape was not found within the limit of the search");
-  SolidValue out;
+  Answer out;
   out.value = Real::from_double(found.value);
   out.proven = false;
   out.error = margin::kFoundError * size_ + off;
   return out;
 }
 
-std::optional<SolidValue> FreeSpace::farthest(const RealVector& p) const {
+std::optional<Answer> FreeSpace::farthest(const RealVector& p) const {
   const double tolerance = 0x1p-30 * size_;
   std::optional<RealVector> known;
   const Incumbent ask = known_at(

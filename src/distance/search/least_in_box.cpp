@@ -28,7 +28,7 @@ class BoxSearch {
   explicit BoxSearch(const std::function<Real(const RealVector&)>& value, double floor)
       : value_(value), floor_(floor) {}
 
-  SolidLeast run(const Vector& low, const Vector& high) {
+  Answer run(const Vector& low, const Vector& high) {
     const Vector half = space::scaled(0.5, high - low);
     tolerance_ = 0x1p-30 * (space::length(half) + 1);
     take({{space::plus(low, half), half, 0}});
@@ -77,12 +77,12 @@ class BoxSearch {
   double floor_, tolerance_ = 0, least_ = exact::kInfinity;
   int count_ = 0;
   std::priority_queue<Box> queue_;
-  SolidLeast out_;
+  Answer out_ = least_answer({}, {}, false, {});
 };
 
 }  // namespace
 
-SolidLeast least_in_box(const std::function<Real(const RealVector&)>& value, const Vector& low, const Vector& high,
+Answer least_in_box(const std::function<Real(const RealVector&)>& value, const Vector& low, const Vector& high,
                         double floor) {
   return BoxSearch(value, floor).run(low, high);
 }

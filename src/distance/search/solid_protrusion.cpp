@@ -94,7 +94,7 @@ std::optional<std::pair<Body, Body>> without_radius(const Body& b, const Body& a
   return out;
 }
 
-SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
+Answer protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
   const std::vector<HalfSpace> planes = a.planes();
   const RealVector center = real(a.center);
   std::vector<FarCorner> corners;
@@ -109,7 +109,7 @@ SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVect
     }
   }
   std::sort(corners.begin(), corners.end(), [](const FarCorner& x, const FarCorner& y) { return x.floor > y.floor; });
-  std::optional<SolidValue> best;
+  std::optional<Answer> best;
   std::vector<Vector> projections;
   const double slack = 0x1p-40 * (space::size_of(corners[0].near) + std::fabs(corners[0].floor));
   for (const FarCorner& c : corners) {
@@ -133,7 +133,7 @@ SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVect
     }
     const Real value = core + c.part->radius - a.radius;
     if (best && !(best->value < value)) continue;
-    best = SolidValue{};
+    best = Answer{};
     best->value = value;
     if (core.sign() > 0) {
       const RealVector away = space::minus(c.at, projection);
@@ -174,19 +174,19 @@ Solids solids_of(const Body& b, const RealVector& p) {
 }
 
 /// At a vertex of B the exact distance to the nearest set is known.
-std::optional<SolidValue> at_vertex(const Body& b, std::span<const Target> targets, const RealVector& p,
-                                    const Vector& place) {
+std::optional<Answer> at_vertex(const Body& b, std::span<const Target> targets, const RealVector& p,
+                                const Vector& place) {
   for (const BodyPart& part : b.parts) {
     if (part.radius.sign() > 0) continue;
     for (const space::Point& v : part.vertices()) {
       const RealVector at = space::plus(real(v), p);
       if (space::length(space::rounded(at) - place) > 0x1p-44 * space::size_of(place)) continue;
-      std::optional<SolidValue> best;
+      std::optional<Answer> best;
       for (const Target& t : targets) {
         const RealVector projection = t.planes.empty() ? t.center : *nearest_in(t.planes, at);
         const Real core = length(space::minus(at, projection)), d = core - t.radius;
         if (best && !(d < best->value)) continue;
-        best = SolidValue{};
+        best = Answer{};
         best->value = d;
         if (core.sign() > 0)
           best->points = {at, space::along(projection, t.radius / core, space::minus(at, projection))};
@@ -197,14 +197,14 @@ std::optional<SolidValue> at_vertex(const Body& b, std::span<const Target> targe
   return std::nullopt;
 }
 
-SolidValue protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const Target> targets,
-                      const RealVector& p) {
+Answer protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const Target> targets,
+                  const RealVector& p) {
   const Solids solids = solids_of(b, p);
   const SolidMaxMin max_min = solid_max_min(solids.cells, solids.round, distances, 0);
   if (max_min.complete) {
     if (auto exact = at_vertex(b, targets, p, max_min.place)) return *exact;
   }
-  SolidValue out;
+  Answer out;
   out.value = Real::from_double(max_min.value);
   out.proven = false;
   out.error = max_min.bound - max_min.value + 0x1p-40 * space::size_of(max_min.place);
@@ -213,13 +213,13 @@ SolidValue protrusion(const Body& b, std::span<const ConvexDistance> distances, 
 
 }  // namespace
 
-SolidValue protrusion_of_union(const Body& b, const Body& a, const RealVector& p) {
+Answer protrusion_of_union(const Body& b, const Body& a, const RealVector& p) {
   std::vector<Target> targets;
   for (const BodyPart& part : a.parts) targets.push_back({part.planes(), real(part.center), part.radius});
   return protrusion(b, distances_to_parts(a), targets, p);
 }
 
-SolidValue protrusion_of_cells(const Body& b, std::span<const space::OutsideCell> a, const RealVector& p) {
+Answer protrusion_of_cells(const Body& b, std::span<const space::OutsideCell> a, const RealVector& p) {
   std::vector<Target> targets;
   std::vector<ConvexDistance> distances;
   for (const space::OutsideCell& cell : a) {

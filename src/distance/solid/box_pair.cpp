@@ -176,10 +176,10 @@ bool BoxPair::has_value(Which which) {
 
 bool BoxPair::is_reach(Which which) { return which == Which::kGamma2 || which == Which::kDiameter; }
 
-std::optional<SolidValue> BoxPair::signed_value(Which base, const RealVector& p) const {
+std::optional<Answer> BoxPair::signed_value(Which base, const RealVector& p) const {
   const Signs& s = signs(base);
   if (!s.defined) return std::nullopt;
-  SolidValue out;
+  Answer out;
   const Mark sign = s.map.mark(p);
   if (sign == 0) return out;
   const auto q = nearest(sign < 0 ? s.rest : s.closed, p);
@@ -194,16 +194,16 @@ std::optional<SolidValue> BoxPair::signed_value(Which base, const RealVector& p)
   return out;
 }
 
-std::optional<SolidValue> BoxPair::farthest_value(Which base, const RealVector& p) const {
+std::optional<Answer> BoxPair::farthest_value(Which base, const RealVector& p) const {
   const auto q = farthest(signs(base).closed, p);
   if (!q) return std::nullopt;
-  SolidValue out;
+  Answer out;
   const RealVector off = space::minus(*q, p);
   out.value = sqrt(dot(off, off));
   return out;
 }
 
-std::optional<SolidValue> BoxPair::value(Which which, const RealVector& p) const {
+std::optional<Answer> BoxPair::value(Which which, const RealVector& p) const {
   if (which == Which::kEta2) return farthest_value(Which::kEta1, p);
   if (which == Which::kDelta2) return farthest_value(Which::kDelta1, p);
   if (is_reach(which)) {
@@ -218,7 +218,7 @@ std::optional<SolidValue> BoxPair::value(Which which, const RealVector& p) const
   const auto d = derived(which);
   if (!d) return signed_value(which, p);
   auto v = signed_value(d->base, p);
-  if (!v) return d->negated ? std::optional<SolidValue>(SolidValue{}) : std::nullopt;
+  if (!v) return d->negated ? std::optional<Answer>(Answer{}) : std::nullopt;
   if (v->lowest && d->negated) return std::nullopt;
   v->lowest = false;
   if (d->negated) v->value = -v->value;

@@ -16,7 +16,7 @@ using space::Vector;
 namespace {
 
 /// The unit vector along which the distance grows.
-std::optional<Vector> direction(const SolidValue& v) {
+std::optional<Vector> direction(const Answer& v) {
   if (!v.points) return std::nullopt;
   const Vector w = space::rounded(space::minus((*v.points)[0], (*v.points)[1]));
   const double length = space::length(w), value = v.value.to_double();
@@ -27,14 +27,14 @@ std::optional<Vector> direction(const SolidValue& v) {
 
 class Search {
  public:
-  Search(const std::function<SolidValue(const RealVector&)>& value, const Vector& low, const Vector& high)
+  Search(const std::function<Answer(const RealVector&)>& value, const Vector& low, const Vector& high)
       : value_(value), size_(space::length(high - low) + space::size_of(low) + space::size_of(high) + 1) {
     const Vector by = space::scaled(3, high - low);
     corners_ = {low, space::plus(low, {by.x, 0, 0}), space::plus(low, {0, by.y, 0}), space::plus(low, {0, 0, by.z})};
     next_ = space::scaled(0.5, space::plus(low, high));
   }
 
-  std::optional<SolidLeast> run() {
+  std::optional<Answer> run() {
     double bound = -exact::kInfinity;
     for (int k = 0; k < kMostTangents && !(least_ - bound <= 0x1p-40 * size_); ++k) {
       if (!add_tangent()) break;
@@ -55,7 +55,7 @@ class Search {
  private:
   bool add_tangent() {
     const RealVector p = space::real(next_);
-    const SolidValue v = value_(p);
+    const Answer v = value_(p);
     const double value = v.value.to_double();
     if (value < least_) {
       least_ = value;
@@ -74,25 +74,25 @@ class Search {
   void offer_near() {
     RealVector even = out_.at;
     for (Real& c : even) c = Real(exact::round(c));
-    SolidValue v = value_(even);
+    Answer v = value_(even);
     if (v.value <= out_.value + Real::from_double(0x1p-38 * size_)) {
       out_.value = std::move(v.value);
       out_.at = even;
     }
   }
 
-  const std::function<SolidValue(const RealVector&)>& value_;
+  const std::function<Answer(const RealVector&)>& value_;
   double size_, least_ = exact::kInfinity;
   std::array<Vector, 4> corners_;  // of a tetrahedron about the box
   Vector next_;
   std::vector<std::array<double, 4>> columns_;
-  SolidLeast out_;
+  Answer out_ = least_answer({}, {}, false, {});
 };
 
 }  // namespace
 
-std::optional<SolidLeast> convex_least(const std::function<SolidValue(const RealVector&)>& value, const Vector& low,
-                                       const Vector& high) {
+std::optional<Answer> convex_least(const std::function<Answer(const RealVector&)>& value, const Vector& low,
+                                   const Vector& high) {
   return Search(value, low, high).run();
 }
 

@@ -60,13 +60,13 @@ void visit_farthest(const Body& a, const Body& b, const space::Vector& p, Visit&
 
 }  // namespace
 
-SolidValue SolidPair::reach(const RealVector& p) const {
-  std::optional<SolidValue> best;
+Answer SolidPair::reach(const RealVector& p) const {
+  std::optional<Answer> best;
   visit_farthest(*a_, *b_, space::rounded(p), [&](const BodyPart& t, const BodyPart& s, const auto& v, const auto& w) {
     const RealVector a = real(v), b = space::plus(real(w), p), e = space::minus(a, b);
     const Real core = sqrt(space::dot(e, e)), value = core + t.radius + s.radius;
     if (best && !(best->value < value)) return;
-    best = SolidValue{};
+    best = Answer{};
     best->value = value;
     if (core.sign() == 0) return;
     best->points = {space::along(b, -(s.radius / core), e), space::along(a, t.radius / core, e)};

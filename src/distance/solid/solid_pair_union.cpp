@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
 #include "distance/search/union_fit.h"
 #include "distance/solid/solid_pair.h"
 
@@ -33,23 +33,22 @@ namespace {
 constexpr double kError = 0x1p-36;
 
 /// The nearest (farthest) place in a single part, where that is known.
-std::optional<SolidValue> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
-  std::optional<SolidValue> best;
+std::optional<Answer> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
+  std::optional<Answer> best;
   for (const auto& pair : containers.alone) {
     auto tried = exact::tried([&] { return pair->value(farthest ? Which::kEta2 : Which::kEta1, p); });
     if (!tried || !*tried) continue;  // the search will tell
-    SolidValue& v = **tried;
+    Answer& v = **tried;
     if (!best || (farthest ? best->value < v.value : v.value < best->value)) best = std::move(v);
   }
   return best;
 }
 
-std::optional<SolidValue> settled(const BoundaryPlace& found, const std::optional<SolidValue>& known, double size,
-                                  int sense) {
+std::optional<Answer> settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size, int sense) {
   const double slack = kError * size;
   if (found.known && found.value - found.bound <= slack) return known;
   if (found.found && found.value - found.bound <= slack) {
-    SolidValue out;
+    Answer out;
     out.value = Real::from_double(sense * found.value);
     out.nearest = RealVector{Real::from_double(found.place.x), Real::from_double(found.place.y),
                              Real::from_double(found.place.z)};
@@ -83,8 +82,8 @@ std::shared_ptr<const UnionContainers> SolidPair::union_containers(const space::
   return out;
 }
 
-std::optional<SolidValue> SolidPair::into_union(const Side& side, const Fit& fit, const RealVector& p,
-                                                const SolidValue& outside) const {
+std::optional<Answer> SolidPair::into_union(const Side& side, const Fit& fit, const RealVector& p,
+                                            const Answer& outside) const {
   // Moved by as much, the way that B sticks out by, it often fits, and no shorter way leads to where it does.
   if (outside.points && outside.proven) {
     const RealVector q = space::minus(p, space::minus((*outside.points)[0], (*outside.points)[1]));
@@ -99,7 +98,7 @@ std::optional<SolidValue> SolidPair::into_union(const Side& side, const Fit& fit
                  containers.protrusion.size(), 1);
 }
 
-std::optional<SolidValue> SolidPair::farthest_in_union(const Fit& fit, const RealVector& p) {
+std::optional<Answer> SolidPair::farthest_in_union(const Fit& fit, const RealVector& p) {
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, true);
   FitQuery query{space::rounded(p), true};

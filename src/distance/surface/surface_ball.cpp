@@ -152,8 +152,8 @@ class BallSearch {
     if (found.found || found.unresolved || !found.complete) bound_ = std::min(bound_, found.bound);
   }
 
-  SolidValue value(double off) const {
-    SolidValue out;
+  Answer value(double off) const {
+    Answer out;
     if (const auto named = named_for_ball(ball_, x_, place_, farthest_, (margin::kFoundError * size_ + off) * 64)) {
       const RealVector way = space::minus(*named, x_);
       out.value = sqrt(space::dot(way, way));

@@ -61,18 +61,18 @@ MaxMinDomain room_of_field(const SurfaceField& field, const space::Body* hull) {
 }
 
 /// At a corner of B the exact distance; nothing where the place is none.
-std::optional<SolidValue> at_corner(const space::SurfaceSet& b, const space::SurfaceSet& a, const RealVector& p,
-                                    const Vector& place) {
+std::optional<Answer> at_corner(const space::SurfaceSet& b, const space::SurfaceSet& a, const RealVector& p,
+                                const Vector& place) {
   const Vector by = space::rounded(p);
   for (const auto& sheet : b.sheets()) {
     for (const space::Point& v : sheet->body.points) {
       if (space::length(space::plus(exact::approx(v), by) - place) > 0x1p-44 * space::size_of(place)) continue;
       const RealVector at = space::plus(space::real(v), p);
-      std::optional<SolidValue> best;
+      std::optional<Answer> best;
       const auto offer = [&](const RealVector& way, const Real& radius) {
         const Real core = sqrt(space::dot(way, way)), value = core - radius;
         if (best && best->value <= value) return;
-        best = SolidValue{};
+        best = Answer{};
         best->value = value;
         if (core.sign() > 0) best->points = {at, space::along(at, value / core, way)};
       };
@@ -86,7 +86,7 @@ std::optional<SolidValue> at_corner(const space::SurfaceSet& b, const space::Sur
 
 }  // namespace
 
-SolidValue SurfacePair::protrusion(const Side& side, const RealVector& p) {
+Answer SurfacePair::protrusion(const Side& side, const RealVector& p) {
   const space::SurfaceSet &b = *side.moving->surface, &a = *side.fixed->surface;
   const Vector by = space::rounded(p);
   const SurfaceField of_a(a, {}), of_b(b, by);
@@ -97,7 +97,7 @@ SolidValue SurfacePair::protrusion(const Side& side, const RealVector& p) {
   if (max_min.complete) {
     if (auto exact = at_corner(b, a, p, max_min.place)) return *exact;
   }
-  SolidValue out;
+  Answer out;
   out.value = Real::from_double(max_min.value);
   out.proven = false;
   out.error = max_min.bound - max_min.value + 0x1p-40 * space::size_of(max_min.place);

@@ -150,19 +150,6 @@ SurfaceRays solid_rays(Which which, const TouchingSolid& b, const TouchingSolid&
                            [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
 }
 
-std::optional<bool> found_by_search(Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
-                                    const Real& level) {
-  const auto flat = [](const std::vector<RaySolid>& all) {
-    return std::none_of(all.begin(), all.end(), [](const RaySolid& s) { return s.ball(); });
-  };
-  if (level.sign() >= 0 && (which == Which::kGamma1 || which == Which::kD1)) return false;
-  if (!flat(b) || !flat(a)) return std::nullopt;
-  if (level.sign() <= 0) return false;
-  const bool forth = which == Which::kMu || which == Which::kH || which == Which::kHausdorff,
-             back = which == Which::kMuBack || which == Which::kHBack || which == Which::kHausdorff;
-  return (forth && !convex(a)) || (back && !convex(b));
-}
-
 Source as_source(SurfaceRays rays) {
   if (rays.sources.size() == 1) return std::move(rays.sources[0]);
   return space::combined_rays(std::move(rays.sources), [least = rays.least](std::span<const std::int8_t> s) {

@@ -155,7 +155,7 @@ Tried<space::RaySourcePointer> along_lines(const RayWorld& world, const SignMap&
   Tried<SurfaceRays> made = parts(world, zero, grid);
   if (!made) return made.refusal();
   auto rays = std::make_shared<SurfaceRays>(*std::move(made));
-  return std::make_unique<distance::RayRuns>([rays](int j) { return rays->row(j); }, query,
+  return std::make_unique<distance::RayRuns>([rays](int j) { return rays->row(j); }, rays->searched(), query,
                                              map.level / world.step * Real(grid.parts), grid);
 }
 
@@ -254,39 +254,46 @@ RayWindow window(const RayWorld& world, const Formula& formula) {
   return result;
 }
 
-Tried<space::RaySourcePointer> try_ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
+Tried<RegionOnLines> try_ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
   if (formula.sign_maps().empty()) return Refusal("a constant formula has no ray map");
   std::vector<SurfaceRays> maps;
+  std::vector<bool> searched;
   for (const SignMap& map : formula.sign_maps()) {
     Tried<SurfaceRays> one = parts(world, map, grid);
     if (!one) return one.refusal();
+    searched.push_back(one->searched());
     maps.push_back(*std::move(one));
   }
-  return std::make_unique<RegionRays>(std::move(maps), formula, grid);
+  return RegionOnLines{std::make_unique<RegionRays>(std::move(maps), formula, grid), side_of_search(formula, searched)};
 }
 
-space::RaySourcePointer ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
+RegionOnLines ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
   return try_ray_region(world, formula, grid).or_throw();
 }
 
 namespace {
 
-/// The signs of one map on line (0, 0).
-Tried<RayRow> first_row(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+/// Line (0, 0) of one map.
+struct FirstRow {
+  RayRow row;
+  bool searched = false;
+};
+Tried<FirstRow> first_row(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   const Tried<SurfaceRays> source = parts(world, map, grid);
   if (!source) return source.refusal();
-  return exact::tried([&] { return source->row(0); });
+  return exact::tried([&] { return FirstRow{source->row(0), source->searched()}; });
 }
 
 }  // namespace
 
-Tried<plane::Section> signs_on_line(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
-  const Tried<RayRow> row = first_row(world, map, grid);
-  if (!row) return row.refusal();
-  plane::Section out{row->before[0], {}};
-  for (int e = row->first[0]; e < row->first[1]; ++e) {
-    const space::RayEvent& event = row->events[static_cast<std::size_t>(e)];
-    out.stops.push_back({event.at.to_real(), event.here, event.after});
+Tried<LineSigns> signs_on_line(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+  const Tried<FirstRow> found = first_row(world, map, grid);
+  if (!found) return found.refusal();
+  const RayRow& row = found->row;
+  LineSigns out{{row.before[0], {}}, found->searched};
+  for (int e = row.first[0]; e < row.first[1]; ++e) {
+    const space::RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    out.section.stops.push_back({event.at.to_real(), event.here, event.after});
   }
   return out;
 }
@@ -309,44 +316,11 @@ std::optional<RayGrid> grid_through(const space::RealVector& p, int axis) {
 Tried<std::optional<int>> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
   const auto grid = grid_through(p, 2);
   if (!grid) return std::nullopt;
-  const Tried<RayRow> row = first_row(world, map, *grid);
-  if (!row) return row.refusal();
-  const int sign = space::sign_at(*row, 0, p[2] * Real(grid->parts));
-  if (sign == 0 && found_by_search(world, map, &*grid)) return std::nullopt;
+  const Tried<FirstRow> found = first_row(world, map, *grid);
+  if (!found) return found.refusal();
+  const int sign = space::sign_at(found->row, 0, p[2] * Real(grid->parts));
+  if (sign == 0 && found->searched) return std::nullopt;
   return sign;
-}
-
-namespace {
-
-/// In all directions, or at level 0 along one: from the sign of that on the same line others follow (along_lines).
-bool searched(const Distance& d, bool second, const Real& level, const space::Body& b, const space::Body& a,
-              bool runs) {
-  const distance::Which base = which(d.kind, second);
-  if (!is_directional(d)) return distance::found_by_search(base, level, b, a);
-  const bool at_zero = level.sign() == 0 && !is_farthest(d.kind);
-  if (runs || at_zero) return distance::found_by_search(which(nearest_kind(d.kind), second), Real(), b, a);
-  return distance::directional_by_values(base, level, b, a);
-}
-
-}  // namespace
-
-bool found_by_search(const RayWorld& world, const SignMap& map, const RayGrid* grid) {
-  const Distance d = moving_first(map.distance, world.moving);
-  if (d.mode == Mode::kRotation) return false;
-  const bool second = second_is_moving(d, world.moving);
-  const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
-  if (d.kind == Kind::kGamma2) return false;
-  const auto of_b = solids(world, b), of_a = solids(world, a);
-  if (of_b && of_a && (!is_directional(d) || map.level.sign() <= 0)) {
-    if (const auto known = found_by_search(which(d.kind, second), *of_b, *of_a, map.level)) return *known;
-  }
-  const Tried<space::Body> moving = body(world, b);
-  const Tried<space::Body> fixed = moving ? body(world, a) : moving;
-  if (moving && fixed)
-    return searched(d, second, map.level, *moving, *fixed,
-                    grid != nullptr && is_directional(d) && runs_along(d, *grid));
-  const bool fit = d.kind == Kind::kEta1 || d.kind == Kind::kMu;
-  return !(fit && map.level.sign() <= 0);  // by surfaces, or by rooms and obstacles
 }
 
 }  // namespace findspace::formula

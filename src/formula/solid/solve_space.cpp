@@ -19,8 +19,9 @@
 
 namespace findspace::formula {
 
+using distance::Answer;
 using distance::BoxPair;
-using distance::SolidValue;
+using distance::Way;
 using distance::Which;
 using exact::Real;
 using exact::Refusal;
@@ -67,21 +68,22 @@ Tried<SpaceSolver::Named> SpaceSolver::named(const Distance& wanted) const {
   return Named{slot, which(d.kind, second)};
 }
 
-Tried<std::optional<SolidValue>> SpaceSolver::try_value(const Distance& wanted, const RealVector& p) const {
+Tried<std::optional<Answer>> SpaceSolver::try_value(const Distance& wanted, const RealVector& p) const {
   if (is_directional(wanted)) return directional_value(wanted, p);
   const Tried<Named> n = named(wanted);
   if (!n) return n.refusal();
-  Tried<std::optional<SolidValue>> v = n->pair->value(n->which, p);
+  Tried<std::optional<Answer>> v = n->pair->value(n->which, p);
   return v ? std::move(v) : v.refusal().within(text(wanted));
 }
 
-std::optional<SolidValue> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
+std::optional<Answer> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
   return try_value(wanted, p).or_throw();
 }
 
-SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<SolidValue>& v) const {
+SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<Answer>& v) const {
   SpaceDistanceAt out{text(wanted), std::nullopt, std::nullopt, std::nullopt, {}};
   if (!v) return out;
+  out.way = v->way;
   out.value = v->lowest ? -exact::kInfinity : (v->value * world_.step).to_double();
   const auto place = [&](const RealVector& q) {
     return SpacePlace{(q[0] * world_.step).to_double(), (q[1] * world_.step).to_double(),
@@ -94,17 +96,13 @@ SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<S
   return out;
 }
 
-Tried<int> SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v) const {
+Tried<int> SpaceSolver::sign(const SignMap& wanted, const std::optional<Answer>& v) const {
   if (!v) return 1;
   if (v->lowest) return -1;
   const Real level = wanted.level / world_.step;
-  if (!v->proven) {
-    const double gap = std::fabs((v->value - level).to_double());
-    if (gap <= std::max(0x1p-34 * std::fabs(v->value.to_double()), v->error)) {
-      return refused(wanted.distance,
-                     "the value, found by search, is too near the level to tell on which side of it it lies");
-    }
-  }
+  if (!v->proven && std::fabs((v->value - level).to_double()) <= v->slack())
+    return refused(wanted.distance,
+                   "the value, found by search, is too near the level to tell on which side of it it lies");
   return compare(v->value, level);
 }
 
@@ -112,7 +110,7 @@ Tried<int> SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidVal
 Tried<SpaceSolver::SignedValue> SpaceSolver::minimal(const SignMap& map, const RealVector& p) const {
   const auto tried = try_value(map.distance, p);
   if (!tried) return tried.refusal();
-  const std::optional<SolidValue>& v = *tried;
+  const std::optional<Answer>& v = *tried;
   const auto outcome = [&](bool least) { return SignedValue{shown(map.distance, v), least ? 0 : 1}; };
   if (is_directional(map.distance)) {
     const Tried<bool> takes = takes_least(map.distance, v, p);
@@ -126,7 +124,7 @@ Tried<SpaceSolver::SignedValue> SpaceSolver::minimal(const SignMap& map, const R
   if (*whole) return outcome((*whole)->at.mark(p) != 0);
   const auto nearly = n->pair->nearly_least(n->which);
   if (!nearly) return nearly.refusal();
-  const std::optional<distance::SolidLeast>& least = *nearly;
+  const std::optional<distance::Answer>& least = *nearly;
   if (!v || !least || least->value < v->value) return outcome(false);
   if (least->proven && v->proven) return outcome(true);
   return refused(map.distance,
@@ -134,20 +132,20 @@ Tried<SpaceSolver::SignedValue> SpaceSolver::minimal(const SignMap& map, const R
                  "is a minimiser");
 }
 
-Tried<std::optional<distance::SolidLeast>> SpaceSolver::try_nearly_least(const Distance& wanted) const {
+Tried<std::optional<distance::Answer>> SpaceSolver::try_nearly_least(const Distance& wanted) const {
   if (is_directional(wanted)) return directional_nearly_least(wanted);
   const Tried<Named> n = named(wanted);
   if (!n) return n.refusal();
   auto found = n->pair->nearly_least(n->which);
   if (!found || !*found) return found;
-  distance::SolidLeast& least = **found;
+  distance::Answer& least = **found;
   least.value *= world_.step;
   least.bound *= world_.step;
   least.at = space::scaled(world_.step, least.at);
   return found;
 }
 
-std::optional<distance::SolidLeast> SpaceSolver::nearly_least(const Distance& wanted) const {
+std::optional<distance::Answer> SpaceSolver::nearly_least(const Distance& wanted) const {
   return try_nearly_least(wanted).or_throw();
 }
 
@@ -157,15 +155,15 @@ Tried<SpaceSolver::SignedValue> SpaceSolver::signed_value(const SignMap& map, co
   const auto v = try_value(map.distance, p);
   const Tried<int> by_value = v ? sign(map, *v) : v.refusal();
   if (by_value) return SignedValue{shown(map.distance, *v), *by_value};
-  const auto signs_alone = [&](int sign) {
-    return SignedValue{{text(map.distance), {}, {}, {}, by_value.refusal().error.message()}, sign};
+  const auto signs_alone = [&](int sign, Way way) {
+    return SignedValue{{text(map.distance), {}, {}, {}, by_value.refusal().error.message(), way}, sign};
   };
-  if (const auto on_map = sign_map(map)) return signs_alone(on_map->mark(p));
+  if (const auto on_map = sign_map(map)) return signs_alone(on_map->mark(p), Way::kMap);
   if (!world_.rays) return by_value.refusal();
   const auto on_ray = sign_at_position(*world_.rays, map, p);
   if (!on_ray) return on_ray.refusal();
   if (!*on_ray) return by_value.refusal();
-  return signs_alone(**on_ray);
+  return signs_alone(**on_ray, Way::kLines);
 }
 
 SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& position) const {

@@ -21,6 +21,7 @@
 #include "distance/solid/solid_least.h"
 #include "formula/language/formula.h"
 #include "formula/solid/lazy_body.h"
+#include "formula/solid/side.h"
 #include "plane/query/section.h"
 #include "space/body/csg_solid.h"
 #include "space/box/convex_set.h"
@@ -28,6 +29,7 @@
 
 namespace findspace::formula {
 
+struct LineSigns;
 struct RayWorld;
 class SpacePair;
 
@@ -61,6 +63,7 @@ struct SpaceDistanceAt {
   std::optional<SpacePlace> nearest;
   std::optional<std::array<SpacePlace, 2>> points;  // of the first shape and of the second one
   std::string refused;                              // why it is not computed
+  distance::Way way = distance::Way::kNone;         // how the value, or else the sign, was found
 };
 
 struct SpaceAtomAt {
@@ -103,9 +106,8 @@ class SpaceSolver {
   std::vector<SpaceDistanceAt> measure(const space::RealVector& p) const;
 
   /// One distance at p, in grid steps; nothing where it is undefined.
-  std::optional<distance::SolidValue> value(const Distance& distance, const space::RealVector& p) const;
-  exact::Tried<std::optional<distance::SolidValue>> try_value(const Distance& distance,
-                                                              const space::RealVector& p) const;
+  std::optional<distance::Answer> value(const Distance& distance, const space::RealVector& p) const;
+  exact::Tried<std::optional<distance::Answer>> try_value(const Distance& distance, const space::RealVector& p) const;
 
   /// In grid steps.
   space::BoxComplex feasible(const Formula& formula) const;
@@ -117,14 +119,18 @@ class SpaceSolver {
     exact::Real step;  // one unit of its coordinates in the scene's unit
   };
   exact::Tried<std::optional<ConvexMap>> feasible_convex(const Formula& formula) const;
+  struct OnLine {
+    plane::Section marks;
+    Side side = Side::kExact;  // of the true set
+  };
   /// Where the formula holds along a line: marks 1, and 0 elsewhere, by the length gone from `through`, in grid steps.
-  plane::Section feasible_on(const Formula& formula, const SpaceLine& line) const;
+  OnLine feasible_on(const Formula& formula, const SpaceLine& line) const;
   /// The first `distance -> min` of the formula, if it has one.
   std::optional<SpaceOptimum> minimum_of(const Formula& formula) const;
   /// The least value of a distance over all positions, as far as it is known; nothing where it is undefined. In the
   /// scene's unit.
-  std::optional<distance::SolidLeast> nearly_least(const Distance& distance) const;
-  exact::Tried<std::optional<distance::SolidLeast>> try_nearly_least(const Distance& distance) const;
+  std::optional<distance::Answer> nearly_least(const Distance& distance) const;
+  exact::Tried<std::optional<distance::Answer>> try_nearly_least(const Distance& distance) const;
   /// Of x, y, z or the distance to a point over the region.
   SpaceOptimum optimize(const space::BoxComplex& region, const Objective& objective, distance::Sense sense) const;
 
@@ -150,23 +156,23 @@ class SpaceSolver {
   };
   exact::Tried<Axial> axial(const Distance& distance) const;
   exact::Tried<SignedValue> signed_value(const SignMap& map, const space::RealVector& p) const;
-  SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
+  SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::Answer>& value) const;
   exact::Tried<SignedValue> minimal(const SignMap& map, const space::RealVector& p) const;
   /// The sign of a distance minus its level, given its value.
-  exact::Tried<int> sign(const SignMap& map, const std::optional<distance::SolidValue>& value) const;
+  exact::Tried<int> sign(const SignMap& map, const std::optional<distance::Answer>& value) const;
   exact::Tried<space::BoxComplex> sign_map(const SignMap& map) const;
   exact::Tried<distance::BoxPair::Least> least(const Distance& distance) const;
   exact::Tried<space::BoxComplex> directional_map(const SignMap& map) const;
   /// Nothing where it is undefined or -infinity; refused but of boxes along an axis.
   exact::Tried<std::optional<distance::BoxPair::Least>> directional_least(const Distance& distance) const;
-  exact::Tried<std::optional<distance::SolidLeast>> directional_nearly_least(const Distance& distance) const;
-  exact::Tried<std::optional<distance::SolidLeast>> convex_directional_least(const Distance& distance) const;
-  exact::Tried<bool> takes_least(const Distance& distance, const std::optional<distance::SolidValue>& v,
+  exact::Tried<std::optional<distance::Answer>> directional_nearly_least(const Distance& distance) const;
+  exact::Tried<std::optional<distance::Answer>> convex_directional_least(const Distance& distance) const;
+  exact::Tried<bool> takes_least(const Distance& distance, const std::optional<distance::Answer>& v,
                                  const space::RealVector& p) const;
   /// The signs of one sign map along a line, as feasible_on().
-  exact::Tried<plane::Section> signs_on(const SignMap& map, const SpaceLine& line) const;
-  exact::Tried<std::optional<distance::SolidValue>> directional_value(const Distance& distance,
-                                                                      const space::RealVector& p) const;
+  exact::Tried<LineSigns> signs_on(const SignMap& map, const SpaceLine& line) const;
+  exact::Tried<std::optional<distance::Answer>> directional_value(const Distance& distance,
+                                                                  const space::RealVector& p) const;
 
   SpaceWorld world_;
   std::unique_ptr<Cache> cache_;

@@ -11,8 +11,8 @@
 
 namespace findspace::formula {
 
+using distance::Answer;
 using distance::BoxPair;
-using distance::SolidValue;
 using distance::Which;
 using exact::Real;
 using exact::Refusal;
@@ -56,7 +56,7 @@ Tried<std::shared_ptr<const Body>> united_bodies(const std::vector<SpaceShape>& 
   return std::make_shared<const Body>(*std::move(all));
 }
 
-void scale_down(SolidValue& v, const Real& scale) {
+void scale_down(Answer& v, const Real& scale) {
   const auto down = [&](RealVector& q) {
     for (Real& c : q) c /= scale;
   };
@@ -159,31 +159,34 @@ Tried<const BoxPair*> SpacePair::boxes() const {
 
 namespace {
 
-/// What is asked at p in steps / scale.
+/// What is asked at p in steps / scale, by that way if no search.
 template <class Ask>
-Tried<std::optional<SolidValue>> asked(std::int64_t scale, const RealVector& p, const Ask& ask) {
-  Tried<std::optional<SolidValue>> v = exact::tried([&] { return ask(space::scaled(Real(scale), p)); });
+Tried<std::optional<Answer>> asked(distance::Way way, std::int64_t scale, const RealVector& p, const Ask& ask) {
+  Tried<std::optional<Answer>> v = exact::tried([&] { return ask(space::scaled(Real(scale), p)); });
   if (v && *v && scale != 1) scale_down(**v, Real(scale));
+  if (v && *v) (*v)->way = (*v)->proven ? way : distance::Way::kSearch;
   return v;
 }
 
 }  // namespace
 
-Tried<std::optional<SolidValue>> SpacePair::value_of_bodies(Which which, const RealVector& p) const {
+Tried<std::optional<Answer>> SpacePair::value_of_bodies(Which which, const RealVector& p) const {
   if (!all().pair) return *all().refused;
-  return asked(all().scale, p, [&](const RealVector& at) { return all().pair->value(which, at); });
+  return asked(distance::Way::kParts, all().scale, p,
+               [&](const RealVector& at) { return all().pair->value(which, at); });
 }
 
 // Boxes, then the ways of cut shapes and of surfaces, then bodies.
-Tried<std::optional<SolidValue>> SpacePair::value(Which which, const RealVector& p) const {
+Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) const {
   if (boxes_ && (BoxPair::has_value(which) || (BoxPair::is_reach(which) && !all().pair))) {
-    auto v = exact::tried([&] { return boxes_->value(which, p); });
+    auto v = asked(distance::Way::kBoxes, 1, p, [&](const RealVector& at) { return boxes_->value(which, at); });
     if (v || !all().pair) return v;  // too many coordinates for the grid: the bodies need none
   }
-  if (cut_.pair) return asked(cut_.scale, p, [&](const RealVector& at) { return cut_.pair->value(which, at); });
+  if (cut_.pair)
+    return asked(distance::Way::kCut, cut_.scale, p, [&](const RealVector& at) { return cut_.pair->value(which, at); });
   if (surfaces_) {
     bool decided = false;
-    auto v = asked(surface_scale_, p, [&](const RealVector& at) {
+    auto v = asked(distance::Way::kSurfaces, surface_scale_, p, [&](const RealVector& at) {
       const auto found = surfaces_->value(which, at);
       decided = found.has_value();
       return found ? found->value : std::nullopt;

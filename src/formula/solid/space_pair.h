@@ -29,11 +29,11 @@ class SpacePair {
   /// Why nothing is answered of these shapes; null where something is.
   const std::optional<exact::Refusal>& refusal() const { return refusal_; }
   /// Nothing where the distance is undefined.
-  exact::Tried<std::optional<distance::SolidValue>> value(distance::Which which, const space::RealVector& p) const;
+  exact::Tried<std::optional<distance::Answer>> value(distance::Which which, const space::RealVector& p) const;
   /// The least value and its positions; nothing where this is not computed.
   exact::Tried<std::optional<distance::BoxPair::Least>> least(distance::Which which) const;
   /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.
-  exact::Tried<std::optional<distance::SolidLeast>> nearly_least(distance::Which which) const;
+  exact::Tried<std::optional<distance::Answer>> nearly_least(distance::Which which) const;
   /// {distance <= level}, if it is a convex polytope, or one grown by a ball: gamma1 of convex shapes, eta1 in a convex
   /// polytope or of a ball in a ball, delta1 of such, mu to these at levels up to 0, gamma2 of balls. Its coordinates
   /// and radius are in grid steps times `scale`.
@@ -65,8 +65,8 @@ class SpacePair {
   const Bodies& all() const;  // made when first asked for
   std::unique_ptr<const Bodies> made_bodies() const;
   void make_surfaces();
-  exact::Tried<std::optional<distance::SolidValue>> value_of_bodies(distance::Which which,
-                                                                    const space::RealVector& p) const;
+  exact::Tried<std::optional<distance::Answer>> value_of_bodies(distance::Which which,
+                                                                const space::RealVector& p) const;
   std::optional<Outlines> outlines(bool eta, bool delta) const;
   static Sublevel none(std::int64_t scale);
   std::optional<distance::BoxPair::Least> deepest_fit(distance::Which which) const;
@@ -81,7 +81,7 @@ class SpacePair {
   std::int64_t surface_scale_ = 1;
   mutable std::mutex bodies_guard_, least_guard_;
   mutable std::unique_ptr<const Bodies> bodies_;
-  mutable std::map<distance::Which, std::unique_ptr<std::optional<distance::SolidLeast>>> least_;  // in steps / scale
+  mutable std::map<distance::Which, std::unique_ptr<std::optional<distance::Answer>>> least_;  // in steps / scale
 };
 
 }  // namespace findspace::formula

@@ -147,21 +147,21 @@ Tried<std::optional<BoxPair::Least>> SpacePair::least(Which which) const {
   if (which != Which::kGamma2 && which != Which::kEta2 && which != Which::kDelta2) return std::nullopt;
   const auto tried = nearly_least(which);  // the others are taken by whole sets
   if (!tried) return tried.refusal();
-  const std::optional<distance::SolidLeast>& found = *tried;
+  const std::optional<distance::Answer>& found = *tried;
   if (!found) return BoxPair::Least{Real(), BoxComplex()};
   if (!found->proven) return std::nullopt;
   const Real scale(all().scale);
   return least_at(space::scaled(scale, found->at), found->value * scale, scale);
 }
 
-Tried<std::optional<distance::SolidLeast>> SpacePair::nearly_least(Which which) const {
+Tried<std::optional<distance::Answer>> SpacePair::nearly_least(Which which) const {
   if (!all().pair) return *all().refused;
   const std::lock_guard lock(least_guard_);
   auto& slot = least_[which];
   if (!slot) {
     auto made = exact::tried([&] { return distance::solid_least(which, *all().b, *all().a); });
     if (!made) return made;
-    slot = std::make_unique<std::optional<distance::SolidLeast>>(*std::move(made));
+    slot = std::make_unique<std::optional<distance::Answer>>(*std::move(made));
   }
   auto found = *slot;
   if (!found) return found;

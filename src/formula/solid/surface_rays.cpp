@@ -105,6 +105,10 @@ RaySolid mirrored(RaySolid s) {
 
 }  // namespace
 
+bool SurfaceRays::searched() const {
+  return std::any_of(sources.begin(), sources.end(), [](const auto& s) { return s->searched(); });
+}
+
 RayRow SurfaceRays::row(int j) const {
   if (sources.size() == 1) return sources[0]->row(j);
   std::vector<RayRow> rows;

@@ -30,6 +30,8 @@ struct SurfaceRays {
     if (source) rays.sources.push_back(std::move(source));
     return rays;
   }
+  /// As RaySource::searched().
+  bool searched() const;
 };
 
 /// `which` is kGamma1, kGamma2, kEta1, kMu or kDelta1; the level in grid steps.

@@ -160,7 +160,7 @@ formula::RayWindow SpacePositions::window() const {
 }
 
 space::RaySourcePointer SpacePositions::lines(const space::RayGrid& grid) const {
-  return flat ? flat->rays(grid) : formula::ray_region(*rays, *formula, grid);
+  return flat ? flat->rays(grid) : formula::ray_region(*rays, *formula, grid).rays;
 }
 
 SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit) {
