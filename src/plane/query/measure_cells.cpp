@@ -3,6 +3,7 @@
 
 #include "plane/query/measure_cells.h"
 
+#include "exact/number/margins.h"
 #include "plane/query/measure_cells_places.h"
 
 namespace findspace::plane {
@@ -45,8 +46,8 @@ CellMeasures::Spread CellMeasures::spread(Index arc) const {
 
 std::array<Twofold, 2> CellMeasures::directed_edge(Index arc, Index vertex) const {
   const Circle& k = circle(arc);
-  constexpr double kSmall = 0x1p-40;  // no sign: where the differences of rounded coordinates keep too few digits
-  if (k.radius.hi > kSmall * (std::abs(k.x.hi) + std::abs(k.y.hi))) return {x_[vertex] - k.x, y_[vertex] - k.y};
+  if (k.radius.hi > margin::kSmallRadius * (std::abs(k.x.hi) + std::abs(k.y.hi)))
+    return {x_[vertex] - k.x, y_[vertex] - k.y};
   const exact::RealPoint p = c_.geometry.exact(c_.vertices[vertex].point);
   return {Twofold(p.x - c_.supporting_curve(arc).center_x()), Twofold(p.y - c_.supporting_curve(arc).center_y())};
 }

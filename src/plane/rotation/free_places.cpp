@@ -19,8 +19,7 @@ using exact::RealPoint;
 
 namespace {
 
-constexpr double kBeside = 64;    // rooms: how far beside a point a position is tried
-constexpr double kOpposed = 0.1;  // no sign: curves that leave less tolerance between them are left to exact numbers
+constexpr double kBeside = 64;  // rooms: how far beside a point a position is tried
 
 ContactCurves contact_curves(const Region& a, const Region& b, FreePlaces::Keep keep, const RealPoint& p) {
   return {contact_features(b, {}, is_in), contact_features(a, p, keep == FreePlaces::Keep::kApart ? is_in : is_out)};
@@ -199,7 +198,7 @@ class FreePlaces::From::Search {
     const double step = kBeside * (f_.room_ + c.off), reach = 2 * step;
     const RoughPoint u = rough_[c.first].normal_at(c.at), v = rough_[c.second].normal_at(c.at);
     const double along = length(u + v) / 2;  // the cosine of half the angle between them
-    if (along < kOpposed || std::min(bend(c.first), bend(c.second)) < 8 * reach / along) return std::nullopt;
+    if (along < margin::kOpenCurves || std::min(bend(c.first), bend(c.second)) < 8 * reach / along) return std::nullopt;
     const RoughPoint way = (u + v) / (2 * along);
     const double x = c.at.real() + x_, y = c.at.imag() + y_;
     for (Index k : f_.curves_in({x - reach, y - reach, x + reach, y + reach}))
@@ -217,7 +216,7 @@ class FreePlaces::From::Search {
     const double over = r.line ? dot(r.normal, c.at) - r.offset() : r.radius > 0 ? round : -round;
     if (std::abs(over) > reach || !r.holds(c.at, reach)) return true;
     return over > 2 * (f_.room_ + c.off) && (r.line || std::abs(r.radius) > 8 * reach) &&
-           dot(r.normal_at(c.at), way) > kOpposed;
+           dot(r.normal_at(c.at), way) > margin::kOpenCurves;
   }
 
   double bend(std::size_t i) const {

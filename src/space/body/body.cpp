@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "exact/number/margins.h"
 #include "space/body/erosion.h"
 #include "space/body/flat_core.h"
 
@@ -281,7 +282,7 @@ Real support(const BodyPart& part, const RealVector& n) {
   }
   std::optional<Real> best;
   for (const Point& v : part.vertices()) {
-    if (dot(near, exact::approx(v)) < highest - 0x1p-48 * size) continue;
+    if (dot(near, exact::approx(v)) < highest - margin::kRoundings32 * size) continue;
     const Real value = dot(n, real(v));
     if (!best || *best < value) best = value;
   }

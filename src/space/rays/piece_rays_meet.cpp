@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
 #include "space/rays/oblique_line.h"
 #include "space/rays/piece_rays.h"
 
@@ -29,7 +30,7 @@ int certain_sign(const Approx& a) { return a.certain() ? a.sign() : 2; }
 
 Approx rounded_number(const Real& r) {
   const double v = r.to_double();
-  return {v, std::fabs(v) * 0x1p-51};
+  return {v, std::fabs(v) * margin::kRoundings4};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 namespace {
 
@@ -86,7 +88,7 @@ void find_box(LinePiece& piece, std::span<const ConvexRegion::Vertex> vertices, 
       size = std::max({size, size_of(v.near), size_of(p)});
     }
   }
-  const double tolerance = 0x1p-40 * size;
+  const double tolerance = margin::kWiderBox * size;
   piece.low = piece.low - Vector{tolerance, tolerance, tolerance};
   piece.high = plus(piece.high, {tolerance, tolerance, tolerance});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "exact/number/margins.h"
 #include "space/polytope/near_features.h"
 
 namespace findspace::space {
@@ -31,7 +32,8 @@ double box_gap(const GridBox& a, const GridBox& b, const Vector& p) {
 class Search {
  public:
   /// `size` of the coordinates, `longest` of the edges: what a distance may be off.
-  Search(const Vector& p, double size, double longest) : p_(p), slack_(0x1p-43 * size + 0x1p-18 * longest) {}
+  Search(const Vector& p, double size, double longest)
+      : p_(p), slack_(margin::kFaceDistance * size + margin::kFaceProjection * longest) {}
 
   void sheets(const Sheet& a, int i, const Sheet& b, int j) {
     run(a.tree, b.tree, p_, [&](int f, int g) { faces(a, i, f, b, j, g); });

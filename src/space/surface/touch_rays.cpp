@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "space/rays/piece_rays.h"
 
@@ -115,7 +116,7 @@ std::shared_ptr<const TouchSets> sets_of(const TouchPair& pair) {
 
 RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const RayGrid& grid) {
   const Real radius = level * Real(pair.scale);
-  const double tolerance = radius.to_double() * (1 + 0x1p-40) + 2;
+  const double tolerance = radius.to_double() * (1 + margin::kWiderBox) + 2;
   const auto wanted = [&](const Vector& low, const Vector& high) {
     const Vector by{tolerance, tolerance, tolerance};
     return PieceRays::any_line(grid, low - by, plus(high, by), pair.scale);
