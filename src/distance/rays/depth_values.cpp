@@ -33,7 +33,7 @@ struct Piece {
 
 class Search {
  public:
-  Search(std::span<const ConvexDistance> functions, const Vector& p, const Way& way, double size)
+  Search(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way, double size)
       : functions_(functions), p_(p), way_(way), size_(size) {}
 
   Between run() {
@@ -106,19 +106,19 @@ class Search {
 
   std::span<const ConvexDistance> functions_;
   Vector p_;
-  Way way_;
+  PathStretch way_;
   double size_, best_ = -kInfinity;
   std::priority_queue<Piece> queue_;
 };
 
 }  // namespace
 
-Between greatest_of_least(std::span<const ConvexDistance> functions, const Vector& p, const Way& way, double size) {
+Between greatest_of_least(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way, double size) {
   return Search(functions, p, way, size).run();
 }
 
 /// By thirds: of a convex function the third beyond the greater value goes.
-Between least_on(const ConvexDistance& function, const Vector& p, const Way& way, double size) {
+Between least_on(const ConvexDistance& function, const Vector& p, const PathStretch& way, double size) {
   const auto at = [&](double s) { return function(space::plus(p, space::scaled(s, way.unit))); };
   double from = way.from, to = way.to, best = std::min(at(from), at(to));
   while (!settled(best - (to - from), best, size)) {
@@ -131,7 +131,7 @@ Between least_on(const ConvexDistance& function, const Vector& p, const Way& way
   return {best - (to - from) - kNoise * size, best + kNoise * size};
 }
 
-Between least_on(std::span<const ConvexDistance> functions, const Vector& p, const Way& way, double size) {
+Between least_on(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way, double size) {
   Between out{kInfinity, kInfinity};
   const double half = (way.to - way.from) / 2;
   const Vector middle = space::plus(p, space::scaled(way.from + half, way.unit));

@@ -39,17 +39,17 @@ class Sweeper {
       : unit_(space::rounded(query.unit)), both_ways_(query.both_ways), scale_(scale), grid_(grid) {}
 
   /// Forward, or both ways, as far as that.
-  Way way(double reach) const { return {unit_, both_ways_ ? -reach : 0, reach}; }
-  Way stretch(double from, double to) const { return {unit_, from, to}; }
+  PathStretch way(double reach) const { return {unit_, both_ways_ ? -reach : 0, reach}; }
+  PathStretch stretch(double from, double to) const { return {unit_, from, to}; }
 
   /// - where all of the way lies in the union of the open sets that the functions are less than 0 in.
-  Source held(const Positions& sets, const Way& way) const {
+  Source held(const Positions& sets, const PathStretch& way) const {
     return map(sets, way, [functions = sets.out, way](const Vector& p, double size) {
       return greatest_of_least(functions, p, way, size);
     });
   }
   /// - where some place of the way belongs to the inside of the positions, + where none belongs.
-  Source met(const Positions& fits, const Way& way) const {
+  Source met(const Positions& fits, const PathStretch& way) const {
     return map(fits, way, [fits, way](const Vector& p, double size) {
       if (fits.in) return least_on(fits.in, p, way, size);
       const Between most = greatest_of_least(fits.out, p, way, size);
@@ -57,7 +57,7 @@ class Sweeper {
     });
   }
   /// - where all places of the way do.
-  Source kept(const Positions& fits, const Way& way) const {
+  Source kept(const Positions& fits, const PathStretch& way) const {
     return map(fits, way, [fits, way](const Vector& p, double size) {
       if (!fits.in) {
         const Between least = least_on(fits.out, p, way, size);
@@ -72,7 +72,7 @@ class Sweeper {
  private:
   using Rule = std::function<Between(const Vector&, double)>;
 
-  Source map(const Positions& set, const Way& way, const Rule& rule) const {
+  Source map(const Positions& set, const PathStretch& way, const Rule& rule) const {
     const double reach = std::max(std::fabs(way.from), std::fabs(way.to));
     const double size = space::length(set.high - set.low) + 2 * reach + 1;
     const double all = size + space::size_of(set.low) + space::size_of(set.high);

@@ -6,6 +6,8 @@
 // found it. Lengths in the steps of the asker.
 #pragma once
 
+#include <findspace/error.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,6 +39,9 @@ struct Answer {
   exact::Real lower() const { return least ? bound : value - exact::Real::from_double(slack()); }
   exact::Real upper() const { return least ? value : value + exact::Real::from_double(slack()); }
 };
+
+/// Says that a value is not computed, and why.
+[[noreturn]] inline void not_computed(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
 /// A least value that is taken at `at`.
 inline Answer least_answer(exact::Real value, exact::Real bound, bool proven, space::RealVector at) {

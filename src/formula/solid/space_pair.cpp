@@ -81,8 +81,8 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
   const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
   if (std::any_of(moving_.begin(), moving_.end(), large) || std::any_of(fixed_.begin(), fixed_.end(), large))
     make_surfaces();
-  else if (!boxes_ && all().b && all().b->outside)
-    refusal_ = all().refused;
+  else if (const Bodies& made = all(); !boxes_ && made.b && made.b->outside)
+    refusal_ = made.refused;
 }
 
 std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
