@@ -23,6 +23,8 @@ struct Refusal {
   explicit Refusal(Error e) : error(std::move(e)) {}
   explicit Refusal(std::string message, std::string place = {})
       : error(ErrorCode::kUnsupported, std::move(message), std::move(place)) {}
+  /// An error of the shape or the request, not the limit of a way.
+  bool fault() const { return error.code() != ErrorCode::kUnsupported; }
   /// With `prefix` before its place.
   Refusal within(const std::string& prefix) const { return Refusal(error.within(prefix)); }
   /// At `place`, if it has no place of its own.

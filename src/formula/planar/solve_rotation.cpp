@@ -166,12 +166,9 @@ RotationMap RotationSolver::sign_map(const SignMap& wanted) const {
   }
   if (is_directional(d)) return directional_map(d, wanted.level / step);
   const Rotated t = rotated(d, about_, about_ + in_steps(pose_.at, step));
-  try {
-    return t.pair.sign_map(t.which, wanted.level / step);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    refuse(d, e.message());
-  }
+  auto map = exact::tried([&] { return t.pair.sign_map(t.which, wanted.level / step); });
+  if (!map) refuse(d, map.refusal().error.message());
+  return *std::move(map);
 }
 
 bool RotationSolver::rotations_twice(const SignMap& wanted) const {
@@ -212,12 +209,9 @@ AtomAt RotationSolver::check_plain(const Formula& whole, std::size_t index) cons
   AtomAt out = rotated_solver().check(Formula(atom), pose_.at).atoms.at(0);
   if (is_quarters(pose_.degrees) || atom.minimum || atom.distance.mode == Mode::kRotation) return out;
   // The truth from the exact circle, where there is one: rounding must not decide a contact.
-  try {
-    const RotationMap map = sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
-    out.holds = holds(atom, mark_at(map, Angle::of_degrees(pose_.degrees)));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-  }
+  const auto sign = exact::tried(
+      [&] { return mark_at(sign_map(whole.sign_maps()[whole.sign_map_of(index)]), Angle::of_degrees(pose_.degrees)); });
+  if (sign) out.holds = holds(atom, *sign);
   return out;
 }
 

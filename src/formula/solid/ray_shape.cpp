@@ -19,7 +19,7 @@ const std::vector<RaySolid>* RayShape::solids() const {
     auto solids = space::try_ray_solids(*shape_);
     if (solids)
       made_->solids = *std::move(solids);
-    else if (solids.refusal().error.code() == ErrorCode::kGeometry && !try_body())
+    else if (solids.refusal().fault() && !try_body())
       throw solids.refusal().error;  // without convex parts a surface that meets itself is an error
   });
   return made_->solids ? &*made_->solids : nullptr;

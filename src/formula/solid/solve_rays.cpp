@@ -55,7 +55,7 @@ Tried<space::Body> body(const RayWorld& world, const std::vector<std::string>& n
   std::vector<const space::Body*> bodies;
   for (const std::string& name : names) {
     const Tried<const space::Body*> one = world.shapes.at(name).try_body();
-    if (!one && one.refusal().error.code() != ErrorCode::kUnsupported) throw one.refusal().error;  // a fault
+    if (!one && one.refusal().fault()) throw one.refusal().error;
     if (!one) return one.refusal();
     bodies.push_back(*one);
   }
@@ -216,12 +216,9 @@ class RegionRays : public RaySource {
 
  private:
   RayRow named_row(std::size_t k, int j) const {
-    try {
-      return maps_[k].row(j);
-    } catch (const Error& e) {
-      if (e.code() != ErrorCode::kUnsupported) throw;
-      throw e.within(text(formula_.sign_maps()[k].distance));
-    }
+    auto row = exact::tried([&] { return maps_[k].row(j); });
+    if (!row) throw row.refusal().within(text(formula_.sign_maps()[k].distance)).error;
+    return *std::move(row);
   }
 
   const Formula& formula_;

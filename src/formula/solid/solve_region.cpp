@@ -70,7 +70,7 @@ Tried<space::Triangles> one_surface(const plane::Shape& shape) {
   if (solid && solid->form == space::Solid::Form::kPolytope) return none;  // its facets stay whole
   auto solids = space::try_ray_solids(shape);
   if (!solids) {
-    if (solids.refusal().error.code() == ErrorCode::kGeometry) throw solids.refusal().error;
+    if (solids.refusal().fault()) throw solids.refusal().error;
     return solids.refusal();
   }
   if (solids->size() != 1 || solids->front().ball()) return none;
