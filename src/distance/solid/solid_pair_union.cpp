@@ -14,6 +14,7 @@
 #include "distance/search/solid_value.h"
 #include "distance/search/union_fit.h"
 #include "distance/solid/solid_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -28,9 +29,6 @@ struct UnionContainers {
 };
 
 namespace {
-
-/// What a value found by search may be off, of the sizes.
-constexpr double kError = 0x1p-36;
 
 /// The nearest (farthest) place in a single part, where that is known.
 std::optional<SolidValue> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
@@ -49,7 +47,7 @@ std::optional<SolidValue> in_one_part(const UnionContainers& containers, const R
 
 std::optional<SolidValue> settled(const BoundaryPlace& found, const std::optional<SolidValue>& known, double size,
                                   int sense) {
-  const double slack = kError * size;
+  const double slack = margin::kUnionFitError * size;
   if (found.known && found.value - found.bound <= slack) return known;
   if (found.found && found.value - found.bound <= slack) {
     SolidValue out;

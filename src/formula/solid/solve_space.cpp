@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
@@ -96,9 +97,10 @@ int SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v)
   if (!v) return 1;
   if (v->lowest) return -1;
   const Real level = wanted.level / world_.step;
+  // Never by the margin: nearer to the level than the value may be off there is no sign.
   if (!v->proven) {
     const double gap = std::fabs((v->value - level).to_double());
-    if (gap <= std::max(0x1p-34 * std::fabs(v->value.to_double()), v->error)) {
+    if (gap <= std::max(margin::kSideOfLevel * std::fabs(v->value.to_double()), v->error)) {
       throw Error(ErrorCode::kUnsupported, text(wanted.distance) +
                                                ": the value, found by search, is too near the level " +
                                                "to tell on which side of it it lies");
