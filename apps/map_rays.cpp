@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "exact/number/margins.h"
 #include "formula/language/evaluate.h"
 #include "formula/planar/certain_cells.h"
 #include "formula/solid/solve_rays.h"
@@ -145,7 +146,7 @@ formula::RayWorld ray_world(const Session& session) {
 exact::Real cell_radius(const RaySet& set) {
   const space::RayGrid grid = set.lines.grid(set.low, set.high);
   const double half = std::hypot(static_cast<double>(grid.du), static_cast<double>(grid.dv)) / 2;
-  return exact::Real::from_double(half * (1 + 0x1p-40)) / exact::Real(grid.parts);
+  return exact::Real::from_double(half * margin::kUpward) / exact::Real(grid.parts);
 }
 
 void take_side(const Session& session, RaySet& set) {

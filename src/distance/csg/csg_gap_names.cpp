@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distance/csg/csg_part.h"
+#include "exact/number/margins.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::distance {
@@ -31,7 +32,7 @@ struct Sphere {
 class Names {
  public:
   Names(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place, double size)
-      : a_(a), s_(s), p_(p), place_(place), blur_(0x1p-16 * size) {}
+      : a_(a), s_(s), p_(p), place_(place), blur_(margin::kNamedPlace * size) {}
 
   std::vector<Answer> all() {
     for (const BodyPart& set : a_.within) on_set(set);

@@ -121,7 +121,7 @@ class CsgPair::FreeNear : public NearRule {
     const double error = margin::kFoundError * pair_->size_, sense = pair_->cut_moves_ ? -1 : 1;
     const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
     const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
-    const double reach = depth_ * (1 + 0x1p-10) + error;
+    const double reach = depth_ * margin::kNearReach + error;
     const Vector tolerance{reach, reach, reach};
     const Vector low = Vector{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)} - tolerance,
                  high = space::plus({std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}, tolerance);

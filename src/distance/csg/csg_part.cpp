@@ -83,7 +83,7 @@ CutSearch cut_search(const CsgPart& part, double size) {
   CutSearch out;
   out.sets = &part;
   const space::Bounds3 box = bounds(part);
-  const double slack = 0x1p-40 * size;
+  const double slack = margin::kAroundPart * size;
   out.low = space::rounded(box.low) - Vector{slack, slack, slack};
   out.high = space::plus(space::rounded(box.high), {slack, slack, slack});
   const auto [low, high] = askew(out.low, out.high);

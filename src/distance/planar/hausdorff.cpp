@@ -22,8 +22,7 @@ using plane::SignMap;
 
 namespace {
 
-constexpr MaxMinEffort kToFindFronts{0x1p-24, 3000};  // a place near the max_min tells them
-constexpr double kPlaceRoom = 0x1p-21;                // of the scale: what such a place may be off
+constexpr MaxMinEffort kToFindFronts{margin::kMaxMinGuess, 3000};  // a place near the max_min tells them
 
 }  // namespace
 
@@ -65,7 +64,7 @@ RealPoint DirectedHausdorff::seed() const {
 
 std::vector<NearLevelCurve> DirectedHausdorff::fronts(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
-  tolerance = std::max(tolerance, search_.scale(x, y) * kPlaceRoom);
+  tolerance = std::max(tolerance, search_.scale(x, y) * margin::kGuessedPlace);
   auto max_mins = search_.max_mins(x, y, tolerance, search_.scale(x, y) * margin::kClearlyOut, kToFindFronts);
   std::vector<NearLevelCurve> out;
   if (max_mins.empty() || max_mins[0].value < tolerance)

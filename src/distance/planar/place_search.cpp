@@ -124,7 +124,7 @@ void PlaceSearch::walk_boundary() {
 /// Where along the part the nearest features of its ends are equally far, from 0 to 1.
 double PlaceSearch::split(const Seen& s, const Seen& t) const {
   double low = 0, high = 1;
-  for (int k = 0; k < 60 && high - low > 0x1p-52; ++k) {
+  for (int k = 0; k < 60 && high - low > margin::kNoHalving; ++k) {
     double m = (low + high) / 2;
     Spot at{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)};
     (to_feature(at, s.near.feature) < to_feature(at, t.near.feature) ? low : high) = m;
@@ -155,7 +155,7 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
     if (covered >= size) continue;  // all inside A
     auto on_part = [&](double m) { return Spot{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)}; };
     double m = s.near.feature != t.near.feature ? split(s, t) : 0.5;
-    if (m > 0x1p-30 && m < 1 - 0x1p-30) record(see(on_part(m), s.near.feature), edge.cell);
+    if (m > margin::kAtEnd && m < 1 - margin::kAtEnd) record(see(on_part(m), s.near.feature), edge.cell);
     if (m < 0.125 || m > 0.875) m = 0.5;  // where both are equally far at an end, splitting there leads nowhere
     Seen middle = see(on_part(m), s.near.feature);
     parts.push_back({s, middle});

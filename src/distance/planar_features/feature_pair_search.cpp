@@ -28,7 +28,7 @@ class PairSearch {
       : a_(a), b_(b), p_(p), px_(near_value(p.x)), py_(near_value(p.y)) {
     double scale = a.scale() + b.scale() + std::abs(px_) + std::abs(py_);
     slack_ = scale * margin::kSameNumber;
-    room_ = scale * kPairMeets;
+    room_ = scale * margin::kPairMeets;
   }
 
   /// Returns false where the boundaries meet or come closer than numbers can tell; not if `touching`.

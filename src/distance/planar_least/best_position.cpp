@@ -12,6 +12,7 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/point_set.h"
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -55,7 +56,7 @@ RealPoint middle(const PieceBox& b) {
 /// At least the distance of a point of the box from its middle.
 double radius(const PieceBox& b) {
   const double size = std::max({std::abs(b.x0), std::abs(b.x1), std::abs(b.y0), std::abs(b.y1)});
-  return std::hypot(b.x1 - b.x0, b.y1 - b.y0) / 2 * (1 + 0x1p-40) + size * 0x1p-48;
+  return std::hypot(b.x1 - b.x0, b.y1 - b.y0) / 2 * margin::kUpward + size * margin::kBoxMiddle;
 }
 
 Region filled(const PieceBox& b) {

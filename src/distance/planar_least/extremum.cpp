@@ -29,7 +29,6 @@ using plane::operator-;
 namespace {
 
 constexpr int kMostProbes = 120;
-constexpr double kPlace = 0x1p-42;  // of the scale: so near the best positions are decided
 
 /// A number between the two with few digits.
 double simple_between(double low, double high) {
@@ -130,7 +129,7 @@ Extremum ExtremumSearch::infinite(bool below) const {
 bool ExtremumSearch::bracket(const Real& value) {
   good_ = rotation_ * value.to_double();
   scale_ = std::max(scale_, std::abs(good_));
-  good_ += scale_ * 0x1p-30;
+  good_ += scale_ * margin::kBracketRoom;
   double step = std::max(1.0, scale_ / 8);
   for (bad_ = good_ - step; reaches(Real::from_double(rotation_ * bad_)); step *= 2) {
     bad_ = good_ - step;
@@ -143,7 +142,7 @@ bool ExtremumSearch::bracket(const Real& value) {
 
 /// Begins with what is known, if the level that is said to be reached is.
 bool ExtremumSearch::take(const Bracket& known) {
-  const double tolerance = scale_ * 0x1p-40;  // of the numbers
+  const double tolerance = scale_ * margin::kKnownNumber;
   const double good = rotation_ * known.reached + tolerance;
   if (!reaches(Real::from_double(rotation_ * good))) return false;
   bad_ = std::min(rotation_ * known.bound - tolerance, good - 2 * tolerance);
@@ -156,14 +155,14 @@ bool ExtremumSearch::try_near(const std::vector<Real>& all, double number) {
   const auto far = [number](const Real& l) { return std::abs(near_value(l) - number); };
   const auto best =
       std::min_element(all.begin(), all.end(), [&](const auto& l, const auto& m) { return far(l) < far(m); });
-  if (far(*best) > scale_ * 0x1p-36) return false;
+  if (far(*best) > scale_ * margin::kNearCandidate) return false;
   if (accept(*best)) return true;
   refused_.push_back(*best);
   return false;
 }
 
 bool ExtremumSearch::try_candidates() {
-  double low = bad_ - scale_ * 0x1p-48, high = good_ + scale_ * 0x1p-48;
+  double low = bad_ - scale_ * margin::kBracketEnds, high = good_ + scale_ * margin::kBracketEnds;
   auto all =
       extremum_candidates(f_, whole_ ? nullptr : &closure_, reached_, std::min(rotation_ * low, rotation_ * high),
                           std::max(rotation_ * low, rotation_ * high));
@@ -174,7 +173,7 @@ bool ExtremumSearch::try_candidates() {
   if (known_ && try_near(all, std::exchange(known_, std::nullopt)->reached)) return true;
   // Candidates of one value are tried; several values are decided apart by bisection first.
   double spread = std::abs(near_value(all.front()) - near_value(all.back()));
-  if (spread > scale_ * 0x1p-40) return false;
+  if (spread > scale_ * margin::kOneCandidate) return false;
   for (std::size_t k = 0; k < all.size() && k < 3; ++k) {
     if (accept(all[k])) return true;
     refused_.push_back(all[k]);
@@ -223,7 +222,7 @@ bool ExtremumSearch::take_lowest(Extremum& out) const {
 
 /// What was rounded at the ends of the bracket, by exact sign maps: (bad, good] holds the extremum.
 void ExtremumSearch::enclose() {
-  const double width = std::max(good_ - bad_, scale_ * 0x1p-50);
+  const double width = std::max(good_ - bad_, scale_ * margin::kNarrowestBracket);
   while (!reaches(Real::from_double(rotation_ * good_))) good_ += width;
   for (double low = bad_; reaches(Real::from_double(rotation_ * low));) low = good_ - width;
   level_ = Real::from_double(rotation_ * good_);
@@ -236,7 +235,7 @@ void ExtremumSearch::enclose() {
 void ExtremumSearch::pin_down() {
   constexpr int kSteps = 12, kMostRounds = 10;
   double within = one_point_a_component(reached_).within;
-  for (int round = 0; round < kMostRounds && within > scale_ * kPlace; ++round) {
+  for (int round = 0; round < kMostRounds && within > scale_ * margin::kPlacesDecided; ++round) {
     for (int k = 0; k < kSteps; ++k) {
       const Real middle = (level_ + beyond_) / Real(2);
       CellComplex c = probe(middle, closure_);
@@ -269,9 +268,9 @@ Extremum ExtremumSearch::run(const std::optional<Bracket>& known) {
   }
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;
-    if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return proven();
+    if (width < scale_ * margin::kTryCandidates && probes % 2 == 0 && try_candidates()) return proven();
     width = good_ - bad_;
-    double least = std::max(std::abs(good_) * 0x1p-44, scale_ * 0x1p-50);
+    double least = std::max(std::abs(good_) * margin::kNarrowBracket, scale_ * margin::kNarrowestBracket);
     if (width <= least) break;
     reaches(Real::from_double(rotation_ * simple_between(bad_, good_)));
   }

@@ -32,7 +32,7 @@ class LevelSearch {
     out.exists = true;
     narrow(0.25);
     if (whole_number(out, continuous)) return out;
-    narrow(0x1p-20);
+    narrow(margin::kLevelWidth);
     out.level = level(good_);
     out.attained = true;
     out.at = point_set(one_point_a_component(probe(level(good_), s_)).points);
@@ -57,7 +57,7 @@ class LevelSearch {
 
   /// Bisects to a width of so many steps, or 2^-48 of the value.
   void narrow(double width) {
-    while (good_ - bad_ > std::max(width, std::abs(good_) * 0x1p-48)) {
+    while (good_ - bad_ > std::max(width, std::abs(good_) * margin::kNarrowLevelBracket)) {
       const double middle = bad_ + (good_ - bad_) / 2;
       (reaches(middle) ? good_ : bad_) = middle;
     }

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <queue>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using space::Vector;
@@ -14,13 +16,11 @@ using space::Vector;
 namespace {
 
 constexpr int kMostPieces = 4000;
-/// Of the size: what rounding may do to a value, and where bounds are as good as equal.
-constexpr double kNoise = 0x1p-42, kEqual = 0x1p-40;
 using exact::kInfinity;
 
 /// Whether the bounds tell all that is wanted.
 bool settled(double low, double high, double size) {
-  return (low > 0 && high <= 2 * low) || (high < 0 && low >= 2 * high) || high - low <= kEqual * size;
+  return (low > 0 && high <= 2 * low) || (high < 0 && low >= 2 * high) || high - low <= margin::kBoundsMeet * size;
 }
 
 struct Piece {
@@ -52,7 +52,7 @@ class Search {
       divide(top);
     }
     const double high = queue_.empty() ? best_ : std::max(best_, queue_.top().bound);
-    return {best_ - kNoise * size_, high + kNoise * size_};
+    return {best_ - margin::kRayNoise * size_, high + margin::kRayNoise * size_};
   }
 
  private:
@@ -128,7 +128,7 @@ Between least_on(const ConvexDistance& function, const Vector& p, const PathStre
     best = std::min({best, a, b});
     (a < b ? to : from) = a < b ? second : first;
   }
-  return {best - (to - from) - kNoise * size, best + kNoise * size};
+  return {best - (to - from) - margin::kRayNoise * size, best + margin::kRayNoise * size};
 }
 
 Between least_on(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way, double size) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "distance/planar/translation_value.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -55,7 +56,7 @@ RayPosition RayRuns::position(const Real& at) const {
     out.exact = {(*parts)[0], (*parts)[1]};
     return out;
   }
-  out.radius = 0x1p-50 * std::abs(out.value);
+  out.radius = margin::kFewRoundings * std::abs(out.value);
   out.roots = this;
   const std::lock_guard lock(guard_);
   out.patch = static_cast<int>(places_.size());

@@ -11,6 +11,7 @@
 #include "distance/rays/ray_signs.h"
 #include "distance/rays/value_rays.h"
 #include "distance/search/free_space.h"
+#include "exact/number/margins.h"
 #include "space/body/position_covers.h"
 #include "space/rays/ray_sources.h"
 
@@ -64,7 +65,7 @@ class Sweeper {
         return Between{-least.high, -least.low};
       }
       const auto at = [&](double s) { return fits.in(space::plus(p, space::scaled(s, way.unit))); };
-      const double most = std::max(at(way.from), at(way.to)), noise = 0x1p-42 * size;
+      const double most = std::max(at(way.from), at(way.to)), noise = margin::kRayNoise * size;
       return Between{most - noise, most + noise};
     });
   }

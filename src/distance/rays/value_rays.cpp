@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distance/search/solid_protrusion.h"
+#include "exact/number/margins.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
@@ -97,7 +98,7 @@ void ValueRays::look(Walk& walk, double from, double to) const {
     return;
   }
   // Numbers of the line are as exact as the value: what they lose is less than the blur.
-  const double reach = std::max({v->low, -v->high, size_ * 0x1p-44}) - size_ * 0x1p-44;
+  const double reach = std::max({v->low, -v->high, size_ * margin::kPlaceNoise}) - size_ * margin::kPlaceNoise;
   // What is left between stretches whose signs are known is often less than the blur, and mostly not near the front.
   const bool near = reach < std::min(blur, to - from) / 2;
   const double part = near ? blur / 2 : reach;
@@ -121,7 +122,7 @@ std::vector<SignStretch> ValueRays::chords(const Walk& walk, const SignBall& bal
   const space::Vector start = space::rounded(walk.line.start), unit = space::rounded(walk.line.unit);
   const space::Vector way = ball.center - start;
   const double at = space::dot(way, unit), apart = space::length(way - space::scaled(at, unit)),
-               tolerance = 0x1p-42 * (size_ + space::length(start));
+               tolerance = margin::kRayNoise * (size_ + space::length(start));
   const double radius = ball.radius + (ball.beyond ? tolerance : -tolerance);
   const bool meets = radius > apart;
   const double half = meets ? std::sqrt((radius - apart) * (radius + apart)) : 0;

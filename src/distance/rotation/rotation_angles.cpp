@@ -10,6 +10,7 @@
 
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotation_motion.h"
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "plane/build/transform.h"
 #include "plane/query/moved.h"
@@ -35,7 +36,7 @@ struct Piece {
 };
 
 /// Rounded up, to whole steps: levels with short numbers.
-Real next_integer(double r) { return Real(std::int64_t(std::floor(r * (1 + 0x1p-40))) + 1); }
+Real next_integer(double r) { return Real(std::int64_t(std::floor(r * margin::kUpward)) + 1); }
 
 RotationMap extreme(std::span<const RotationMap* const> maps, Sense sense) {
   return overlay(maps, [sense](std::span<const Mark> m) {

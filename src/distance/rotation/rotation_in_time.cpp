@@ -12,6 +12,7 @@
 
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotation.h"
+#include "exact/number/margins.h"
 #include "plane/build/transform.h"
 
 namespace findspace::distance {
@@ -37,8 +38,8 @@ double length(const RealPoint& from, const RealPoint& to) {
 /// Rounded up to whole grid steps, short ones to some thousandth; nothing where there is nothing to round.
 Real next_fraction(double r) {
   if (r <= 0) return Real();
-  const std::int64_t parts = r < 0x1p12 ? 1 << 12 : 1;
-  return Real::ratio(std::int64_t(std::floor(r * double(parts) * (1 + 0x1p-40))) + 1, parts);
+  const std::int64_t parts = r < 4096 ? 1 << 12 : 1;
+  return Real::ratio(std::int64_t(std::floor(r * double(parts) * margin::kUpward)) + 1, parts);
 }
 
 /// There is an angle with contact, or where it fits.

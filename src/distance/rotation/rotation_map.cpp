@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "distance/planar_features/boundary_features.h"
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "plane/build/swept.h"
 #include "plane/build/transform.h"
@@ -52,7 +53,7 @@ SignMap over_way(const SignMap& m, const RotatingPiece& piece, Sense sense) {
 }
 
 /// Rounded up.
-Real slightly_above(double r) { return r > 0 ? Real::from_double(r * (1 + 0x1p-40) + 0x1p-20) : Real(); }
+Real slightly_above(double r) { return r > 0 ? Real::from_double(r * margin::kUpward + margin::kUpwardSteps) : Real(); }
 
 BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Which which, const RotatingPiece& piece,
                             const RotationSenses& senses, const Real& level) {

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "distance/search/way.h"
+#include "exact/number/margins.h"
 #include "space/polytope/real_vector.h"
 
 namespace findspace::distance {
@@ -34,7 +35,7 @@ struct Answer {
   bool least = false;
 
   /// What the value at a position may be off, with room for its rounding; 0 where it is proven.
-  double slack() const { return proven ? 0 : std::max(0x1p-34 * std::fabs(value.to_double()), error); }
+  double slack() const { return proven ? 0 : std::max(margin::kSideOfLevel * std::fabs(value.to_double()), error); }
   /// The true value lies between these two; they are the value where that is proven.
   exact::Real lower() const { return least ? bound : value - exact::Real::from_double(slack()); }
   exact::Real upper() const { return least ? value : value + exact::Real::from_double(slack()); }

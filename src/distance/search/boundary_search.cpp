@@ -105,7 +105,8 @@ class BoundarySearch {
 
   double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -(*far_)(x); }
 
-  /// By more than rounding, by the functions that are not satisfied in all of the cell, or by all.
+  /// By the functions that are not satisfied in all of the cell, or by all. In doubles: what this decides, and where an
+  /// exact predicate follows, is said at margin::kAllowed.
   bool allowed(const Vector& x, const BoundaryCell* cell) const {
     const double tolerance = margin::kAllowed * size_;
     const auto out = [&](const ConvexDistance& f) { return f(x) >= tolerance; };
@@ -249,7 +250,7 @@ class BoundarySearch {
     if (columns.empty()) return true;
     for (int round = 0; round < (rules_.more ? 1 : kRounds); ++round) {
       const HighestPlace high = highest_place(columns, corner);
-      if (high.value < -margin::kDistanceNoise * size_ - 0x1p-44 * high.spread) return false;
+      if (high.value < -margin::kDistanceNoise * size_ - margin::kLpNoise * high.spread) return false;
       offer(high.place, cell);
       if (!touch(high.place, target, corner, cell, columns)) break;
     }

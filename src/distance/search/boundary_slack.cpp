@@ -8,6 +8,7 @@
 
 #include "distance/search/boundary_columns.h"
 #include "exact/number/interval.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -52,7 +53,7 @@ Slack highest_slack(const std::vector<Column>& columns, const Tetrahedron& corne
   const HighestPlace high = highest_place(columns, corner);
   const Vector& x = high.place;
   if (std::isfinite(x.x + x.y + x.z)) {
-    const double bound = high.value + 0x1p-44 * high.spread;
+    const double bound = high.value + margin::kLpNoise * high.spread;
     return {bound, bound, x, 0};
   }
   double greatest = 0;  // a cell of rounding

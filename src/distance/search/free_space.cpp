@@ -88,7 +88,7 @@ TouchingRule touching_distance(const space::BodyPart& part, const Vector& p, dou
     const Vector at = x - p, off = way(at);
     const double d = space::length(off);
     // So near the core the slope is rounding; 0 is one as well.
-    if (d <= 0x1p-40 * (space::size_of(at) + 1)) return Touching{-radius, {}};
+    if (d <= margin::kNoSlope * (space::size_of(at) + 1)) return Touching{-radius, {}};
     return Touching{d - radius, space::scaled(-1 / d, off)};
   };
 }
@@ -138,7 +138,7 @@ FreeSpace FreeSpace::outside(std::vector<GrownSet> sets, const RealVector& low, 
   out.allows_ = [sets = out.sets_, rules = out.rules_.keep_out, size = out.size_](const RealVector& p) {
     const Vector near = space::rounded(p);
     for (std::size_t k = 0; k < sets.size(); ++k) {
-      if (rules[k](near) > 0x1p-30 * size) continue;
+      if (rules[k](near) > margin::kOutOfSet * size) continue;
       if (sets[k].holds(p)) return false;
     }
     return true;
@@ -191,7 +191,7 @@ FreeSpace FreeSpace::common(std::span<const FreeSpace> rooms, const RealVector& 
 /// A place of no tolerance that belongs all the same, with simple coordinates.
 std::optional<RealVector> FreeSpace::even_place(const BoundaryPlace& found) const {
   if (!found.unresolved) return std::nullopt;
-  const double blur = 0x1p-36 * size_;
+  const double blur = margin::kEvenPlace * size_;
   const RealVector p{even(found.unresolved->x, blur), even(found.unresolved->y, blur), even(found.unresolved->z, blur)};
   return allows_(p) ? std::optional(p) : std::nullopt;
 }
@@ -208,7 +208,7 @@ Incumbent FreeSpace::known_at(std::function<std::optional<RealVector>()> find, c
 }
 
 std::optional<Answer> FreeSpace::settled(const BoundaryPlace& found, const RealVector& p,
-                                             const std::optional<RealVector>& known) const {
+                                         const std::optional<RealVector>& known) const {
   Answer out;
   const double slack = margin::kFoundError * (size_ + std::fabs(found.bound)),
                off = std::fabs(found.value - found.bound);
@@ -244,7 +244,7 @@ double FreeSpace::deepest_at(const Vector& near) const {
 
 /// The search for the nearest place.
 BoundaryPlace FreeSpace::searched(const Vector& near, bool open, const Incumbent& ask, const Until* until) const {
-  const double tolerance = 0x1p-30 * size_;
+  const double tolerance = margin::kAroundBox * size_;
   Vector low = box_low_ - Vector{tolerance, tolerance, tolerance},
          high = space::plus(box_high_, {tolerance, tolerance, tolerance});
   if (open) {
@@ -279,7 +279,7 @@ std::optional<Answer> FreeSpace::nearest(const RealVector& p, bool open) const {
   const Vector near = space::rounded(p);
   const double deepest = deepest_at(near);
   for (std::size_t k = 0; k < sets_.size(); ++k) {
-    if (rules_.keep_out[k](near) > deepest + 0x1p-40 * size_) continue;
+    if (rules_.keep_out[k](near) > deepest + margin::kDeepestSets * size_) continue;
     Answer v = sets_[k].front(p);
     if (!v.nearest || !allows_(*v.nearest)) continue;
     v.value = -v.value;
@@ -291,7 +291,7 @@ std::optional<Answer> FreeSpace::nearest(const RealVector& p, bool open) const {
 }
 
 Answer FreeSpace::nearest_to(const TouchingRule& to) const {
-  const double tolerance = 0x1p-30 * size_;
+  const double tolerance = margin::kAroundBox * size_;
   const BoundaryPlace found =
       nearest_allowed(tetrahedra_of_box(box_low_ - Vector{tolerance, tolerance, tolerance},
                                         space::plus(box_high_, {tolerance, tolerance, tolerance})),
@@ -307,7 +307,7 @@ Answer FreeSpace::nearest_to(const TouchingRule& to) const {
 }
 
 std::optional<Answer> FreeSpace::farthest(const RealVector& p) const {
-  const double tolerance = 0x1p-30 * size_;
+  const double tolerance = margin::kAroundBox * size_;
   std::optional<RealVector> known;
   const Incumbent ask = known_at(
       [&] { return sharp_ ? space::farthest_in_complement(*sharp_, low_, high_, p) : std::nullopt; }, p, -1, known);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::distance {
@@ -30,7 +31,7 @@ class BoxSearch {
 
   Answer run(const Vector& low, const Vector& high) {
     const Vector half = space::scaled(0.5, high - low);
-    tolerance_ = 0x1p-30 * (space::length(half) + 1);
+    tolerance_ = margin::kLeastInBox * (space::length(half) + 1);
     take({{space::plus(low, half), half, 0}});
     while (count_ < kMostValues && !queue_.empty() && least_ - queue_.top().bound > tolerance_ && least_ > floor_) {
       std::vector<Box> parts;
@@ -42,7 +43,8 @@ class BoxSearch {
     }
     const double bound = std::max(floor_, queue_.empty() ? least_ : std::min(queue_.top().bound, least_));
     // Roundings: of the centres and of the values.
-    out_.bound = std::min(out_.value, Real::from_double(bound - 0x1p-44 * (std::fabs(bound) + space::length(half))));
+    out_.bound =
+        std::min(out_.value, Real::from_double(bound - margin::kPlaceNoise * (std::fabs(bound) + space::length(half))));
     if (floor_ >= bound) out_.bound = std::min(out_.value, Real::from_double(floor_));
     out_.proven = out_.bound == out_.value;
     return out_;

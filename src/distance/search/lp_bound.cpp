@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/number/interval.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -58,12 +59,11 @@ class Simplex {
 
   LpBound run() {
     constexpr int kMostSteps = 100;
-    constexpr double kClose = 0x1p-48;
     for (std::size_t k = 0; k < 4; ++k) inverse_[k][k] = 1;
     bool anew = true;
     for (int step = 0; step < kMostSteps; ++step) {
       const std::size_t in = price();
-      if (best_.value - lowest_ <= kClose * shift_) break;
+      if (best_.value - lowest_ <= margin::kLpClose * shift_) break;
       if (in != none()) {
         if (!enter(in)) break;
         anew = false;
@@ -92,7 +92,6 @@ class Simplex {
 
   /// The column that helps most; and what both players' weights are worth.
   std::size_t price() {
-    constexpr double kHelps = 0x1p-49;
     Column rows{}, mean{};
     double weights = 0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -105,7 +104,7 @@ class Simplex {
     }
     if (weights > 0) best_.value = std::min(best_.value, *std::max_element(mean.begin(), mean.end()) / weights);
     std::size_t in = none();
-    double most = kHelps;
+    double most = margin::kLpHelps;
     const auto take = [&](std::size_t j, double gain) {
       if (gain > most && std::find(basis_.begin(), basis_.end(), j) == basis_.end()) {
         most = gain;
@@ -129,13 +128,12 @@ class Simplex {
   }
 
   bool enter(std::size_t in) {
-    constexpr double kPivot = 0x1p-30;
     const Column added = column(in);
     Column by;
     std::size_t out = 4;
     for (std::size_t k = 0; k < 4; ++k) {
       by[k] = product(inverse_[k], added);
-      if (by[k] > kPivot && (out == 4 || x_[k] * by[out] < x_[out] * by[k])) out = k;
+      if (by[k] > margin::kLpPivot && (out == 4 || x_[k] * by[out] < x_[out] * by[k])) out = k;
     }
     if (out == 4) return false;
     basis_[out] = in;

@@ -21,7 +21,7 @@ constexpr int kMostRootSteps = 60;
 /// below it beyond, so its zero comes no later.
 double convex_run(const std::function<double(double)>& f, double size) {
   const double farthest = 4 * size;
-  double before = -size * 0x1p-10, at = 0;
+  double before = -size * margin::kSecantStart, at = 0;
   double value_before = f(before), value = f(at);
   for (int count = 0; count < kMostRootSteps && value > size * margin::kDistanceNoise; ++count) {
     // With tolerance for rounding, so that steps are rather too short.

@@ -10,6 +10,7 @@
 #include "distance/search/lp_bound.h"
 #include "distance/search/max_min_queue.h"
 #include "distance/search/round_solid.h"
+#include "exact/number/margins.h"
 #include "space/polytope/convex_region.h"
 #include "space/polytope/polytope.h"
 
@@ -124,7 +125,7 @@ class MaxMinSearch {
   /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
   void split(const MaxMinCell& cell) {
     std::size_t a = 0, b = 1;
-    double longest = 0, greatest = 0x1p-46 * std::fabs(queue_.best().value);
+    double longest = 0, greatest = margin::kDistanceNoise * std::fabs(queue_.best().value);
     for (std::size_t v = 0; v < 4; ++v) {
       for (std::size_t w = v + 1; w < 4; ++w) {
         const double d = space::length(cell.corner[v] - cell.corner[w]), bent = bend(cell, v, w);

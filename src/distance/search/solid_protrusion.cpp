@@ -6,6 +6,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/search/round_solid.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -111,7 +112,7 @@ Answer protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& 
   std::sort(corners.begin(), corners.end(), [](const FarCorner& x, const FarCorner& y) { return x.floor > y.floor; });
   std::optional<Answer> best;
   std::vector<Vector> projections;
-  const double slack = 0x1p-40 * (space::size_of(corners[0].near) + std::fabs(corners[0].floor));
+  const double slack = margin::kFarCorner * (space::size_of(corners[0].near) + std::fabs(corners[0].floor));
   for (const FarCorner& c : corners) {
     const double radius = c.part->radius.to_double();
     const double highest = c.floor - radius;
@@ -180,7 +181,7 @@ std::optional<Answer> at_vertex(const Body& b, std::span<const Target> targets, 
     if (part.radius.sign() > 0) continue;
     for (const space::Point& v : part.vertices()) {
       const RealVector at = space::plus(real(v), p);
-      if (space::length(space::rounded(at) - place) > 0x1p-44 * space::size_of(place)) continue;
+      if (space::length(space::rounded(at) - place) > margin::kAtVertex * space::size_of(place)) continue;
       std::optional<Answer> best;
       for (const Target& t : targets) {
         const RealVector projection = t.planes.empty() ? t.center : *nearest_in(t.planes, at);
@@ -207,7 +208,7 @@ Answer protrusion(const Body& b, std::span<const ConvexDistance> distances, std:
   Answer out;
   out.value = Real::from_double(max_min.value);
   out.proven = false;
-  out.error = max_min.bound - max_min.value + 0x1p-40 * space::size_of(max_min.place);
+  out.error = max_min.bound - max_min.value + margin::kFoundError * space::size_of(max_min.place);
   return out;
 }
 

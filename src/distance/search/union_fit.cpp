@@ -88,7 +88,7 @@ class Choice {
       for (double& entry : c) entry -= lowest;
     }
     const LpBound found = lp_bound(raised);
-    if (found.value + lowest < -noise_ - 0x1p-44 * (highest - lowest)) return std::nullopt;
+    if (found.value + lowest < -noise_ - margin::kLpNoise * (highest - lowest)) return std::nullopt;
     return found.rows;
   }
 
@@ -110,7 +110,7 @@ class FitSearch {
   BoundaryPlace run(std::span<const Tetrahedron> tolerance) {
     for (const Tetrahedron& t : tolerance) {
       FitCell cell;
-      for (std::size_t v = 0; v < 4; ++v) cell.corner[v] = corner(t[v], 0x1p-6 * size_);
+      for (std::size_t v = 0; v < 4; ++v) cell.corner[v] = corner(t[v], margin::kRoughCorner * size_);
       cell.key = query_.floor;
       add(std::move(cell));
     }
@@ -279,7 +279,7 @@ class FitSearch {
 
 BoundaryPlace best_fit(const UnionProtrusion& protrusion, const Vector& low, const Vector& high,
                        const FitQuery& query) {
-  const double size = protrusion.size(), tolerance = 0x1p-30 * size;
+  const double size = protrusion.size(), tolerance = margin::kAroundBox * size;
   const auto [from, to] =
       askew(low - Vector{tolerance, tolerance, tolerance}, plus(high, {tolerance, tolerance, tolerance}));
   return FitSearch(protrusion, query, size).run(tetrahedra_of_box(from, to));

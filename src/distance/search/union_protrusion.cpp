@@ -126,7 +126,7 @@ Tetrahedron UnionProtrusion::around(const Witness& witness, double reach) const 
   const auto at = [&](double a, double b, double c) {
     return solid.pulled_in(plus(witness.point, scaled(reach, plus(scaled(a, u), plus(scaled(b, w), scaled(c, out))))));
   };
-  const double rise = far < solid.radius * (1 - 0x1p-20) ? 0.5 : 0;  // no sign: which tetrahedron
+  const double rise = far < solid.radius * (1 - margin::kInsideBall) ? 0.5 : 0;  // no sign: which tetrahedron
   return {at(1, 0, rise), at(-0.5, 0.8, rise), at(-0.5, -0.8, rise), at(0, 0, -1)};
 }
 

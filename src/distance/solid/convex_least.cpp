@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "distance/search/lp_bound.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -21,7 +22,7 @@ std::optional<Vector> direction(const Answer& v) {
   const Vector w = space::rounded(space::minus((*v.points)[0], (*v.points)[1]));
   const double length = space::length(w), value = v.value.to_double();
   // The points of a signed value may be others.
-  if (!(length > 0) || std::fabs(length - std::fabs(value)) > 0x1p-40 * length) return std::nullopt;
+  if (!(length > 0) || std::fabs(length - std::fabs(value)) > margin::kWitnessAgrees * length) return std::nullopt;
   return space::scaled(1 / (value < 0 ? -length : length), w);
 }
 
@@ -36,17 +37,17 @@ class Search {
 
   std::optional<Answer> run() {
     double bound = -exact::kInfinity;
-    for (int k = 0; k < kMostTangents && !(least_ - bound <= 0x1p-40 * size_); ++k) {
+    for (int k = 0; k < kMostTangents && !(least_ - bound <= margin::kTangentsMeet * size_); ++k) {
       if (!add_tangent()) break;
       const LpBound lowest = bounding_lp(columns_, std::nullopt);
-      bound = -lowest.value - 0x1p-42 * size_;
+      bound = -lowest.value - margin::kTangentNoise * size_;
       Vector to{};
       for (std::size_t c = 0; c < 4; ++c) to = space::plus(to, space::scaled(lowest.rows[c], corners_[c]));
       // Between the best and the lowest: where tangents are nearly level the lowest is anywhere.
       const Vector best = space::rounded(out_.at);
       next_ = space::plus(best, space::scaled(k % 4 == 3 ? 1.0 : 0.3, to - best));
     }
-    if (least_ - bound > 0x1p-36 * size_) return std::nullopt;
+    if (least_ - bound > margin::kTangentsApart * size_) return std::nullopt;
     offer_near();
     out_.bound = std::min(out_.value, Real::from_double(bound));
     return out_;
@@ -75,7 +76,7 @@ class Search {
     RealVector even = out_.at;
     for (Real& c : even) c = Real(exact::round(c));
     Answer v = value_(even);
-    if (v.value <= out_.value + Real::from_double(0x1p-38 * size_)) {
+    if (v.value <= out_.value + Real::from_double(margin::kNoBetter * size_)) {
       out_.value = std::move(v.value);
       out_.at = even;
     }

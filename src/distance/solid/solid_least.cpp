@@ -9,6 +9,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/solid/convex_least.h"
+#include "exact/number/margins.h"
 #include "space/body/outside_cells.h"
 #include "space/body/union_frontier.h"
 #include "space/polytope/deepest.h"
@@ -30,7 +31,7 @@ struct Obstacles {
 
 /// The planes that obstacles near `place` turn to it: the ball about the place touches their insides.
 std::vector<HalfSpace> touched_planes(const Obstacles& all, const Vector& place, double radius) {
-  const double slack = 0x1p-24 * (radius + 0x1p-20 * space::size_of(place));
+  const double slack = margin::kTouchedPlane * (radius + margin::kTouchedOfSize * space::size_of(place));
   std::vector<HalfSpace> planes;
   for (std::size_t k = 0; k < all.distances.size(); ++k) {
     if (all.distances[k](place) > radius + slack) continue;
@@ -44,7 +45,7 @@ std::vector<HalfSpace> touched_planes(const Obstacles& all, const Vector& place,
 /// Positions near a place that is known to rounding, of numbers that the true one may well have.
 std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place, double radius) {
   std::vector<RealVector> out;
-  const double tolerance = 0x1p-20 * (radius + space::size_of(place)) + 1;
+  const double tolerance = margin::kLikelyBox * (radius + space::size_of(place)) + 1;
   const Vector by{tolerance, tolerance, tolerance};
   if (const auto exact = space::deepest(touched_planes(all, place, radius), space::real(place - by),
                                         space::real(space::plus(place, by))))
@@ -53,7 +54,8 @@ std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place,
   for (Real& c : even) {
     for (const int parts : {8, 6, 5, 4, 3, 2, 1}) {
       const Real rounded = Real(exact::round(c * Real(parts))) / Real(parts);
-      if (std::fabs((rounded - c).to_double()) <= 0x1p-24 * (radius + 1)) c = rounded;  // no sign: its value decides
+      if (std::fabs((rounded - c).to_double()) <= margin::kSimpleCoordinate * (radius + 1))
+        c = rounded;  // no sign: its value decides
     }
   }
   out.push_back(even);
@@ -66,11 +68,11 @@ std::optional<Answer> deepest_place(const Obstacles& all, const Real& radius, co
                                     const std::function<std::optional<Answer>(const RealVector&)>& value) {
   const double size = space::size_of(space::rounded(somewhere)) + radius.to_double() + 1;
   const SolidMaxMin max_min =
-      all.tolerance.empty() ? SolidMaxMin{} : solid_max_min(all.tolerance, all.distances, 0x1p-42 * size);
-  const Real bound = radius - Real::from_double(max_min.bound + 0x1p-42 * size);
+      all.tolerance.empty() ? SolidMaxMin{} : solid_max_min(all.tolerance, all.distances, margin::kTangentNoise * size);
+  const Real bound = radius - Real::from_double(max_min.bound + margin::kTangentNoise * size);
   std::optional<Answer> best;
   // Values are right to 2^-40, so what is less by less than that is no better than a likelier place.
-  const Real blur = Real::from_double(0x1p-38 * size);  // no sign: it chooses among positions
+  const Real blur = Real::from_double(margin::kNoBetter * size);  // no sign: it chooses among positions
   const auto offer = [&](const RealVector& p) {
     const auto v = value(p);
     if (!v || (best && !(v->value < best->value - blur))) return;

@@ -14,6 +14,7 @@
 #include "distance/search/answer.h"
 #include "distance/search/union_fit.h"
 #include "distance/solid/solid_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -29,9 +30,6 @@ struct UnionContainers {
 
 namespace {
 
-/// What a value found by search may be off, of the sizes.
-constexpr double kError = 0x1p-36;
-
 /// The nearest (farthest) place in a single part, where that is known.
 std::optional<Answer> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
   std::optional<Answer> best;
@@ -45,7 +43,7 @@ std::optional<Answer> in_one_part(const UnionContainers& containers, const RealV
 }
 
 std::optional<Answer> settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size, int sense) {
-  const double slack = kError * size;
+  const double slack = margin::kUnionFitError * size;
   if (found.known && found.value - found.bound <= slack) return known;
   if (found.found && found.value - found.bound <= slack) {
     Answer out;

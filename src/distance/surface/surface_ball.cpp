@@ -29,7 +29,7 @@ struct BallBox {
 };
 
 /// Triangles whose distances are searched in a box of that share of the radius.
-std::size_t few(double share) { return share > 0x1p-4 ? 64 : 400; }
+std::size_t few(double share) { return share > margin::kLargeShare ? 64 : 400; }
 
 class BallSearch {
  public:
@@ -98,7 +98,7 @@ class BallSearch {
   /// Whether nothing is left to look for in the box.
   bool settled(const BallBox& box) {
     const Vector middle = box.of.middle();
-    const double half = space::length(box.of.high - box.of.low) / 2, noise = 0x1p-44 * size_;
+    const double half = space::length(box.of.high - box.of.low) / 2, noise = margin::kPlaceNoise * size_;
     const SurfaceField::Signed at = field_.at(middle);
     const double clear = (ball_.side == space::TouchSide::kOutside ? at.value : -at.value) - radius_;
     const bool decided = at.certain || at.distance + half < radius_;

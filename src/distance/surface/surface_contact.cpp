@@ -7,6 +7,7 @@
 
 #include "distance/search/plane_projections.h"
 #include "distance/surface/contact_boxes.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -25,8 +26,6 @@ constexpr std::size_t kMostCorners = 2000000;
 constexpr int kMostContactBoxes = 200000;
 /// Kept for later searches, which takes a kilobyte each, more or less.
 constexpr std::size_t kMostKept = 200000;
-/// Of the size: what is better than the best by less is looked for, too; and what an answer may be off.
-constexpr double kSlack = 0x1p-40, kMostOff = 0x1p-36;
 
 class ContactSearch {
  public:
@@ -47,7 +46,7 @@ class ContactSearch {
       look(top);
     }
     const double off = std::max(best_ - bound_, 0.0);
-    if (off > kMostOff * size_) return {};
+    if (off > margin::kMostContactOff * size_) return {};
     return {true, place_, off};
   }
 
@@ -58,7 +57,7 @@ class ContactSearch {
     bool operator<(const Task& o) const { return key != o.key ? key > o.key : box > o.box; }
   };
 
-  bool beyond(double key) const { return key > best_ + kSlack * size_; }
+  bool beyond(double key) const { return key > best_ + margin::kContactSlack * size_; }
 
   void push(int k) {
     const space::Extent& of = boxes_.box(k).of;

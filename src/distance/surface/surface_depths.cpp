@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <queue>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using space::Vector;
@@ -35,13 +37,13 @@ std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, c
     const SurfaceField::Signed there = field.at(at);
     const Vector way = there.projection - from;
     const double along = 2 * space::dot(way, inward);
-    if (there.distance >= radius * (1 - 0x1p-10) || !(along > 0)) break;
+    if (there.distance >= radius * (1 - margin::kBallTouches) || !(along > 0)) break;
     radius = std::min(radius, space::dot(way, way) / along);
   }
   const Vector at = space::plus(from, space::scaled(radius, inward));
   const SurfaceField::Signed there = field.at(at);
   if (!there.certain || !(there.value < 0)) return std::nullopt;
-  return std::pair(at, there.distance * (1 - 0x1p-30));
+  return std::pair(at, there.distance * (1 - margin::kBallShrunk));
 }
 
 }  // namespace

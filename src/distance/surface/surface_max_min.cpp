@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "distance/search/lp_bound.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -58,7 +59,9 @@ class DistanceMaxMin {
   }
 
  private:
-  double slack() const { return std::isfinite(best_.value) ? 0x1p-41 * std::fabs(best_.value) + 0x1p-44 * size_ : 0; }
+  double slack() const {
+    return std::isfinite(best_.value) ? margin::kMaxMinNear * std::fabs(best_.value) + margin::kPlaceNoise * size_ : 0;
+  }
   bool worth(double bound) const { return bound > best_.value + slack(); }
 
   /// Of a place in B.

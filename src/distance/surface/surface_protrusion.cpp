@@ -7,6 +7,7 @@
 #include "distance/search/convex_distance.h"
 #include "distance/surface/surface_max_min.h"
 #include "distance/surface/surface_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -66,7 +67,8 @@ std::optional<Answer> at_corner(const space::SurfaceSet& b, const space::Surface
   const Vector by = space::rounded(p);
   for (const auto& sheet : b.sheets()) {
     for (const space::Point& v : sheet->body.points) {
-      if (space::length(space::plus(exact::approx(v), by) - place) > 0x1p-44 * space::size_of(place)) continue;
+      if (space::length(space::plus(exact::approx(v), by) - place) > margin::kAtVertex * space::size_of(place))
+        continue;
       const RealVector at = space::plus(space::real(v), p);
       std::optional<Answer> best;
       const auto offer = [&](const RealVector& way, const Real& radius) {
@@ -100,7 +102,7 @@ Answer SurfacePair::protrusion(const Side& side, const RealVector& p) {
   Answer out;
   out.value = Real::from_double(max_min.value);
   out.proven = false;
-  out.error = max_min.bound - max_min.value + 0x1p-40 * space::size_of(max_min.place);
+  out.error = max_min.bound - max_min.value + margin::kFoundError * space::size_of(max_min.place);
   return out;
 }
 

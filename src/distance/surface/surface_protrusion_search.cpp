@@ -9,6 +9,7 @@
 #include "distance/search/lp_bound.h"
 #include "distance/search/max_min_queue.h"
 #include "distance/search/protrusion_field.h"
+#include "exact/number/margins.h"
 #include "space/surface/surface_side.h"
 
 namespace findspace::distance {
@@ -79,7 +80,7 @@ class TriangleField : public ProtrusionField {
     double at = 0;
     for (int count = 0; count < kMostSteps && at < 4 * size; ++count) {
       const double clear = nearest(space::plus(x, space::scaled(at, way))).distance - cut;
-      if (!(clear > size * 0x1p-44)) break;
+      if (!(clear > size * margin::kPlaceNoise)) break;
       at += clear;
     }
     return at;
