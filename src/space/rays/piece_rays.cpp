@@ -3,7 +3,6 @@
 #include "space/rays/piece_rays.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "plane/base/parallel.h"
 

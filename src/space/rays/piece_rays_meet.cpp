@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "exact/number/margins.h"
 #include "space/rays/oblique_line.h"

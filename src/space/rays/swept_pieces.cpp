@@ -3,7 +3,6 @@
 #include "space/rays/swept_pieces.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "exact/number/margins.h"
 
