@@ -270,15 +270,18 @@ RegionOnLines ray_region(const RayWorld& world, const Formula& formula, const Ra
 
 namespace {
 
-/// Line (0, 0) of one map.
+/// Line (0, 0) of one map, whose events may refer to the map's own memory.
 struct FirstRow {
+  SurfaceRays source;
   RayRow row;
-  bool searched = false;
 };
 Tried<FirstRow> first_row(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
-  const Tried<SurfaceRays> source = parts(world, map, grid);
+  Tried<SurfaceRays> source = parts(world, map, grid);
   if (!source) return source.refusal();
-  return exact::tried([&] { return FirstRow{source->row(0), source->searched()}; });
+  return exact::tried([&] {
+    RayRow row = source->row(0);
+    return FirstRow{*std::move(source), std::move(row)};
+  });
 }
 
 }  // namespace
@@ -287,7 +290,7 @@ Tried<LineSigns> signs_on_line(const RayWorld& world, const SignMap& map, const 
   const Tried<FirstRow> found = first_row(world, map, grid);
   if (!found) return found.refusal();
   const RayRow& row = found->row;
-  LineSigns out{{row.before[0], {}}, found->searched};
+  LineSigns out{{row.before[0], {}}, found->source.searched()};
   for (int e = row.first[0]; e < row.first[1]; ++e) {
     const space::RayEvent& event = row.events[static_cast<std::size_t>(e)];
     out.section.stops.push_back({event.at.to_real(), event.here, event.after});
@@ -316,7 +319,7 @@ Tried<std::optional<int>> sign_at_position(const RayWorld& world, const SignMap&
   const Tried<FirstRow> found = first_row(world, map, *grid);
   if (!found) return found.refusal();
   const int sign = space::sign_at(found->row, 0, p[2] * Real(grid->parts));
-  if (sign == 0 && found->searched) return std::nullopt;
+  if (sign == 0 && found->source.searched()) return std::nullopt;
   return sign;
 }
 
