@@ -11,45 +11,46 @@
 #include <charconv>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "commands.h"
 #include "deadline.h"
 #include "formula/language/names.h"
+#include "help_pages.h"
 #include "plane/base/parallel.h"
+#include "support_table.h"
 
 namespace findspace::app {
 namespace {
 
 constexpr const char* kAbout = "Where can this part go? The exact set of its positions, from a scene file.";
-constexpr std::string_view kExamples[] = {
-    "findspace map scene.json                         the feasible region in words",
-    "findspace map scene.json -o map.svg --json       a picture, and the region as JSON",
-    "findspace map scene.json --apply boundary        its boundary",
-    "cat scene.json | findspace map -                 the scene from standard input",
-    "findspace check scene.json --at 12.5,7           is this position feasible, and why (not)",
-    "findspace measure scene.json --at 12.5,7         all distances there",
-    "findspace describe scene.json board              a shape as a point set",
-    "findspace convert scene.json board -o board.wkt  a shape in another format",
-    "findspace convert part.dxf -o part.svg           a drawing in another format",
-    "findspace place scene.json -o placed.svg         positions for several shapes",
-    "findspace phi scene.json A B --at 3,4            do A and B moved by (3, 4) overlap, touch, or lie apart",
-};
-constexpr const char* kStatus = R"(
-Exit status: 0 done, and not empty or true; 1 proven empty or false; 2 wrong usage; 3 bad input;
-4 a limit was reached; 70 internal error; 130 interrupted.)";
+constexpr const char *kCommon = "Common", *kPlane = "In the plane", *kSpace = "In space";
 
-/// The end of a help text: examples of one verb, or of all ("").
-std::string examples(std::string_view verb) {
-  std::string out = "\nExamples:\n";
-  for (const std::string_view line : kExamples) {
-    if (line.find(fmt::format("findspace {}", verb)) != line.npos) out += fmt::format("  {}\n", line);
+/// Help for people: an entry a line, wrapped at 100 columns, without the types of arguments.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    const std::string type = option->get_type_name();
+    return help_entry(make_option_name(option, is_positional) + (type.empty() ? "" : " " + type),
+                      option->get_description());
   }
-  return out + kStatus;
-}
+  std::string make_subcommand(const CLI::App* verb) const override {
+    return help_entry(verb->get_name(), verb->get_description());
+  }
+  std::string make_description(const CLI::App* app) const override { return app->get_description() + "\n"; }
+  /// One blank line between groups.
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    const std::string text = CLI::Formatter::make_group(group, is_positional, options);
+    return is_positional || group == kCommon ? text : text.substr(1);
+  }
+  std::string make_footer(const CLI::App* app) const override { return app->get_footer() + "\n"; }
+};
 
 using Verb = Outcome (*)(const Options&, Reporter&);
 
@@ -60,13 +61,13 @@ struct VerbEntry {
 };
 
 constexpr VerbEntry kVerbs[] = {
-    {"map", "the region of all feasible positions", run_map},
-    {"check", "is a position feasible: every atom's value and truth", run_check},
-    {"measure", "all distances of the moving shape to the others", run_measure},
-    {"describe", "a shape of the scene as a point set", run_describe},
-    {"convert", "a shape or a drawing in another format", run_convert},
-    {"place", "positions for several shapes, one after another or all at once", run_place},
-    {"phi", "the Phi-function of two bodies, in the plane or in space", run_phi_verb},
+    {"map", "Answers where the moving shape can go: all its feasible positions.", run_map},
+    {"check", "Answers whether a position is feasible: the value and truth of every condition.", run_check},
+    {"measure", "Answers how far the moving shape is from each other shape.", run_measure},
+    {"describe", "Answers what a shape is as a point set: its size, parts, holes and boundary.", run_describe},
+    {"convert", "Answers what a shape or a drawing is in another format.", run_convert},
+    {"place", "Answers where several shapes can go together, one after another or all at once.", run_place},
+    {"phi", "Answers whether two shapes overlap, touch or lie apart, by their Phi-function.", run_phi_verb},
 };
 
 bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
@@ -75,22 +76,31 @@ bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name
 void add_lines(CLI::App& command, const VerbEntry& verb, Options& o) {
   const bool place = is(verb, "place");
   if (!place && !is(verb, "map") && !is(verb, "describe")) return;
-  auto* resolution = command.add_option(
-      "--resolution", o.resolution,
-      place ? "3D: N x N lines where positions are taken on lines" : "3D: on N x N lines, for solids of any shape");
-  resolution->type_name("N")->check(CLI::Range(1, 16384));
+  auto* resolution = command.add_option("--resolution", o.resolution,
+                                        place ? "seek positions on N x N lines, 1 to 16384 (default 128)"
+                                              : "answer on N x N lines, 1 to 16384 (default: exactly where that is "
+                                                "supported, else on 128 x 128 along each axis)");
+  resolution->type_name("N")->check(CLI::Range(1, 16384).description(""))->group(kSpace);
   if (place) return;
-  command.add_option("--step", o.spacing, "3D: on lines so far apart, instead of --resolution")
+  command.add_option("--step", o.spacing, "answer on lines S apart, in the scene's unit; instead of --resolution")
       ->type_name("S")
-      ->excludes(resolution);
+      ->excludes(resolution)
+      ->group(kSpace);
   auto* axes =
-      command.add_flag("--axes", o.axes, "3D: lines along all three axes: certified components, volume of the surface");
-  command.add_option("--axis", o.axis, "3D: the axis that the lines run along; z if left out")
-      ->check(CLI::IsMember({"x", "y", "z"}))
-      ->excludes(axes);
-  command.add_option("--side", o.side, "3D: cells about the lines that lie in the set, or hold all of it")
-      ->check(CLI::IsMember({"inner", "outer"}))
-      ->excludes(axes);
+      command.add_flag("--axes", o.axes, "lines along all three axes: certified components, volume of the surface");
+  axes->group(kSpace);
+  command.add_option("--axis", o.axis, "x, y or z: the axis that the lines run along (default z); not with --axes")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"x", "y", "z"}).description(""))
+      ->excludes(axes)
+      ->group(kSpace);
+  command
+      .add_option("--side", o.side,
+                  "inner or outer: cells about the lines that lie in the set, or that hold all of it; not with --axes")
+      ->type_name("SIDE")
+      ->check(CLI::IsMember({"inner", "outer"}).description(""))
+      ->excludes(axes)
+      ->group(kSpace);
 }
 
 /// What is wrong with a time limit, or nothing. The system's clock takes no more than 1e9.
@@ -111,66 +121,108 @@ std::string thread_count(const std::string& text) {
 
 /// What is read, and where the result goes.
 void add_files(CLI::App& command, const VerbEntry& verb, Options& o) {
-  command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required();
+  command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required()->type_name("");
   if (is(verb, "describe") || is(verb, "convert"))
-    command.add_option("SHAPE", o.shapes, "the shape; may be left out where there is one only")->expected(0, 1);
-  if (is(verb, "phi")) command.add_option("SHAPE", o.shapes, "the two shapes")->required()->expected(2);
-  command.add_option("-o,--output", o.outputs, "a file for the result, its format by the ending; may be repeated")
+    command.add_option("SHAPE", o.shapes, "the shape; may be left out where there is one only")
+        ->expected(0, 1)
+        ->type_name("");
+  if (is(verb, "phi")) command.add_option("SHAPE", o.shapes, "the two shapes")->required()->expected(2)->type_name("");
+  command
+      .add_option("-o,--output", o.outputs,
+                  "write the result to FILE, in the format that its ending names; may be repeated")
       ->type_name("FILE")
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);
-  command.add_flag("--json", o.json, "the result as JSON on standard output");
+      ->allow_extra_args(false)
+      ->group(kCommon);
+  command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
 }
 
 /// The position, the angle and the instant that are asked about.
 void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
   const bool phi = is(verb, "phi"), values = is(verb, "check") || is(verb, "measure");
-  if (phi || values || is(verb, "map"))
-    command.add_option("--at", o.at, "the position, decimals taken exactly")->type_name("X,Y[,Z]");
+  if (phi || values || is(verb, "map")) {
+    const std::string_view of = is(verb, "map") ? "of maps over angles or time: " : "";
+    const std::string_view otherwise = is(verb, "check") ? "required" : phi ? "default: none" : "default: as drawn";
+    command
+        .add_option("--at", o.at, fmt::format("{}the position, in the scene's unit, taken exactly ({})", of, otherwise))
+        ->type_name("X,Y[,Z]")
+        ->group(kCommon);
+  }
   if (phi) {
-    command.add_option("--min-distance", o.min_distance, "a least allowed distance, adjusted for at --at")
-        ->type_name("D");
-    command.add_option("--max-distance", o.max_distance, "a greatest allowed distance, adjusted for at --at")
-        ->type_name("D");
+    command
+        .add_option("--min-distance", o.min_distance, "the least allowed distance, in the scene's unit (default: none)")
+        ->type_name("D")
+        ->group(kCommon);
+    command
+        .add_option("--max-distance", o.max_distance,
+                    "the greatest allowed distance, in the scene's unit (default: none)")
+        ->type_name("D")
+        ->group(kCommon);
   }
   if (values) {
-    command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")
-        ->type_name("DEG");
+    command.add_option("--angle", o.angle, "rotate the moving shape by DEG degrees, counter-clockwise (default 0)")
+        ->type_name("DEG")
+        ->group(kPlane);
+    command.add_option("--time", o.time, "an instant of the motion, in its own time (default: over all its time)")
+        ->type_name("T")
+        ->group(kPlane);
     if (is(verb, "measure"))
-      command.add_flag("--all", o.all, "all distances; without it gap, margin, reach, protrusion, hausdorff");
-    command.add_option("--time", o.time, "the instant of the motion, a decimal taken exactly")->type_name("T");
+      command.add_flag("--all", o.all, "all distances, not only gap, margin, reach, protrusion and hausdorff")
+          ->group(kCommon);
   }
+}
+
+/// Of drawings, and the form of the result.
+void add_conversions(CLI::App& command, Options& o) {
+  command.add_flag("--constructive", o.constructive, "JSON is a scene that makes the shape of simple ones")
+      ->group(kPlane);
+  command
+      .add_option("--unit", o.unit, fmt::format("of a drawing's numbers: {} (default: what it states)", unit_list()))
+      ->type_name("UNIT")
+      ->group(kPlane);
+  command.add_option("--id", o.id, "the element of a drawing, SVG or GeoJSON (default: all)")
+      ->type_name("ID")
+      ->group(kPlane);
+  command.add_option("--layer", o.layer, "the layer of a drawing, DXF or SVG (default: all)")
+      ->type_name("LAYER")
+      ->group(kPlane);
+  command.add_option("--index", o.index, "which of the drawing's shapes, from 0 (default: all)")
+      ->type_name("N")
+      ->group(kPlane);
 }
 
 /// What a region or a shape is made into.
 void add_forms(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (is(verb, "map"))
-    command.add_option("--apply", o.apply, "an operation on the region")
-        ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}));
+    command
+        .add_option("--apply", o.apply,
+                    "interior, closure, boundary, regularize or complement of the region (default: the region)")
+        ->type_name("OPERATION")
+        ->check(CLI::IsMember({"interior", "closure", "boundary", "regularize", "complement"}).description(""))
+        ->group(kPlane);
   if (is(verb, "map") || is(verb, "describe"))
-    command.add_flag("--exact", o.exact, "2D: JSON has the exact cells too, which read back as the same set");
-  if (!is(verb, "convert")) return;
-  command.add_flag("--constructive", o.constructive, "2D: JSON is a scene that makes the shape of simple ones");
-  command.add_option("--unit", o.unit, "of a drawing that states none")->type_name("um|mm|cm|m|in|mil");
-  command.add_option("--id", o.id, "the element of a drawing (SVG, GeoJSON)");
-  command.add_option("--layer", o.layer, "the layer of a drawing (DXF, SVG)");
-  command.add_option("--index", o.index, "which of the drawing's shapes, from 0");
+    command.add_flag("--exact", o.exact, "JSON has the exact cells too, which a scene reads back as the same set")
+        ->group(kPlane);
+  if (is(verb, "convert")) add_conversions(command, o);
 }
 
 void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
+  command.get_help_ptr()->group(kCommon);
   add_files(command, verb, o);
   add_question(command, verb, o);
   add_forms(command, verb, o);
   add_lines(command, verb, o);
-  command.add_option("--threads", o.threads, "threads to use; 0: one for each core")
+  command.add_option("--threads", o.threads, "threads to use, 0 to 4096 (default 0: one for each core)")
       ->type_name("N")
-      ->check(thread_count);
-  command.add_option("--time-limit", o.time_limit, "seconds after which to give up; 0: never")
+      ->check(thread_count)
+      ->group(kCommon);
+  command.add_option("--time-limit", o.time_limit, "give up after S seconds (default 0: never)")
       ->type_name("S")
-      ->check(seconds);
-  command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written");
-  command.footer(examples(verb.name));
+      ->check(seconds)
+      ->group(kCommon);
+  command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written")->group(kCommon);
+  command.footer(help_examples(verb.name));
 }
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
@@ -212,26 +264,80 @@ int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   return outcome.status;
 }
 
+/// "; did you mean 'map'?", or "" where no name is near.
+std::string meant(const std::string& word, const std::vector<std::string>& names) {
+  const std::string near = formula::nearest(word, names);
+  return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+}
+
 /// "mpa": an unknown verb is answered with the nearest one.
 bool is_unknown_verb(int argc, char** argv, Reporter& reporter) {
   if (argc < 2 || argv[1][0] == '-') return false;
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const VerbEntry& verb : kVerbs) names.push_back(verb.name);
+  names.push_back("help");
   if (std::find(names.begin(), names.end(), word) != names.end()) return false;
-  const std::string near = formula::nearest(word, names);
-  reporter.error(fmt::format("there is no verb '{}'{}; the verbs are {}", word,
-                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(names, " ")));
+  reporter.error(
+      fmt::format("there is no verb '{}'{}; the verbs are {}", word, meant(word, names), fmt::join(names, " ")));
   return true;
+}
+
+struct HelpRequest {
+  std::string topic;
+  bool markdown = false;
+};
+
+CLI::App* add_help(CLI::App& app, HelpRequest& request) {
+  std::string topics = "Topics:\n";
+  for (const HelpTopic& topic : help_topics()) topics += help_entry(topic.name, topic.about);
+  CLI::App* command = app.add_subcommand("help", "Answers how formulas and scenes are written, and what is supported.");
+  command->get_help_ptr()->group(kCommon);
+  command->add_option("TOPIC", request.topic, "one of the topics below, or a verb (default: the list of topics)")
+      ->type_name("");
+  command->add_flag("--markdown", request.markdown, "of support: print docs/support.md")->group(kCommon);
+  command->footer(topics);
+  return command;
+}
+
+/// A page for the topic; of a verb the same as its --help.
+ExitStatus print_help(const CLI::App& app, const CLI::App& help, const HelpRequest& request, Reporter& reporter) {
+  const auto print = [](const std::string& text) {
+    fmt::print("{}", text);
+    return kDone;
+  };
+  if (request.markdown && request.topic != "support") {
+    reporter.error("--markdown belongs to 'findspace help support'");
+    return kUsage;
+  }
+  if (request.topic.empty()) return print(help.help("findspace"));
+  if (request.markdown) return print(support_markdown());
+  std::vector<std::string> names;
+  for (const HelpTopic& topic : help_topics()) {
+    if (topic.name == request.topic) return print(topic.page());
+    names.emplace_back(topic.name);
+  }
+  const std::string topics = fmt::format("{}", fmt::join(names, ", "));
+  for (const VerbEntry& verb : kVerbs) {
+    if (is(verb, request.topic)) return print(app.get_subcommand(verb.name)->help("findspace"));
+    names.emplace_back(verb.name);
+  }
+  reporter.error(fmt::format("there is no help on '{}'{}; the topics are {}, and the verbs", request.topic,
+                             meant(request.topic, names), topics));
+  return kUsage;
 }
 
 int program(int argc, char** argv) {
   CLI::App app(kAbout, "findspace");
-  app.set_version_flag("--version", "findspace " FINDSPACE_VERSION);
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_help_flag("-h,--help", "print this help; after a verb its own")->group(kCommon);
+  app.set_version_flag("--version", "findspace " FINDSPACE_VERSION, "print the version")->group(kCommon);
   app.require_subcommand(1);
-  app.footer(examples(""));
+  app.footer(help_examples(""));
   Options options;
+  HelpRequest request;
   for (const VerbEntry& verb : kVerbs) add_options(*app.add_subcommand(verb.name, verb.about), verb, options);
+  const CLI::App* help = add_help(app, request);
   Reporter errors;
   if (is_unknown_verb(argc, argv, errors)) return kUsage;
   try {
@@ -246,6 +352,7 @@ int program(int argc, char** argv) {
     errors.error(fmt::format("{}\nTry 'findspace --help'.", e.what()));
     return kUsage;
   }
+  if (help->parsed()) return print_help(app, *help, request, errors);
   Reporter reporter(options.quiet);
   try {
     const std::string name = app.get_subcommands().front()->get_name();

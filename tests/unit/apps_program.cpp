@@ -68,6 +68,50 @@ TEST_F(Program, HelpAndVersion) {
   EXPECT_EQ(run("map --help").status, 0);
 }
 
+/// The longest line, in letters.
+std::size_t columns(const std::string& text) {
+  std::size_t most = 0, column = 0;
+  for (const char c : text) {
+    column = c == '\n' ? 0 : column + ((c & 0xc0) != 0x80 ? 1 : 0);
+    most = std::max(most, column);
+  }
+  return most;
+}
+
+TEST_F(Program, HelpOfVerbsIsGroupedAndFitsTheTerminal) {
+  for (const std::string verb : {"map", "check", "measure", "describe", "convert", "place", "phi", "help"}) {
+    const Result help = run(verb + " --help");
+    EXPECT_EQ(help.status, 0) << verb;
+    EXPECT_EQ(help.out.find("Answers "), 0u) << verb;
+    EXPECT_TRUE(contains(help.out, "\nCommon:\n")) << verb;
+    EXPECT_LE(columns(help.out), 100u) << verb;
+    EXPECT_EQ(run("help " + verb).status, verb == "help" ? 2 : 0) << verb;
+  }
+  const std::string map = run("map --help").out;
+  EXPECT_LT(map.find("\nCommon:\n"), map.find("\nIn the plane:\n"));
+  EXPECT_LT(map.find("\nIn the plane:\n"), map.find("\nIn space:\n"));
+  EXPECT_TRUE(contains(map, "default 0"));
+}
+
+TEST_F(Program, HelpHasPages) {
+  const Result topics = run("help");
+  EXPECT_EQ(topics.status, 0);
+  for (const std::string topic : {"formula", "scene", "support"}) {
+    EXPECT_TRUE(contains(topics.out, "  " + topic + " ")) << topic;
+    const Result page = run("help " + topic);
+    EXPECT_EQ(page.status, 0) << topic;
+    EXPECT_LE(columns(page.out), 100u) << topic;
+  }
+  const std::string formula = run("help formula").out;
+  for (const char* line : {"gap gamma1 γ₁ ", "minus eta1", "gap(B, A) >= c; c is 0", "um, mm, cm, m, in or mil"})
+    EXPECT_TRUE(contains(formula, line)) << line;
+  const Result unknown = run("help formla");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_TRUE(contains(unknown.err, "did you mean 'formula'?")) << unknown.err;
+  EXPECT_EQ(run("help scene --markdown").status, 2);
+  EXPECT_TRUE(contains(run("help support --markdown").out, "# The support table"));
+}
+
 TEST_F(Program, PicturesOfAPositionHaveItsDistances) {
   EXPECT_EQ(run("check scene.json --at 12,3 -o c.svg").status, 1);
   const std::string apart = read("c.svg");

@@ -14,12 +14,15 @@
 namespace findspace::io {
 namespace {
 
-constexpr std::array<std::string_view, 13> kKeys{"findspace", "unit", "grid",   "shapes", "moving", "where", "minimize",
-                                                 "maximize",  "free", "motion", "place",  "about",  "angles"};
+constexpr std::array<std::string_view, 14> kKeys{"$schema", "findspace", "unit",     "grid",     "shapes",
+                                                 "moving",  "where",     "minimize", "maximize", "free",
+                                                 "motion",  "place",     "about",    "angles"};
 
 void read_header(const JsonValue& root, const SceneReader& json, Scene& scene) {
   json.expect(root, JsonValue::Kind::kObject, "a scene", {});
   json.check_keys(root, kKeys, {});
+  if (const JsonValue* schema = root.find("$schema"))  // for editors: docs/scene.schema.json
+    json.expect(*schema, JsonValue::Kind::kString, "\"$schema\"", {});
   const JsonValue& version = json.need(root, "findspace", {});
   Label label{nullptr, "findspace"};
   if (json.number(version, label).integer() != exact::int128(1)) {
