@@ -10,8 +10,8 @@
 #include <memory>
 #include <utility>
 
+#include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
-#include "formula/planar/certain_cells.h"
 #include "formula/solid/solve_rays.h"
 #include "io/draw/draw_slices.h"
 #include "io/mesh/write_mesh.h"
