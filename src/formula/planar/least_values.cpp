@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "distance/planar_least/directional_least.h"
 #include "distance/planar_least/level_extremum.h"
@@ -21,13 +20,13 @@ using distance::PositionBounds;
 using distance::SearchWindow;
 using distance::Sense;
 using distance::ValueRange;
+using exact::kInfinity;
 using exact::RealPoint;
 using plane::CellComplex;
 using plane::Mark;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kBoxes = 600, kBoxesOverTime = 320, kBoxesOfRotationOverTime = 24;
 constexpr double kCloseDegrees = 1e-7, kClosePart = 1e-9;  // no sign: where a search may end
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "distance/rotation/rotation_angles.h"
 #include "distance/rotation/rotation_in_time.h"
@@ -18,6 +17,7 @@ namespace findspace::formula {
 using distance::BoundedRotations;
 using distance::Sense;
 using distance::ValueRange;
+using exact::kInfinity;
 using exact::Real;
 using exact::RealPoint;
 using plane::Mark;
@@ -25,7 +25,6 @@ using plane::RotationMap;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Real kAboutAnEnd = Real::ratio(1, 1000000000);  // degrees: more than an angle in doubles is off
 
 constexpr double kBeyond = 1e-9;  // no sign: more than values are off
