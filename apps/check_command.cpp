@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "exact/number/tried.h"
 #include "io/write/write_json.h"
 #include "position_picture.h"
 #include "report.h"
@@ -18,12 +19,8 @@ namespace {
 std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& solver, const formula::Formula& formula,
                                                          const exact::RealPoint& at, Reporter& reporter) {
   reporter.stage("looking for the nearest feasible position");
-  try {
-    return solver.nearest_feasible(formula, at);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return std::nullopt;
-  }
+  auto found = exact::tried([&] { return solver.nearest_feasible(formula, at); });
+  return found ? *std::move(found) : std::nullopt;
 }
 
 }  // namespace
@@ -72,7 +69,7 @@ Outcome run_measure(const Options& options, Reporter& reporter) {
   const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
   const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : measure_text(distances, at, session.step(), session.unit()), kDone};
+  return {options.json ? json() : measure_text(distances, at, session.step(), session.unit(), options.all), kDone};
 }
 
 }  // namespace findspace::app

@@ -8,12 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "formula/solid/solve_region.h"
 #include "io/mesh/space_surface.h"
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json.h"
 #include "io/write/write_json_space.h"
-#include "space/convolution/ray_solids.h"
-#include "space/polytope/solid.h"
 #include "space_commands.h"
 
 namespace findspace::app {
@@ -41,17 +40,6 @@ io::Surface surface(const space::Triangles& triangles, const Real& step) {
   return out;
 }
 
-/// Where the shape is known by one surface; nothing else.
-std::optional<io::Surface> one_surface(const plane::Shape& shape, const Real& step) {
-  try {
-    const std::vector<space::RaySolid> solids = space::ray_solids(shape);
-    if (solids.size() == 1 && !solids[0].ball()) return surface(solids[0].surface, step);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-  }
-  return std::nullopt;
-}
-
 /// Of what a surface bounds; the rest is lost.
 io::Surface box_surface(const Session& session, const plane::Shape& shape, const space::BoxComplex& boxes) {
   const space::SpaceSummary set = space::summarize(boxes, session.step());
@@ -63,32 +51,15 @@ io::Surface box_surface(const Session& session, const plane::Shape& shape, const
   return found;
 }
 
-/// Where the shape is made of boxes or is a convex polytope; nothing else.
-std::optional<io::Surface> simple_surface(const Session& session, const plane::Shape& shape) {
-  const Real step = session.step();
-  try {
-    const formula::SpaceShape made = formula::space_shape(shape);
-    if (made.boxes) return box_surface(session, shape, *made.boxes);
-    const bool waits = made.surfaces && !made.convex;  // not convex, then
-    if (made.body && !waits && made.body->convex() && !made.body->round())
-      return surface(*made.body->parts[0].core, step / Real(made.body->scale));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 io::Surface boundary_of(const Session& session, const plane::Shape& shape) {
-  const space::Solid* solid = space::solid_of(shape);
-  const bool polytope = solid && solid->form == space::Solid::Form::kPolytope;  // its facets stay whole
-  std::optional<io::Surface> found = polytope ? std::nullopt : one_surface(shape, session.step());
-  if (!found) found = simple_surface(session, shape);
-  if (found) return *std::move(found);
-  throw Error(ErrorCode::kUnsupported,
-              "this is not bounded by one surface of flat faces; describe -o writes its surface as found on lines",
-              shape.place);
+  const Real step = session.step();
+  const formula::ShapeBoundary found = formula::shape_boundary(shape);
+  if (const auto* triangles = std::get_if<space::Triangles>(&found)) return surface(*triangles, step);
+  if (const auto* boxes = std::get_if<space::BoxComplex>(&found)) return box_surface(session, shape, *boxes);
+  const space::Body& body = *std::get<formula::LazyBody::Pointer>(found);
+  return surface(*body.parts[0].core, step / Real(body.scale));
 }
 
 namespace {

@@ -5,14 +5,11 @@
 // --resolution or --step always on lines, with --side as a bound of the shape from within or without.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "findspace/error.h"
+#include "formula/solid/solve_region.h"
 #include "io/mesh/space_surface.h"
 #include "io/write/write_json_space.h"
 #include "ray_outcome.h"
-#include "space/convolution/ray_solids.h"
-#include "space/shape/box_shape.h"
 #include "space/shape/shape_rays.h"
 #include "space_commands.h"
 #include "space_outcome.h"
@@ -35,39 +32,6 @@ space::ConvexSet whole(const space::Body& body) {
   return set;
 }
 
-/// Whether its surface says that the shape is not convex; its convex parts may take long.
-bool seen_not_convex(const plane::Shape& shape) {
-  try {
-    const std::vector<space::RaySolid> solids = space::ray_solids(shape);
-    if (solids.size() != 1 || solids[0].ball()) return false;
-    const space::RayBody body(solids[0].surface);
-    return std::any_of(body.edges.begin(), body.edges.end(), [](const space::RayEdge& e) { return e.bend < 0; });
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported && e.code() != ErrorCode::kGeometry) throw;
-    return false;
-  }
-}
-
-/// The shape, if it is made of boxes or one convex set.
-std::optional<formula::SpaceShape> exact_shape(const Session& session, const std::string& name) {
-  try {
-    const plane::Shape& stated = *session.scene().shape(name);
-    if (seen_not_convex(stated)) {
-      auto boxes = space::box_complex(stated);
-      return boxes ? std::optional(formula::SpaceShape{std::move(boxes), nullptr, {}}) : std::nullopt;
-    }
-    formula::SpaceShape shape = formula::space_shape(*session.scene().shape(name));
-    note_rounding(session, name, shape);
-    const bool waits = shape.surfaces && !shape.convex;  // not convex, then
-    if (shape.boxes ||
-        (!waits && shape.body && shape.body->convex() && (!shape.body->round() || !wants_surface(session))))
-      return shape;
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-  }
-  return std::nullopt;
-}
-
 Outcome describe_rays(const Session& session, const std::string& name, const LineChoice& lines) {
   const plane::Shape& shape = *session.scene().shape(name);
   const space::ShapeBox box = space::shape_box(shape);
@@ -83,7 +47,9 @@ Outcome describe_rays(const Session& session, const std::string& name, const Lin
   const Real by = set.side == formula::Side::kOuter   ? cell_radius(set)
                   : set.side == formula::Side::kInner ? -cell_radius(set)
                                                       : Real();
-  set.source = [&shape, by](const space::RayGrid& grid) { return space::shape_rays(shape, grid, by); };
+  set.source = [&shape, by](const space::RayGrid& grid) {
+    return formula::RegionOnLines{space::shape_rays(shape, grid, by)};
+  };
   return rays_outcome(session, set);
 }
 
@@ -94,10 +60,11 @@ Outcome describe_space(const Session& session, const std::string& name) {
   check_outputs(options, space_formats());
   session.reporter().stage(fmt::format("shape {}", name));
   if (const auto lines = asked_lines(session)) return describe_rays(session, name, *lines);
-  const auto made = exact_shape(session, name);
-  if (!made) return describe_rays(session, name, lines_unasked(session, "shape"));
-  const formula::SpaceShape& shape = *made;
-  if (!shape.boxes)
+  const formula::ExactShape made = formula::exact_shape(*session.scene().shape(name), wants_surface(session));
+  const formula::SpaceShape& shape = made.shape;
+  note_rounding(session, name, shape);
+  if (made.way == distance::Way::kLines) return describe_rays(session, name, lines_unasked(session, "shape"));
+  if (made.way == distance::Way::kConvex)
     return polytope_outcome(session, whole(*shape.body), session.step() / Real(shape.body->scale), name, nullptr);
   const space::SpaceSummary summary = space::summarize(*shape.boxes, session.step());
   const auto json = [&] { return io::space_json(*shape.boxes, summary, session.step(), session.unit()); };

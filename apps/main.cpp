@@ -137,6 +137,8 @@ void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (values) {
     command.add_option("--angle", o.angle, "degrees by which the moving shape is turned, taken exactly")
         ->type_name("DEG");
+    if (is(verb, "measure"))
+      command.add_flag("--all", o.all, "all distances; without it gap, margin, reach, protrusion, hausdorff");
     command.add_option("--time", o.time, "the instant of the motion, a decimal taken exactly")->type_name("T");
   }
 }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "exact/number/margins.h"
 #include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
 #include "formula/solid/solve_rays.h"
@@ -73,7 +74,9 @@ Cast cast_lines(const RaySet& set, double step, bool written) {
   space::RaySummarizer summarizer(out.grid);
   io::RayLines lines(out.grid, step);
   space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
-  space::each_row(*set.source(out.grid), [&](int j, space::RayRow&& row) {
+  const formula::RegionOnLines source = set.source(out.grid);
+  out.on_lines = formula::both(set.on_lines, source.side);
+  space::each_row(*source.rays, [&](int j, space::RayRow&& row) {
     summarizer.add(j, row);
     if (written) lines.add(j, row);
     extreme.add(out.grid, j, row);
@@ -92,8 +95,15 @@ Cast cast_axes(const RaySet& set, double step, bool written) {
   io::RayLines lines(out.grid, step);
   space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
   std::array<int, 3> rows{};
+  out.on_lines = set.on_lines;
   space::RayAxes axes = space::ray_axes(
-      lattice, [&](int axis) { return set.source(lattice.grid(axis)); }, in_region,
+      lattice,
+      [&](int axis) {
+        formula::RegionOnLines source = set.source(lattice.grid(axis));
+        out.on_lines = formula::both(out.on_lines, source.side);
+        return std::move(source.rays);
+      },
+      in_region,
       [&](const space::RayGrid& grid, const space::RayRow& row) {
         const int j = rows[static_cast<std::size_t>(grid.axis)]++;
         if (written && grid.axis == 2) lines.add(j, row);
@@ -123,16 +133,6 @@ std::pair<space::Point, space::Point> shown_box(const RaySet& set, const space::
   return {low, high};
 }
 
-bool has_ray_map(const RaySet& set) {
-  try {
-    set.source({2, 1, set.low.x, set.low.y, 1, 1, 1, 1});
-    return true;
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return false;
-  }
-}
-
 }  // namespace
 
 formula::RayWorld ray_world(const Session& session) {
@@ -146,7 +146,7 @@ formula::RayWorld ray_world(const Session& session) {
 exact::Real cell_radius(const RaySet& set) {
   const space::RayGrid grid = set.lines.grid(set.low, set.high);
   const double half = std::hypot(static_cast<double>(grid.du), static_cast<double>(grid.dv)) / 2;
-  return exact::Real::from_double(half * (1 + 0x1p-40)) / exact::Real(grid.parts);
+  return exact::Real::from_double(half * margin::kUpward) / exact::Real(grid.parts);
 }
 
 void take_side(const Session& session, RaySet& set) {
@@ -176,7 +176,7 @@ struct RaysShown {
   /// Does not refer to the session or the set: it may be written after them.
   std::function<void(const io::Sink&)> json() const {
     return [cast = cast, step = step, optimum = optimum, unit = session.unit(), axes = set.lines.axes,
-            unbounded = set.unbounded, on_lines = formula::name(set.on_lines), side = formula::name(set.side),
+            unbounded = set.unbounded, on_lines = formula::name(cast->on_lines), side = formula::name(set.side),
             somewhere = set.somewhere](const io::Sink& sink) {
       const io::RaysText text{unit, &cast->lines, axes, unbounded, on_lines, side, somewhere, optimum};
       io::rays_json(cast->summary, cast->grid, step, text, sink);
@@ -185,14 +185,14 @@ struct RaysShown {
   io::Surface surface() const {
     if (set.lines.axes) return io::ray_surface_mesh(cast->surface, step);
     const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
-    const auto source = [&](int axis) { return set.source(lattice.grid(axis)); };
+    const auto source = [&](int axis) { return set.source(lattice.grid(axis)).rays; };
     return io::ray_surface_mesh(space::ray_surface(lattice, source, in_region), step);
   }
   std::string slices() const {
     const auto [low, high] = shown_box(set, cast->summary);
     const space::RayGrid slices = io::slice_grid(low, high, kLayers, std::max(cast->grid.nu, cast->grid.nv));
     const io::SlicesText layers{set.title, set.subtitle, session.unit(), set.meaning};
-    return io::slices_svg(space::all_rows(*set.source(slices)), slices, low, high, step, layers);
+    return io::slices_svg(space::all_rows(*set.source(slices).rays), slices, low, high, step, layers);
   }
   Writers writers() const {
     Writers out;
@@ -237,10 +237,11 @@ formula::Formula for_cells(const RaySet& set, const formula::Formula& formula, c
   return set.side == formula::Side::kOuter ? widened(formula, radius) : narrowed(formula, radius);
 }
 
-std::unique_ptr<space::RaySource> region_rays(const formula::RayWorld& world, const formula::Formula& formula,
-                                              const space::RayGrid& grid) {
-  if (formula.sign_maps().empty()) return space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1);
-  return formula::ray_region(world, formula, grid);
+exact::Tried<formula::RegionOnLines> region_rays(const formula::RayWorld& world, const formula::Formula& formula,
+                                                 const space::RayGrid& grid) {
+  if (formula.sign_maps().empty())
+    return formula::RegionOnLines{space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1)};
+  return formula::try_ray_region(world, formula, grid);
 }
 
 void take_minima(const formula::MinimaAsLevels& levels, RaySet& set) {
@@ -277,17 +278,15 @@ Outcome map_rays(const Session& session, const LineChoice& lines) {
   take_minima(levels, set);
   take_side(session, set);
   if (set.side != formula::Side::kNone) formula = for_cells(set, formula, session.step());
-  const space::RayGrid grid = set.lines.grid(set.low, set.high);
-  set.on_lines = formula::both(set.on_lines, formula::side_of_search(world, formula, set.lines.axes ? nullptr : &grid));
   if (by_distance)
     set.objective = objective_of(*solver, *goal);
   else if (goal)
     set.aim = aim_of(session, *goal);
-  set.source = [&](const space::RayGrid& grid) { return region_rays(world, formula, grid); };
-  if (set.somewhere && !has_ray_map(set)) {
+  set.source = [&](const space::RayGrid& grid) { return region_rays(world, formula, grid).or_throw(); };
+  if (set.somewhere && !region_rays(world, formula, {2, 1, set.low.x, set.low.y, 1, 1, 1, 1})) {
     session.reporter().note("the minimisers have no map on lines: one of them is given");
     set.on_lines = formula::Side::kInner;
-    set.source = [](const space::RayGrid& grid) { return space::constant_rays(grid, 1); };
+    set.source = [](const space::RayGrid& grid) { return formula::RegionOnLines{space::constant_rays(grid, 1)}; };
   }
   return rays_outcome(session, set);
 }

@@ -17,7 +17,7 @@ using plane::Place;
 
 namespace {
 
-Place place(const RealPoint& p) { return {p.x.to_double(), p.y.to_double()}; }
+Place rounded(const RealPoint& p) { return {p.x.to_double(), p.y.to_double()}; }
 
 Place middle(const plane::Region& shape) {
   const auto box = plane::is_bounded(shape) ? plane::extent(shape) : std::nullopt;
@@ -44,13 +44,13 @@ void add_ways(std::vector<Arrow>& out, const formula::World& world, const formul
     const Place start = middle(world.shapes.at(name));
     Arrow way{Arrow::Kind::kWay, {}, moving};
     for (const RealPoint& p : trajectory.path) {
-      const Place at = place(p);
+      const Place at = rounded(p);
       way.points.push_back({(start[0] + at[0]) * step, (start[1] + at[1]) * step});
     }
     const bool stays =
         std::all_of(way.points.begin(), way.points.end(), [&](const Place& p) { return p == way.points[0]; });
     if (!stays) out.push_back(std::move(way));
-    const Place first = place(trajectory.path.at(0));
+    const Place first = rounded(trajectory.path.at(0));
     if (formula::rotations(trajectory))
       out.push_back({Arrow::Kind::kRotation, {{first[0] * step, first[1] * step}}, moving});
   }

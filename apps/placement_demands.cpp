@@ -131,7 +131,7 @@ class Maker {
         }
     if (!first.empty() && first == second) {
       throw Error(ErrorCode::kBadValue,
-                  fmt::format("{}: the two move together, so their distance never changes", formula::text(atom)),
+                  fmt::format("{}: the two move together, so their distance never changes", formula::written(atom)),
                   fmt::format("{}:{}:{}", text.file, text.line, text.column));
     }
   }

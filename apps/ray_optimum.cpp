@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "exact/number/margins.h"
 #include "formula/solid/optimize_rays.h"
 
 namespace findspace::app {
@@ -30,7 +31,8 @@ namespace {
 void take_side(const RaySet& set, double step, io::RayOptimum& found) {
   if (set.side == formula::Side::kInner) found.bound.reset();
   if (set.side != formula::Side::kOuter || !found.value) return;
-  const double radius = cell_radius(set).to_double() * step * (1 + 0x1p-40), from = found.bound.value_or(*found.value);
+  const double radius = cell_radius(set).to_double() * step * margin::kUpward,
+               from = found.bound.value_or(*found.value);
   found.bound = found.maximum ? from + radius : from - radius;
   found.attained = false;
 }

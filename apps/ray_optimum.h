@@ -19,6 +19,7 @@ namespace findspace::app {
 /// What the lines tell.
 struct Cast {
   space::RayGrid grid;
+  formula::Side on_lines = formula::Side::kExact;  // how they stand to the region
   space::RaySummary summary;
   io::Spool lines;            // as JSON, where that is written
   space::RaySurface surface;  // of three axes only

@@ -28,15 +28,15 @@ struct RayObjective {
 struct RaySet {
   std::string title, subtitle, meaning;  // of the picture; what the set consists of
   LineChoice lines;
-  space::Point low, high;                                                          // a box that holds the frontier
-  bool unbounded = false;                                                          // the set goes on beyond it
-  std::optional<space::RayAim> aim;                                                // what is looked for in the set
-  std::optional<RayObjective> objective;                                           // or this
-  bool somewhere = false;                                                          // it is known not to be empty
-  formula::Side on_lines = formula::Side::kExact;                                  // of the set on the lines
-  formula::Side side = formula::Side::kNone;                                       // of the cells about the lines
-  std::optional<io::RayOptimum> least;                                             // of a formula with `-> min`
-  std::function<std::unique_ptr<space::RaySource>(const space::RayGrid&)> source;  // at most 0 in the set
+  space::Point low, high;                          // a box that holds the frontier
+  bool unbounded = false;                          // the set goes on beyond it
+  std::optional<space::RayAim> aim;                // what is looked for in the set
+  std::optional<RayObjective> objective;           // or this
+  bool somewhere = false;                          // it is known not to be empty
+  formula::Side on_lines = formula::Side::kExact;  // of the set on the lines, whatever its source says
+  formula::Side side = formula::Side::kNone;       // of the cells about the lines
+  std::optional<io::RayOptimum> least;             // of a formula with `-> min`
+  std::function<formula::RegionOnLines(const space::RayGrid&)> source;  // at most 0 in the set
 };
 
 /// The scene's shapes for rays; refers to them.

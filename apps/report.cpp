@@ -11,6 +11,7 @@
 #include "formula/language/text.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_witness.h"
+#include "measured_rows.h"
 #include "plane/query/measure_cells_twofold.h"
 
 namespace findspace::app {
@@ -123,13 +124,14 @@ std::string intervals_text(std::string_view title, const std::vector<plane::Line
 std::string check_text(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, const formula::NearestFeasible* nearest) {
   std::vector<std::string> texts;
-  for (const auto& a : check.atoms) texts.push_back(formula::text(a.atom));
+  for (const auto& a : check.atoms) texts.push_back(formula::written(a.atom));
   const std::size_t width = widest(texts);
   const Twofold factor(step);
   std::string out = fmt::format("{} {}\n", point(at), check.holds ? "is feasible" : "is not feasible");
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const formula::AtomAt& a = check.atoms[i];
-    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", texts[i], width, value_text(a.distance, unit));
+    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", texts[i], width,
+        said_distance(a.atom) + value_text(as_said(a.distance, formula::negated(a.atom.distance)), unit));
     if (a.lacks)
       put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", amount_text(a.distance, *a.lacks, unit));
     const std::string where = io::witness_words(a.distance, factor);
@@ -145,17 +147,18 @@ std::string check_text(const formula::Check& check, const exact::RealPoint& at, 
 }
 
 std::string measure_text(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
-                         const exact::Real& step, std::string_view unit) {
+                         const exact::Real& step, std::string_view unit, bool all) {
+  const std::vector<MeasuredRow> rows = measured_rows(distances, all);
   std::vector<std::string> texts, values;
-  for (const auto& d : distances) {
-    texts.push_back(d.text);
-    values.push_back(value_text(d, unit));
+  for (const MeasuredRow& row : rows) {
+    texts.push_back(row.text);
+    values.push_back(value_text(as_said(distances[row.of], row.negated), unit));
   }
-  const std::size_t width = widest(texts), tolerance = widest(values);
+  const std::size_t width = widest(texts), room = widest(values);
   std::string out = fmt::format("at {}\n", point(at));
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    const std::string where = io::witness_words(distances[i], Twofold(step));
-    put(out, "  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : tolerance,
+    const std::string where = io::witness_words(distances[rows[i].of], Twofold(step));
+    put(out, "  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : room,
         where.empty() ? "" : "  " + where);
   }
   return out;

@@ -145,7 +145,10 @@ Outcome measure_at_angle(const Session& session) {
   const auto json = [&] { return io::measure_json(distances, pose.at, session.step(), session.unit(), degrees); };
   const auto svg = [&] { return measure_picture(session, shown_world(solver, rotated, pose), pose.at, distances); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  return {session.options().json ? json() : measure_text(distances, pose.at, session.step(), session.unit()), kDone};
+  return {session.options().json
+              ? json()
+              : measure_text(distances, pose.at, session.step(), session.unit(), session.options().all),
+          kDone};
 }
 
 Outcome check_at_angle(const Session& session) {

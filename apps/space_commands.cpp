@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "formula/solid/optimize_convex.h"
+#include "formula/solid/solve_region.h"
 #include "io/draw/draw_space.h"
 #include "io/mesh/space_surface.h"
 #include "io/write/write_json_space.h"
@@ -45,16 +45,6 @@ std::string title_of(const Session& session) {
   return fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
 }
 
-/// The region as boxes; nothing where it has other faces.
-std::optional<space::BoxComplex> box_region(const formula::SpaceSolver& solver, const formula::Formula& formula) {
-  try {
-    return solver.feasible(formula);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return std::nullopt;
-  }
-}
-
 space::ConvexSet applied(const std::string& operation, space::ConvexSet set) {
   if (operation == "interior") return interior(std::move(set));
   if (operation == "closure") return closure(std::move(set));
@@ -73,29 +63,6 @@ space::BoxComplex applied(const std::string& operation, space::BoxComplex set) {
   return set;
 }
 
-Outcome on_lines(const Session& session) { return map_rays(session, lines_unasked(session, "map")); }
-
-/// One convex set, or else the map on lines.
-Outcome map_without_boxes(const Session& session, const formula::SpaceSolver& solver, const formula::Formula& formula) {
-  const auto convex = solver.feasible_convex(formula);
-  const auto goal = session.goal();
-  if (goal && goal->objective.kind == formula::Objective::Kind::kDistance) return on_lines(session);
-  if (goal) {
-    const auto best =
-        convex ? formula::optimize(convex->set, convex->step, goal->objective, goal->sense) : std::nullopt;
-    if (!best) return on_lines(session);
-    const io::ExtremeValue extreme{goal->sense == distance::Sense::kMaximum,
-                                   best->value ? std::optional(best->value->to_double()) : std::nullopt,
-                                   best->unbounded, best->attained, true};
-    return polytope_outcome(session, applied(session.options().apply, best->at), convex->step, title_of(session),
-                            &extreme);
-  }
-  if (convex && !(convex->set.radius.sign() > 0 && wants_surface(session)))
-    return polytope_outcome(session, applied(session.options().apply, convex->set), convex->step, title_of(session),
-                            nullptr);
-  return on_lines(session);
-}
-
 }  // namespace
 
 std::map<std::string, formula::SpaceShape> space_shapes(const Session& session,
@@ -103,12 +70,11 @@ std::map<std::string, formula::SpaceShape> space_shapes(const Session& session,
   session.reporter().stage("building the shapes");
   std::vector<formula::SpaceShape> built(shapes.size());
   plane::parallel_for(built.size(), [&](std::size_t k) {
-    try {
-      built[k] = formula::space_shape(*shapes[k]);
-    } catch (const Error& e) {
-      if (e.code() != ErrorCode::kUnsupported) throw;
-      built[k].refused = e.what();  // its surface may do
-    }
+    auto made = formula::try_space_shape(*shapes[k]);
+    if (made)
+      built[k] = *std::move(made);
+    else
+      built[k].refused = made.refusal().error.what();  // its surface may do
   });
   std::map<std::string, formula::SpaceShape> out;
   for (std::size_t k = 0; k < built.size(); ++k) {
@@ -129,19 +95,13 @@ formula::SpaceWorld space_world(const Session& session) {
 
 namespace {
 
-/// The value of the goal, or of the formula's `-> min`; the region becomes the set of the best positions.
-std::optional<io::ExtremeValue> extreme_of(const formula::SpaceSolver& solver, const formula::Formula& formula,
-                                           const std::optional<Session::Goal>& goal, space::BoxComplex& region) {
-  const auto number = [](const std::optional<Real>& v) { return v ? std::optional(v->to_double()) : std::nullopt; };
-  if (goal) {
-    formula::SpaceOptimum best = solver.optimize(region, goal->objective, goal->sense);
-    region = std::move(best.at);
-    return io::ExtremeValue{goal->sense == distance::Sense::kMaximum, number(best.value), best.unbounded, best.attained,
-                            true};
-  }
-  const auto least = solver.minimum_of(formula);
-  if (!least) return std::nullopt;
-  return io::ExtremeValue{false, number(least->value), false, least->attained, true};
+std::optional<io::ExtremeValue> extreme_of(const formula::SpaceRegion& found,
+                                           const std::optional<Session::Goal>& goal) {
+  if (!found.extreme) return std::nullopt;
+  const auto& value = found.extreme->value;
+  return io::ExtremeValue{goal && goal->sense == distance::Sense::kMaximum,
+                          value ? std::optional(value->to_double()) : std::nullopt, found.extreme->unbounded,
+                          found.extreme->attained, true};
 }
 
 }  // namespace
@@ -153,15 +113,22 @@ Outcome map_space(const Session& session) {
   const auto goal = session.goal();
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("solving");
-  const bool by_distance = goal && goal->objective.kind == formula::Objective::Kind::kDistance;
-  std::optional<space::BoxComplex> boxes = by_distance ? std::nullopt : box_region(solver, formula);
-  if (!boxes) return map_without_boxes(session, solver, formula);
-  space::BoxComplex region = std::move(*boxes);
-  const std::optional<io::ExtremeValue> extreme = extreme_of(solver, formula, goal, region);
-  region = applied(options.apply, std::move(region)).simplified();
-  const space::SpaceSummary summary = space::summarize(region, session.step());
+  formula::RegionQuery query{{}, {}, wants_surface(session)};
+  if (goal) {
+    query.objective = goal->objective;
+    query.sense = goal->sense;
+  }
+  formula::SpaceRegion found = formula::solve_region(solver, formula, query);
+  if (found.way == distance::Way::kLines) return map_rays(session, lines_unasked(session, "map"));
+  const std::optional<io::ExtremeValue> extreme = extreme_of(found, goal);
   const io::ExtremeValue* shown = extreme ? &*extreme : nullptr;
   const std::string title = title_of(session);
+  if (found.way == distance::Way::kConvex)
+    return polytope_outcome(session, applied(options.apply, std::move(found.convex->set)), found.convex->step, title,
+                            shown);
+  space::BoxComplex region = std::move(found.boxes);
+  region = applied(options.apply, std::move(region)).simplified();
+  const space::SpaceSummary summary = space::summarize(region, session.step());
   const auto json = [&] { return io::space_json(region, summary, session.step(), session.unit(), shown); };
   session.reporter().stage("writing");
   Writers all = space_writers(

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "formula/solid/optimize_line.h"
-#include "formula/solid/ray_minima.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"
 #include "report.h"
@@ -26,10 +25,11 @@ Outcome map_space_line(const Session& session) {
   const formula::Formula formula = session.where();
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("solving");
-  const formula::Side side = formula::side_of_search(*solver.world().rays, formula);
+  const formula::SpaceSolver::OnLine found = solver.feasible_on(formula, line);
+  const formula::Side side = found.side;
   if (side != formula::Side::kExact)
     session.reporter().note("how far a shape sticks out is found by search: ends may be off by 2^-30 of the sizes");
-  auto set = plane::intervals(solver.feasible_on(formula, line), exact::Real(1));
+  auto set = plane::intervals(found.marks, exact::Real(1));
   std::optional<io::ExtremeValue> extreme;
   std::string title = fmt::format("Positions of {} on the line", fmt::join(session.scene().moving, ", "));
   if (const auto goal = session.goal()) {

@@ -81,7 +81,7 @@ Outcome check_space(const Session& session) {
     std::vector<std::string> lines;
     std::vector<formula::SpaceDistanceAt> distances;
     for (const formula::SpaceAtomAt& a : check.atoms) {
-      lines.push_back(fmt::format("{}: {}", formula::text(a.atom), a.holds ? "true" : "false"));
+      lines.push_back(fmt::format("{}: {}", formula::written(a.atom), a.holds ? "true" : "false"));
       distances.push_back(a.distance);
     }
     return picture_at(session, solver, at,
@@ -104,7 +104,7 @@ void note_refused(const Session& session, const std::vector<formula::SpaceDistan
     const auto known =
         std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == d.refused; });
     auto& reason = known == reasons.end() ? reasons.emplace_back(d.refused, std::vector<std::string>{}) : *known;
-    reason.second.push_back(d.text);
+    reason.second.push_back(formula::plain(d.text).text);
   }
   for (const auto& [reason, texts] : reasons)
     session.reporter().note(fmt::format("{}: {}", fmt::join(texts, ", "), reason));
@@ -127,7 +127,7 @@ Outcome measure_space(const Session& session) {
                       fmt::format("{} at {}", fmt::join(session.scene().moving, ", "), where_text(at)), {}, {});
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : space_measure_text(distances, where_text(at), session.unit()), kDone};
+  return {options.json ? json() : space_measure_text(distances, where_text(at), session.unit(), options.all), kDone};
 }
 
 }  // namespace findspace::app

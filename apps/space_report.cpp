@@ -10,6 +10,7 @@
 
 #include "formula/language/text.h"
 #include "io/draw/draw_layout.h"
+#include "measured_rows.h"
 
 namespace findspace::app {
 namespace {
@@ -85,10 +86,11 @@ std::string space_summary_text(std::string_view title, const space::SpaceSummary
 std::string space_check_text(const formula::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
                              const formula::SpaceNearest* nearest) {
   std::size_t width = 0;
-  for (const auto& a : check.atoms) width = std::max(width, formula::text(a.atom).size());
+  for (const auto& a : check.atoms) width = std::max(width, formula::written(a.atom).size());
   std::string out = fmt::format("{} {}\n", at, check.holds ? "is feasible" : "is not feasible");
   for (const auto& a : check.atoms) {
-    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", formula::text(a.atom), width, value_text(a.distance, unit));
+    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", formula::written(a.atom), width,
+        said_distance(a.atom) + value_text(as_said(a.distance, formula::negated(a.atom.distance)), unit));
     if (a.lacks) put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", size(*a.lacks, unit));
     out += "\n";
   }
@@ -102,11 +104,13 @@ std::string space_check_text(const formula::SpaceSolver::Check& check, std::stri
 }
 
 std::string space_measure_text(const std::vector<formula::SpaceDistanceAt>& distances, std::string_view at,
-                               std::string_view unit) {
+                               std::string_view unit, bool all) {
+  const std::vector<MeasuredRow> rows = measured_rows(distances, all);
   std::size_t width = 0;
-  for (const auto& d : distances) width = std::max(width, d.text.size());
+  for (const MeasuredRow& row : rows) width = std::max(width, row.text.size());
   std::string out = fmt::format("at {}\n", at);
-  for (const auto& d : distances) put(out, "  {:<{}}  {}\n", d.text, width, value_text(d, unit));
+  for (const MeasuredRow& row : rows)
+    put(out, "  {:<{}}  {}\n", row.text, width, value_text(as_said(distances[row.of], row.negated), unit));
   return out;
 }
 

@@ -20,6 +20,6 @@ std::string space_summary_text(std::string_view title, const space::SpaceSummary
 std::string space_check_text(const formula::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
                              const formula::SpaceNearest* nearest);
 std::string space_measure_text(const std::vector<formula::SpaceDistanceAt>& distances, std::string_view at,
-                               std::string_view unit);
+                               std::string_view unit, bool all);
 
 }  // namespace findspace::app

@@ -52,7 +52,7 @@ TEST(CsgDepth, IsThatOfSamples) {
       for (int k = 0; k < 3; ++k) {
         const Vector at = solid[random() % solid.size()];
         const RealVector p{Real::from_double(at.x), Real::from_double(at.y), Real::from_double(at.z)};
-        const SolidValue v = *pair.value(Which::kGamma1, p);
+        const Answer v = *pair.value(Which::kGamma1, p);
         const double depth = -v.value.to_double();
         if (!(depth > 0) || !v.nearest) continue;
         ++deep;
@@ -92,7 +92,7 @@ TEST(CsgDepth, IsTheOneOfFormulas) {
   const auto pockets =
       node(Kind::kDifference, {box({-20, -20, -20}, {20, 20, 20}), ball({-20, -20, 0}, 17), ball({20, 20, 0}, 17)});
   const Body cube = space::body(*box({-3, -3, -3}, {3, 3, 3}));
-  const SolidValue v = *pair_of(*pockets, cube).value(Which::kGamma1, place(0, 0, 0));
+  const Answer v = *pair_of(*pockets, cube).value(Which::kGamma1, place(0, 0, 0));
   EXPECT_TRUE(v.proven);
   EXPECT_TRUE(pair_of(*pockets, cube).value(Which::kGamma1, place(0, 0, 3))->proven);
   // (20 - x + 3)^2 twice and 9 make 289.

@@ -74,7 +74,7 @@ TEST(CutUnion, HoldsWhatItsSamplesSay) {
         least = std::min(least, space::length(q - p));
         most = std::max(most, space::length(q - p));
       }
-      const SolidValue v = *pair->value(Which::kEta1, at), far = *pair->value(Which::kEta2, at);
+      const Answer v = *pair->value(Which::kEta1, at), far = *pair->value(Which::kEta2, at);
       EXPECT_EQ(v.value.sign() <= 0, fits(p, 0)) << c.name;
       EXPECT_LE(v.value.to_double(), least + 1e-9) << c.name;
       EXPECT_GE(far.value.to_double(), most - 1e-9) << c.name;

@@ -74,7 +74,7 @@ TEST(CutValues, AreThoseOfSamples) {
       const double far = pair.value(Which::kGamma2, p)->value.to_double();
       EXPECT_GE(far, most) << c.name;
       EXPECT_LE(far, most + 2) << c.name;
-      const SolidValue d1 = *pair.value(Which::kD1, p);
+      const Answer d1 = *pair.value(Which::kD1, p);
       EXPECT_LE(d1.value.to_double(), std::max(0.0, least) + 1e-9) << c.name;
       EXPECT_GE(d1.value.to_double(), least - 2) << c.name;
       if (least < 0) {
@@ -128,7 +128,7 @@ TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
         least = std::min(least, d);
         most = std::max(most, d);
       }
-      const SolidValue v = *pair.value(Which::kEta1, p);
+      const Answer v = *pair.value(Which::kEta1, p);
       EXPECT_EQ(v.value.sign() <= 0, fits(c, near)) << c.name;
       if (v.value.sign() > 0) {
         EXPECT_LE(v.value.to_double(), least + 1e-9) << c.name;
@@ -137,7 +137,7 @@ TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
         const Vector q = space::rounded(*v.nearest);
         EXPECT_NEAR(space::length(q - near), v.value.to_double(), 1e-9) << c.name;
       }
-      const SolidValue far = *pair.value(Which::kEta2, p);
+      const Answer far = *pair.value(Which::kEta2, p);
       EXPECT_GE(far.value.to_double(), most - 1e-9) << c.name;
       EXPECT_LE(far.value.to_double(), most + 3.5) << c.name;
     }
@@ -229,21 +229,21 @@ TEST(CutValues, HaveLinesAlongFaces) {
 TEST(CutValues, AreNamed) {
   const std::vector<Case> all = cases();
   // In the bowl, below its centre: 15 less the way to the lower corners.
-  const SolidValue in_bowl = *pair_of(all[0]).value(Which::kGamma1, space::place(0, 0, 17));
+  const Answer in_bowl = *pair_of(all[0]).value(Which::kGamma1, space::place(0, 0, 17));
   EXPECT_TRUE(in_bowl.proven);
   EXPECT_EQ(in_bowl.value, Real(15) - sqrt(Real(54)));
   // It touches the bowl with four corners at once: 9 + 9 + 207 = 225.
   const CsgPair touching = {space::shared(space::box_body({{{{-3, -3, 0}, {3, 3, 3}}}})),
                             std::make_shared<const CsgSolid>(space::csg_solid(*all[0].shape)), false};
-  const SolidValue zero = *touching.value(Which::kGamma1, {Real(), Real(), Real(20) - sqrt(Real(207))});
+  const Answer zero = *touching.value(Which::kGamma1, {Real(), Real(), Real(20) - sqrt(Real(207))});
   EXPECT_TRUE(zero.proven);
   EXPECT_EQ(zero.value.sign(), 0);
   // Outside the block: as the block's own.
-  const SolidValue beside = *pair_of(all[0]).value(Which::kGamma1, space::place(30, 0, 0));
+  const Answer beside = *pair_of(all[0]).value(Which::kGamma1, space::place(30, 0, 0));
   EXPECT_TRUE(beside.proven);
   EXPECT_EQ(beside.value, Real(7));
   // Above the pocket the rim is nearest: the circle of radius 15 at height 20.
-  const SolidValue above = *pair_of(all[0]).value(Which::kGamma1, space::place(0, 0, 33));
+  const Answer above = *pair_of(all[0]).value(Which::kGamma1, space::place(0, 0, 33));
   EXPECT_TRUE(above.proven);
   EXPECT_EQ(above.value, sqrt(Real(100) + (Real(15) - sqrt(Real(18))) * (Real(15) - sqrt(Real(18)))));
   // It is too large for the cube, and sticks out of it by its lower corners.

@@ -56,7 +56,7 @@ void compare(const char* name, const Body& b, const Body& a, Which which, const 
   const SolidPair pair(space::shared(b), space::shared(a));
   const auto ask = [&](int i, int j, const Real& z, int sign, bool event) {
     const RealVector p = place_of(grid, i, j, z);
-    std::optional<SolidValue> v;
+    std::optional<Answer> v;
     try {
       v = pair.value(which, p);
     } catch (const Error& e) {
@@ -219,7 +219,7 @@ TEST(RaySigns, ProtrudesOfAUnion) {
           ++asked;
           if (sign < 0) ++inside;
           if (sign == 0) ++zero;
-          std::optional<SolidValue> v;
+          std::optional<Answer> v;
           try {
             v = pair.value(which, p);
           } catch (const Error&) {  // no depth in round parts: by samples of B less than 0.2 apart

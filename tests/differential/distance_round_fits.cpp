@@ -287,8 +287,8 @@ TEST(RoundFits, SignsOnLines) {
   const space::RayGrid grid{2, 2, -13, -11, 5, 5, 6, 6};
   const Real level = Real::ratio(-1, 2);
   const SolidPair pair(space::shared(b), space::shared(balls));
-  ASSERT_TRUE(found_by_search(Which::kGamma1, level, b, balls));
   const auto rays = ray_sign_map(Which::kGamma1, level, b, balls, grid);
+  ASSERT_TRUE(rays->searched());
   int negative = 0, ends = 0;
   for (int j = 0; j < grid.nv; ++j) {
     const space::RayRow row = rays->row(j);

@@ -61,7 +61,7 @@ int inside_sign(const Cells& b, const Cells& a) {
   return sign;
 }
 
-int sign_of(const std::optional<SolidValue>& v) { return v ? v->value.sign() : 1; }
+int sign_of(const std::optional<Answer>& v) { return v ? v->value.sign() : 1; }
 
 TEST(SolidLattice, SignsByTheDefinition) {
   std::mt19937 random(51);

@@ -42,7 +42,7 @@ Real distance(const RealVector& p, const RealVector& q) {
 }
 
 /// The values are equal where both are known exactly.
-void expect_same(const SurfaceContact& found, const std::optional<SolidValue>& wanted, const RealVector& p, int sign,
+void expect_same(const SurfaceContact& found, const std::optional<Answer>& wanted, const RealVector& p, int sign,
                  int& count, Counts& counts) {
   ASSERT_TRUE(found.decided);
   ASSERT_EQ(found.place.has_value(), wanted.has_value());

@@ -188,7 +188,7 @@ TEST(SurfacePair, Protrudes) {
     const RealVector p = space::place(pick(), pick(), pick());
     const auto found = surfaces.value(Which::kMu, p);
     if (!found || found->value->value.sign() <= 0) continue;
-    const SolidValue wanted =
+    const Answer wanted =
         protrusion_of_union(at_scale(*b.body, scale), at_scale(*a.body, scale), space::scaled(Real(scale), p));
     const double value = found->value->value.to_double(), one = 1 / double(scale);
     ASSERT_NEAR(value, wanted.value.to_double() * one,

@@ -30,7 +30,7 @@ Body ball(std::int64_t r) {
   return b;
 }
 
-double number(const std::optional<SolidValue>& v) { return v ? v->value.to_double() : INFINITY; }
+double number(const std::optional<Answer>& v) { return v ? v->value.to_double() : INFINITY; }
 
 TEST(SolidMesh, CellsAndSubtractedParts) {
   for (unsigned seed = 1; seed <= 3; ++seed) {

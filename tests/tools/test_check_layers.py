@@ -7,6 +7,8 @@ from small_tree import SPDX, TreeTest, said
 
 import check_layers
 
+SMALL = "a small constant outside src/exact; margins stand in exact/number/margins.h"
+
 
 class CheckLayers(TreeTest):
     def setUp(self):
@@ -64,7 +66,13 @@ class CheckLayers(TreeTest):
 
     def test_comments_and_strings_hold_no_constants(self):
         self.write("src/plane/base/words.cpp", SPDX + '// 1e-9\nconst char* k = "1e-9";\nconst double e = 1e-9;\n')
-        self.assertEqual(self.faults(), ["src/plane/base/words.cpp:5: a small constant outside src/exact"])
+        self.assertEqual(self.faults(), [f"src/plane/base/words.cpp:5: {SMALL}"])
+
+    def test_a_power_of_two_is_a_small_constant_but_for_one_that_is_no_margin(self):
+        code = "const double e = 0x1p-40;\nconst double most = 0x1p40;  // no sign: a limit\nconst double f = 0x1.8P-3;\n"
+        self.write("src/plane/base/powers.cpp", SPDX + code)
+        self.write("src/exact/number/margins.h", SPDX + "const double e = 0x1p-40;\n")
+        self.assertEqual(self.faults(), [f"src/plane/base/powers.cpp:{line}: {SMALL}" for line in (3, 5)])
 
 
 if __name__ == "__main__":

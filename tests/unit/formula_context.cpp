@@ -85,7 +85,7 @@ TEST(ObjectiveErrors, SayWhatAnObjectiveIs) {
     }
     return std::string("no error");
   };
-  const std::string forms = "an objective is a distance such as gamma1(B, A), x, y, z or distance to [x, y]; found ";
+  const std::string forms = "an objective is a distance such as gap(B, A), x, y, z or distance to [x, y]; found ";
   EXPECT_EQ(objective_message(""), "1:1: " + forms + "the end");
   EXPECT_EQ(objective_message("gamma1(chip, board) >= 1"), "1:21: " + forms + "'>='");
   EXPECT_EQ(objective_message("3"), "1:1: " + forms + "'3'");

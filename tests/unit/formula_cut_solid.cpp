@@ -62,9 +62,9 @@ TEST(CutSolid, HasSignsWhereItHasNoValue) {
   rays.moving = {"B"};
   rays.step = Real(1);
   const SignMap touching{named(findspace::formula::Kind::kGamma1), Real(), false};
-  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 3)), -1);
-  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
-  EXPECT_TRUE(found_by_search(rays, touching));
+  EXPECT_EQ(*sign_at_position(rays, touching, space::place(0, 0, 3)), -1);
+  EXPECT_EQ(*sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
+  EXPECT_TRUE(signs_on_line(rays, touching, *grid_through(space::place(0, 0, 3), 2))->searched);
 }
 
 /// A bowl, a plate below it and another bowl as one obstacle, or as what moves.
@@ -109,8 +109,8 @@ TEST(CutSolid, IsOneOfSeveral) {
   rays.step = Real(1);
   SignMap touching{named(K::kGamma1), Real(), false};
   touching.distance.second = {"A", "P"};
-  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
-  EXPECT_EQ(sign_at_position(rays, touching, space::place(0, 0, -25)), 1);
+  EXPECT_EQ(*sign_at_position(rays, touching, space::place(0, 0, 17)), 1);
+  EXPECT_EQ(*sign_at_position(rays, touching, space::place(0, 0, -25)), 1);
 }
 
 }  // namespace

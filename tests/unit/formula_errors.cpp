@@ -43,7 +43,7 @@ TEST(FormulaErrors, Words) {
          "  γ₁(chip, bord) ≥ 1 ∧ true\n"
          "           ^~~~");
   expect("chip > 3",
-         "1:1: 'chip' is a shape; a distance or predicate is meant here, such as gamma1(B, A)\n"
+         "1:1: 'chip' is a shape; a distance or predicate is meant here, such as gap(B, A)\n"
          "  chip > 3\n"
          "  ^~~~");
   expect("\"my part\" > 3",
@@ -184,11 +184,11 @@ TEST(FormulaErrors, Atoms) {
          "  gamma1(chip, board) <= board\n"
          "                         ^~~~~");
   expect("gamma1(chip, board) <= 1 <= 2",
-         "1:26: a chain has its distance in the middle: 0.5 <= gamma1(B, A) <= 2\n"
+         "1:26: a chain has its distance in the middle: 0.5 <= gap(B, A) <= 2\n"
          "  gamma1(chip, board) <= 1 <= 2\n"
          "                           ^~");
   expect("0 <= gamma1(chip, board) <= 1 <= 2",
-         "1:31: a chain has two relations at most: 0.5 <= gamma1(B, A) <= 2\n"
+         "1:31: a chain has two relations at most: 0.5 <= gap(B, A) <= 2\n"
          "  0 <= gamma1(chip, board) <= 1 <= 2\n"
          "                                ^~");
   expect("gamma1(chip, board) > --1",
@@ -200,7 +200,7 @@ TEST(FormulaErrors, Atoms) {
          "  gamma1(chip, board) -> max\n"
          "                         ^~~");
   expect("argmin gamma1(chip, board)",
-         "1:8: 'argmin' takes a distance: argmin(gamma1(B, A)), found 'gamma1'\n"
+         "1:8: 'argmin' takes a distance: argmin(gap(B, A)), found 'gamma1'\n"
          "  argmin gamma1(chip, board)\n"
          "         ^~~~~~");
   expect("argmin(gamma1(chip, board) > 0",
@@ -208,7 +208,7 @@ TEST(FormulaErrors, Atoms) {
          "  argmin(gamma1(chip, board) > 0\n"
          "                             ^");
   expect("margin(chip, board) -> min",
-         "1:1: the margin has no least value; the positions of largest margin are eta1(chip, board) -> min\n"
+         "1:1: 'margin' has no least value; the positions of its greatest value are eta1(chip, board) -> min\n"
          "  margin(chip, board) -> min\n"
          "  ^~~~~~~~~~~~~~~~~~~");
   expect("inf gamma1(chip, board) > 0",

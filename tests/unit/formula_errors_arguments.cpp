@@ -62,7 +62,7 @@ TEST(FormulaErrors, Arguments) {
          "  overlaps(chip, board, along=(1,0))\n"
          "                        ^~~~~");
   expect("mu(chip, board, along=(1,0)) >= 1",
-         "1:17: 'mu' has no directional or turning form; gamma1 gamma2 eta1 eta2 delta1 delta2 have\n"
+         "1:17: 'mu' has no directional or rotational form; gap, reach, margin, cover, eta2 and delta2 have\n"
          "  mu(chip, board, along=(1,0)) >= 1\n"
          "                  ^~~~~");
   expect("gamma1(chip, board, allong=(1,0)) >= 1",

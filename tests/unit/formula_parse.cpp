@@ -45,7 +45,7 @@ TEST(Parse, NumberFirst) {
 }
 
 TEST(Parse, Chains) {
-  EXPECT_EQ(canonical("0.5 <= gamma1(B, A) <= 2"), "gamma1(B, A) >= 0.5 and gamma1(B, A) <= 2");
+  EXPECT_EQ(canonical("0.5 <= gap(B, A) <= 2"), "gamma1(B, A) >= 0.5 and gamma1(B, A) <= 2");
   EXPECT_EQ(canonical("2 > gamma1(B, A) != 1"), "gamma1(B, A) < 2 and gamma1(B, A) != 1");
   EXPECT_EQ(canonical("not 0 <= gamma1(B, A) <= 2"), "not (gamma1(B, A) >= 0 and gamma1(B, A) <= 2)");
   EXPECT_EQ(canonical("1 <= margin(B, A) < 2"), "eta1(B, A) <= -1 and eta1(B, A) > -2");
@@ -244,8 +244,8 @@ TEST(ParseObjective, AllForms) {
     return text(objective);
   };
   EXPECT_EQ(canonical_objective("gamma2(B, A)"), "gamma2(B, A)");
-  EXPECT_EQ(canonical_objective("reach(B, A)"), "gamma2(B, A)");
-  EXPECT_EQ(canonical_objective("distance(B, A)"), "d1(B, A)");
+  EXPECT_EQ(canonical_objective("reach(B,A)"), "reach(B, A)");
+  EXPECT_EQ(canonical_objective("distance( B, A )"), "distance(B, A)");
   EXPECT_EQ(canonical_objective("sup margin(B, A)"), "sup margin(B, A)");
   EXPECT_EQ(canonical_objective("x"), "x");
   EXPECT_EQ(canonical_objective(" y "), "y");
@@ -255,6 +255,32 @@ TEST(ParseObjective, AllForms) {
   const Objective margin = parse_objective("margin(B, A)", scene());
   EXPECT_TRUE(margin.negated);
   EXPECT_EQ(margin.distance.kind, Kind::kEta1);
+}
+
+TEST(Written, KeepsTheNamesOfTheWriter) {
+  const auto as_written = [](const char* sentence) {
+    const Formula formula = parse_formula(sentence, scene());
+    EXPECT_EQ(parse_formula(written(formula), scene()), formula) << sentence;
+    return written(formula);
+  };
+  EXPECT_EQ(as_written("inside(B,A)"), "inside(B, A)");
+  EXPECT_EQ(as_written("inside(B,A,0.50)"), "inside(B, A, 0.5)");
+  EXPECT_EQ(as_written("within(B,A,0)"), "within(B, A, 0)");
+  EXPECT_EQ(as_written("margin(B,A)>=1"), "margin(B, A) >= 1");
+  EXPECT_EQ(as_written("1 <= cover(B, A) < 2"), "cover(B, A) >= 1 and cover(B, A) < 2");
+  EXPECT_EQ(as_written("gamma1(B, A) >= -1 or not touches(B, A)"), "gamma1(B, A) >= -1 or not touches(B, A)");
+  EXPECT_EQ(as_written("m2(B, A) <= 3"), "m2(B, A) <= 3");
+  EXPECT_EQ(as_written("protrusion(A, B) = 0"), "protrusion(A, B) = 0");
+  EXPECT_EQ(as_written("gap(B, A) -> min"), "gap(B, A) -> min");
+}
+
+TEST(Written, PlainWordsOfCanonicalText) {
+  EXPECT_EQ(plain("gamma1(B, A)").text, "gap(B, A)");
+  EXPECT_FALSE(plain("gamma1(B, A)").negated);
+  EXPECT_EQ(plain("eta1(B, A)").text, "margin(B, A)");
+  EXPECT_TRUE(plain("eta1(B, A)").negated);
+  EXPECT_EQ(plain("inf delta1(B, A)").text, "sup cover(B, A)");
+  EXPECT_EQ(plain("eta2(B, A)").text, "eta2(B, A)");
 }
 
 TEST(Parse, LongFormulasAreLinear) {

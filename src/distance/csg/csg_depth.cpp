@@ -9,6 +9,7 @@
 #include "distance/search/boundary_slack.h"
 #include "distance/search/swept_part.h"
 #include "exact/number/interval.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -17,17 +18,14 @@ using space::Vector;
 
 namespace {
 
-constexpr double kTouching = 0x1p-42;  // of the size: slack that counts as none
-constexpr double kBlur = 0x1p-4;       // of a cell: slack that is not decided from less
-constexpr double kAgain = 0x1p-1;      // of a cell: where deeper places are looked for again
-constexpr int kTimes = 4;              // that a place is made deeper
-constexpr double kSame = 0x1p-2;       // of a cell: places of one deepest
+constexpr int kTimes = 4;  // that a place is made deeper
 constexpr long kMostCellsInAll = 200000;
 constexpr std::size_t kRecent = 8, kMostCuts = 8;
 
 /// A tetrahedron about the box.
 Tetrahedron about_box(const Vector& low, const Vector& high) {
-  const Vector wide = space::scaled(3.0625, high - low), from = low - space::scaled(0x1p-8, high - low);
+  const Vector wide = space::scaled(3.0625, high - low),
+               from = low - space::scaled(margin::kAroundTetrahedron, high - low);
   return {from, space::plus(from, {wide.x, 0, 0}), space::plus(from, {0, wide.y, 0}),
           space::plus(from, {0, 0, wide.z})};
 }
@@ -75,10 +73,10 @@ class CsgConstraints : public LazyConstraints {
       std::vector<Deep> cuts = moved_to(k, middle, edge, known);
       double checked = last_checked(k, known);
       const double deep = cuts.empty() ? 0 : cuts[0].slack;
-      if (!apart(k, middle) && deep < edge && (cuts.empty() || edge < kAgain * checked)) {
+      if (!apart(k, middle) && deep < edge && (cuts.empty() || edge < margin::kDeeperAgain * checked)) {
         checked = edge;
         const double enough = cuts.empty() ? -edge : cuts[0].slack;
-        const Slack found = most(k, middle, {enough, 1, kBlur * edge});
+        const Slack found = most(k, middle, {enough, 1, margin::kSlackOfCell * edge});
         if (found.value > enough) cuts.insert(cuts.begin(), {through(k, found.place), found.value});
       }
       for (Deep& cut : cuts) {
@@ -92,14 +90,14 @@ class CsgConstraints : public LazyConstraints {
   }
 
   bool allows(const Vector& x, std::span<const int> known) const override {
-    const double least = kTouching * all_.size_;
+    const double least = margin::kNoDepth * all_.size_;
     for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
       if (all_.pairs_[k].out.empty() || apart(k, x)) continue;
       if (overlap(k, x, known)) return false;
     }
     for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
       if (all_.pairs_[k].out.empty() || apart(k, x)) continue;
-      const Slack found = most(k, x, {least, 0, kBlur * least});
+      const Slack found = most(k, x, {least, 0, margin::kSlackOfCell * least});
       if (found.value > least) remember(through(k, found.place));
       if (found.bound > 2 * least) return false;
     }
@@ -171,7 +169,7 @@ class CsgConstraints : public LazyConstraints {
     double best = known;
     for (int times = 0; times < kTimes; ++times) {
       const MeetSlack at = slack(cut, p);
-      const bool more = at.value > best * (1 + 0x1p-7);
+      const bool more = at.value > best * margin::kDeeper;
       best = std::max(best, at.value);
       if (!more) break;
       cut = through(cut.pair, at.place);
@@ -186,7 +184,9 @@ class CsgConstraints : public LazyConstraints {
       if (cut.pair != k) return;
       const MeetSlack at = slack(cut, p);
       if (at.value <= least) return;
-      const auto same = [&](const Deep& d) { return space::length(d.cut.place - at.place) < kSame * edge; };
+      const auto same = [&](const Deep& d) {
+        return space::length(d.cut.place - at.place) < margin::kOneDeepest * edge;
+      };
       const auto twin = std::find_if(out.begin(), out.end(), same);
       if (twin == out.end())
         out.push_back({through(k, at.place), at.value});
@@ -203,7 +203,7 @@ class CsgConstraints : public LazyConstraints {
 
   /// Whether a known cut, or one like it, tells so.
   bool overlap(std::size_t k, const Vector& p, std::span<const int> known) const {
-    const double least = kTouching * all_.size_;
+    const double least = margin::kNoDepth * all_.size_;
     const auto deep = [&](const Cut& cut) {
       if (cut.pair != k) return false;
       const MeetSlack at = slack(cut, p);
@@ -271,7 +271,7 @@ BoundaryPlace CsgDepth::nearest(const Vector& p, const Incumbent& known, const U
   double out = exact::kInfinity;
   for (const double d : {p.x - low_.x, high_.x - p.x, p.y - low_.y, high_.y - p.y, p.z - low_.z, high_.z - p.z})
     out = std::min(out, d);
-  out = std::max(0.0, out) + 0x1p-20 * size_;
+  out = std::max(0.0, out) + margin::kAroundCube * size_;
   const Vector by{out, out, out};
   return nearest_in(p - by, space::plus(p, by), p, known, until);
 }

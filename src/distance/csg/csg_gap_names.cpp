@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distance/csg/csg_part.h"
+#include "exact/number/margins.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::distance {
@@ -31,9 +32,9 @@ struct Sphere {
 class Names {
  public:
   Names(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place, double size)
-      : a_(a), s_(s), p_(p), place_(place), blur_(0x1p-16 * size) {}
+      : a_(a), s_(s), p_(p), place_(place), blur_(margin::kNamedPlace * size) {}
 
-  std::vector<SolidValue> all() {
+  std::vector<Answer> all() {
     for (const BodyPart& set : a_.within) on_set(set);
     for (const BodyPart& set : a_.without) {
       if (set.point()) on_sphere_from_inside(set);
@@ -48,7 +49,7 @@ class Names {
     if (!holds(a_, place)) return;
     const RealVector way = space::minus(place, b);
     const Real d = sqrt(dot(way, way));
-    SolidValue v;
+    Answer v;
     v.value = d - s_.radius;
     if (d.sign() > 0) {
       const RealVector from = space::along(b, s_.radius / d, way);
@@ -162,13 +163,13 @@ class Names {
   RealVector p_;
   Vector place_;
   double blur_;
-  std::vector<SolidValue> found_;
+  std::vector<Answer> found_;
 };
 
 }  // namespace
 
-std::vector<SolidValue> named_gaps(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place,
-                                   double size) {
+std::vector<Answer> named_gaps(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place,
+                               double size) {
   return Names(a, s, p, place, size).all();
 }
 

@@ -7,7 +7,8 @@
 #include <algorithm>
 
 #include "distance/csg/csg_part.h"
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -20,12 +21,7 @@ using space::RealVector;
 
 namespace {
 
-constexpr double kError = 0x1p-40;  // of the size
-constexpr double kShare = 0x1p-1;   // of a value that is only used to go on from
-
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
-
-SolidValue turned(SolidValue v) {
+Answer turned(Answer v) {
   v.value = -v.value;
   return v;
 }
@@ -76,9 +72,9 @@ CsgPair::CsgPair(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> 
 
 /// How B + p fits, by each tolerance and obstacle alone: the worst of them, which is no more than what it is by all
 /// together; nothing where one tolerance is too small.
-std::optional<SolidValue> CsgPair::worst_fit(const RealVector& p) const {
-  std::optional<SolidValue> worst;
-  const auto take = [&](SolidValue v) {
+std::optional<Answer> CsgPair::worst_fit(const RealVector& p) const {
+  std::optional<Answer> worst;
+  const auto take = [&](Answer v) {
     if (!worst || worst->value < v.value) worst = std::move(v);
   };
   for (const auto& tolerance : containers_) {
@@ -91,14 +87,14 @@ std::optional<SolidValue> CsgPair::worst_fit(const RealVector& p) const {
 }
 
 /// Whether the worst fit is the true one: B fits already, or where it next fits by that alone.
-bool CsgPair::is_whole(const SolidValue& worst) const {
+bool CsgPair::is_whole(const Answer& worst) const {
   if (worst.value.sign() <= 0) return true;
   if (!worst.proven || !worst.nearest) return false;
   const auto there = worst_fit(*worst.nearest);
   return there && there->proven && there->value.sign() <= 0;
 }
 
-std::optional<SolidValue> CsgPair::contained(const RealVector& p) const {
+std::optional<Answer> CsgPair::contained(const RealVector& p) const {
   if (containers_.empty()) return contained_in_union(p);
   auto worst = worst_fit(p);
   if (!worst || is_whole(*worst)) return worst;
@@ -114,7 +110,7 @@ const FreeSpace* CsgPair::fits() const {
     const space::Bounds3 inner = bounds(*b_);
     for (const Body& tolerance : a_->containers) {
       if (!tolerance.convex())
-        fail("how far a shape is from fitting into such a shape is computed where its rooms are convex");
+        not_computed("how far a shape is from fitting into such a shape is computed where its rooms are convex");
       const space::Bounds3 outer = bounds(tolerance);
       space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
       if (!box) box = one;
@@ -141,7 +137,7 @@ const FreeSpace* CsgPair::fits() const {
   return fits_ ? &*fits_ : nullptr;
 }
 
-std::optional<SolidValue> CsgPair::farthest_fit(const RealVector& p) const {
+std::optional<Answer> CsgPair::farthest_fit(const RealVector& p) const {
   if (containers_.empty()) return farthest_in_union(p);
   const FreeSpace* fits = this->fits();
   auto v = fits ? fits->farthest(p) : std::nullopt;
@@ -149,20 +145,20 @@ std::optional<SolidValue> CsgPair::farthest_fit(const RealVector& p) const {
   return v;
 }
 
-SolidValue CsgPair::protrusion(const RealVector& p) const {
+Answer CsgPair::protrusion(const RealVector& p) const {
   auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
   // B that fits nowhere sticks out everywhere.
   if (!worst || worst->value.sign() > 0)
-    fail("how far a shape sticks out of one that round ones are cut out of is not computed");
+    not_computed("how far a shape sticks out of one that round ones are cut out of is not computed");
   return *std::move(worst);
 }
 
-SolidValue CsgPair::hausdorff(const RealVector& p) const {
-  SolidValue back = protrusion_back(p);
+Answer CsgPair::hausdorff(const RealVector& p) const {
+  Answer back = protrusion_back(p);
   // No point of B is farther from A than the gap and B's own width.
   const double most = apart(p).value.to_double() + diameter(*b_).to_double();
   if (most < back.value.to_double() - back.error) return back;
-  SolidValue forth = protrusion(p);
+  Answer forth = protrusion(p);
   return forth.value < back.value ? back : forth;
 }
 
@@ -181,32 +177,32 @@ bool CsgPair::too_large() const {
           most = std::max(most, farthest_allowed(part.cells, part.rules, ahead, size_).value);
         wide += most;
       }
-      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * kError * size_) too_large_ = true;
+      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * margin::kFoundError * size_) too_large_ = true;
     }
   });
   return too_large_;
 }
 
 /// max(0, -eta1), and max(0, mu) where it is 0.
-SolidValue CsgPair::clearance(const RealVector& p) const {
+Answer CsgPair::clearance(const RealVector& p) const {
   const auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
-  return worst ? *cut_off(worst, true) : SolidValue{};
+  return worst ? *cut_off(worst, true) : Answer{};
 }
 
-std::optional<SolidValue> CsgPair::covered(const RealVector& p) const {
+std::optional<Answer> CsgPair::covered(const RealVector& p) const {
   if (too_large()) return std::nullopt;
-  SolidValue v = protrusion_back(p);
+  Answer v = protrusion_back(p);
   if (v.value.to_double() > v.error)
-    fail("how far a shape that round ones are cut out of is from fitting into another is not computed");
+    not_computed("how far a shape that round ones are cut out of is from fitting into another is not computed");
   return v;
 }
 
-SolidValue CsgPair::apart_or_deep(const RealVector& p) const {
+Answer CsgPair::apart_or_deep(const RealVector& p) const {
   Gap found = gap(p);
   return found.depth > 0 ? overlapping(p) : std::move(found.value);
 }
 
-std::optional<SolidValue> CsgPair::value_at(Which which, const RealVector& p) const {
+std::optional<Answer> CsgPair::value_at(Which which, const RealVector& p) const {
   switch (which) {
     case Which::kGamma1:
       return apart_or_deep(p);
@@ -234,17 +230,17 @@ std::optional<SolidValue> CsgPair::value_at(Which which, const RealVector& p) co
       return covered(p);
     case Which::kDelta2:
       if (too_large()) return std::nullopt;
-      fail("the farthest fit of a shape that round ones are cut out of is not computed");
+      not_computed("the farthest fit of a shape that round ones are cut out of is not computed");
     case Which::kHausdorff:
       return hausdorff(p);
     case Which::kDstar:
       return cut_off(protrusion_back(p), true);
     default:
-      fail("this distance to a shape that round ones are cut out of is not computed");
+      not_computed("this distance to a shape that round ones are cut out of is not computed");
   }
 }
 
-std::optional<SolidValue> CsgPair::value(Which which, const RealVector& p) const {
+std::optional<Answer> CsgPair::value(Which which, const RealVector& p) const {
   if (!cut_moves_) return value_at(which, p);
   auto v = value_at(exchanged(which), space::negated(p));
   if (v && v->nearest) v->nearest = space::negated(*v->nearest);
@@ -256,14 +252,14 @@ std::optional<SolidValue> CsgPair::value(Which which, const RealVector& p) const
 std::optional<Between> CsgPair::nearly_fits(const RealVector& p, double level) const {
   const FreeSpace* fits = this->fits();
   if (!fits) return std::nullopt;
-  const double least = fits->beyond(space::rounded(p)), error = kError * size_;
+  const double least = fits->beyond(space::rounded(p)), error = margin::kFoundError * size_;
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
   if (least + error < 0) return Between{-exact::kInfinity, least + error - level};
   if (const auto worst = worst_fit(p); worst && is_whole(*worst)) {
     const double v = worst->value.to_double();
     return Between{v - error - level, v + error - level};
   }
-  const BoundaryPlace found = fits->nearly(p, {level, kShare});
+  const BoundaryPlace found = fits->nearly(p, {level, margin::kRoughShare});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{std::max(least, found.bound) - error - level, found.value + error - level};
 }

@@ -38,7 +38,7 @@ class CsgPair {
   CsgPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::CsgSolid> a, bool cut_moves);
 
   /// Nothing where the distance is undefined: +infinity.
-  std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
+  std::optional<Answer> value(Which which, const space::RealVector& p) const;
   const space::Body& complete() const { return *b_; }
   const space::CsgSolid& cut() const { return *a_; }
   bool cut_moves() const { return cut_moves_; }
@@ -55,42 +55,42 @@ class CsgPair {
   class FreeNear;
   /// B + p and A are apart by `value`, or, if `depth` is more than 0, their interiors meet.
   struct Gap {
-    SolidValue value;
+    Answer value;
     double depth = 0;
   };
 
-  std::optional<SolidValue> value_at(Which which, const space::RealVector& p) const;
+  std::optional<Answer> value_at(Which which, const space::RealVector& p) const;
   Gap gap(const space::RealVector& p) const;
   /// The slack of what the two have in common; 0 where it is at most `enough` of the sizes.
   double common_depth(const space::RealVector& p, double enough) const;
-  SolidValue apart(const space::RealVector& p) const;
+  Answer apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
-  SolidValue apart_or_deep(const space::RealVector& p) const;
+  Answer apart_or_deep(const space::RealVector& p) const;
   const CsgDepth& depths() const;
-  SolidValue overlapping(const space::RealVector& p) const;
-  std::optional<SolidValue> free_of_sets(const space::RealVector& p) const;
-  SolidValue reach(const space::RealVector& p) const;
-  SolidValue named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
-  std::optional<SolidValue> worst_fit(const space::RealVector& p) const;
-  bool is_whole(const SolidValue& worst) const;
-  std::optional<SolidValue> contained(const space::RealVector& p) const;
+  Answer overlapping(const space::RealVector& p) const;
+  std::optional<Answer> free_of_sets(const space::RealVector& p) const;
+  Answer reach(const space::RealVector& p) const;
+  Answer named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
+  std::optional<Answer> worst_fit(const space::RealVector& p) const;
+  bool is_whole(const Answer& worst) const;
+  std::optional<Answer> contained(const space::RealVector& p) const;
   /// Without containers: by what A leaves of a box.
   struct Among;
   const Among* among() const;
-  bool in_union(const Among& all, const space::RealVector& p, SolidValue& depth) const;
-  std::optional<SolidValue> contained_in_union(const space::RealVector& p) const;
-  std::optional<SolidValue> farthest_in_union(const space::RealVector& p) const;
+  bool in_union(const Among& all, const space::RealVector& p, Answer& depth) const;
+  std::optional<Answer> contained_in_union(const space::RealVector& p) const;
+  std::optional<Answer> farthest_in_union(const space::RealVector& p) const;
   std::optional<Between> nearly_in_union(const space::RealVector& p, double level) const;
-  std::optional<SolidValue> farthest_fit(const space::RealVector& p) const;
+  std::optional<Answer> farthest_fit(const space::RealVector& p) const;
   std::optional<Between> nearly_fits(const space::RealVector& p, double level) const;
   const FreeSpace* fits() const;
-  SolidValue protrusion(const space::RealVector& p) const;
-  SolidValue hausdorff(const space::RealVector& p) const;
+  Answer protrusion(const space::RealVector& p) const;
+  Answer hausdorff(const space::RealVector& p) const;
   bool too_large() const;
-  SolidValue clearance(const space::RealVector& p) const;
+  Answer clearance(const space::RealVector& p) const;
   /// Of A out of B + p.
-  SolidValue protrusion_back(const space::RealVector& p) const;
-  std::optional<SolidValue> covered(const space::RealVector& p) const;
+  Answer protrusion_back(const space::RealVector& p) const;
+  std::optional<Answer> covered(const space::RealVector& p) const;
 
   std::shared_ptr<const space::Body> b_;
   std::shared_ptr<const space::CsgSolid> a_;

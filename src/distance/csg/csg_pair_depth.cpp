@@ -10,6 +10,7 @@
 
 #include "distance/csg/csg_depth.h"
 #include "distance/csg/csg_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -17,21 +18,15 @@ using exact::Real;
 using space::RealVector;
 using space::Vector;
 
-namespace {
-
-constexpr double kError = 0x1p-40, kMostError = 0x1p-32;  // of the size
-
-}  // namespace
-
 const CsgDepth& CsgPair::depths() const {
   std::call_once(depths_made_, [this] { depths_ = std::make_shared<const CsgDepth>(*b_, parts_, size_); });
   return *depths_;
 }
 
 /// Minus the distance to the nearest position at which B is free of a tolerance, or in a obstacle, and so free of A.
-std::optional<SolidValue> CsgPair::free_of_sets(const RealVector& p) const {
-  std::optional<SolidValue> best;
-  const auto take = [&](std::optional<SolidValue> v, bool negated) {
+std::optional<Answer> CsgPair::free_of_sets(const RealVector& p) const {
+  std::optional<Answer> best;
+  const auto take = [&](std::optional<Answer> v, bool negated) {
     if (!v || !v->proven) return;
     if (negated) v->value = -v->value;
     if (!best || best->value < v->value) best = std::move(v);
@@ -45,23 +40,23 @@ std::optional<SolidValue> CsgPair::free_of_sets(const RealVector& p) const {
   return best;
 }
 
-SolidValue CsgPair::overlapping(const RealVector& p) const {
-  std::optional<SolidValue> known = free_of_sets(p);
+Answer CsgPair::overlapping(const RealVector& p) const {
+  std::optional<Answer> known = free_of_sets(p);
   const Incumbent ask = [&]() -> std::optional<double> {
     if (!known) return std::nullopt;
     return -known->value.to_double();
   };
   const BoundaryPlace found = depths().nearest(space::rounded(p), ask);
   const double off = std::fabs(found.value - found.bound);
-  if ((!found.found && !found.known) || off > kMostError * size_)
+  if ((!found.found && !found.known) || off > margin::kMostFoundError * size_)
     throw Error(ErrorCode::kUnsupported,
                 "how deep a shape is in one that round ones are cut out of was not found within the limit of the "
                 "search");
-  SolidValue out;
+  Answer out;
   out.value = -Real::from_double(found.value);
   out.nearest = space::real(found.place);
   out.proven = false;
-  out.error = kError * size_ + off;
+  out.error = margin::kFoundError * size_ + off;
   if (!known || std::fabs((known->value - out.value).to_double()) > out.error) return out;  // no sign: the same value
   if (!known->nearest && found.found) known->nearest = out.nearest;
   return *std::move(known);

@@ -11,6 +11,7 @@
 
 #include "distance/csg/csg_depth.h"
 #include "distance/csg/csg_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -21,10 +22,7 @@ using space::Vector;
 
 namespace {
 
-constexpr double kError = 0x1p-40, kMostError = 0x1p-32;  // of the size
-constexpr double kSeen = 0x1p-32;                         // of the size: depths that lines do not tell from none
-
-[[noreturn]] void fail() {
+[[noreturn]] void no_fit_found() {
   throw Error(ErrorCode::kUnsupported,
               "how far a shape is from fitting into a union of shapes that round ones are cut out of was not found "
               "within the limit of the search");
@@ -66,7 +64,7 @@ const CsgPair::Among* CsgPair::among() const {
       high[k] = static_cast<std::int64_t>(std::ceil(to + tolerance));
     }
     auto left = std::make_shared<const space::CsgSolid>(
-        left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]}));
+        left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]}).or_throw());
     out->left = std::make_unique<const CsgPair>(b_, std::move(left), false);
     among_ = std::move(out);
   });
@@ -74,7 +72,7 @@ const CsgPair::Among* CsgPair::among() const {
 }
 
 /// Whether B + p is in A, and how deep.
-bool CsgPair::in_union(const Among& all, const RealVector& p, SolidValue& depth) const {
+bool CsgPair::in_union(const Among& all, const RealVector& p, Answer& depth) const {
   if (!inside(p, all.places)) return false;
   Gap gap = all.left->gap(p);
   if (gap.depth > 0) return false;
@@ -83,33 +81,33 @@ bool CsgPair::in_union(const Among& all, const RealVector& p, SolidValue& depth)
   return true;
 }
 
-std::optional<SolidValue> CsgPair::contained_in_union(const RealVector& p) const {
+std::optional<Answer> CsgPair::contained_in_union(const RealVector& p) const {
   const Among* all = among();
   if (!all) return std::nullopt;
-  SolidValue out;
+  Answer out;
   if (in_union(*all, p, out)) return out;
   const BoundaryPlace found = all->left->depths().nearest_in(all->low(), all->high(), space::rounded(p), {});
   const double off = std::fabs(found.value - found.bound);
   if (!found.found && !found.unresolved && found.complete) return std::nullopt;
-  if (!found.found || off > kMostError * size_) fail();
+  if (!found.found || off > margin::kMostFoundError * size_) no_fit_found();
   out.value = Real::from_double(found.value);
   out.nearest = space::real(found.place);
   out.proven = false;
-  out.error = kError * size_ + off;
+  out.error = margin::kFoundError * size_ + off;
   return out;
 }
 
-std::optional<SolidValue> CsgPair::farthest_in_union(const RealVector& p) const {
+std::optional<Answer> CsgPair::farthest_in_union(const RealVector& p) const {
   const Among* all = among();
   if (!all) return std::nullopt;
   const BoundaryPlace found = all->left->depths().farthest_in(all->low(), all->high(), space::rounded(p));
   const double off = std::fabs(found.value - found.bound);
   if (!found.found && !found.unresolved && found.complete) return std::nullopt;
-  if (!found.found || off > kMostError * size_) fail();
-  SolidValue out;
+  if (!found.found || off > margin::kMostFoundError * size_) no_fit_found();
+  Answer out;
   out.value = Real::from_double(found.value);
   out.proven = false;
-  out.error = kError * size_ + off;
+  out.error = margin::kFoundError * size_ + off;
   return out;
 }
 
@@ -117,11 +115,11 @@ std::optional<SolidValue> CsgPair::farthest_in_union(const RealVector& p) const 
 std::optional<Between> CsgPair::nearly_in_union(const RealVector& p, double level) const {
   const Among* all = among();
   if (!all) return std::nullopt;
-  const double error = kError * size_, least = beyond(space::rounded(p), all->low(), all->high());
+  const double error = margin::kFoundError * size_, least = beyond(space::rounded(p), all->low(), all->high());
   if (level <= 0 && least > 0) return Between{least - error - level, exact::kInfinity};
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
   if (inside(p, all->places)) {
-    const double slack = all->left->common_depth(p, kSeen);
+    const double slack = all->left->common_depth(p, margin::kDepthOnLines);
     if (!(slack > 0)) {
       const Between gap = all->left->nearly_apart(p, -level);  // the gap, plus the level
       return Between{-gap.high, -gap.low};

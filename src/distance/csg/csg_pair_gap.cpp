@@ -9,9 +9,11 @@
 #include <cmath>
 
 #include "distance/csg/csg_pair.h"
+#include "distance/search/answer.h"
 #include "distance/search/boundary_slack.h"
 #include "distance/search/solid_protrusion.h"
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -22,10 +24,6 @@ using space::RealVector;
 using space::Vector;
 
 namespace {
-
-constexpr double kError = 0x1p-40, kThin = 0x1p-44;  // of the size
-constexpr double kFar = 0x1p-4;                      // of the size: where boxes tell enough
-constexpr double kShare = 0x1p-1;                    // of a value that is only used to go on from
 
 struct Box {
   Vector low, high;
@@ -47,11 +45,11 @@ double distance(const Box& a, const Box& b) {
                         apart(a.low.z, a.high.z, b.low.z, b.high.z)});
 }
 
-SolidValue searched(const BoundaryPlace& found, double size) {
-  SolidValue out;
+Answer searched(const BoundaryPlace& found, double size) {
+  Answer out;
   out.value = Real::from_double(found.value);
   out.proven = false;
-  out.error = kError * size + std::fabs(found.value - found.bound);
+  out.error = margin::kFoundError * size + std::fabs(found.value - found.bound);
   return out;
 }
 
@@ -65,8 +63,8 @@ Body body_of(const BodyPart& part) {
 }  // namespace
 
 /// Not negative: 0 where they meet.
-SolidValue CsgPair::apart(const RealVector& p) const {
-  std::optional<SolidValue> best;
+Answer CsgPair::apart(const RealVector& p) const {
+  std::optional<Answer> best;
   const Vector by = space::rounded(p);
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
@@ -75,14 +73,14 @@ SolidValue CsgPair::apart(const RealVector& p) const {
       const TouchingRule to = gap_to(s, by);
       const BoundaryPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0);
       if (!found.found) continue;
-      SolidValue v = searched(found, size_);
+      Answer v = searched(found, size_);
       const double near = found.value, error = v.error;
       if (near < error) v.value = Real();
       const Touching at = to(found.place);
       v.points = {space::real(found.place - space::scaled(at.value, at.slope)), space::real(found.place)};
       if (near > error) v.nearest = space::plus(p, space::minus((*v.points)[1], (*v.points)[0]));
       if (best && best->value.to_double() < near - error) continue;
-      for (SolidValue& named : named_gaps(*part.sets, s, p, found.place, size_)) {
+      for (Answer& named : named_gaps(*part.sets, s, p, found.place, size_)) {
         if (std::fabs(named.value.to_double() - near) <= error) v = std::move(named);  // no sign: the same value
       }
       if (!best || v.value < best->value || (v.proven && !best->proven && !(best->value.to_double() < near - error)))
@@ -97,14 +95,14 @@ SolidValue CsgPair::apart(const RealVector& p) const {
 Between CsgPair::nearly_apart(const RealVector& p, double level) const {
   Between out{exact::kInfinity, exact::kInfinity};
   const Vector by = space::rounded(p);
-  const Until until{level, kShare};
+  const Until until{level, margin::kRoughShare};
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
     const TouchingRule to = gap_to(s, by);
     for (const CutSearch& part : parts_) {
       const double least = distance(box, {part.low, part.high});
       if (least > out.low) continue;
-      if (least - level > kFar * size_) {
+      if (least - level > margin::kFarByBoxes * size_) {
         out.low = least;
         continue;
       }
@@ -113,7 +111,7 @@ Between CsgPair::nearly_apart(const RealVector& p, double level) const {
       out.high = std::min(out.high, found.value);
     }
   }
-  const double error = kError * size_;
+  const double error = margin::kFoundError * size_;
   return {out.low - error - level, out.high + error - level};
 }
 
@@ -136,14 +134,14 @@ CsgPair::Gap CsgPair::gap(const RealVector& p) const {
   Gap out;
   out.value = apart(p);
   const double v = out.value.value.to_double();
-  if (v > out.value.error + kError * size_) return out;
-  out.depth = common_depth(p, kThin);
-  if (out.depth > 0) out.value = SolidValue{};
+  if (v > out.value.error + margin::kFoundError * size_) return out;
+  out.depth = common_depth(p, margin::kNoInterior);
+  if (out.depth > 0) out.value = Answer{};
   return out;
 }
 
-SolidValue CsgPair::reach(const RealVector& p) const {
-  std::optional<SolidValue> best;
+Answer CsgPair::reach(const RealVector& p) const {
+  std::optional<Answer> best;
   for (const BodyPart& s : b_->parts) {
     for (const space::Point& v : s.vertices()) {
       const RealVector at = space::plus(space::real(v), p);
@@ -167,8 +165,8 @@ SolidValue CsgPair::reach(const RealVector& p) const {
 }
 
 /// At a corner of a set of the part, or on its sphere, where that belongs to the part: exactly.
-SolidValue CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
-  SolidValue out = searched(found, size_);
+Answer CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
+  Answer out = searched(found, size_);
   for (const BodyPart& set : part.within) {
     for (const space::Point& v : set.vertices()) {
       const RealVector way = space::minus(space::real(v), from);
@@ -176,7 +174,7 @@ SolidValue CsgPair::named_reach(const space::CsgPart& part, const RealVector& fr
       const Real d = sqrt(space::dot(way, way)), value = d + set.radius;
       const RealVector place = space::along(space::real(v), set.radius / d, way);
       if (std::fabs(value.to_double() - found.value) > out.error || !holds(part, place)) continue;  // no sign
-      SolidValue v_exact;
+      Answer v_exact;
       v_exact.value = value;
       return v_exact;
     }
@@ -184,21 +182,21 @@ SolidValue CsgPair::named_reach(const space::CsgPart& part, const RealVector& fr
   return out;
 }
 
-SolidValue CsgPair::protrusion_back(const RealVector& p) const {
+Answer CsgPair::protrusion_back(const RealVector& p) const {
   if (!b_->convex())
     throw Error(ErrorCode::kUnsupported,
                 "how far a shape that round ones are cut out of sticks out of another is computed "
                 "where that is convex");
   const Vector by = space::rounded(p);
   const ConvexDistance beyond = keep_out(b_->parts[0], by);
-  std::optional<SolidValue> best;
+  std::optional<Answer> best;
   for (const CutSearch& part : parts_) {
     const BoundaryPlace found = farthest_allowed(part.cells, part.rules, beyond, size_);
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
-    SolidValue v = searched(found, size_);
+    Answer v = searched(found, size_);
     // A set of A sticks out by no less than A; where it does so at a place of A, by as much.
     for (const BodyPart& set : part.sets->within) {
-      const SolidValue complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));
+      const Answer complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));
       const bool same = std::fabs(complete.value.to_double() - found.value) <= v.error;  // no sign: the same value
       if (!same || !complete.points) continue;
       const RealVector place = space::plus((*complete.points)[0], p);

@@ -9,6 +9,7 @@
 #include "distance/csg/csg_depth.h"
 #include "distance/csg/csg_pair.h"
 #include "distance/search/swept_part.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -18,8 +19,6 @@ using space::RealVector;
 using space::Vector;
 
 namespace {
-
-constexpr double kError = 0x1p-40;  // of the size
 
 double between_spans(double low, double high, double other_low, double other_high) {
   return std::max({0.0, low - other_high, other_low - high});
@@ -43,7 +42,7 @@ class CsgPair::GapNear : public NearRule {
 
   Least least(const NearLine& line, double from, double to, const Until& until) const override {
     Least out{exact::kInfinity, exact::kInfinity, {}};
-    const double error = kError * pair_->size_;
+    const double error = margin::kFoundError * pair_->size_;
     const Until wanted{level_, until.share, until.blur};
     const double sense = pair_->cut_moves_ ? -1 : 1;
     const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
@@ -107,7 +106,7 @@ class CsgPair::FreeNear : public NearRule {
   /// Where B is free, and up to the depth from there.
   std::vector<std::pair<double, double>> known(const NearLine& line) const override {
     std::vector<std::pair<double, double>> out;
-    const double reach = depth_ - 2 * kError * pair_->size_;
+    const double reach = depth_ - 2 * margin::kFoundError * pair_->size_;
     for (const SignStretch& s : near_stretches(free_, line, range_)) {
       if (s.sign <= 0) continue;
       if (!out.empty() && s.from - reach <= out.back().second)
@@ -119,10 +118,10 @@ class CsgPair::FreeNear : public NearRule {
   }
 
   Least least(const NearLine& line, double from, double to, const Until& until) const override {
-    const double error = kError * pair_->size_, sense = pair_->cut_moves_ ? -1 : 1;
+    const double error = margin::kFoundError * pair_->size_, sense = pair_->cut_moves_ ? -1 : 1;
     const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
     const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
-    const double reach = depth_ * (1 + 0x1p-10) + error;
+    const double reach = depth_ * margin::kNearReach + error;
     const Vector tolerance{reach, reach, reach};
     const Vector low = Vector{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)} - tolerance,
                  high = space::plus({std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}, tolerance);

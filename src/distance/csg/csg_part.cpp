@@ -10,6 +10,7 @@
 #include "distance/search/boundary_slack.h"
 #include "distance/search/free_space.h"
 #include "distance/search/solid_protrusion.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -23,8 +24,6 @@ using space::RealVector;
 using space::Vector;
 
 namespace {
-
-constexpr double kThin = 0x1p-44;  // of the size: interior that doubles cannot see
 
 double size_of(const Body& body) {
   if (body.parts.empty()) return 0;
@@ -84,14 +83,14 @@ CutSearch cut_search(const CsgPart& part, double size) {
   CutSearch out;
   out.sets = &part;
   const space::Bounds3 box = bounds(part);
-  const double slack = 0x1p-40 * size;
+  const double slack = margin::kAroundPart * size;
   out.low = space::rounded(box.low) - Vector{slack, slack, slack};
   out.high = space::plus(space::rounded(box.high), {slack, slack, slack});
   const auto [low, high] = askew(out.low, out.high);
   out.cells = tetrahedra_of_box(low, high);
   for (const BodyPart& set : part.within) out.rules.keep_in.push_back(keep_in(set, {}));
   for (const BodyPart& set : part.without) out.rules.keep_out.push_back(keep_out(set, {}));
-  out.empty = most_slack(out.cells, out.rules, {kThin * size}).value <= kThin * size;
+  out.empty = most_slack(out.cells, out.rules, {margin::kNoInterior * size}).value <= margin::kNoInterior * size;
   return out;
 }
 

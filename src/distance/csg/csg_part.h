@@ -42,7 +42,7 @@ ConvexDistance keep_out(const space::BodyPart& set, const space::Vector& p);
 bool holds(const space::CsgPart& part, const space::RealVector& x);
 /// The distances from B's part s, moved by p, to places of A's part that square roots name: on one set of A alone, on a
 /// sphere from inside, on the circle of a sphere with another or a plane; those that are near `place`.
-std::vector<SolidValue> named_gaps(const space::CsgPart& a, const space::BodyPart& s, const space::RealVector& p,
-                                   const space::Vector& place, double size);
+std::vector<Answer> named_gaps(const space::CsgPart& a, const space::BodyPart& s, const space::RealVector& p,
+                               const space::Vector& place, double size);
 
 }  // namespace findspace::distance

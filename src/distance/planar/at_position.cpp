@@ -8,6 +8,7 @@
 
 #include "distance/planar/farthest_place.h"
 #include "distance/planar/hausdorff.h"
+#include "exact/number/margins.h"
 #include "plane/base/real_vector.h"
 #include "plane/query/topology.h"
 
@@ -22,8 +23,6 @@ using plane::is_bounded;
 using plane::Region;
 
 namespace {
-
-constexpr double kClearlyOut = 0x1p-26;  // of the scale: a directed Hausdorff distance beyond needs no map
 
 /// Vertex v of one shape, moved by p, lies in the set.
 bool is_inside(const FeatureTree& of, Index v, const FeatureTree& set, const RealPoint& p) {
@@ -112,8 +111,8 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
       return farthest_place(from, to, shapes_[back ? 0 : 1].prepared().boxes, by, least);
     return farthest_search(back).greatest(by, least);
   };
-  auto place = search(std::max(scale * kClearlyOut, floor));
-  if (!place && floor > scale * kClearlyOut) return Measured{};
+  auto place = search(std::max(scale * margin::kClearlyOut, floor));
+  if (!place && floor > scale * margin::kClearlyOut) return Measured{};
   if (!place) {
     Standing s = standing(p);
     if (s.kind == (back ? Standing::Kind::kAround : Standing::Kind::kInside))
@@ -121,7 +120,7 @@ std::optional<Measured> AtPosition::directed(bool back, const RealPoint& p, doub
     // One touches the other from inside, or all but: containment decides.
     auto margin = signed_value(back ? Which::kDelta1 : Which::kEta1, s, p);
     if (margin && (margin->minus_infinity || margin->value.sign() <= 0)) return margin;
-    place = search(scale * kHardlyOut);
+    place = search(scale * margin::kHardlyOut);
     if (!place) return Measured{};
   }
   const FeaturePair near = place->nearest ? *place->nearest : nearest_point(to, place->at);
@@ -157,7 +156,7 @@ std::optional<Measured> AtPosition::hausdorff(const RealPoint& p) const {
   const bool back = back_out > out;
   auto f = directed(back, p);
   if (!f) return std::nullopt;
-  auto g = directed(!back, p, near_value(f->value) - scale * kHardlyOut);
+  auto g = directed(!back, p, near_value(f->value) - scale * margin::kHardlyOut);
   if (!g) return std::nullopt;
   if (back) std::swap(f, g);
   return f->value < g->value ? g : f;

@@ -40,9 +40,6 @@ struct Measured {
   bool minus_infinity = false;   // and `value` means nothing
 };
 
-/// Of the scale: a positive distance below counts as 0.
-inline constexpr double kHardlyOut = 0x1p-36;
-
 /// A pair of A and B + p as features, B's first.
 inline std::vector<Feature> features(const FeaturePair& k) {
   return {{true, k.second_cell, k.second}, {false, k.first_cell, k.first}};

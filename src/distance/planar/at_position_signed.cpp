@@ -5,6 +5,7 @@
 
 #include "distance/planar/at_position.h"
 #include "distance/planar/farthest.h"
+#include "exact/number/margins.h"
 #include "plane/base/real_vector.h"
 
 namespace findspace::distance {
@@ -17,7 +18,7 @@ using plane::operator-;
 void AtPosition::add_contact(Measured& m, const RealPoint& position, const RealPoint& p) const {
   FeaturePair k = touching_pair(fixed(), moving(), position);
   // Chains touch where they cross, too.
-  if (near_value(k.distance) > (moving().scale() + fixed().scale()) * kHardlyOut)
+  if (near_value(k.distance) > (moving().scale() + fixed().scale()) * margin::kHardlyOut)
     k = distance::common_point(fixed(), moving(), position);
   k.second = k.second - (position - p);
   m.witness = features(k);

@@ -35,10 +35,6 @@ Value at_parameter(const Real& t, const TranslationDirection& direction, const R
   return {Real(sign) * abs(t) * sqrt(dx * dx + dy * dy), RealPoint{p.x + t * dx, p.y + t * dy}};
 }
 
-SignMap negated(SignMap m) {
-  return remark(std::move(m), [](Mark k) { return Mark(-k); });
-}
-
 /// Greater than the extent of the map's curves in any direction, in grid steps.
 Real extent(const CellComplex& m) {
   double least = 0, most = 0, widest = 0;

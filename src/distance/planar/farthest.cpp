@@ -8,6 +8,7 @@
 
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_features/smallest_circle.h"
+#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "plane/build/hull.h"
 #include "plane/complex/overlay.h"
@@ -64,7 +65,7 @@ Farthest::Best Farthest::best(const RealPoint& p) const {
     most = std::max(most, s.farthest(x, y));
     scale = std::max({scale, std::abs(s.x0), std::abs(s.y0)});
   }
-  double tolerance = (scale + most) * 0x1p-44;
+  double tolerance = (scale + most) * margin::kLostByDoubles;
   std::optional<Best> best;
   for (const BoundaryFeature& s : features_) {
     if (s.farthest(x, y) < most - tolerance) continue;

@@ -9,6 +9,8 @@
 
 #include "distance/planar/max_min_search.h"
 #include "distance/planar_features/curved_level_curve.h"
+#include "exact/number/margins.h"
+#include "plane/base/real_vector.h"
 #include "plane/query/nearest.h"
 
 namespace findspace::distance {
@@ -19,24 +21,22 @@ using plane::Index;
 using plane::Mark;
 using plane::Region;
 
+using plane::operator+;
+
 namespace {
 
-// Of the scale.
-constexpr double kSamePlace = 0x1p-20, kRounded = 0x1p-42, kNothingMore = 0x1p-45, kSurelyLess = 0x1p-46;
-constexpr MaxMinEffort kCoarse{0x1p-24}, kFine{0x1p-44};
+constexpr MaxMinEffort kCoarse{margin::kMaxMinGuess}, kFine{margin::kMaxMinFine};
 constexpr std::size_t kMostMaxMins = 10;
 
 bool inside(Mark m) { return m > 0; }
-
-RealPoint operator+(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
 
 /// Whether the level can be the max_min's value. That of a place on an edge may still grow beside it, but not fall.
 /// Other fronts meet there, too: the ridge between two lines goes on past the end of an edge, at levels less than the
 /// max_min's.
 bool is_value(const Real& level, const MaxMinPlace& max_min, double scale) {
   const auto i = level.interval();
-  if (i.hi < max_min.value - scale * kSurelyLess) return false;
-  return max_min.cell.dimension == 1 || i.lo <= max_min.value + scale * kRounded;
+  if (i.hi < max_min.value - scale * margin::kSurelyLess) return false;
+  return max_min.cell.dimension == 1 || i.lo <= max_min.value + scale * margin::kRoundedPlace;
 }
 
 /// In p: where the edge's greatest distance from the inside of a circle of A is `level`: its least distance to the
@@ -76,7 +76,7 @@ std::vector<MaxMinPlace> FarthestFromSet::distinct(const std::vector<MaxMinPlace
   std::vector<MaxMinPlace> out;
   for (const MaxMinPlace& k : all) {
     bool known = std::any_of(out.begin(), out.end(), [&](const MaxMinPlace& u) {
-      return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * kSamePlace;
+      return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * margin::kSamePlace;
     });
     if (!known) out.push_back(k);
     if (out.size() == kMostMaxMins) break;
@@ -101,12 +101,12 @@ std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, doubl
     }
   };
   MaxMinSearch search({a_, b_, a_features_, b_features_, a_reach_}, px, py,
-                      {scale, scale * kSamePlace, least_value, kCoarse});
+                      {scale, scale * margin::kSamePlace, least_value, kCoarse});
   take(search.run());
   // Where an arc crosses a parabola no formula gives the place, and what was taken for it is less than the greatest.
   // Only what is more is looked for; all that is about as far would be too much where a ridge touches an edge.
-  const double more_than = best ? near_value(best->value) + scale * kNothingMore : least_value;
-  take(search.finer({scale, scale * kRounded, more_than, kFine}));
+  const double more_than = best ? near_value(best->value) + scale * margin::kNothingMore : least_value;
+  take(search.finer({scale, scale * margin::kRoundedPlace, more_than, kFine}));
   return best;
 }
 
@@ -114,7 +114,7 @@ std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, doubl
 bool FarthestFromSet::is_distance(const Event& e) const {
   double x = near_value(e.at->x), y = near_value(e.at->y), least = std::numeric_limits<double>::infinity();
   for (const BoundaryFeature& s : a_features_) least = std::min(least, s.distance(x, y));
-  return std::abs(near_value(e.level) - least) <= (scale_ + std::abs(x) + std::abs(y)) * kRounded;
+  return std::abs(near_value(e.level) - least) <= (scale_ + std::abs(x) + std::abs(y)) * margin::kRoundedPlace;
 }
 
 FarthestPlace FarthestFromSet::exact_place(const MaxMinPlace& max_min, const RealPoint& p) const {
@@ -125,7 +125,7 @@ FarthestPlace FarthestFromSet::exact_place(const MaxMinPlace& max_min, const Rea
   double px = near_value(p.x), py = near_value(p.y);
   double scale = std::max(this->scale(px, py), scale_ + std::abs(max_min.x) + std::abs(max_min.y));
   std::vector<LevelCurve> fronts;
-  for (Index k : near_features(max_min.x, max_min.y, scale * kSamePlace))
+  for (Index k : near_features(max_min.x, max_min.y, scale * margin::kSamePlace))
     if (fronts.size() < kMostMaxMins) fronts.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
   std::optional<LevelCurve> edge;
   std::optional<BoundaryFeature> edge_part;
@@ -139,8 +139,8 @@ FarthestPlace FarthestFromSet::exact_place(const MaxMinPlace& max_min, const Rea
       if (!e.at || (best && near_value(e.level) <= near_value(best->value))) continue;
       if (!is_value(e.level, max_min, scale)) continue;
       double x = near_value(e.at->x), y = near_value(e.at->y);
-      if (!(std::hypot(x - max_min.x, y - max_min.y) <= scale * kSamePlace) || !is_distance(e)) continue;
-      if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * kRounded)) continue;
+      if (!(std::hypot(x - max_min.x, y - max_min.y) <= scale * margin::kSamePlace) || !is_distance(e)) continue;
+      if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * margin::kRoundedPlace)) continue;
       best = FarthestPlace{e.level, *e.at, max_min.cell};
     }
   };

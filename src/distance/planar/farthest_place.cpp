@@ -10,17 +10,12 @@
 
 #include "distance/planar/place_search.h"
 #include "distance/planar_features/feature_pair_search.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
 using exact::Real;
 using exact::RealPoint;
-
-namespace {
-
-constexpr double kLeastRoom = 0x1p-34;  // of the scale
-
-}  // namespace
 
 FarthestPlace PlaceSearch::exact_vertex(const Found& f) const {
   RealPoint at = b_.region().geometry.exact(b_.region().vertices[f.cell.index].point);
@@ -100,7 +95,7 @@ void for_meetings(std::span<const LevelCurve> fronts, const std::optional<LevelC
 /// Where two parts of A and the edge meet at one distance, or three parts of A, the farthest of those places that lie
 /// in B. What was found itself, where no such place is as far.
 std::optional<FarthestPlace> PlaceSearch::exact_meeting(const Found& f) const {
-  const double tolerance = std::max(scale_ * kLeastRoom, kMeetingRoom * f.error);
+  const double tolerance = std::max(scale_ * margin::kMeetingOff, kMeetingRoom * f.error);
   const Spot at = f.seen.at;
   const auto parts = spread(parts_near(at, f.seen.near.distance + tolerance), at);
   std::vector<LevelCurve> fronts;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "exact/number/margins.h"
 #include "plane/complex/overlay.h"
 #include "plane/sum/minkowski.h"
 
@@ -21,9 +22,7 @@ using plane::SignMap;
 
 namespace {
 
-constexpr double kClearlyOut = 0x1p-26, kHardlyOut = 0x1p-36;  // of the scale
-constexpr MaxMinEffort kToFindFronts{0x1p-24, 3000};           // a place near the max_min tells them
-constexpr double kPlaceRoom = 0x1p-21;                         // of the scale: what such a place may be off
+constexpr MaxMinEffort kToFindFronts{margin::kMaxMinGuess, 3000};  // a place near the max_min tells them
 
 }  // namespace
 
@@ -49,11 +48,11 @@ SignMap DirectedHausdorff::sign_map(const Real& level) const {
 std::optional<Value> DirectedHausdorff::value(const RealPoint& p) const {
   if (!defined()) return std::nullopt;
   double scale = search_.scale(near_value(p.x), near_value(p.y));
-  if (auto h = search_.greatest(p, scale * kClearlyOut)) return Value{h->value, std::nullopt};
+  if (auto h = search_.greatest(p, scale * margin::kClearlyOut)) return Value{h->value, std::nullopt};
   // B+p lies in A, or all but: containment decides.
   auto margin = containment().value(p);
   if (margin && (margin->minus_infinity || margin->value.sign() <= 0)) return margin;
-  auto h = search_.greatest(p, scale * kHardlyOut);
+  auto h = search_.greatest(p, scale * margin::kHardlyOut);
   return Value{h ? h->value : Real(), std::nullopt};
 }
 
@@ -65,8 +64,8 @@ RealPoint DirectedHausdorff::seed() const {
 
 std::vector<NearLevelCurve> DirectedHausdorff::fronts(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
-  tolerance = std::max(tolerance, search_.scale(x, y) * kPlaceRoom);
-  auto max_mins = search_.max_mins(x, y, tolerance, search_.scale(x, y) * kClearlyOut, kToFindFronts);
+  tolerance = std::max(tolerance, search_.scale(x, y) * margin::kGuessedPlace);
+  auto max_mins = search_.max_mins(x, y, tolerance, search_.scale(x, y) * margin::kClearlyOut, kToFindFronts);
   std::vector<NearLevelCurve> out;
   if (max_mins.empty() || max_mins[0].value < tolerance)
     out = containment().defined() ? containment().fronts(p, tolerance) : out;

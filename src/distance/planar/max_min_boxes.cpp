@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "exact/number/margins.h"
 #include "plane/query/locate.h"
 
 namespace findspace::distance {
@@ -16,12 +17,11 @@ using plane::kNone;
 
 namespace {
 
-constexpr double kSlack = 0x1p-43;  // of the scale: what numbers cannot tell apart
 constexpr std::size_t kMostKept = 1 << 19;
 
 }  // namespace
 
-MaxMinBoxes::MaxMinBoxes(const FeatureTree& a) : a_(a), slack_(a.scale() * kSlack) {
+MaxMinBoxes::MaxMinBoxes(const FeatureTree& a) : a_(a), slack_(a.scale() * margin::kSameNumber) {
   if (a.empty()) return;
   const FeatureBox& box = a.nodes()[0].box;
   corner_ = {box.x0, box.y0};

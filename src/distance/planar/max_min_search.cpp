@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using exact::Real;
@@ -16,7 +18,6 @@ using plane::Index;
 namespace {
 
 constexpr std::size_t kFewFeatures = 3;
-constexpr double kSmallBox = 0x1p-30, kRounding = 0x1p-47;  // of the scale
 
 double half_diagonal(const SearchRange& box) { return std::hypot(box.x1 - box.x0, box.y1 - box.y0) / 2; }
 
@@ -48,8 +49,8 @@ MaxMinSearch::Close MaxMinSearch::close_to(const List& list, Spot at, double rad
     distances.push_back(a_[k].distance(at.x, at.y));
     least = std::min(least, distances.back());
   }
-  const double most = (least + 2 * radius) * (1 + 0x1p-40) + query_.scale * kRounding;
-  const double reach = radius + query_.scale * kRounding;
+  const double most = (least + 2 * radius) * margin::kUpward + query_.scale * margin::kMaxMinNoise;
+  const double reach = radius + query_.scale * margin::kMaxMinNoise;
   Close out{{}, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (distances[i] > most || sets_.a_reach.out_of_reach(list[i], at.x, at.y, reach)) continue;
@@ -62,7 +63,8 @@ MaxMinSearch::Close MaxMinSearch::close_to(const List& list, Spot at, double rad
 bool MaxMinSearch::agree(const List& list, Spot at) const {
   const double least = this->least(list, at);
   return std::all_of(list.begin(), list.end(), [&](Index k) {
-    return a_[k].distance(at.x, at.y) <= least + query_.scale * 0x1p-44;  // no sign: both parts make fronts later
+    return a_[k].distance(at.x, at.y) <=
+           least + query_.scale * margin::kLostByDoubles;  // no sign: both parts make fronts later
   });
 }
 
@@ -92,7 +94,7 @@ void MaxMinSearch::visit_vertices(const SearchRange& box) {
 }
 
 bool MaxMinSearch::matters(const SearchRange& r) const {
-  return r.bound > std::max(query_.least_value, best_ - query_.tolerance) + query_.scale * kRounding;
+  return r.bound > std::max(query_.least_value, best_ - query_.tolerance) + query_.scale * margin::kMaxMinNoise;
 }
 
 void MaxMinSearch::push(SearchRange r) {
@@ -109,7 +111,7 @@ void MaxMinSearch::split_box(const SearchRange& box) {
     part.y0 = k & 2 ? cy : box.y0;
     part.y1 = k & 2 ? box.y1 : cy;
     const Spot middle{(part.x0 + part.x1) / 2, (part.y0 + part.y1) / 2};
-    const double radius = half_diagonal(part) * (1 + 0x1p-30) + query_.scale * kRounding;
+    const double radius = half_diagonal(part) * margin::kBoxRadius + query_.scale * margin::kMaxMinNoise;
     Close near = close_to(box.a, middle, radius);
     if (near.least > radius && in_a(middle)) continue;
     part.a = std::move(near.list);
@@ -154,7 +156,7 @@ void MaxMinSearch::split_edge(SearchRange& part) {
 /// maximum.
 void MaxMinSearch::inner_candidates(const SearchRange& box) {
   const List list(box.a.begin(), box.a.begin() + std::ptrdiff_t(std::min<std::size_t>(box.a.size(), 8)));
-  const double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2, slack = query_.scale * 0x1p-40;
+  const double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2, slack = query_.scale * margin::kCandidateBox;
   std::vector<LevelCurve> fronts;
   for (Index k : list) fronts.push_back(near_level_curve(sets_.a, a_[k], cx, cy, 1));
   const auto try_at = [&](const Event& e) {
@@ -232,7 +234,7 @@ SearchRange MaxMinSearch::root() const {
 void MaxMinSearch::look(SearchRange& r) {
   if (r.edge >= 0) return split_edge(r);
   visit_vertices(r);
-  const bool small = std::max(r.x1 - r.x0, r.y1 - r.y0) < query_.scale * kSmallBox;
+  const bool small = std::max(r.x1 - r.x0, r.y1 - r.y0) < query_.scale * margin::kMaxMinBox;
   if (r.a.size() <= kFewFeatures || small)
     leaf(r);
   else

@@ -9,6 +9,7 @@
 #include <queue>
 
 #include "distance/planar_features/feature_pair_search.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -28,7 +29,6 @@ constexpr std::size_t kCurvesOfArcMap = 2000;  // with arcs, or where one shape 
 constexpr std::size_t kPairsOfMap = 5000;      // of edges: there are no more curves
 // What a map costs, in boxes: the square of the number of curves, in these.
 constexpr double kCurvesPerBox = 1000, kCurvesPerArcBox = 500;
-constexpr double kTolerance = 0x1p-40;  // of the coordinates: more than doubles lose, no sign
 
 /// The vertex farthest from p among those whose mark is not negative.
 std::optional<Nearest> farthest_vertex(const plane::SignMap& map, const RealPoint& p) {
@@ -44,7 +44,7 @@ std::optional<Nearest> farthest_vertex(const plane::SignMap& map, const RealPoin
   std::optional<Nearest> best;
   for (plane::Index k = 0; k < map.vertices.size(); ++k) {
     const plane::Vertex& v = map.vertices[k];
-    if (v.mark < 0 || number(v) < most - (scale + most) * kTolerance) continue;
+    if (v.mark < 0 || number(v) < most - (scale + most) * margin::kDepthTolerance) continue;
     RealPoint at = map.geometry.exact(v.point);
     exact::Real dx = at.x - p.x, dy = at.y - p.y, d = sqrt(dx * dx + dy * dy);
     if (!best || d > best->distance) best = Nearest{d, at, {0, k}};
@@ -114,7 +114,8 @@ std::array<GridBox, 2> halves(const GridBox& w) {
 
 double bound(const GridBox& w, double x, double y, bool far) {
   const double left = double(w.x0) - x, right = x - double(w.x1), low = double(w.y0) - y, high = y - double(w.y1);
-  const double tolerance = (std::abs(x) + std::abs(y) + std::abs(double(w.x0)) + std::abs(double(w.y0))) * kTolerance;
+  const double tolerance =
+      (std::abs(x) + std::abs(y) + std::abs(double(w.x0)) + std::abs(double(w.y0))) * margin::kDepthTolerance;
   if (far) return -std::hypot(std::min(left, right), std::min(low, high)) - tolerance;
   return std::max(0.0, std::hypot(std::max({left, right, 0.0}), std::max({low, high, 0.0})) - tolerance);
 }
@@ -174,7 +175,8 @@ bool PenetrationDepth::holds(const RealPoint& p) const {
 }
 
 bool PenetrationDepth::certainly_holds(double x, double y, double reach) const {
-  const double margin = reach + (moving_.scale() + fixed_.scale() + std::abs(x) + std::abs(y)) * kTolerance;
+  const double margin =
+      reach + (moving_.scale() + fixed_.scale() + std::abs(x) + std::abs(y)) * margin::kDepthTolerance;
   const bool contact = of_ == Of::kContact;
   auto meets = [&](const InnerDisc& d, const FeatureTree& other, double dx, double dy, bool inside) {
     auto depth = d.radius > 0 ? depth_in(other, d.x + dx, d.y + dy) : std::nullopt;
@@ -225,7 +227,7 @@ PenetrationDepth::Answer PenetrationDepth::search(const Boundary& boundary, cons
     boxes.pop();
     if (best) {
       const double d = best->distance.to_double();
-      if (box.bound > (far ? -d : d) + d * kTolerance) break;
+      if (box.bound > (far ? -d : d) + d * margin::kDepthTolerance) break;
     }
     if (--boxes_left_ < 0) return {false, std::nullopt};
     const GridBox& w = box.window;

@@ -9,6 +9,7 @@
 #include <queue>
 
 #include "distance/planar_features/feature_pair_search.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -17,15 +18,6 @@ using exact::RealPoint;
 using plane::Cell;
 using plane::Index;
 using plane::kNone;
-
-namespace {
-
-constexpr double kSlack = 0x1p-43;      // of the scale: what numbers cannot tell apart
-constexpr double kShortPart = 0x1p-44;  // of the scale: a part of an edge this short is a place
-constexpr double kSmallBox = 0x1p-24;   // of the scale: its place is found exactly from the parts of A around it,
-constexpr double kTinyBox = 0x1p-44;    // if these are few, and here in any case
-
-}  // namespace
 
 PlaceSearch::PlaceSearch(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes, const RealPoint& p,
                          double least_value)
@@ -36,7 +28,7 @@ PlaceSearch::PlaceSearch(const FeatureTree& b, const FeatureTree& a, const MaxMi
       px_(near_value(p.x)),
       py_(near_value(p.y)),
       scale_(a.scale() + b.scale() + std::abs(px_) + std::abs(py_)),
-      slack_(scale_ * kSlack),
+      slack_(scale_ * margin::kSameNumber),
       best_(least_value) {}
 
 bool PlaceSearch::in_a(Spot at, const FeatureTree::Near& near) const {
@@ -132,7 +124,7 @@ void PlaceSearch::walk_boundary() {
 /// Where along the part the nearest features of its ends are equally far, from 0 to 1.
 double PlaceSearch::split(const Seen& s, const Seen& t) const {
   double low = 0, high = 1;
-  for (int k = 0; k < 60 && high - low > 0x1p-52; ++k) {
+  for (int k = 0; k < 60 && high - low > margin::kNoHalving; ++k) {
     double m = (low + high) / 2;
     Spot at{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)};
     (to_feature(at, s.near.feature) < to_feature(at, t.near.feature) ? low : high) = m;
@@ -158,12 +150,12 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
     double bound =
         std::min({std::max(s.near.distance, to_feature(t.at, s.near.feature)),
                   std::max(to_feature(s.at, t.near.feature), t.near.distance), (s.value + t.value + size) / 2});
-    if (bound <= best_ + slack_ || size <= scale_ * kShortPart) continue;
+    if (bound <= best_ + slack_ || size <= scale_ * margin::kShortPart) continue;
     double covered = (s.inside ? s.near.distance : 0) + (t.inside ? t.near.distance : 0);
     if (covered >= size) continue;  // all inside A
     auto on_part = [&](double m) { return Spot{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)}; };
     double m = s.near.feature != t.near.feature ? split(s, t) : 0.5;
-    if (m > 0x1p-30 && m < 1 - 0x1p-30) record(see(on_part(m), s.near.feature), edge.cell);
+    if (m > margin::kAtEnd && m < 1 - margin::kAtEnd) record(see(on_part(m), s.near.feature), edge.cell);
     if (m < 0.125 || m > 0.875) m = 0.5;  // where both are equally far at an end, splitting there leads nowhere
     Seen middle = see(on_part(m), s.near.feature);
     parts.push_back({s, middle});
@@ -196,9 +188,9 @@ void PlaceSearch::search_inside() {
     if (!in && to_b.distance > radius) continue;
     const Seen seen{middle, look.inside ? 0 : look.near.distance, look.near, look.inside};
     if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max_min stays
-    if (half <= scale_ * kSmallBox && !seen.inside) {
+    if (half <= scale_ * margin::kExactPlaceBox && !seen.inside) {
       const bool few = parts_near(middle, seen.value + kMeetingRoom * 4 * radius).size() <= kMostParts;
-      if (few || half <= scale_ * kTinyBox) {
+      if (few || half <= scale_ * margin::kTinyPlaceBox) {
         record(seen, {2, 0}, 4 * radius);
         continue;
       }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using plane::Edge;
@@ -15,8 +17,6 @@ using plane::kNone;
 using plane::Region;
 
 namespace {
-
-constexpr double kTolerance = 0x1p-44;  // of the coordinates: more than doubles lose
 
 /// +1 where the place is above the edge, whose ends lie on both sides of it, -1 below; 0 where numbers cannot tell.
 int height(const Region& r, Index edge, double x, double y, double tolerance) {
@@ -33,7 +33,7 @@ int height(const Region& r, Index edge, double x, double y, double tolerance) {
   }
   const exact::SupportingCurve& k = r.supporting_curve(edge);
   const double dy = (y - k.y.value) * e.half, gap = std::hypot(x - k.x.value, y - k.y.value) - k.z.value;
-  const double near = 4 * (tolerance + k.z.value * kTolerance + k.x.error + k.y.error + k.z.error);
+  const double near = 4 * (tolerance + k.z.value * margin::kLostByDoubles + k.x.error + k.y.error + k.z.error);
   if (dy < -near || gap < -near) return -e.half;  // on the side of the chord
   return dy > near && gap > near ? e.half : 0;
 }
@@ -92,7 +92,7 @@ std::optional<Index> vertex_within(const Boxed& of, const Boxed& in, double dx, 
   }
   if (best == kNone) return std::nullopt;
   const exact::Point& p = of.region.point(best);
-  const double tolerance = (of.scale + in.scale + std::abs(dx) + std::abs(dy)) * kTolerance + p.error;
+  const double tolerance = (of.scale + in.scale + std::abs(dx) + std::abs(dy)) * margin::kLostByDoubles + p.error;
   return side(in.region, p.x + dx, p.y + dy, tolerance) == 1 ? std::optional(best) : std::nullopt;
 }
 

@@ -19,7 +19,7 @@ struct Corner {
 };
 
 /// Where two lines cross.
-std::optional<Corner> crossing(const LevelCurve& f, const LevelCurve& g) {
+std::optional<Corner> curve_crossing(const LevelCurve& f, const LevelCurve& g) {
   const Real d = f.a * g.b - f.b * g.a;
   if (d.sign() == 0) return std::nullopt;
   return Corner{{(f.c * g.b - g.c * f.b) / d, (f.a * g.c - g.a * f.c) / d},
@@ -49,7 +49,7 @@ std::optional<Corner> meeting(const LevelCurve& f, const LevelCurve& g, double n
 std::optional<LevelCurve> corner_front(const LevelCurve& edge, const LevelCurve& f, const LevelCurve& g, double near_x,
                                        double near_y) {
   const LevelCurve &first = f.circle ? f : g, &second = f.circle ? g : f;
-  const auto c = first.circle ? meeting(first, second, near_x, near_y) : crossing(f, g);
+  const auto c = first.circle ? meeting(first, second, near_x, near_y) : curve_crossing(f, g);
   if (!c) return std::nullopt;
   if (edge.circle) {
     LevelCurve out = LevelCurve::ring(c->start[0] - edge.a, c->start[1] - edge.b, edge.c, edge.k);

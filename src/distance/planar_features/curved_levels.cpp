@@ -5,6 +5,7 @@
 #include <array>
 
 #include "distance/planar_features/curved_level_curve.h"
+#include "exact/number/margins.h"
 #include "exact/number/polynomial_root.h"
 
 namespace findspace::distance {
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::size_t kMostRoots = 3, kMostDegree = 16, kPlainDegree = 4;
 constexpr double kMostWork = 512;  // of a level's degree, once over all and once over its coefficients: about a second
-constexpr double kNarrow = 0x1p-30;  // of the level: so wide an interval is searched for any degree
 
 bool is_plainly_zero(const Real& r) { return r.is_closed() && r.sign() == 0; }
 
@@ -182,7 +182,7 @@ std::vector<Real> Elimination::roots(const Rooted& equation, const Real& low, co
   if (!may_vanish(equation, range)) return {};
   const Polynomial p = norm(equation);
   const double most = std::max(std::abs(range.lo), std::abs(range.hi));
-  if (p.size() > kPlainDegree + 1 && range.hi - range.lo > most * kNarrow) return {};
+  if (p.size() > kPlainDegree + 1 && range.hi - range.lo > most * margin::kNarrowLevel) return {};
   std::vector<Real> out;
   for (const Real& level : exact::roots_between(p, low, high))
     if (may_vanish(equation, level.interval()) && degree_bound(level) * double(p.size() - 1) <= kMostWork)

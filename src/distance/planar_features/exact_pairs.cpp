@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "distance/planar_features/boundary_features.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -17,8 +18,6 @@ using plane::Index;
 using plane::Region;
 
 namespace {
-
-constexpr double kNearCentres = 0x1p-40;  // of the coordinates, no sign: below it the exact places are asked
 
 /// A vertex, or the centre and radius of an arc.
 struct Centre {
@@ -106,8 +105,8 @@ std::optional<FeaturePair> exact_pair(const Region& a, const Region& b, const Re
     // Where the centres may be one, numbers do not tell the way from one to the other.
     const bool arcs = k.first.dimension == 1 && k.second.dimension == 1;
     if (far && arcs &&
-        d <= kNearCentres * (std::abs(near_value(f.at.x)) + std::abs(near_value(f.at.y)) + near_value(f.radius) +
-                             near_value(g.radius))) {
+        d <= margin::kNearCentres * (std::abs(near_value(f.at.x)) + std::abs(near_value(f.at.y)) +
+                                     near_value(f.radius) + near_value(g.radius))) {
       const bool one = compare(f.at.x, g.at.x) == 0 && compare(f.at.y, g.at.y) == 0;
       if (one || !is_on_arc(a, k.first, origin, out.first) || !is_on_arc(b, k.second, p, out.second))
         return std::nullopt;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "distance/planar_features/feature_pairs.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -21,15 +22,13 @@ using plane::Region;
 
 namespace {
 
-constexpr double kPairSlack = 0x1p-43;  // of the scale: what doubles cannot tell apart
-
 class PairSearch {
  public:
   PairSearch(const FeatureTree& a, const FeatureTree& b, const RealPoint& p)
       : a_(a), b_(b), p_(p), px_(near_value(p.x)), py_(near_value(p.y)) {
     double scale = a.scale() + b.scale() + std::abs(px_) + std::abs(py_);
-    slack_ = scale * kPairSlack;
-    room_ = scale * kPairMeets;
+    slack_ = scale * margin::kSameNumber;
+    room_ = scale * margin::kPairMeets;
   }
 
   /// Returns false where the boundaries meet or come closer than numbers can tell; not if `touching`.
@@ -223,7 +222,7 @@ FeaturePair farthest_pair(const FeatureTree& a, const FeatureTree& b, const Real
 
 FeaturePair nearest_point(const FeatureTree& a, const RealPoint& at) {
   double x = near_value(at.x), y = near_value(at.y);
-  double limit = a.nearest(x, y).distance + (a.scale() + std::abs(x) + std::abs(y)) * kPairSlack;
+  double limit = a.nearest(x, y).distance + (a.scale() + std::abs(x) + std::abs(y)) * margin::kSameNumber;
   std::optional<FeaturePair> best;
   std::vector<Cell> known;  // two edges share a vertex
   auto take = [&](Cell cell) {

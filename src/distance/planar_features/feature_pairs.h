@@ -13,10 +13,9 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/exact_pairs.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
-
-inline constexpr double kPairMeets = 0x1p-40;  // of the size of the coordinates: what is closer may be one point
 
 /// A feature seen as what its end points and its inside are; moved to its place.
 struct Placed {
@@ -140,7 +139,7 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
   if (s.arc && t.arc) {
     double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
     if (d == 0) return;
-    double tolerance = (s.r + t.r) * kPairMeets;  // circles that touch may seem to cross
+    double tolerance = (s.r + t.r) * margin::kPairMeets;  // circles that touch may seem to cross
     if (d > s.r + t.r - tolerance && s.has_direction(dx, dy) && t.has_direction(-dx, -dy))
       take(Candidate{std::abs(d - s.r - t.r), s.cell, t.cell});
     double turn = s.r > t.r ? 1 : -1;
@@ -152,13 +151,10 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
     double dx = line.x1 - line.x0, dy = line.y1 - line.y0,
            at = ((arc.cx - line.x0) * dx + (arc.cy - line.y0) * dy) / (dx * dx + dy * dy);
     double fx = line.x0 + at * dx - arc.cx, fy = line.y0 + at * dy - arc.cy, d = plain_length(fx, fy);
-    if (at >= 0 && at <= 1 && d > arc.r * (1 - kPairMeets) && arc.has_direction(fx, fy))
+    if (at >= 0 && at <= 1 && d > arc.r * (1 - margin::kPairMeets) && arc.has_direction(fx, fy))
       take(Candidate{std::abs(d - arc.r), s.cell, t.cell});
   }
 }
-
-/// Circles about one centre, as far as numbers tell.
-inline constexpr double kOneCentre = 0x1p-46;  // of the coordinates, no sign: exact_pair decides
 
 /// Points of both arcs lie opposite each other, seen from a common centre.
 inline bool are_opposite(const BoundaryFeature& s, const BoundaryFeature& t) {
@@ -185,7 +181,7 @@ void farthest_features(const Placed& p, const Placed& q, Take&& take) {
   if (!s.arc || !t.arc) return;
   const double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
   const double scale = std::abs(s.cx) + std::abs(s.cy) + std::abs(t.cx) + std::abs(t.cy) + s.r + t.r;
-  if (d <= scale * kOneCentre ? are_opposite(s, t) : s.has_direction(-dx, -dy) && t.has_direction(dx, dy))
+  if (d <= scale * margin::kOneCentre ? are_opposite(s, t) : s.has_direction(-dx, -dy) && t.has_direction(dx, dy))
     take(Candidate{d + s.r + t.r, s.cell, t.cell});
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
 #include "plane/base/union_find.h"
 
 namespace findspace::distance {
@@ -19,8 +20,6 @@ using plane::Region;
 namespace {
 
 constexpr Index kLeaf = 4;
-constexpr double kRounding = 0x1p-46;  // of the size of the coordinates
-constexpr double kCertain = 0x1p-40;   // relative: a cross product beyond this has its sign
 
 double square(double x) { return x * x; }
 
@@ -45,7 +44,7 @@ double FeatureBox::farthest_squared(const FeatureBox& o, double px, double py) c
 FeatureBox box_of(const BoundaryFeature& s) {
   FeatureBox b{std::min(s.x0, s.x1), std::min(s.y0, s.y1), std::max(s.x0, s.x1), std::max(s.y0, s.y1)};
   if (s.arc && s.cx >= b.x0 && s.cx <= b.x1) b.add({s.cx, s.cy + s.half * s.r, s.cx, s.cy + s.half * s.r});
-  double tolerance = (std::abs(b.x0) + std::abs(b.x1) + std::abs(b.y0) + std::abs(b.y1)) * 0x1p-50;
+  double tolerance = (std::abs(b.x0) + std::abs(b.x1) + std::abs(b.y0) + std::abs(b.y1)) * margin::kFewRoundings;
   return {b.x0 - tolerance, b.y0 - tolerance, b.x1 + tolerance, b.y1 + tolerance};
 }
 
@@ -185,7 +184,7 @@ std::optional<Index> FeatureTree::face_around(Index vertex, double x, double y) 
   // 0 where it is not certain.
   auto cross = [](double ax, double ay, double bx, double by) {
     double p = ax * by, q = ay * bx;
-    return std::abs(p - q) > (std::abs(p) + std::abs(q)) * kCertain ? (p > q ? 1 : -1) : 0;
+    return std::abs(p - q) > (std::abs(p) + std::abs(q)) * margin::kCertainTurn ? (p > q ? 1 : -1) : 0;
   };
   Index h = first;
   if (region_.clockwise(h) == h) return region_.face(h);
@@ -203,7 +202,7 @@ std::optional<Index> FeatureTree::face_around(Index vertex, double x, double y) 
 
 std::optional<bool> FeatureTree::contains(double x, double y, const Near& near) const {
   if (near.feature == kNone) return region_.faces[0].mark > 0;
-  if (near.distance <= (scale_ + std::abs(x) + std::abs(y)) * kRounding) return std::nullopt;
+  if (near.distance <= (scale_ + std::abs(x) + std::abs(y)) * margin::kOnBoundary) return std::nullopt;
   const FeatureBox& box = nodes_[0].box;
   if (x < box.x0 || x > box.x1 || y < box.y0 || y > box.y1) return region_.faces[0].mark > 0;
   const BoundaryFeature& s = features_[near.feature];
@@ -212,7 +211,7 @@ std::optional<bool> FeatureTree::contains(double x, double y, const Near& near) 
   if (s.faces(x, y)) {
     // At its end an edge may have another one beside it, tangent to it, that the place is behind.
     const double to_end = std::min(plain_length(x - s.x0, y - s.y0), plain_length(x - s.x1, y - s.y1));
-    if (arcs_ && to_end <= near.distance * (1 + kCertain)) return std::nullopt;
+    if (arcs_ && to_end <= near.distance * (1 + margin::kCertainTurn)) return std::nullopt;
     bool left = s.arc ? (plain_length(x - s.cx, y - s.cy) < s.r) == (s.half < 0)
                       : (s.x1 - s.x0) * (y - s.y0) - (s.y1 - s.y0) * (x - s.x0) > 0;
     return region_.faces[region_.face(left ? h : h + 1)].mark > 0;

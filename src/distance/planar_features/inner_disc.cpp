@@ -12,13 +12,13 @@ namespace {
 constexpr int kMostCells = 200;
 constexpr double kGoodEnough = 1.05;  // of the best found
 
-struct Cell {
+struct DiscCell {
   double x, y, half;  // a square
   double depth, most;
-  bool operator<(const Cell& o) const { return most < o.most; }  // the most promising on top
+  bool operator<(const DiscCell& o) const { return most < o.most; }  // the most promising on top
 };
 
-Cell cell(const FeatureTree& tree, double x, double y, double half) {
+DiscCell cell(const FeatureTree& tree, double x, double y, double half) {
   double depth = depth_in(tree, x, y).value_or(0);
   return {x, y, half, depth, depth + half * std::sqrt(2.0)};
 }
@@ -36,10 +36,10 @@ InnerDisc inner_disc(const FeatureTree& tree) {
   InnerDisc best;
   if (tree.empty()) return best;
   const FeatureBox& box = tree.nodes()[0].box;
-  std::priority_queue<Cell> cells;
+  std::priority_queue<DiscCell> cells;
   cells.push(cell(tree, (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, std::max(box.x1 - box.x0, box.y1 - box.y0) / 2));
   for (int k = 0; k < kMostCells && !cells.empty(); ++k) {
-    const Cell top = cells.top();
+    const DiscCell top = cells.top();
     cells.pop();
     if (top.depth > best.radius) best = {top.x, top.y, top.depth};
     if (top.most <= best.radius * kGoodEnough) break;

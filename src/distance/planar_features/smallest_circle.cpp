@@ -7,6 +7,8 @@
 #include <array>
 #include <vector>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using exact::Real;
@@ -17,14 +19,12 @@ namespace {
 
 constexpr int kMostRounds = 100;
 constexpr std::size_t kMostTouching = 8;
-// Of the size of the numbers: how far the exact circle may be from the rounded one, and what is clearly inside both.
-constexpr double kSame = 0x1p-22, kInside = 0x1p-18;
 
 struct Round {
   double x = 0, y = 0, r = -1;
   std::vector<std::array<double, 2>> through{};
   bool holds(const std::array<double, 2>& p) const {
-    return plain_length(p[0] - x, p[1] - y) <= r + (r + std::abs(x) + std::abs(y)) * 0x1p-48;
+    return plain_length(p[0] - x, p[1] - y) <= r + (r + std::abs(x) + std::abs(y)) * margin::kCircleNoise;
   }
 };
 
@@ -95,7 +95,7 @@ class Proof {
   Proof(const plane::Region& set, std::span<const BoundaryFeature> features, const Round& about)
       : set_(set), features_(features), about_(about) {
     for (const BoundaryFeature& s : features)
-      if (s.farthest(about.x, about.y) > about.r - kSame * size()) touching_.push_back(&s);
+      if (s.farthest(about.x, about.y) > about.r - margin::kNearCircle * size()) touching_.push_back(&s);
     // Those where the rounded circle touches first.
     std::stable_sort(touching_.begin(), touching_.end(),
                      [&](const BoundaryFeature* s, const BoundaryFeature* t) { return off_touch(*s) < off_touch(*t); });
@@ -116,7 +116,7 @@ class Proof {
 
  private:
   double size() const { return about_.r + std::abs(about_.x) + std::abs(about_.y); }
-  bool near(double a, double b) const { return std::abs(a - b) <= kSame * size(); }
+  bool near(double a, double b) const { return std::abs(a - b) <= margin::kNearCircle * size(); }
 
   double off_touch(const BoundaryFeature& s) const {
     const auto far = farthest_point(s, about_.x, about_.y);
@@ -169,7 +169,7 @@ class Proof {
       const BoundaryFeature& s = features_[k];
       const auto is = [&](std::size_t m) { return touching_[m] == &s; };
       if (std::any_of(made_of.begin(), made_of.end(), is)) continue;
-      if (s.farthest(about_.x, about_.y) < about_.r - kInside * size()) continue;
+      if (s.farthest(about_.x, about_.y) < about_.r - margin::kInsideCircle * size()) continue;
       const LevelCurve f = far_level_curve(set_, s);
       const Real x = f.a - c.center.x, y = f.b - c.center.y;
       const auto full = [&](std::size_t m) { return same_circle(fronts_[m], f); };

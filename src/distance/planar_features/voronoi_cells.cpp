@@ -7,15 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using plane::Index;
-
-namespace {
-
-constexpr double kFlat = 0x1p-30;  // radians; a vertex dropped here is no nearer than the ends of its edges
-
-}  // namespace
 
 /// Two half planes, the first at the first end, with that end on its border.
 std::vector<VoronoiCells::HalfPlane> VoronoiCells::of_edge(const BoundaryFeature& s) {
@@ -43,7 +39,7 @@ bool VoronoiCells::has_inside(const std::vector<HalfPlane>& cone) {
   std::sort(angles.begin(), angles.end());
   double gap = angles.front() + 2 * std::numbers::pi - angles.back();
   for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
-  return gap > std::numbers::pi + kFlat;
+  return gap > std::numbers::pi + margin::kFlatVertex;
 }
 
 VoronoiCells::VoronoiCells(const plane::CellComplex& set, std::span<const BoundaryFeature> features)

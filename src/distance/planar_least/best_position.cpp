@@ -12,6 +12,7 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/point_set.h"
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -30,9 +31,9 @@ using plane::Region;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using exact::kInfinity;
 constexpr Mark kPossible = 1, kCertain = 2;
-constexpr std::size_t kAtOnce = 8, kMostVertices = 200, kMostPlaces = 32;
+constexpr std::size_t kAtOnce = 8, kMostVertices = 200, kMostChosen = 32;
 
 /// A value of f at a position of S; rotated so that less is better.
 struct Sample {
@@ -55,7 +56,7 @@ RealPoint middle(const PieceBox& b) {
 /// At least the distance of a point of the box from its middle.
 double radius(const PieceBox& b) {
   const double size = std::max({std::abs(b.x0), std::abs(b.x1), std::abs(b.y0), std::abs(b.y1)});
-  return std::hypot(b.x1 - b.x0, b.y1 - b.y0) / 2 * (1 + 0x1p-40) + size * 0x1p-48;
+  return std::hypot(b.x1 - b.x0, b.y1 - b.y0) / 2 * margin::kUpward + size * margin::kBoxMiddle;
 }
 
 Region filled(const PieceBox& b) {
@@ -74,9 +75,9 @@ PieceBox outward(const PieceBox& b) {
 /// Of the grid: not to be halved.
 bool is_cell(const PieceBox& b) { return b.x1 - b.x0 <= 1 && b.y1 - b.y0 <= 1; }
 
-class Search {
+class PositionSearch {
  public:
-  Search(const DiscRange& f, const PositionBounds& s, Sense sense, const SearchWindow& window)
+  PositionSearch(const DiscRange& f, const PositionBounds& s, Sense sense, const SearchWindow& window)
       : f_(f), s_(s), window_(window), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run() {
@@ -226,7 +227,7 @@ class Search {
     };
     chosen.push_back(best_.at);
     for (const Node& n : done_) {
-      if (chosen.size() >= kMostPlaces || !std::isfinite(n.sample.value)) continue;
+      if (chosen.size() >= kMostChosen || !std::isfinite(n.sample.value)) continue;
       if (far(n.box) > 16 * radius(n.box)) chosen.push_back(n.sample.at);
     }
     for (const Node& n : done_) e.within = std::max(e.within, far(n.box));
@@ -246,7 +247,7 @@ class Search {
 }  // namespace
 
 Extremum best_position(const DiscRange& f, const PositionBounds& s, Sense sense, const SearchWindow& window) {
-  return Search(f, s, sense, window).run();
+  return PositionSearch(f, s, sense, window).run();
 }
 
 }  // namespace findspace::distance

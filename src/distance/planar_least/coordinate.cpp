@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "distance/planar_features/boundary_features.h"
+#include "exact/number/margins.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/piece_builder.h"
@@ -51,7 +52,7 @@ struct Rough {
 Rough rough(const LinearForm& f, const exact::Point& p) {
   const double a = double(f.a), b = double(f.b);
   return {a * p.x + b * p.y,
-          (std::abs(a) + std::abs(b)) * p.error * 2 + (std::abs(a * p.x) + std::abs(b * p.y)) * 0x1p-48};
+          (std::abs(a) + std::abs(b)) * p.error * 2 + (std::abs(a * p.x) + std::abs(b * p.y)) * margin::kFormNoise};
 }
 
 /// Values that can be extreme: those of vertices that doubles cannot rule out, and of arcs.

@@ -11,6 +11,7 @@
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/extremum_candidates.h"
 #include "distance/planar_least/level_probe.h"
+#include "exact/number/margins.h"
 #include "plane/base/real_vector.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate.h"
@@ -28,8 +29,6 @@ using plane::operator-;
 namespace {
 
 constexpr int kMostProbes = 120;
-constexpr double kMost = 0x1p44;    // no level lies beyond: coordinates are below 2^40
-constexpr double kPlace = 0x1p-42;  // of the scale: so near the best positions are decided
 
 /// A number between the two with few digits.
 double simple_between(double low, double high) {
@@ -38,9 +37,9 @@ double simple_between(double low, double high) {
   return round > low && round < high ? round : middle;
 }
 
-class Search {
+class ExtremumSearch {
  public:
-  Search(const TDistance& f, const Region& s, Sense sense)
+  ExtremumSearch(const TDistance& f, const Region& s, Sense sense)
       : f_(f),
         s_(s),
         closure_(plane::closure(s)),
@@ -83,7 +82,7 @@ class Search {
   bool value_only_ = false;
 };
 
-bool Search::reaches(const Real& level) {
+bool ExtremumSearch::reaches(const Real& level) {
   CellComplex c = probe(level, closure_);
   bool yes = has_mark(c, kOn) || has_mark(c, kBeyond);
   (yes ? good_ : bad_) = number(level);
@@ -92,7 +91,7 @@ bool Search::reaches(const Real& level) {
 }
 
 /// Is this the extremum? Narrows the bracket if not.
-bool Search::accept(const Real& level) {
+bool ExtremumSearch::accept(const Real& level) {
   CellComplex c = probe(level, closure_);
   if (has_mark(c, kBeyond)) {
     good_ = number(level);
@@ -108,7 +107,7 @@ bool Search::accept(const Real& level) {
   return true;
 }
 
-double Search::extent() const {
+double ExtremumSearch::extent() const {
   double most = 1;
   for (const auto& v : closure_.vertices) {
     const auto& p = closure_.geometry.points[v.point];
@@ -118,7 +117,7 @@ double Search::extent() const {
 }
 
 /// f is +infinity or, `below`, -infinity everywhere: it changes no faster than the position.
-Extremum Search::infinite(bool below) const {
+Extremum ExtremumSearch::infinite(bool below) const {
   Extremum e;
   if (!below) return e;
   e.exists = e.unbounded = e.attained = e.proven = true;
@@ -127,14 +126,14 @@ Extremum Search::infinite(bool below) const {
 }
 
 /// Around the extremum, from the value at some position; false where there is no bound.
-bool Search::bracket(const Real& value) {
+bool ExtremumSearch::bracket(const Real& value) {
   good_ = rotation_ * value.to_double();
   scale_ = std::max(scale_, std::abs(good_));
-  good_ += scale_ * 0x1p-30;
+  good_ += scale_ * margin::kBracketRoom;
   double step = std::max(1.0, scale_ / 8);
   for (bad_ = good_ - step; reaches(Real::from_double(rotation_ * bad_)); step *= 2) {
     bad_ = good_ - step;
-    if (bad_ < -kMost) return false;
+    if (bad_ < -margin::kBeyondAll) return false;
   }
   // Over the whole plane nothing else says how large all is.
   scale_ = std::max({scale_, std::abs(bad_), std::abs(good_)});
@@ -142,8 +141,8 @@ bool Search::bracket(const Real& value) {
 }
 
 /// Begins with what is known, if the level that is said to be reached is.
-bool Search::take(const Bracket& known) {
-  const double tolerance = scale_ * 0x1p-40;  // of the numbers
+bool ExtremumSearch::take(const Bracket& known) {
+  const double tolerance = scale_ * margin::kKnownNumber;
   const double good = rotation_ * known.reached + tolerance;
   if (!reaches(Real::from_double(rotation_ * good))) return false;
   bad_ = std::min(rotation_ * known.bound - tolerance, good - 2 * tolerance);
@@ -152,18 +151,18 @@ bool Search::take(const Bracket& known) {
 }
 
 /// The candidate next to a number, if one is as near as rounding.
-bool Search::try_near(const std::vector<Real>& all, double number) {
+bool ExtremumSearch::try_near(const std::vector<Real>& all, double number) {
   const auto far = [number](const Real& l) { return std::abs(near_value(l) - number); };
   const auto best =
       std::min_element(all.begin(), all.end(), [&](const auto& l, const auto& m) { return far(l) < far(m); });
-  if (far(*best) > scale_ * 0x1p-36) return false;
+  if (far(*best) > scale_ * margin::kNearCandidate) return false;
   if (accept(*best)) return true;
   refused_.push_back(*best);
   return false;
 }
 
-bool Search::try_candidates() {
-  double low = bad_ - scale_ * 0x1p-48, high = good_ + scale_ * 0x1p-48;
+bool ExtremumSearch::try_candidates() {
+  double low = bad_ - scale_ * margin::kBracketEnds, high = good_ + scale_ * margin::kBracketEnds;
   auto all =
       extremum_candidates(f_, whole_ ? nullptr : &closure_, reached_, std::min(rotation_ * low, rotation_ * high),
                           std::max(rotation_ * low, rotation_ * high));
@@ -174,7 +173,7 @@ bool Search::try_candidates() {
   if (known_ && try_near(all, std::exchange(known_, std::nullopt)->reached)) return true;
   // Candidates of one value are tried; several values are decided apart by bisection first.
   double spread = std::abs(near_value(all.front()) - near_value(all.back()));
-  if (spread > scale_ * 0x1p-40) return false;
+  if (spread > scale_ * margin::kOneCandidate) return false;
   for (std::size_t k = 0; k < all.size() && k < 3; ++k) {
     if (accept(all[k])) return true;
     refused_.push_back(all[k]);
@@ -183,7 +182,7 @@ bool Search::try_candidates() {
 }
 
 /// At the level that was accepted.
-Extremum Search::proven() {
+Extremum ExtremumSearch::proven() {
   Extremum e;
   e.exists = e.proven = true;
   e.level = level_;
@@ -194,7 +193,7 @@ Extremum Search::proven() {
   return e;
 }
 
-Extremum Search::enclosed() const {
+Extremum ExtremumSearch::enclosed() const {
   Extremum e;
   e.exists = true;
   e.level = level_;
@@ -211,7 +210,7 @@ Extremum Search::enclosed() const {
 }
 
 /// The family knows its least value, and a position of the closure of S has it.
-bool Search::take_lowest(Extremum& out) const {
+bool ExtremumSearch::take_lowest(Extremum& out) const {
   const auto lowest = rotation_ > 0 ? f_.lowest() : std::nullopt;
   if (!lowest || (!whole_ && plane::mark_of(closure_, plane::locate(closure_, lowest->at)) <= 0)) return false;
   out.exists = out.proven = true;
@@ -222,8 +221,8 @@ bool Search::take_lowest(Extremum& out) const {
 }
 
 /// What was rounded at the ends of the bracket, by exact sign maps: (bad, good] holds the extremum.
-void Search::enclose() {
-  const double width = std::max(good_ - bad_, scale_ * 0x1p-50);
+void ExtremumSearch::enclose() {
+  const double width = std::max(good_ - bad_, scale_ * margin::kNarrowestBracket);
   while (!reaches(Real::from_double(rotation_ * good_))) good_ += width;
   for (double low = bad_; reaches(Real::from_double(rotation_ * low));) low = good_ - width;
   level_ = Real::from_double(rotation_ * good_);
@@ -233,10 +232,10 @@ void Search::enclose() {
 /// Where two opposite fronts meet, positions as good as the level lie as far apart as the square root of what it is
 /// off: the bracket is narrowed, past doubles, until they are decided, or lie no nearer (curves and faces of best
 /// ones).
-void Search::pin_down() {
+void ExtremumSearch::pin_down() {
   constexpr int kSteps = 12, kMostRounds = 10;
   double within = one_point_a_component(reached_).within;
-  for (int round = 0; round < kMostRounds && within > scale_ * kPlace; ++round) {
+  for (int round = 0; round < kMostRounds && within > scale_ * margin::kPlacesDecided; ++round) {
     for (int k = 0; k < kSteps; ++k) {
       const Real middle = (level_ + beyond_) / Real(2);
       CellComplex c = probe(middle, closure_);
@@ -250,7 +249,7 @@ void Search::pin_down() {
   }
 }
 
-Extremum Search::run(const std::optional<Bracket>& known) {
+Extremum ExtremumSearch::run(const std::optional<Bracket>& known) {
   value_only_ = known && known->value_only;
   if (plane::is_empty(s_) || !f_.defined()) return {};
   if (rotation_ < 0 && s_.faces[0].mark > 0) {
@@ -269,9 +268,9 @@ Extremum Search::run(const std::optional<Bracket>& known) {
   }
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;
-    if (width < scale_ * 0x1p-8 && probes % 2 == 0 && try_candidates()) return proven();
+    if (width < scale_ * margin::kTryCandidates && probes % 2 == 0 && try_candidates()) return proven();
     width = good_ - bad_;
-    double least = std::max(std::abs(good_) * 0x1p-44, scale_ * 0x1p-50);
+    double least = std::max(std::abs(good_) * margin::kNarrowBracket, scale_ * margin::kNarrowestBracket);
     if (width <= least) break;
     reaches(Real::from_double(rotation_ * simple_between(bad_, good_)));
   }
@@ -288,7 +287,7 @@ Extremum extremum(const TDistance& f, const Region& s, Sense sense, const std::o
     e.at = plane::moved(std::move(e.at), -there->by);
     return e;
   }
-  return Search(f, s, sense).run(known);
+  return ExtremumSearch(f, s, sense).run(known);
 }
 
 Extremum least(const TDistance& f) { return extremum(f, CellComplex::uniform(1), Sense::kMinimum); }

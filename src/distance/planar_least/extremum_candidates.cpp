@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "distance/planar_features/curved_level_curve.h"
+#include "exact/number/margins.h"
 #include "plane/base/union_find.h"
 
 namespace findspace::distance {
@@ -45,7 +46,7 @@ std::vector<Place> places(const CellComplex& reached) {
 
 bool close(const Real& p, const Real& q) {
   const double u = near_value(p), v = near_value(q);
-  return std::abs(u - v) <= 0x1p-44 * (1 + std::abs(u));
+  return std::abs(u - v) <= margin::kSameCandidate * (1 + std::abs(u));
 }
 
 template <std::size_t n>
@@ -144,7 +145,7 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
     }
   }
   auto levels = std::move(out).sorted();
-  if (!levels.empty() && near_value(levels.back()) - near_value(levels.front()) <= scale * 0x1p-40)
+  if (!levels.empty() && near_value(levels.back()) - near_value(levels.front()) <= scale * margin::kOneCandidate)
     simplest_first(levels);
   return levels;
 }
@@ -170,7 +171,8 @@ ComponentPoints one_point_a_component(const CellComplex& c) {
     const Index v = first[groups.find(e.v0)];
     if (e.mark <= 0 || v == plane::kNone) continue;
     const double bulge = e.half != 0 ? between(e.v0, e.v1) / 2 : 0;
-    out.within = std::max(out.within, (std::max(between(v, e.v0), between(v, e.v1)) + bulge) * (1 + 0x1p-50));
+    out.within =
+        std::max(out.within, (std::max(between(v, e.v0), between(v, e.v1)) + bulge) * (1 + margin::kFewRoundings));
   }
   return out;
 }

@@ -9,6 +9,7 @@
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/extremum_candidates.h"
 #include "distance/planar_least/level_probe.h"
+#include "exact/number/margins.h"
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
@@ -18,8 +19,6 @@ using plane::CellComplex;
 using plane::Region;
 
 namespace {
-
-constexpr double kMost = 0x1p44;  // no level lies beyond: coordinates are below 2^40
 
 class LevelSearch {
  public:
@@ -33,7 +32,7 @@ class LevelSearch {
     out.exists = true;
     narrow(0.25);
     if (whole_number(out, continuous)) return out;
-    narrow(0x1p-20);
+    narrow(margin::kLevelWidth);
     out.level = level(good_);
     out.attained = true;
     out.at = point_set(one_point_a_component(probe(level(good_), s_)).points);
@@ -49,16 +48,16 @@ class LevelSearch {
   bool bracket(Extremum& out) {
     good_ = 1;
     bad_ = -1;
-    for (; good_ < kMost && !reaches(good_); good_ *= 2) bad_ = good_;
-    if (good_ >= kMost) return false;
-    for (; bad_ > -kMost && reaches(bad_); bad_ *= 2) good_ = bad_;
-    out.unbounded = bad_ <= -kMost;
+    for (; good_ < margin::kBeyondAll && !reaches(good_); good_ *= 2) bad_ = good_;
+    if (good_ >= margin::kBeyondAll) return false;
+    for (; bad_ > -margin::kBeyondAll && reaches(bad_); bad_ *= 2) good_ = bad_;
+    out.unbounded = bad_ <= -margin::kBeyondAll;
     return !out.unbounded;
   }
 
   /// Bisects to a width of so many steps, or 2^-48 of the value.
   void narrow(double width) {
-    while (good_ - bad_ > std::max(width, std::abs(good_) * 0x1p-48)) {
+    while (good_ - bad_ > std::max(width, std::abs(good_) * margin::kNarrowLevelBracket)) {
       const double middle = bad_ + (good_ - bad_) / 2;
       (reaches(middle) ? good_ : bad_) = middle;
     }

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <queue>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using space::Vector;
@@ -14,13 +16,11 @@ using space::Vector;
 namespace {
 
 constexpr int kMostPieces = 4000;
-/// Of the size: what rounding may do to a value, and where bounds are as good as equal.
-constexpr double kNoise = 0x1p-42, kEqual = 0x1p-40;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using exact::kInfinity;
 
 /// Whether the bounds tell all that is wanted.
 bool settled(double low, double high, double size) {
-  return (low > 0 && high <= 2 * low) || (high < 0 && low >= 2 * high) || high - low <= kEqual * size;
+  return (low > 0 && high <= 2 * low) || (high < 0 && low >= 2 * high) || high - low <= margin::kBoundsMeet * size;
 }
 
 struct Piece {
@@ -33,7 +33,7 @@ struct Piece {
 
 class Search {
  public:
-  Search(std::span<const ConvexDistance> functions, const Vector& p, const Way& way, double size)
+  Search(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way, double size)
       : functions_(functions), p_(p), way_(way), size_(size) {}
 
   Between run() {
@@ -52,7 +52,7 @@ class Search {
       divide(top);
     }
     const double high = queue_.empty() ? best_ : std::max(best_, queue_.top().bound);
-    return {best_ - kNoise * size_, high + kNoise * size_};
+    return {best_ - margin::kRayNoise * size_, high + margin::kRayNoise * size_};
   }
 
  private:
@@ -106,19 +106,19 @@ class Search {
 
   std::span<const ConvexDistance> functions_;
   Vector p_;
-  Way way_;
+  PathStretch way_;
   double size_, best_ = -kInfinity;
   std::priority_queue<Piece> queue_;
 };
 
 }  // namespace
 
-Between greatest_of_least(std::span<const ConvexDistance> functions, const Vector& p, const Way& way, double size) {
+Between greatest_of_least(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way, double size) {
   return Search(functions, p, way, size).run();
 }
 
 /// By thirds: of a convex function the third beyond the greater value goes.
-Between least_on(const ConvexDistance& function, const Vector& p, const Way& way, double size) {
+Between least_on(const ConvexDistance& function, const Vector& p, const PathStretch& way, double size) {
   const auto at = [&](double s) { return function(space::plus(p, space::scaled(s, way.unit))); };
   double from = way.from, to = way.to, best = std::min(at(from), at(to));
   while (!settled(best - (to - from), best, size)) {
@@ -128,10 +128,10 @@ Between least_on(const ConvexDistance& function, const Vector& p, const Way& way
     best = std::min({best, a, b});
     (a < b ? to : from) = a < b ? second : first;
   }
-  return {best - (to - from) - kNoise * size, best + kNoise * size};
+  return {best - (to - from) - margin::kRayNoise * size, best + margin::kRayNoise * size};
 }
 
-Between least_on(std::span<const ConvexDistance> functions, const Vector& p, const Way& way, double size) {
+Between least_on(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way, double size) {
   Between out{kInfinity, kInfinity};
   const double half = (way.to - way.from) / 2;
   const Vector middle = space::plus(p, space::scaled(way.from + half, way.unit));

@@ -17,17 +17,17 @@
 
 namespace findspace::distance {
 
-struct Way {
+struct PathStretch {
   space::Vector unit;
   double from = 0, to = 0;
 };
 
 /// max over the stretch of min over the functions. At least one function. `size`: of coordinates and functions.
-Between greatest_of_least(std::span<const ConvexDistance> functions, const space::Vector& p, const Way& way,
+Between greatest_of_least(std::span<const ConvexDistance> functions, const space::Vector& p, const PathStretch& way,
                           double size);
 /// min over the stretch.
-Between least_on(const ConvexDistance& function, const space::Vector& p, const Way& way, double size);
+Between least_on(const ConvexDistance& function, const space::Vector& p, const PathStretch& way, double size);
 /// min over the stretch and the functions.
-Between least_on(std::span<const ConvexDistance> functions, const space::Vector& p, const Way& way, double size);
+Between least_on(std::span<const ConvexDistance> functions, const space::Vector& p, const PathStretch& way, double size);
 
 }  // namespace findspace::distance

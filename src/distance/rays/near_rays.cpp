@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "distance/rays/value_rays.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -18,11 +19,10 @@ using space::Vector;
 namespace {
 
 /// Searches of a line before the coarser certainty is enough, and at most.
-constexpr int kFine = 400, kMost = 6000;
-constexpr int kHard = 100;           // searches that one counts for that does not tell
-constexpr double kShare = 0x1.8p-1;  // of how near the nearest place is: one that is used to go on from
-constexpr double kHardly = 0.75;     // of the blur: that counts as 0
-constexpr int kSteps = 64;           // that halve
+constexpr int kFineSearches = 400, kMostSearches = 6000;
+constexpr int kHard = 100;        // searches that one counts for that does not tell
+constexpr double kHardly = 0.75;  // of the blur: that counts as 0
+constexpr int kSteps = 64;        // that halve
 
 /// The place at which the function is least on the stretch, or one of a value of at most `enough`.
 double lowest(const std::function<AlongPlace(double)>& f, double from, double to, double enough) {
@@ -73,10 +73,10 @@ class Walk {
   }
 
  private:
-  double blur() const { return size_ * (searches_ < kFine ? ValueRays::kCertain : ValueRays::kCoarse); }
+  double blur() const { return size_ * (searches_ < kFineSearches ? ValueRays::kCertain : ValueRays::kCoarse); }
 
   NearRule::Least least(double from, double to, const Until& until) {
-    if (++searches_ > kMost)
+    if (++searches_ > kMostSearches)
       throw Error(ErrorCode::kUnsupported, "the signs along a line were not found within the limit of the search");
     return rule_.least(line_, from, to, until);
   }
@@ -101,7 +101,7 @@ class Walk {
   std::pair<double, bool> end(double from, double to) {
     while (from != to) {
       const double blur = this->blur();
-      const auto v = least(from, from, {0, kShare, blur / 8});
+      const auto v = least(from, from, {0, margin::kLineShare, blur / 8});
       const bool hardly = v.low >= -blur / 2;
       if (!(v.high < 0)) return {from, hardly && v.high <= blur / 2};
       const double next = reaches(v.beyond, from, to, 0, blur / 64);
@@ -140,7 +140,7 @@ class Walk {
   void touch(double from, double to, const NearRule::Least& v) {
     const double middle = (from + to) / 2;
     if (std::exchange(touching_, true)) {
-      const auto there = least(middle, middle, {0, kShare, blur() / 4});
+      const auto there = least(middle, middle, {0, margin::kLineShare, blur() / 4});
       if (there.high <= blur() / 2) return hardly(from, to, middle, there);
       if (there.low > blur()) {
         const double first = std::max(from, middle - there.low), last = std::min(to, middle + there.low);
@@ -156,7 +156,7 @@ class Walk {
   void look(double from, double to) {
     const double blur = this->blur();
     auto v = least(from, to, {0, 0, blur / 4});
-    if (v.high < 0 && v.high > -blur) v = least(from, to, {0, kShare, blur / 4});
+    if (v.high < 0 && v.high > -blur) v = least(from, to, {0, margin::kLineShare, blur / 4});
     if (v.low >= -kHardly * blur && v.high <= blur / 2) return touch(from, to, v);
     touching_ = false;
     if (v.low > 0) return put(from, to, 1);

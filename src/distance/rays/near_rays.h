@@ -62,6 +62,7 @@ class NearRays : public space::RaySource {
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
+  bool searched() const override { return true; }
 
  private:
   std::unique_ptr<const NearRule> rule_;

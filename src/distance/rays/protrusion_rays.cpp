@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distance/rays/ray_place.h"
+#include "exact/number/margins.h"
 #include "space/rays/oblique_line.h"
 
 namespace findspace::distance {
@@ -22,11 +23,9 @@ using space::RayPosition;
 using space::RayRow;
 using space::Vector;
 
-/// Of the bodies' size: points of B are found to this, and distances.
-constexpr double kBlur = 0x1p-44;
 /// What the point found may lack of how far B sticks out. The nearer it is, the fewer cuts until an end; but the last
 /// eighths of a search among many triangles cost more than a cut.
-constexpr double kShare = 0.875;
+constexpr double kProvenShare = 0.875;
 /// Stretches that a line is cut into, at most; kCertain is reached long before.
 constexpr int kMostCuts = 4000;
 
@@ -40,7 +39,7 @@ template <class Planes>
 bool clip(const Planes& planes, const Vector& x, const Vector& unit, double& from, double& to) {
   for (const space::HalfSpace& h : planes) {
     const double value = h.approx_value(x), slope = space::dot(h.unit, unit);  // value - s * slope <= 0
-    if (std::fabs(slope) < 0x1p-40) continue;
+    if (std::fabs(slope) < margin::kAlongFace) continue;
     if (slope > 0)
       from = std::max(from, value / slope);
     else
@@ -76,7 +75,7 @@ ProtrusionRays::ProtrusionRays(const Body& b, std::unique_ptr<ProtrusionField> a
   const double reach = level.to_double();
   size_ = field_->size() + size_of(b) + std::fabs(reach);
   const Real shift = Real::from_double(size_ * kCertain);
-  sides_[0] = {vertices(level), reach + size_ * kBlur, reach + size_ * kCertain};
+  sides_[0] = {vertices(level), reach + size_ * margin::kPlaceNoise, reach + size_ * kCertain};
   sides_[1] = {vertices(level - shift), reach - size_ * kCertain, reach - size_ * kCertain / 2};
 }
 
@@ -104,7 +103,8 @@ std::vector<Tetrahedron> ProtrusionRays::swept(const Line& line, const Stretch& 
     }
     if (stretch.to <= stretch.from) continue;
     for (std::size_t k = 0; k < part.faces.size(); ++k) {
-      if (space::dot(part.normals[k], line.unit) < -0x1p-40) continue;  // no sign: those beside cost, but add nothing
+      if (space::dot(part.normals[k], line.unit) < -margin::kAlongFace)
+        continue;  // no sign: those beside cost, but add nothing
       std::array<Vector, 6> c;
       for (std::size_t v = 0; v < 3; ++v) {
         c[v] = at(part.faces[k][v], stretch.from);
@@ -161,7 +161,7 @@ ProtrusionRays::Stretch ProtrusionRays::chord(const Line& line, const Vector& x,
 ProtrusionRays::Stretch ProtrusionRays::outside(const Side& side, const Line& line, const Vector& x,
                                                 const Stretch& within) const {
   const auto far = [&](double way) {
-    return std::max(0.0, field_->run(x, space::scaled(way, line.unit), side.cut, size_) - size_ * kBlur);
+    return std::max(0.0, field_->run(x, space::scaled(way, line.unit), side.cut, size_) - size_ * margin::kPlaceNoise);
   };
   const Stretch held = chord(line, x, within);
   return {held.from - far(-1), held.to + far(1)};
@@ -182,7 +182,7 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::cuts(const Side& side, cons
   while (!left.empty()) {
     const Stretch s = left.back();
     left.pop_back();
-    const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kShare);
+    const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kProvenShare);
     if (!max_min.complete || ++count > kMostCuts)
       throw Error(ErrorCode::kUnsupported, "how far the shape sticks out was not found within the limit of the search");
     if (max_min.value <= side.enough) continue;

@@ -15,6 +15,7 @@
 #include <array>
 
 #include "distance/search/protrusion_field.h"
+#include "exact/number/margins.h"
 #include "space/body/body.h"
 #include "space/rays/ray_sources.h"
 
@@ -23,7 +24,7 @@ namespace findspace::distance {
 class ProtrusionRays : public space::RaySource {
  public:
   /// How near to the level the sign is 0, of the size of both bodies and the level.
-  static constexpr double kCertain = 0x1p-30;
+  static constexpr double kCertain = margin::kRayCertain;
 
   /// Makes the sign map that the vertices of B have for a level.
   using Vertices = std::function<space::RaySourcePointer(const exact::Real& level)>;
@@ -34,6 +35,7 @@ class ProtrusionRays : public space::RaySource {
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
+  bool searched() const override { return true; }
 
  private:
   /// Where a line runs, in the bodies' steps: from `start` along `unit`.

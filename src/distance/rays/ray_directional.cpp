@@ -93,7 +93,7 @@ class Directional {
   Source signed_map(const RayCover& cover, const Real& level) const;
   /// gamma1 below 0 where the set is one region.
   Source depth_map(const Grown& set, const Real& level) const;
-  /// The greatest distance to a bounded closed set.
+  /// The greatest distance to a inside_of closed set.
   Source farthest_map(const ClosedSets& closed, const Real& level) const;
   /// From p at most `reach` along the way: sums of what is met with the way back.
   Source within(const ClosedSets& sets, const Real& reach) const;
@@ -182,17 +182,8 @@ Source Directional::farthest_map(const ClosedSets& closed, const Real& level) co
   return space::greatest_rays(std::move(all));
 }
 
-Body bounded(Body a) {
-  a.outside = false;
-  return a;
-}
-
-/// Of eta1 and eta2, A bounded.
+/// Of eta1 and eta2, A inside_of.
 bool fit_by_values(const Body& b, const Body& a) { return a.round() || (b.round() && !a.convex()); }
-
-bool depth_by_values(const Real& level, const Body& b, const Body& a) {
-  return level.sign() < 0 && (a.round() || b.round()) && !(a.convex() && b.convex());
-}
 
 Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest);
 
@@ -200,7 +191,7 @@ Source gamma(const Directional& maker, const Body& b, const Body& a, const Real&
 Source eta(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest,
            const RayGrid& grid) {
   if (a.outside && farthest) return space::constant_rays(grid, 1);
-  if (a.outside) return space::negated_rays(gamma(maker, b, bounded(a), -level, false));
+  if (a.outside) return space::negated_rays(gamma(maker, b, inside_of(a), -level, false));
   if (fit_by_values(b, a)) return round_fit_map(level, maker.query(farthest), b, a, grid);
   const RayCover cover = outside_sets(b, a);
   if (cover.all) return space::constant_rays(grid, 1);
@@ -221,23 +212,6 @@ Source gamma(const Directional& maker, const Body& b, const Body& a, const Real&
 
 }  // namespace
 
-bool directional_by_values(Which which, const Real& level, const Body& b, const Body& a) {
-  switch (which) {
-    case Which::kGamma1:
-      if (a.outside) return fit_by_values(b, bounded(a));
-      return depth_by_values(level, b, a);
-    case Which::kGamma2:
-      return false;
-    case Which::kEta1:
-      if (a.outside) return depth_by_values(-level, b, bounded(a));
-      return fit_by_values(b, a);
-    case Which::kEta2:
-      return !a.outside && fit_by_values(b, a);
-    default:
-      return !a.outside && fit_by_values(mirrored(a), mirrored(b));
-  }
-}
-
 std::unique_ptr<space::RaySource> ray_directional_map(Which which, const Real& level, const RealVector& direction,
                                                       bool both_ways, const Body& b, const Body& a,
                                                       const RayGrid& grid) {
@@ -249,7 +223,7 @@ std::unique_ptr<space::RaySource> ray_directional_map(Which which, const Real& l
     case Which::kGamma2:
       if (!a.outside) return gamma(maker, b, a, level, farthest);
       if (farthest) return space::constant_rays(grid, 1);
-      return space::negated_rays(eta(maker, b, bounded(a), -level, false, grid));
+      return space::negated_rays(eta(maker, b, inside_of(a), -level, false, grid));
     case Which::kEta1:
     case Which::kEta2:
       return eta(maker, b, a, level, farthest, grid);

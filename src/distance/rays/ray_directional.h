@@ -25,7 +25,4 @@ std::unique_ptr<space::RaySource> ray_directional_map(Which which, const exact::
                                                       const space::Body& b, const space::Body& a,
                                                       const space::RayGrid& grid);
 
-/// Whether that map is found by values, so that 0 means a place near the front. Not at level 0 of gamma1, eta1, delta1.
-bool directional_by_values(Which which, const exact::Real& level, const space::Body& b, const space::Body& a);
-
 }  // namespace findspace::distance

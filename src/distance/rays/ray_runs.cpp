@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "distance/planar/translation_value.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -14,8 +15,8 @@ using space::RayEvent;
 using space::RayPosition;
 using space::RayRow;
 
-RayRuns::RayRuns(Rows zero, const RunQuery& query, const Real& level, const space::RayGrid& grid)
-    : zero_(std::move(zero)), query_(query), level_(level), grid_(grid) {}
+RayRuns::RayRuns(Rows zero, bool searched, const RunQuery& query, const Real& level, const space::RayGrid& grid)
+    : zero_(std::move(zero)), searched_(searched), query_(query), level_(level), grid_(grid) {}
 
 /// The line as the direction sees it.
 Section RayRuns::section(const RayRow& row, int i) const {
@@ -55,7 +56,7 @@ RayPosition RayRuns::position(const Real& at) const {
     out.exact = {(*parts)[0], (*parts)[1]};
     return out;
   }
-  out.radius = 0x1p-50 * std::abs(out.value);
+  out.radius = margin::kFewRoundings * std::abs(out.value);
   out.roots = this;
   const std::lock_guard lock(guard_);
   out.patch = static_cast<int>(places_.size());

@@ -26,11 +26,12 @@ struct RunQuery {
 class RayRuns : public space::RaySource, private space::RayRoots {
  public:
   using Rows = std::function<space::RayRow(int)>;
-  /// `zero`: of gamma1, eta1 or delta1 at level 0; the level in parts of a grid step.
-  RayRuns(Rows zero, const RunQuery& query, const exact::Real& level, const space::RayGrid& grid);
+  /// `zero`: of gamma1, eta1 or delta1 at level 0, and whether a search tells it; the level in parts of a grid step.
+  RayRuns(Rows zero, bool searched, const RunQuery& query, const exact::Real& level, const space::RayGrid& grid);
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
+  bool searched() const override { return searched_; }
 
  private:
   plane::Section section(const space::RayRow& row, int i) const;
@@ -39,6 +40,7 @@ class RayRuns : public space::RaySource, private space::RayRoots {
   exact::Real root(int patch, int which, int i, int j) const override;
 
   Rows zero_;
+  bool searched_;
   RunQuery query_;
   exact::Real level_;
   space::RayGrid grid_;

@@ -16,49 +16,7 @@ using space::Body;
 using space::RayGrid;
 using Source = space::RaySourcePointer;
 
-/// Of mu(B, A), or of eta1 where nothing has tolerance.
-bool searched(const Real& level, const Body& a, bool mu) {
-  return !a.convex() && !a.outside && (level.sign() == 0 ? a.round() : mu && level.sign() > 0);
-}
-
 }  // namespace
-
-bool found_by_search(Which which, const Real& level, const Body& b, const Body& a) {
-  const auto forth = [&](Which base, const Real& at) { return !b.outside && by_values(base, at, b, a); };
-  const auto back = [&](Which base, const Real& at) {
-    return !a.outside && by_values(base, at, mirrored(a), mirrored(b));
-  };
-  switch (which) {
-    case Which::kMu:
-    case Which::kH:
-      return searched(level, a, true) || forth(Which::kMu, level);
-    case Which::kMuBack:
-    case Which::kHBack:
-      return searched(level, b, true) || back(Which::kMu, level);
-    case Which::kHausdorff:
-      return searched(level, a, true) || searched(level, b, true) || forth(Which::kMu, level) ||
-             back(Which::kMu, level);
-    case Which::kEta1:
-      return searched(level, a, false) || forth(Which::kEta1, level);
-    case Which::kDstarBack:
-      return searched(level, a, false) || forth(Which::kEta1, -level);
-    case Which::kDelta1:
-      return searched(level, b, false) || back(Which::kEta1, level);
-    case Which::kDstar:
-      return searched(level, b, false) || back(Which::kEta1, -level);
-    case Which::kGamma1:
-    case Which::kD1:
-      return forth(Which::kGamma1, level);
-    case Which::kPenetration:
-      return forth(Which::kGamma1, -level);
-    case Which::kEta2:
-      return forth(Which::kEta2, level);
-    case Which::kDelta2:
-      return back(Which::kEta2, level);
-    default:
-      return false;
-  }
-}
 
 Source ray_sign_map(Which which, const Real& level, const Body& b, const Body& a, const RayGrid& grid) {
   // A in B + p is -A + p in -B.

@@ -25,9 +25,6 @@
 
 namespace findspace::distance {
 
-/// Whether the sign map is found by search (protrusion_rays.h), so that 0 means a value near the level.
-bool found_by_search(Which which, const exact::Real& level, const space::Body& b, const space::Body& a);
-
 /// Both bodies of one scale, B not `outside`; the level in their steps, the grid in grid steps.
 std::unique_ptr<space::RaySource> ray_sign_map(Which which, const exact::Real& level, const space::Body& b,
                                                const space::Body& a, const space::RayGrid& grid);

@@ -11,6 +11,7 @@
 #include "distance/rays/ray_signs.h"
 #include "distance/rays/value_rays.h"
 #include "distance/search/free_space.h"
+#include "exact/number/margins.h"
 #include "space/body/position_covers.h"
 #include "space/rays/ray_sources.h"
 
@@ -39,17 +40,17 @@ class Sweeper {
       : unit_(space::rounded(query.unit)), both_ways_(query.both_ways), scale_(scale), grid_(grid) {}
 
   /// Forward, or both ways, as far as that.
-  Way way(double reach) const { return {unit_, both_ways_ ? -reach : 0, reach}; }
-  Way stretch(double from, double to) const { return {unit_, from, to}; }
+  PathStretch way(double reach) const { return {unit_, both_ways_ ? -reach : 0, reach}; }
+  PathStretch stretch(double from, double to) const { return {unit_, from, to}; }
 
   /// - where all of the way lies in the union of the open sets that the functions are less than 0 in.
-  Source held(const Positions& sets, const Way& way) const {
+  Source held(const Positions& sets, const PathStretch& way) const {
     return map(sets, way, [functions = sets.out, way](const Vector& p, double size) {
       return greatest_of_least(functions, p, way, size);
     });
   }
   /// - where some place of the way belongs to the inside of the positions, + where none belongs.
-  Source met(const Positions& fits, const Way& way) const {
+  Source met(const Positions& fits, const PathStretch& way) const {
     return map(fits, way, [fits, way](const Vector& p, double size) {
       if (fits.in) return least_on(fits.in, p, way, size);
       const Between most = greatest_of_least(fits.out, p, way, size);
@@ -57,14 +58,14 @@ class Sweeper {
     });
   }
   /// - where all places of the way do.
-  Source kept(const Positions& fits, const Way& way) const {
+  Source kept(const Positions& fits, const PathStretch& way) const {
     return map(fits, way, [fits, way](const Vector& p, double size) {
       if (!fits.in) {
         const Between least = least_on(fits.out, p, way, size);
         return Between{-least.high, -least.low};
       }
       const auto at = [&](double s) { return fits.in(space::plus(p, space::scaled(s, way.unit))); };
-      const double most = std::max(at(way.from), at(way.to)), noise = 0x1p-42 * size;
+      const double most = std::max(at(way.from), at(way.to)), noise = margin::kRayNoise * size;
       return Between{most - noise, most + noise};
     });
   }
@@ -72,7 +73,7 @@ class Sweeper {
  private:
   using Rule = std::function<Between(const Vector&, double)>;
 
-  Source map(const Positions& set, const Way& way, const Rule& rule) const {
+  Source map(const Positions& set, const PathStretch& way, const Rule& rule) const {
     const double reach = std::max(std::fabs(way.from), std::fabs(way.to));
     const double size = space::length(set.high - set.low) + 2 * reach + 1;
     const double all = size + space::size_of(set.low) + space::size_of(set.high);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distance/search/solid_protrusion.h"
+#include "exact/number/margins.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
@@ -20,15 +21,10 @@ using space::RealVector;
 namespace {
 
 /// Values of a line before the coarser certainty is enough, and at most.
-constexpr int kFine = 600, kMost = 60000;
+constexpr int kFineValues = 600, kMostValues = 60000;
 
 bool balls(const Body& b, const Body& a) {
   return a.convex() && b.convex() && a.parts[0].point() && b.parts[0].point();
-}
-
-Body bounded(Body a) {
-  a.outside = false;
-  return a;
 }
 
 bool eta1_by_values(const Real& level, const Body& b, const Body& a) {
@@ -47,10 +43,10 @@ bool eta2_by_values(const Body& b, const Body& a) {
 bool by_values(Which which, const Real& level, const Body& b, const Body& a) {
   switch (which) {
     case Which::kGamma1:
-      if (a.outside) return by_values(Which::kEta1, -level, b, bounded(a));
+      if (a.outside) return by_values(Which::kEta1, -level, b, inside_of(a));
       return level.sign() < 0 && (a.round() || b.round()) && !(a.convex() && b.convex());
     case Which::kEta1:
-      if (a.outside) return by_values(Which::kGamma1, -level, b, bounded(a));
+      if (a.outside) return by_values(Which::kGamma1, -level, b, inside_of(a));
       return eta1_by_values(level, b, a);
     case Which::kEta2:
       return !a.outside && eta2_by_values(b, a);
@@ -89,12 +85,12 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
 
 /// The signs between two places; what is known comes by growing place.
 void ValueRays::look(Walk& walk, double from, double to) const {
-  const double blur = size_ * (walk.values < kFine ? kCertain : kCoarse), middle = (from + to) / 2;
+  const double blur = size_ * (walk.values < kFineValues ? kCertain : kCoarse), middle = (from + to) / 2;
   if (!(from < middle && middle < to)) {
     walk.known.push_back({from, to, 0});
     return;
   }
-  if (++walk.values > kMost)
+  if (++walk.values > kMostValues)
     throw Error(ErrorCode::kUnsupported, "the signs along a line were not found within the limit of the search");
   const auto v = rule_(space::along(walk.line.start, Real::from_double(middle), walk.line.unit));
   if (!v) {
@@ -102,7 +98,7 @@ void ValueRays::look(Walk& walk, double from, double to) const {
     return;
   }
   // Numbers of the line are as exact as the value: what they lose is less than the blur.
-  const double reach = std::max({v->low, -v->high, size_ * 0x1p-44}) - size_ * 0x1p-44;
+  const double reach = std::max({v->low, -v->high, size_ * margin::kPlaceNoise}) - size_ * margin::kPlaceNoise;
   // What is left between stretches whose signs are known is often less than the blur, and mostly not near the front.
   const bool near = reach < std::min(blur, to - from) / 2;
   const double part = near ? blur / 2 : reach;
@@ -126,7 +122,7 @@ std::vector<SignStretch> ValueRays::chords(const Walk& walk, const SignBall& bal
   const space::Vector start = space::rounded(walk.line.start), unit = space::rounded(walk.line.unit);
   const space::Vector way = ball.center - start;
   const double at = space::dot(way, unit), apart = space::length(way - space::scaled(at, unit)),
-               tolerance = 0x1p-42 * (size_ + space::length(start));
+               tolerance = margin::kRayNoise * (size_ + space::length(start));
   const double radius = ball.radius + (ball.beyond ? tolerance : -tolerance);
   const bool meets = radius > apart;
   const double half = meets ? std::sqrt((radius - apart) * (radius + apart)) : 0;

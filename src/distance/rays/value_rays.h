@@ -16,6 +16,7 @@
 
 #include "distance/rays/line_signs.h"
 #include "distance/solid/solid_pair.h"
+#include "exact/number/margins.h"
 #include "space/rays/ray_map.h"
 
 namespace findspace::distance {
@@ -44,7 +45,7 @@ using RayRule = std::function<std::optional<Between>(const space::RealVector&)>;
 
 class ValueRays : public space::RaySource {
  public:
-  static constexpr double kCertain = 0x1p-30, kCoarse = 0x1p-16;
+  static constexpr double kCertain = margin::kRayCertain, kCoarse = margin::kRayCoarse;
 
   /// Positions in steps of the scale. Farther than `size` from the middle the function is more than 0.
   ValueRays(RayRule rule, const space::Vector& middle, double size, std::int64_t scale, const space::RayGrid& grid)
@@ -56,6 +57,7 @@ class ValueRays : public space::RaySource {
 
   const space::RayGrid& grid() const override { return grid_; }
   space::RayRow row(int j) const override;
+  bool searched() const override { return true; }
 
  private:
   struct Walk {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "distance/planar_features/boundary_features.h"
+#include "exact/number/margins.h"
 #include "plane/build/path_region.h"
 #include "plane/build/swept.h"
 #include "plane/complex/overlay.h"
@@ -27,10 +28,6 @@ using plane::operator-;
 
 namespace {
 
-SignMap negated(SignMap m) {
-  return remark(std::move(m), [](Mark k) { return Mark(-k); });
-}
-
 /// f at some points of a path, as numbers, brackets its extremum: it changes by at most the way (Piyavskii 1972).
 class PathSearch {
  public:
@@ -39,7 +36,6 @@ class PathSearch {
 
   std::optional<Bracket> run() {
     constexpr int kFirst = 4, kMost = 200;
-    constexpr double kEnough = 0x1p-24;
     best_ = look(0, 0);
     double length = 0;
     for (std::size_t leg = 0; leg + 1 < path_.size(); ++leg) {
@@ -53,7 +49,7 @@ class PathSearch {
     }
     for (int k = 0; k < kMost && !gaps_.empty(); ++k) {
       const Gap gap = gaps_.front();
-      if (best_ - gap.low <= length * kEnough) break;
+      if (best_ - gap.low <= length * margin::kPathEnough) break;
       std::pop_heap(gaps_.begin(), gaps_.end());
       gaps_.pop_back();
       const double middle = gap.from + (gap.to - gap.from) / 2, f = look(gap.leg, middle);
@@ -106,7 +102,7 @@ class PathSearch {
 
   double way(std::size_t leg) const {
     const RealPoint d = path_[leg + 1] - path_[leg];
-    return std::hypot(near_value(d.x), near_value(d.y)) * (1 + 0x1p-40);
+    return std::hypot(near_value(d.x), near_value(d.y)) * margin::kUpward;
   }
 
   double look(std::size_t leg, double part) {
@@ -177,10 +173,9 @@ class JumpingOverTime : public PositionFunction {
   std::optional<Value> value(const RealPoint& p) const override {
     if (!defined()) return std::nullopt;
     if (sign(p, Real()) == 0) return Value{Real(), std::nullopt};
-    constexpr double kFar = 0x1p44;  // steps: beyond all coordinates
-    if (sign(p, Real::from_double(-kFar)) <= 0) return Value{Real(), std::nullopt, true};
-    if (sign(p, Real::from_double(kFar)) > 0) return std::nullopt;
-    double low = -kFar, high = kFar;  // f is above the one, not above the other
+    if (sign(p, Real::from_double(-margin::kBeyondAll)) <= 0) return Value{Real(), std::nullopt, true};
+    if (sign(p, Real::from_double(margin::kBeyondAll)) > 0) return std::nullopt;
+    double low = -margin::kBeyondAll, high = margin::kBeyondAll;  // f is above the one, not above the other
     for (int k = 0; k < 110; ++k) {
       const double middle = low + (high - low) / 2;
       if (middle <= low || middle >= high) break;

@@ -17,7 +17,7 @@ using plane::RotationMap;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using exact::kInfinity;
 const Real kHalfCircle(180);
 
 /// From one angle counter-clockwise to another, in (0, 360].

@@ -10,6 +10,7 @@
 
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotation_motion.h"
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "plane/build/transform.h"
 #include "plane/query/moved.h"
@@ -24,8 +25,8 @@ using plane::RotationMap;
 
 namespace {
 
-constexpr std::size_t kMostPieces = 40;  // with two maps each
-constexpr double kDegreesAPiece = 12;    // no sign: how fine the rotates are cut at first
+constexpr std::size_t kMostArcs = 40;  // with two maps each
+constexpr double kDegreesAnArc = 12;   // no sign: how fine the rotates are cut at first
 const Real kNarrowest = Real::ratio(1, 32);
 
 /// Some rotates of A, and the bounds of the extremum over them.
@@ -35,7 +36,7 @@ struct Piece {
 };
 
 /// Rounded up, to whole steps: levels with short numbers.
-Real upward(double r) { return Real(std::int64_t(std::floor(r * (1 + 0x1p-40))) + 1); }
+Real next_integer(double r) { return Real(std::int64_t(std::floor(r * margin::kUpward)) + 1); }
 
 RotationMap extreme(std::span<const RotationMap* const> maps, Sense sense) {
   return overlay(maps, [sense](std::span<const Mark> m) {
@@ -78,7 +79,7 @@ class TurnsOfA {
 
  private:
   static std::vector<Piece> first_pieces(const Real& from, const Real& to) {
-    const int n = std::max(1, int(std::ceil((to - from).to_double() / kDegreesAPiece)));
+    const int n = std::max(1, int(std::ceil((to - from).to_double() / kDegreesAnArc)));
     std::vector<Piece> out;
     for (int k = 0; k < n; ++k)
       out.push_back({from + Real::ratio(k, n) * (to - from), from + Real::ratio(k + 1, n) * (to - from), std::nullopt});
@@ -97,7 +98,7 @@ class TurnsOfA {
       out.push_back({p.from, middle, std::nullopt});
       out.push_back({middle, p.to, std::nullopt});
     }
-    if (out.size() == pieces.size() || out.size() > kMostPieces) return false;
+    if (out.size() == pieces.size() || out.size() > kMostArcs) return false;
     pieces = std::move(out);
     return true;
   }
@@ -112,7 +113,7 @@ class TurnsOfA {
     // Ends of an arc carry its bulge along: twice what they moved.
     const double off = 2 * rounding.largest;
     const bool least = sense == Sense::kMinimum;
-    const Real still = off > 0 ? upward(off) : Real();
+    const Real still = off > 0 ? next_integer(off) : Real();
     RotationMap instant = map(least ? -still : still);
     if (piece.from == piece.to) {
       if (off == 0) return {instant, instant};
@@ -122,7 +123,7 @@ class TurnsOfA {
     }
     // The instant in the middle bounds one side, no piece does better: the least value is not above it, the greatest
     // not below.
-    const Real all = upward(off + (piece.to - piece.from).to_double() / 360 * std::numbers::pi * reach_);
+    const Real all = next_integer(off + (piece.to - piece.from).to_double() / 360 * std::numbers::pi * reach_);
     RotationMap whole = map(least ? all : -all);
     return least ? BoundedRotations{std::move(whole), std::move(instant)}
                  : BoundedRotations{std::move(instant), std::move(whole)};

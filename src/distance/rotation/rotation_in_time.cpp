@@ -12,6 +12,7 @@
 
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotation.h"
+#include "exact/number/margins.h"
 #include "plane/build/transform.h"
 
 namespace findspace::distance {
@@ -28,17 +29,17 @@ namespace {
 constexpr int kFirstPartsOfDisc = 4, kPartsOfDisc = 8;
 constexpr double kCloseEnough = 1e-6;       // no sign: degrees between the bounds of an extremum
 constexpr double kRoundingOfAngle = 1e-11;  // no sign: degrees, more than values on the circle are off
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using exact::kInfinity;
 
 double length(const RealPoint& from, const RealPoint& to) {
   return std::hypot(near_value(to.x - from.x), near_value(to.y - from.y));
 }
 
 /// Rounded up to whole grid steps, short ones to some thousandth; nothing where there is nothing to round.
-Real upward(double r) {
+Real next_fraction(double r) {
   if (r <= 0) return Real();
-  const std::int64_t parts = r < 0x1p12 ? 1 << 12 : 1;
-  return Real::ratio(std::int64_t(std::floor(r * double(parts) * (1 + 0x1p-40))) + 1, parts);
+  const std::int64_t parts = r < 4096 ? 1 << 12 : 1;
+  return Real::ratio(std::int64_t(std::floor(r * double(parts) * margin::kUpward)) + 1, parts);
 }
 
 /// There is an angle with contact, or where it fits.
@@ -79,7 +80,7 @@ BoundedRotations RotationInTime::circles(const PartOfLeg& part) const {
                      radians * (std::abs(near_value(to.moving - from.moving)) * b_reach_ +
                                 std::abs(near_value(to.fixed - from.fixed)) * a_reach_);
   // Ends of an arc carry its bulge along: twice what they moved, for both shapes.
-  const Real off = upward(4 * rounding.largest + share * way + radius_);
+  const Real off = next_fraction(4 * rounding.largest + share * way + radius_);
   RotationMap low = base_map(pair, which_, off);
   if (off.sign() == 0) return {low, low};
   return {std::move(low), base_map(pair, which_, -off)};

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "distance/planar_features/boundary_features.h"
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "plane/build/swept.h"
 #include "plane/build/transform.h"
@@ -26,7 +27,7 @@ using plane::SignMap;
 namespace {
 
 constexpr int kMostPieces = 48;       // of a leg
-constexpr double kDegreesAPiece = 3;  // no sign: how fine the time is cut
+constexpr double kDegreesInTime = 3;  // no sign: how fine the time is cut
 
 double rotated(const Real& from, const Real& to) { return std::abs(near_value(to - from)); }
 
@@ -47,16 +48,12 @@ std::vector<RotatingPiece> pieces_of(const std::vector<RotatingPose>& poses, dou
   return out;
 }
 
-SignMap negated(SignMap m) {
-  return remark(std::move(m), [](Mark k) { return Mark(-k); });
-}
-
 SignMap over_way(const SignMap& m, const RotatingPiece& piece, Sense sense) {
   return sense == Sense::kMinimum ? least_along(m, piece.way) : negated(least_along(negated(m), piece.way));
 }
 
 /// Rounded up.
-Real upward(double r) { return r > 0 ? Real::from_double(r * (1 + 0x1p-40) + 0x1p-20) : Real(); }
+Real slightly_above(double r) { return r > 0 ? Real::from_double(r * margin::kUpward + margin::kUpwardSteps) : Real(); }
 
 BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Which which, const RotatingPiece& piece,
                             const RotationSenses& senses, const Real& level) {
@@ -67,12 +64,13 @@ BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Whic
   // Two shapes, each off by the rounding (ends of an arc carry its bulge along: twice that).
   const double off = 4 * rounding.largest;
   // Over the rotates of the piece the least value is not above that in the middle, the greatest not below.
-  const Real chosen = upward(off + piece.in_time), all = upward(off + piece.in_time + piece.over_rotations);
+  const Real chosen = slightly_above(off + piece.in_time),
+             all = slightly_above(off + piece.in_time + piece.over_rotations);
   SignMap low = over_way(f->sign_map(level + (least ? all : chosen)), piece, senses.low),
           high = over_way(f->sign_map(level - (least ? chosen : all)), piece, senses.high);
   if (piece.in_time == 0 || senses.low != senses.high) return {std::move(low), std::move(high)};
   // The instant in the middle bounds better from one side: inf f is not above it, sup f not below.
-  const Real still = upward(off);
+  const Real still = slightly_above(off);
   const RealPoint middle = between(piece.way[0], piece.way[1], Real::ratio(1, 2));
   const SignMap instant = plane::moved(f->sign_map(least ? level - still : level + still), {-middle.x, -middle.y});
   SignMap& worse = least ? high : low;
@@ -86,7 +84,7 @@ BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Whic
 
 int pieces_of_leg(const RotatingPose& p, const RotatingPose& q) {
   const double most = std::max(rotated(p.moving, q.moving), rotated(p.fixed, q.fixed));
-  return std::clamp(int(std::ceil(most / kDegreesAPiece)), 1, kMostPieces);
+  return std::clamp(int(std::ceil(most / kDegreesInTime)), 1, kMostPieces);
 }
 
 BoundedMaps rotation_maps(const plane::Region& b, const plane::Region& a, Which which,

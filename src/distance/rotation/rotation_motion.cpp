@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "distance/planar_features/boundary_features.h"
+#include "exact/number/margins.h"
 #include "plane/build/transform.h"
 #include "plane/query/scaled.h"
 
@@ -34,7 +35,7 @@ int most_instants(std::size_t edges, RotatingMotion::Effort effort) {
 /// As fine as the reach allows within the grid's 2^40 steps.
 std::int64_t refinement(double reach) {
   std::int64_t factor = 1;
-  while (factor < (1 << 20) && reach * double(2 * factor) < 0x1p39) factor *= 2;
+  while (factor < (1 << 20) && reach * double(2 * factor) < double(std::int64_t{1} << 39)) factor *= 2;
   return factor;
 }
 
@@ -76,7 +77,7 @@ class LeastSearch {
 
   /// Until the best value is as near its bound as `enough`, and roundings allow, or `most` more instants are known.
   void narrow(double enough, int most) {
-    least_gap_ = std::max(enough, scale_ * 0x1p-46);
+    least_gap_ = std::max(enough, scale_ * margin::kMotionGap);
     for (int k = 0; k < most && best_.f - certain() > least_gap_; ++k) {
       std::pop_heap(gaps_.begin(), gaps_.end(), by_low);
       const Gap gap = gaps_.back();
@@ -211,7 +212,7 @@ std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_
       {f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))});
   if (!v) return std::nullopt;
   const double value = v->value.to_double() / factor_;
-  const double off = 2 * rounding.largest / factor_ + std::abs(value) * 0x1p-50;
+  const double off = 2 * rounding.largest / factor_ + std::abs(value) * margin::kFewRoundings;
   return ValueRange{value - off, value + off};
 }
 

@@ -14,8 +14,6 @@
 
 namespace findspace::distance {
 
-using Column = std::array<double, 4>;
-
 inline double most(const Column& c) { return *std::max_element(c.begin(), c.end()); }
 inline double least(const Column& c) { return *std::min_element(c.begin(), c.end()); }
 

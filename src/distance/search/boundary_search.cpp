@@ -9,6 +9,7 @@
 
 #include "distance/search/boundary_columns.h"
 #include "exact/number/interval.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -16,40 +17,34 @@ using space::Vector;
 
 namespace {
 
-/// Of the size: what rounding may do to a function, how much of it what is found has to be allowed by (distances to
-/// planes err to the safe side), and where cells are no longer divided.
-constexpr double kNoise = 0x1p-46, kTolerance = 0x1p-48, kLeast = 0x1p-44;
-/// Of the size: what is better than the best by less is not looked for. It is more than the noise, so that near the
-/// best place, where fronts and the sphere about it part by squares only, cells are settled before these are lost in
-/// noise.
-constexpr double kBetter = 0x1p-43;
-
 constexpr int kRounds = 3;  // of tangents in a cell
 
 /// Cells after which it is asked for a place of no tolerance, as most of what is left may be such.
 constexpr int kAskAt = 3000;
 
-struct Cell {
+struct BoundaryCell {
   Tetrahedron corner;
   std::vector<int> out, in;  // the functions that are not satisfied in all of the cell
   std::vector<int> more;     // likewise, of LazyConstraints
   double key = 0;            // nothing in it is better
   int depth = 0;
   /// Of cells as good as each other the smallest comes first: where all of a front is as near, any place of it will do.
-  bool operator<(const Cell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
+  bool operator<(const BoundaryCell& other) const {
+    return key > other.key || (key == other.key && depth < other.depth);
+  }
 };
 
 /// The objective is minimised: the distance, or minus the one that is to be great.
-class Search {
+class BoundarySearch {
  public:
-  Search(const Constraints& rules, const TouchingRule* distance, const ConvexDistance* far, double size,
-         const Incumbent& known)
+  BoundarySearch(const Constraints& rules, const TouchingRule* distance, const ConvexDistance* far, double size,
+                 const Incumbent& known)
       : rules_(rules), distance_(distance), far_(far), size_(size), known_(known) {
     best_.value = exact::kInfinity;
   }
 
   BoundaryPlace run(std::span<const Tetrahedron> tolerance, double floor, const Until* until = nullptr) {
-    Cell all;
+    BoundaryCell all;
     all.out.resize(rules_.keep_out.size());
     all.in.resize(rules_.keep_in.size());
     std::iota(all.out.begin(), all.out.end(), 0);
@@ -60,7 +55,7 @@ class Search {
     for (const Tetrahedron& t : tolerance) add(t, all, floor, 0);
     double left = exact::kInfinity;
     for (int count = 0; !queue_.empty(); ++count) {
-      const Cell top = queue_.top();
+      const BoundaryCell top = queue_.top();
       if (!(top.key < wanted())) break;
       if (until && decided(*until, top.key)) {
         left = std::min(left, top.key);
@@ -74,7 +69,7 @@ class Search {
       }
       queue_.pop();
       std::size_t a = 0, b = 1;
-      if (longest_edge(top.corner, a, b) < kLeast * size_) {
+      if (longest_edge(top.corner, a, b) < margin::kSmallestCell * size_) {
         if (top.key < left) {
           left = top.key;
           best_.unresolved = centre(top.corner);
@@ -100,7 +95,7 @@ class Search {
 
   /// What is not less than this need not be looked for.
   double wanted() const {
-    const double better = std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value;
+    const double better = std::isfinite(best_.value) ? best_.value - margin::kNearerAtAll * size_ : best_.value;
     if (!until_ || !(until_->blur > 0)) return better;
     const double off = best_.value - until_->level;
     if (off > until_->blur) return std::min(better, until_->level + until_->blur);
@@ -110,9 +105,10 @@ class Search {
 
   double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -(*far_)(x); }
 
-  /// By more than rounding, by the functions that are not satisfied in all of the cell, or by all.
-  bool allowed(const Vector& x, const Cell* cell) const {
-    const double tolerance = kTolerance * size_;
+  /// By the functions that are not satisfied in all of the cell, or by all. In doubles: what this decides, and where an
+  /// exact predicate follows, is said at margin::kAllowed.
+  bool allowed(const Vector& x, const BoundaryCell* cell) const {
+    const double tolerance = margin::kAllowed * size_;
     const auto out = [&](const ConvexDistance& f) { return f(x) >= tolerance; };
     const auto in = [&](const TouchingRule& f) { return f(x).value <= -tolerance; };
     if (!cell)
@@ -128,7 +124,7 @@ class Search {
            (!rules_.more || rules_.more->allows(x, cell->more));
   }
 
-  void offer(const Vector& x, const Cell& cell) {
+  void offer(const Vector& x, const BoundaryCell& cell) {
     const double value = objective(x);
     if (!(value < best_.value) || !allowed(x, &cell)) return;
     take(x, value);
@@ -151,7 +147,7 @@ class Search {
   void go_nearer(const Vector& x) {
     const Touching at = (*distance_)(x);
     double allowed_by = 0, by = at.value;
-    for (int k = 0; k < 50 && by - allowed_by > kBetter * size_; ++k) {
+    for (int k = 0; k < 50 && by - allowed_by > margin::kNearerAtAll * size_; ++k) {
       const double middle = k == 0 ? by : (allowed_by + by) / 2;
       const Vector y = x - space::scaled(middle, at.slope);
       if (inside_room(y) && allowed(y, nullptr)) {
@@ -177,22 +173,22 @@ class Search {
 
   /// Functions that cannot be 0 or beyond in the cell are left out; false where one allows nothing of the cell.
   bool keep_near(const Tetrahedron& corner, const std::vector<int>& out, const std::vector<int>& in, double edge,
-                 Cell& cell, std::vector<Column>& columns) const {
+                 BoundaryCell& cell, std::vector<Column>& columns) const {
     const Vector middle = centre(corner);
     for (const int i : out) {
       const ConvexDistance& f = rules_.keep_out[static_cast<std::size_t>(i)];
       Column c{};
       for (std::size_t v = 0; v < 4; ++v) c[v] = f(corner[v]);
-      if (most(c) < -kNoise * size_) return false;
-      if (least(c) > edge + kNoise * size_) continue;
+      if (most(c) < -margin::kDistanceNoise * size_) return false;
+      if (least(c) > edge + margin::kDistanceNoise * size_) continue;
       cell.out.push_back(i);
       columns.push_back(c);
     }
     for (const int i : in) {
       const Touching at = rules_.keep_in[static_cast<std::size_t>(i)](middle);
-      if (at.value < -edge - kNoise * size_) continue;
+      if (at.value < -edge - margin::kDistanceNoise * size_) continue;
       const Column c = less(0, tangent(at, middle, corner));
-      if (most(c) < -kNoise * size_) return false;
+      if (most(c) < -margin::kDistanceNoise * size_) return false;
       cell.in.push_back(i);
       columns.push_back(c);
     }
@@ -200,13 +196,13 @@ class Search {
   }
 
   /// Likewise of LazyConstraints.
-  bool keep_near_more(const Tetrahedron& corner, const std::vector<int>& known, double edge, Cell& cell,
+  bool keep_near_more(const Tetrahedron& corner, const std::vector<int>& known, double edge, BoundaryCell& cell,
                       std::vector<Column>& columns) const {
     const auto take = [&](int i) {
       Column c{};
       for (std::size_t v = 0; v < 4; ++v) c[v] = rules_.more->beyond(i, corner[v]);
-      if (most(c) < -kNoise * size_) return false;
-      if (least(c) > edge + kNoise * size_) return true;
+      if (most(c) < -margin::kDistanceNoise * size_) return false;
+      if (least(c) > edge + margin::kDistanceNoise * size_) return true;
       cell.more.push_back(i);
       columns.push_back(c);
       return true;
@@ -226,8 +222,8 @@ class Search {
     return out;
   }
 
-  void add(const Tetrahedron& corner, const Cell& of, double floor, int depth) {
-    Cell cell;
+  void add(const Tetrahedron& corner, const BoundaryCell& of, double floor, int depth) {
+    BoundaryCell cell;
     cell.corner = corner;
     cell.depth = depth;
     const Column objective = floor_of(corner);
@@ -250,11 +246,11 @@ class Search {
   }
 
   /// Offers places at which the least of the columns is greatest, with tangents there; false where that is less than 0.
-  bool try_best(std::vector<Column>& columns, double target, const Tetrahedron& corner, const Cell& cell) {
+  bool try_best(std::vector<Column>& columns, double target, const Tetrahedron& corner, const BoundaryCell& cell) {
     if (columns.empty()) return true;
     for (int round = 0; round < (rules_.more ? 1 : kRounds); ++round) {
       const HighestPlace high = highest_place(columns, corner);
-      if (high.value < -kNoise * size_ - 0x1p-44 * high.spread) return false;
+      if (high.value < -margin::kDistanceNoise * size_ - margin::kLpNoise * high.spread) return false;
       offer(high.place, cell);
       if (!touch(high.place, target, corner, cell, columns)) break;
     }
@@ -262,10 +258,10 @@ class Search {
   }
 
   /// Adds the tangents at x of what x breaks; false where there is none.
-  bool touch(const Vector& x, double target, const Tetrahedron& corner, const Cell& cell,
+  bool touch(const Vector& x, double target, const Tetrahedron& corner, const BoundaryCell& cell,
              std::vector<Column>& columns) const {
     const std::size_t before = columns.size();
-    const double tolerance = kNoise * size_;
+    const double tolerance = margin::kDistanceNoise * size_;
     if (distance_ && std::isfinite(target)) {
       const Touching at = (*distance_)(x);
       if (at.value > target + tolerance) columns.push_back(less(target, tangent(at, x, corner)));
@@ -277,7 +273,7 @@ class Search {
     return columns.size() > before;
   }
 
-  void split(const Cell& cell, std::size_t a, std::size_t b) {
+  void split(const BoundaryCell& cell, std::size_t a, std::size_t b) {
     const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
     for (const std::size_t moved : {a, b}) {
       Tetrahedron corner = cell.corner;
@@ -295,7 +291,7 @@ class Search {
   BoundaryPlace best_;
   const Until* until_ = nullptr;
   bool asked_ = false;
-  std::priority_queue<Cell> queue_;
+  std::priority_queue<BoundaryCell> queue_;
 };
 
 }  // namespace
@@ -303,12 +299,12 @@ class Search {
 BoundaryPlace nearest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
                               const TouchingRule& distance, double size, double floor, const Incumbent& known,
                               const Until* until) {
-  return Search(rules, &distance, nullptr, size, known).run(tolerance, floor, until);
+  return BoundarySearch(rules, &distance, nullptr, size, known).run(tolerance, floor, until);
 }
 
 BoundaryPlace farthest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
                                const ConvexDistance& distance, double size, const Incumbent& known) {
-  BoundaryPlace out = Search(rules, nullptr, &distance, size, known).run(tolerance, -exact::kInfinity);
+  BoundaryPlace out = BoundarySearch(rules, nullptr, &distance, size, known).run(tolerance, -exact::kInfinity);
   out.value = -out.value;
   out.bound = -out.bound;
   return out;

@@ -8,6 +8,7 @@
 
 #include "distance/search/boundary_columns.h"
 #include "exact/number/interval.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -16,13 +17,13 @@ using space::Vector;
 namespace {
 
 constexpr int kMostSlackCells = 20000;
-constexpr int kRounds = 4;      // of tangents in a cell
-constexpr double kNear = 0.75;  // of the bound: a value that more tangents do not help
+constexpr int kSlackRounds = 4;  // of tangents in a cell
+constexpr double kNear = 0.75;   // of the bound: a value that more tangents do not help
 
-struct Cell {
+struct SlackCell {
   Tetrahedron corner;
   double bound = 0;
-  bool operator<(const Cell& other) const { return bound < other.bound; }
+  bool operator<(const SlackCell& other) const { return bound < other.bound; }
 };
 
 double slack_at(const Constraints& rules, const Vector& x) {
@@ -48,11 +49,11 @@ void touch(const Constraints& rules, const Tetrahedron& corner, const Vector& x,
 }
 
 /// The greatest slack that the columns leave, and where.
-Slack highest(const std::vector<Column>& columns, const Tetrahedron& corner) {
+Slack highest_slack(const std::vector<Column>& columns, const Tetrahedron& corner) {
   const HighestPlace high = highest_place(columns, corner);
   const Vector& x = high.place;
   if (std::isfinite(x.x + x.y + x.z)) {
-    const double bound = high.value + 0x1p-44 * high.spread;
+    const double bound = high.value + margin::kLpNoise * high.spread;
     return {bound, bound, x, 0};
   }
   double greatest = 0;  // a cell of rounding
@@ -64,13 +65,13 @@ Slack highest(const std::vector<Column>& columns, const Tetrahedron& corner) {
 
 Slack most_slack(std::span<const Tetrahedron> tolerance, const Constraints& rules, const SlackEnd& end) {
   Slack best{-exact::kInfinity, exact::kInfinity, {}, 0};
-  std::priority_queue<Cell> queue;
+  std::priority_queue<SlackCell> queue;
   const auto add = [&](const Tetrahedron& corner) {
     std::vector<Column> columns = chords(rules, corner);
     touch(rules, corner, centre(corner), columns);
     double bound = exact::kInfinity;
-    for (int round = 0; round < kRounds && bound > std::max(end.enough, best.value); ++round) {
-      const Slack at = highest(columns, corner);
+    for (int round = 0; round < kSlackRounds && bound > std::max(end.enough, best.value); ++round) {
+      const Slack at = highest_slack(columns, corner);
       bound = std::min(bound, at.bound);
       const double value = slack_at(rules, at.place);
       if (value > best.value) {
@@ -84,7 +85,7 @@ Slack most_slack(std::span<const Tetrahedron> tolerance, const Constraints& rule
   };
   for (const Tetrahedron& t : tolerance) add(t);
   for (; !queue.empty() && best.cells < kMostSlackCells; ++best.cells) {
-    const Cell top = queue.top();
+    const SlackCell top = queue.top();
     if (top.bound <= end.enough || top.bound - best.value <= end.blur) break;
     if (best.value > std::max(0.0, end.enough) && best.value >= end.share * top.bound) break;
     queue.pop();

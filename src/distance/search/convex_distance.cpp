@@ -7,6 +7,8 @@
 #include <memory>
 #include <optional>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using space::dot;
@@ -33,7 +35,7 @@ class PlanesDistance {
   Vector way(const Vector& x) const {
     Vector y;
     Basis basis;
-    const double slack = 0x1p-46 * (space::size_of(x) + 1);
+    const double slack = margin::kDistanceNoise * (space::size_of(x) + 1);
     for (int step = 0; step < 100; ++step) {
       int worst = -1;
       double most = slack;
@@ -66,7 +68,7 @@ class PlanesDistance {
       if (!projection) continue;
       const auto planes = basis.all();
       const bool below = std::all_of(planes.begin(), planes.end(), [&](int i) {
-        return gap(i, x) + dot(unit(i), *projection) <= 0x1p-44 * (space::size_of(x) + 1);
+        return gap(i, x) + dot(unit(i), *projection) <= margin::kPlaceNoise * (space::size_of(x) + 1);
       });
       if (!below) continue;
       basis = on;
@@ -85,7 +87,7 @@ class PlanesDistance {
       g[i][3] = -gap(on[i], x);
     }
     for (std::size_t k = 0; k < n; ++k) {
-      if (g[k][k] < 0x1p-40) return std::nullopt;
+      if (g[k][k] < margin::kDependentNormals) return std::nullopt;
       for (std::size_t i = 0; i < n; ++i) {
         if (i == k) continue;
         const double factor = g[i][k] / g[k][k];

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using space::Vector;
@@ -35,7 +37,7 @@ struct FieldBoxes::Asked {
       Vector n{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
       if (space::dot(n, f) > 0) n = space::scaled(-1, n);
       // Of a flat one the planes say nothing that is known for certain.
-      const double tolerance = 0x1p-40 * space::size_of(n) * (space::size_of(low) + space::size_of(high));
+      const double tolerance = margin::kFacePlane * space::size_of(n) * (space::size_of(low) + space::size_of(high));
       planes[k] = {n, space::dot(n, a) + tolerance, space::size_of(n)};
     }
     least_half = std::max(smallest, space::length(high - low) / 64);

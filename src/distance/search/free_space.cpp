@@ -10,6 +10,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/search/solid_protrusion.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -20,10 +21,6 @@ using space::Vector;
 
 namespace {
 
-/// What a value found by search may be off, of the sizes, mostly and at most (where fronts part from the sphere about p
-/// so slowly that the search ends before).
-constexpr double kError = 0x1p-40, kMostError = 0x1p-32;
-
 /// The nearest complete number, or a simple part, where it is as near as the place is known.
 Real even(double c, double blur) {
   for (const int parts : {1, 2, 3, 4, 5, 6, 8}) {
@@ -33,7 +30,7 @@ Real even(double c, double blur) {
   return Real::from_double(c);
 }
 
-double highest(std::span<const HalfSpace> planes, const Vector& x) {
+double greatest_value(std::span<const HalfSpace> planes, const Vector& x) {
   double most = -exact::kInfinity;
   for (const HalfSpace& h : planes) most = std::max(most, h.approx_value(x));
   return most;
@@ -74,7 +71,7 @@ ConvexDistance grown_distance(const GrownSet& set) {
     return
         [center = space::rounded(set.center), radius](const Vector& x) { return space::length(x - center) - radius; };
   return [planes = set.planes, distance = distance_to(set.planes), radius](const Vector& x) {
-    const double most = highest(planes, x);
+    const double most = greatest_value(planes, x);
     return (most < 0 ? most : distance(x)) - radius;
   };
 }
@@ -91,7 +88,7 @@ TouchingRule touching_distance(const space::BodyPart& part, const Vector& p, dou
     const Vector at = x - p, off = way(at);
     const double d = space::length(off);
     // So near the core the slope is rounding; 0 is one as well.
-    if (d <= 0x1p-40 * (space::size_of(at) + 1)) return Touching{-radius, {}};
+    if (d <= margin::kNoSlope * (space::size_of(at) + 1)) return Touching{-radius, {}};
     return Touching{d - radius, space::scaled(-1 / d, off)};
   };
 }
@@ -109,7 +106,7 @@ bool GrownSet::holds(const RealVector& p) const {
   return space::dot(off, off) < radius * radius;
 }
 
-SolidValue GrownSet::front(const RealVector& p) const {
+Answer GrownSet::front(const RealVector& p) const {
   RealVector projection = center;
   bool inside = false;
   if (!planes.empty()) {
@@ -120,7 +117,7 @@ SolidValue GrownSet::front(const RealVector& p) const {
   }
   const RealVector w = space::minus(p, projection);
   const Real d = sqrt(space::dot(w, w));
-  SolidValue out;
+  Answer out;
   out.value = (inside ? -d : d) - radius;
   // The front lies a radius further out, on the line through p; at d = 0 the line is not known.
   if (out.value.sign() != 0 && d.sign() != 0)
@@ -141,7 +138,7 @@ FreeSpace FreeSpace::outside(std::vector<GrownSet> sets, const RealVector& low, 
   out.allows_ = [sets = out.sets_, rules = out.rules_.keep_out, size = out.size_](const RealVector& p) {
     const Vector near = space::rounded(p);
     for (std::size_t k = 0; k < sets.size(); ++k) {
-      if (rules[k](near) > 0x1p-30 * size) continue;
+      if (rules[k](near) > margin::kOutOfSet * size) continue;
       if (sets[k].holds(p)) return false;
     }
     return true;
@@ -194,7 +191,7 @@ FreeSpace FreeSpace::common(std::span<const FreeSpace> rooms, const RealVector& 
 /// A place of no tolerance that belongs all the same, with simple coordinates.
 std::optional<RealVector> FreeSpace::even_place(const BoundaryPlace& found) const {
   if (!found.unresolved) return std::nullopt;
-  const double blur = 0x1p-36 * size_;
+  const double blur = margin::kEvenPlace * size_;
   const RealVector p{even(found.unresolved->x, blur), even(found.unresolved->y, blur), even(found.unresolved->z, blur)};
   return allows_(p) ? std::optional(p) : std::nullopt;
 }
@@ -210,12 +207,13 @@ Incumbent FreeSpace::known_at(std::function<std::optional<RealVector>()> find, c
   };
 }
 
-std::optional<SolidValue> FreeSpace::settled(const BoundaryPlace& found, const RealVector& p,
-                                             const std::optional<RealVector>& known) const {
-  SolidValue out;
-  const double slack = kError * (size_ + std::fabs(found.bound)), off = std::fabs(found.value - found.bound);
+std::optional<Answer> FreeSpace::settled(const BoundaryPlace& found, const RealVector& p,
+                                         const std::optional<RealVector>& known) const {
+  Answer out;
+  const double slack = margin::kFoundError * (size_ + std::fabs(found.bound)),
+               off = std::fabs(found.value - found.bound);
   const RealVector place = space::real(found.place);
-  if (found.found && off <= kMostError * size_ && allows_(place)) {
+  if (found.found && off <= margin::kMostFoundError * size_ && allows_(place)) {
     out.value = Real::from_double(found.value);
     out.nearest = place;
     out.proven = false;
@@ -246,7 +244,7 @@ double FreeSpace::deepest_at(const Vector& near) const {
 
 /// The search for the nearest place.
 BoundaryPlace FreeSpace::searched(const Vector& near, bool open, const Incumbent& ask, const Until* until) const {
-  const double tolerance = 0x1p-30 * size_;
+  const double tolerance = margin::kAroundBox * size_;
   Vector low = box_low_ - Vector{tolerance, tolerance, tolerance},
          high = space::plus(box_high_, {tolerance, tolerance, tolerance});
   if (open) {
@@ -276,13 +274,13 @@ BoundaryPlace FreeSpace::nearly(const RealVector& p, const Until& until) const {
   return searched(space::rounded(p), false, {}, &until);
 }
 
-std::optional<SolidValue> FreeSpace::nearest(const RealVector& p, bool open) const {
+std::optional<Answer> FreeSpace::nearest(const RealVector& p, bool open) const {
   // The front of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the place.
   const Vector near = space::rounded(p);
   const double deepest = deepest_at(near);
   for (std::size_t k = 0; k < sets_.size(); ++k) {
-    if (rules_.keep_out[k](near) > deepest + 0x1p-40 * size_) continue;
-    SolidValue v = sets_[k].front(p);
+    if (rules_.keep_out[k](near) > deepest + margin::kDeepestSets * size_) continue;
+    Answer v = sets_[k].front(p);
     if (!v.nearest || !allows_(*v.nearest)) continue;
     v.value = -v.value;
     return v;
@@ -292,24 +290,24 @@ std::optional<SolidValue> FreeSpace::nearest(const RealVector& p, bool open) con
   return settled(searched(near, open, ask, nullptr), p, known);
 }
 
-SolidValue FreeSpace::nearest_to(const TouchingRule& to) const {
-  const double tolerance = 0x1p-30 * size_;
+Answer FreeSpace::nearest_to(const TouchingRule& to) const {
+  const double tolerance = margin::kAroundBox * size_;
   const BoundaryPlace found =
       nearest_allowed(tetrahedra_of_box(box_low_ - Vector{tolerance, tolerance, tolerance},
                                         space::plus(box_high_, {tolerance, tolerance, tolerance})),
                       rules_, to, size_, -exact::kInfinity);
   const double off = std::fabs(found.value - found.bound);
-  if (!found.found || off > kMostError * size_)
+  if (!found.found || off > margin::kMostFoundError * size_)
     throw Error(ErrorCode::kUnsupported, "the depth of the shape was not found within the limit of the search");
-  SolidValue out;
+  Answer out;
   out.value = Real::from_double(found.value);
   out.proven = false;
-  out.error = kError * size_ + off;
+  out.error = margin::kFoundError * size_ + off;
   return out;
 }
 
-std::optional<SolidValue> FreeSpace::farthest(const RealVector& p) const {
-  const double tolerance = 0x1p-30 * size_;
+std::optional<Answer> FreeSpace::farthest(const RealVector& p) const {
+  const double tolerance = margin::kAroundBox * size_;
   std::optional<RealVector> known;
   const Incumbent ask = known_at(
       [&] { return sharp_ ? space::farthest_in_complement(*sharp_, low_, high_, p) : std::nullopt; }, p, -1, known);

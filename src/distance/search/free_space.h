@@ -20,8 +20,8 @@
 #include <span>
 #include <vector>
 
+#include "distance/search/answer.h"
 #include "distance/search/boundary_search.h"
-#include "distance/search/solid_value.h"
 #include "space/body/body.h"
 #include "space/body/open_union.h"
 
@@ -35,7 +35,7 @@ struct GrownSet {
 
   bool holds(const space::RealVector& p) const;
   /// The signed distance to its front, negative inside, and the place of the front nearest to p where that is known.
-  SolidValue front(const space::RealVector& p) const;
+  Answer front(const space::RealVector& p) const;
 };
 
 class FreeSpace {
@@ -51,20 +51,20 @@ class FreeSpace {
   bool holds(const space::RealVector& p) const { return allows_(p); }
   /// How far the nearest place is from p, which does not belong; nothing where there is none. Beyond the box all
   /// belongs if `open`.
-  std::optional<SolidValue> nearest(const space::RealVector& p, bool open) const;
+  std::optional<Answer> nearest(const space::RealVector& p, bool open) const;
   /// At least how far p is from the set, if more than 0; else so far, negated, p may go without leaving it. Numbers.
   double beyond(const space::Vector& p) const;
   /// The search for the nearest place, as far as `until` wants it; nothing is beyond the box.
   BoundaryPlace nearly(const space::RealVector& p, const Until& until) const;
   /// The least distance of a place that belongs to a set; the value is that of `to` there.
-  SolidValue nearest_to(const TouchingRule& to) const;
-  std::optional<SolidValue> farthest(const space::RealVector& p) const;
+  Answer nearest_to(const TouchingRule& to) const;
+  std::optional<Answer> farthest(const space::RealVector& p) const;
 
  private:
   double deepest_at(const space::Vector& near) const;
   BoundaryPlace searched(const space::Vector& near, bool open, const Incumbent& ask, const Until* until) const;
-  std::optional<SolidValue> settled(const BoundaryPlace& found, const space::RealVector& p,
-                                    const std::optional<space::RealVector>& known) const;
+  std::optional<Answer> settled(const BoundaryPlace& found, const space::RealVector& p,
+                                const std::optional<space::RealVector>& known) const;
   Incumbent known_at(std::function<std::optional<space::RealVector>()> find, const space::RealVector& p, int sense,
                      std::optional<space::RealVector>& known) const;
   std::optional<space::RealVector> even_place(const BoundaryPlace& found) const;

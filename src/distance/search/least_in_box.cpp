@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::distance {
@@ -23,13 +24,14 @@ struct Box {
   bool operator<(const Box& other) const { return bound > other.bound; }  // the least is on top
 };
 
-class Search {
+class BoxSearch {
  public:
-  explicit Search(const std::function<Real(const RealVector&)>& value, double floor) : value_(value), floor_(floor) {}
+  explicit BoxSearch(const std::function<Real(const RealVector&)>& value, double floor)
+      : value_(value), floor_(floor) {}
 
-  SolidLeast run(const Vector& low, const Vector& high) {
+  Answer run(const Vector& low, const Vector& high) {
     const Vector half = space::scaled(0.5, high - low);
-    tolerance_ = 0x1p-30 * (space::length(half) + 1);
+    tolerance_ = margin::kLeastInBox * (space::length(half) + 1);
     take({{space::plus(low, half), half, 0}});
     while (count_ < kMostValues && !queue_.empty() && least_ - queue_.top().bound > tolerance_ && least_ > floor_) {
       std::vector<Box> parts;
@@ -41,7 +43,8 @@ class Search {
     }
     const double bound = std::max(floor_, queue_.empty() ? least_ : std::min(queue_.top().bound, least_));
     // Roundings: of the centres and of the values.
-    out_.bound = std::min(out_.value, Real::from_double(bound - 0x1p-44 * (std::fabs(bound) + space::length(half))));
+    out_.bound =
+        std::min(out_.value, Real::from_double(bound - margin::kPlaceNoise * (std::fabs(bound) + space::length(half))));
     if (floor_ >= bound) out_.bound = std::min(out_.value, Real::from_double(floor_));
     out_.proven = out_.bound == out_.value;
     return out_;
@@ -76,14 +79,14 @@ class Search {
   double floor_, tolerance_ = 0, least_ = exact::kInfinity;
   int count_ = 0;
   std::priority_queue<Box> queue_;
-  SolidLeast out_;
+  Answer out_ = least_answer({}, {}, false, {});
 };
 
 }  // namespace
 
-SolidLeast least_in_box(const std::function<Real(const RealVector&)>& value, const Vector& low, const Vector& high,
+Answer least_in_box(const std::function<Real(const RealVector&)>& value, const Vector& low, const Vector& high,
                         double floor) {
-  return Search(value, floor).run(low, high);
+  return BoxSearch(value, floor).run(low, high);
 }
 
 }  // namespace findspace::distance

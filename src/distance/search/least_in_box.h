@@ -9,21 +9,15 @@
 
 #include <functional>
 
-#include "space/polytope/real_vector.h"
+#include "distance/search/answer.h"
 
 namespace findspace::distance {
-
-struct SolidLeast {
-  exact::Real value, bound;
-  bool proven = false;
-  space::RealVector at;
-};
 
 inline constexpr int kMostValues = 20000;
 
 /// The least of a function that changes by at most the length of a step, over a box; `floor`: a bound that is known.
 /// `value` is called from many threads.
-SolidLeast least_in_box(const std::function<exact::Real(const space::RealVector&)>& value, const space::Vector& low,
-                        const space::Vector& high, double floor);
+Answer least_in_box(const std::function<exact::Real(const space::RealVector&)>& value, const space::Vector& low,
+                    const space::Vector& high, double floor);
 
 }  // namespace findspace::distance

@@ -6,15 +6,15 @@
 #include <cmath>
 
 #include "exact/number/interval.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
 namespace {
 
-using Column = std::array<double, 4>;
 using Square = std::array<Column, 4>;  // by columns
 
-double dot(const Column& a, const Column& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
+double product(const Column& a, const Column& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
 
 /// The inverse, by rows; false where a pivot vanishes.
 bool invert(const Square& of, Square& out) {
@@ -59,12 +59,11 @@ class Simplex {
 
   LpBound run() {
     constexpr int kMostSteps = 100;
-    constexpr double kClose = 0x1p-48;
     for (std::size_t k = 0; k < 4; ++k) inverse_[k][k] = 1;
     bool anew = true;
     for (int step = 0; step < kMostSteps; ++step) {
       const std::size_t in = price();
-      if (best_.value - lowest_ <= kClose * shift_) break;
+      if (best_.value - lowest_ <= margin::kLpClose * shift_) break;
       if (in != none()) {
         if (!enter(in)) break;
         anew = false;
@@ -93,7 +92,6 @@ class Simplex {
 
   /// The column that helps most; and what both players' weights are worth.
   std::size_t price() {
-    constexpr double kHelps = 0x1p-49;
     Column rows{}, mean{};
     double weights = 0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -106,7 +104,7 @@ class Simplex {
     }
     if (weights > 0) best_.value = std::min(best_.value, *std::max_element(mean.begin(), mean.end()) / weights);
     std::size_t in = none();
-    double most = kHelps;
+    double most = margin::kLpHelps;
     const auto take = [&](std::size_t j, double gain) {
       if (gain > most && std::find(basis_.begin(), basis_.end(), j) == basis_.end()) {
         most = gain;
@@ -119,8 +117,8 @@ class Simplex {
     for (std::size_t r = 0; r < 4; ++r) sum += mix[r] = std::max(0.0, rows[r]);
     const double all = rows[0] + rows[1] + rows[2] + rows[3];
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      take(j, 1 - dot(rows, columns_[j]) / shift_ - all);
-      least = std::min(least, dot(mix, columns_[j]));
+      take(j, 1 - product(rows, columns_[j]) / shift_ - all);
+      least = std::min(least, product(mix, columns_[j]));
     }
     if (sum > 0 && least / sum > lowest_) {
       lowest_ = least / sum;
@@ -130,13 +128,12 @@ class Simplex {
   }
 
   bool enter(std::size_t in) {
-    constexpr double kPivot = 0x1p-30;
     const Column added = column(in);
     Column by;
     std::size_t out = 4;
     for (std::size_t k = 0; k < 4; ++k) {
-      by[k] = dot(inverse_[k], added);
-      if (by[k] > kPivot && (out == 4 || x_[k] * by[out] < x_[out] * by[k])) out = k;
+      by[k] = product(inverse_[k], added);
+      if (by[k] > margin::kLpPivot && (out == 4 || x_[k] * by[out] < x_[out] * by[k])) out = k;
     }
     if (out == 4) return false;
     basis_[out] = in;
@@ -167,11 +164,11 @@ LpBound lp_bound(const std::vector<Column>& columns) {
   return Simplex(columns, shift).run();
 }
 
-LpBound bounding_lp(std::vector<std::array<double, 4>> columns, const std::optional<std::array<double, 4>>& beyond) {
+LpBound bounding_lp(std::vector<Column> columns, const std::optional<Column>& beyond) {
   if (beyond) {
     const std::size_t count = columns.size();
     for (std::size_t k = 0; k < count; ++k) {
-      std::array<double, 4> less = columns[k];
+      Column less = columns[k];
       for (std::size_t v = 0; v < 4; ++v) less[v] -= (*beyond)[v];
       columns.push_back(less);
     }

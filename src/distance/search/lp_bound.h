@@ -12,15 +12,18 @@
 
 namespace findspace::distance {
 
+/// Numbers at the four corners of a tetrahedron.
+using Column = std::array<double, 4>;
+
 struct LpBound {
   double value = 0;
   std::array<double, 4> rows{};  // weights, sum 1
 };
 
 /// Columns of entries >= 0; at least one.
-LpBound lp_bound(const std::vector<std::array<double, 4>>& columns);
+LpBound lp_bound(const std::vector<Column>& columns);
 
 /// Of the distances at four corners, and of these less what the corners are beyond a plane; entries of any sign.
-LpBound bounding_lp(std::vector<std::array<double, 4>> columns, const std::optional<std::array<double, 4>>& beyond);
+LpBound bounding_lp(std::vector<Column> columns, const std::optional<Column>& beyond);
 
 }  // namespace findspace::distance

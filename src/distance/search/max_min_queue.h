@@ -10,6 +10,7 @@
 #include <queue>
 
 #include "distance/search/solid_max_min.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -30,7 +31,8 @@ class MaxMinQueue {
   }
   bool worth(double bound) const {
     const double surplus = best_.value - slack_;
-    return bound > best_.value * (1 + kNear) && bound > slack_ && !(surplus > (bound - slack_) * (1 - share_));
+    return bound > best_.value * (1 + margin::kMaxMinNear) && bound > slack_ &&
+           !(surplus > (bound - slack_) * (1 - share_));
   }
   void push(Cell cell) { cells_.push(std::move(cell)); }
 
@@ -48,13 +50,11 @@ class MaxMinQueue {
       cells_.pop();
       split(top);
     }
-    best_.bound = std::max(best_.value * (1 + kNear), slack_);
+    best_.bound = std::max(best_.value * (1 + margin::kMaxMinNear), slack_);
     return best_;
   }
 
  private:
-  static constexpr double kNear = 0x1p-41;
-
   double slack_, share_;
   std::priority_queue<Cell> cells_;
   SolidMaxMin best_;

@@ -7,6 +7,7 @@
 
 #include "distance/search/lp_bound.h"
 #include "exact/number/interval.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -14,11 +15,8 @@ using space::Vector;
 
 namespace {
 
-using Column = std::array<double, 4>;
-
-constexpr int kMostSteps = 24;
-constexpr std::size_t kFew = 6;      // sets that the place may be as deep in
-constexpr double kEnough = 0x1p-48;  // of the size
+constexpr int kMostMeetSteps = 24;
+constexpr std::size_t kFew = 6;  // sets that the place may be as deep in
 
 /// y with w . y = first + second * t for each row, in the span of the rows, as start + t * slope.
 struct Line {
@@ -66,14 +64,14 @@ class Game {
   MeetSlack run(const Vector& start) {
     offer(start);
     touch(start);
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostMeetSteps; ++step) {
       const auto [bound, x] = highest();
       const double value = offer(x);
-      if (bound - best_.value <= kEnough * size_ || !any_ball()) break;
+      if (bound - best_.value <= margin::kMeetEnough * size_ || !any_ball()) break;
       finish(x, bound, bound - value, start);
       touch(x);
       touch(best_.place);
-      if (bound - best_.value <= kEnough * size_) break;
+      if (bound - best_.value <= margin::kMeetEnough * size_) break;
     }
     return best_;
   }

@@ -4,19 +4,14 @@
 
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using exact::Real;
 using space::HalfSpace;
 using space::RealVector;
 using space::Vector;
-
-namespace {
-
-/// Squared sines below this count as those of parallel planes.
-constexpr double kLevel = 0x1p-60;
-
-}  // namespace
 
 PlaneProjections::PlaneProjections(const std::vector<HalfSpace>& planes, const RealVector& p, double size)
     : p_(p), planes_(planes), size_(size) {
@@ -52,11 +47,11 @@ class PlaneProjections::Collector {
     const Seen &s = of_.seen_[static_cast<std::size_t>(i)], &t = of_.seen_[static_cast<std::size_t>(j)];
     const Vector way = space::cross(s.unit, t.unit);
     const double square = space::dot(way, way);
-    if (square < kLevel) return;
+    if (square < margin::kParallelPlanes) return;
     // The projection is u s + v t with the values of both planes.
     const double c = space::dot(s.unit, t.unit), u = (c * t.gap - s.gap) / square, v = (c * s.gap - t.gap) / square;
     const Vector projection = space::plus(space::scaled(u, s.unit), space::scaled(v, t.unit));
-    const double error = 0x1p-46 * (size_ + space::length(projection)) / square;
+    const double error = margin::kDistanceNoise * (size_ + space::length(projection)) / square;
     if (!corners_only) put({{i, j, -1}, projection, 0, 0}, error);
     if (!line_meets(projection, way, error)) return;
     const bool both = is_through(i) && is_through(j);
@@ -64,24 +59,25 @@ class PlaneProjections::Collector {
       if (both && is_through(k)) continue;
       const Seen& w = of_.seen_[static_cast<std::size_t>(k)];
       const double rise = space::dot(way, w.unit);
-      if (rise * rise < kLevel) continue;
+      if (rise * rise < margin::kParallelPlanes) continue;
       const double t_at = -(space::dot(w.unit, projection) + w.gap) / rise;
       const Vector corner = space::plus(projection, space::scaled(t_at, way));
-      put({{i, j, k}, corner, 0, 0}, (error + 0x1p-46 * (size_ + space::length(corner))) / std::fabs(rise));
+      put({{i, j, k}, corner, 0, 0},
+          (error + margin::kDistanceNoise * (size_ + space::length(corner))) / std::fabs(rise));
     }
   }
 
   /// Whether the line may meet the box: its distance from the middle.
   bool line_meets(const Vector& projection, const Vector& way, double error) const {
     const Vector off = space::cross(way, projection - middle_);
-    return space::length(off) <= (space::length(reach_) + error) * space::length(way) * (1 + 0x1p-20);
+    return space::length(off) <= (space::length(reach_) + error) * space::length(way) * margin::kLineReach;
   }
 
   void put(Projection projection, double error) {
     const Vector d = projection.at - middle_;
     if (std::fabs(d.x) > reach_.x + error || std::fabs(d.y) > reach_.y + error || std::fabs(d.z) > reach_.z + error)
       return;
-    projection.error = error + 0x1p-47 * size_;
+    projection.error = error + margin::kProjectionNoise * size_;
     projection.key = space::length(projection.at);
     out_.push_back(projection);
   }

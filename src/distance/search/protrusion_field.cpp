@@ -7,26 +7,25 @@
 #include <functional>
 
 #include "distance/search/solid_protrusion.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 namespace {
 
 using space::Vector;
 
-/// Of the sizes: what rounding may do to a distance.
-constexpr double kNoise = 0x1p-46;
 /// To the end of a run; a shorter one is as good.
-constexpr int kMostSteps = 60;
+constexpr int kMostRootSteps = 60;
 
 /// How far a line runs until a convex function, positive at 0, is no longer so: a secant through places before lies
 /// below it beyond, so its zero comes no later.
 double convex_run(const std::function<double(double)>& f, double size) {
   const double farthest = 4 * size;
-  double before = -size * 0x1p-10, at = 0;
+  double before = -size * margin::kSecantStart, at = 0;
   double value_before = f(before), value = f(at);
-  for (int count = 0; count < kMostSteps && value > size * kNoise; ++count) {
+  for (int count = 0; count < kMostRootSteps && value > size * margin::kDistanceNoise; ++count) {
     // With tolerance for rounding, so that steps are rather too short.
-    const double slope = (value - value_before - size * kNoise) / (at - before);
+    const double slope = (value - value_before - size * margin::kDistanceNoise) / (at - before);
     if (slope >= 0 || value > -slope * (farthest - at)) return farthest;
     const double next = at - value / slope;
     if (!(next > at)) break;

@@ -10,6 +10,7 @@
 #include "distance/search/lp_bound.h"
 #include "distance/search/max_min_queue.h"
 #include "distance/search/round_solid.h"
+#include "exact/number/margins.h"
 #include "space/polytope/convex_region.h"
 #include "space/polytope/polytope.h"
 
@@ -19,19 +20,19 @@ using space::Vector;
 
 namespace {
 
-struct Cell {
+struct MaxMinCell {
   Tetrahedron corner;
   std::vector<int> sets;  // that can be nearest in the cell
-  std::vector<std::array<double, 4>> distances;
+  std::vector<Column> distances;
   const RoundSolid* round = nullptr;  // only what lies in it counts
   double bound = 0;
-  bool operator<(const Cell& other) const { return bound < other.bound; }
+  bool operator<(const MaxMinCell& other) const { return bound < other.bound; }
 };
 
-class Search {
+class MaxMinSearch {
  public:
-  Search(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round, std::span<const ConvexDistance> sets,
-         double slack, double share)
+  MaxMinSearch(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
+               std::span<const ConvexDistance> sets, double slack, double share)
       : sets_(sets), queue_(slack, share) {
     all_.resize(sets.size());
     std::iota(all_.begin(), all_.end(), 0);
@@ -42,7 +43,7 @@ class Search {
   }
 
   SolidMaxMin run(int most) {
-    return queue_.run([this](const Cell& top) { split(top); }, most);
+    return queue_.run([this](const MaxMinCell& top) { split(top); }, most);
   }
 
  private:
@@ -53,23 +54,23 @@ class Search {
   }
 
   void add(const Tetrahedron& corner, const std::vector<int>& sets, double ceiling, const RoundSolid* round) {
-    Cell cell;
+    MaxMinCell cell;
     cell.corner = corner;
     cell.round = round;
     const Vector middle =
         space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
-    std::optional<std::array<double, 4>> beyond;
+    std::optional<Column> beyond;
     if (round) beyond = round->beyond_plane(middle, corner);
     if (beyond && *std::min_element(beyond->begin(), beyond->end()) > 0) return;
     double size = 0, bound = exact::kInfinity;
     for (const Vector& v : corner) {
       for (const Vector& w : corner) size = std::max(size, space::length(v - w));
     }
-    std::vector<std::array<double, 4>> all;
-    std::array<double, 4> least;
+    std::vector<Column> all;
+    Column least;
     least.fill(exact::kInfinity);
     for (const int i : sets) {
-      std::array<double, 4> d{};
+      Column d{};
       for (std::size_t v = 0; v < 4; ++v) {
         d[v] = sets_[std::size_t(i)](corner[v]);
         least[v] = std::min(least[v], d[v]);
@@ -109,7 +110,7 @@ class Search {
 
   /// By how much the distances exceed, half-way between two corners, what their values there make one expect: none
   /// where they are linear. That is what the bound of a cell loses.
-  double bend(const Cell& cell, std::size_t v, std::size_t w) const {
+  double bend(const MaxMinCell& cell, std::size_t v, std::size_t w) const {
     const Vector middle = space::scaled(0.5, space::plus(cell.corner[v], cell.corner[w]));
     double most = 0;
     for (std::size_t k = 0; k < cell.sets.size(); ++k) {
@@ -122,9 +123,9 @@ class Search {
   }
 
   /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
-  void split(const Cell& cell) {
+  void split(const MaxMinCell& cell) {
     std::size_t a = 0, b = 1;
-    double longest = 0, greatest = 0x1p-46 * std::fabs(queue_.best().value);
+    double longest = 0, greatest = margin::kDistanceNoise * std::fabs(queue_.best().value);
     for (std::size_t v = 0; v < 4; ++v) {
       for (std::size_t w = v + 1; w < 4; ++w) {
         const double d = space::length(cell.corner[v] - cell.corner[w]), bent = bend(cell, v, w);
@@ -150,7 +151,7 @@ class Search {
 
   std::span<const ConvexDistance> sets_;
   std::vector<int> all_;
-  MaxMinQueue<Cell> queue_;
+  MaxMinQueue<MaxMinCell> queue_;
 };
 
 /// A fan over the facet's circuit from corner `apex`.
@@ -179,12 +180,12 @@ std::vector<Tetrahedron> tetrahedra(const space::ConvexRegion& region) {
 
 SolidMaxMin solid_max_min(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
                           double share) {
-  return Search(solid, {}, sets, slack, share).run(kMostCells);
+  return MaxMinSearch(solid, {}, sets, slack, share).run(kMostCells);
 }
 
 SolidMaxMin solid_max_min(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
                           std::span<const ConvexDistance> sets, double slack, double share, int most) {
-  return Search(solid, round, sets, slack, share).run(most);
+  return MaxMinSearch(solid, round, sets, slack, share).run(most);
 }
 
 std::vector<Tetrahedron> tetrahedra_of_box(const Vector& low, const Vector& high) {

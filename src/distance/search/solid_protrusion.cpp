@@ -6,6 +6,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/search/round_solid.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -34,7 +35,7 @@ Real depth_value(std::span<const HalfSpace> planes, const RealVector& x, const V
   return *best;
 }
 
-struct Corner {
+struct FarCorner {
   const BodyPart* part;
   RealVector at;
   Vector near;
@@ -94,13 +95,13 @@ std::optional<std::pair<Body, Body>> without_radius(const Body& b, const Body& a
   return out;
 }
 
-SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
+Answer protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& p) {
   const std::vector<HalfSpace> planes = a.planes();
   const RealVector center = real(a.center);
-  std::vector<Corner> corners;
+  std::vector<FarCorner> corners;
   for (const BodyPart& part : b.parts) {
     for (const space::Point& v : part.vertices()) {
-      Corner c{&part, space::plus(real(v), p), {}, 0};
+      FarCorner c{&part, space::plus(real(v), p), {}, 0};
       c.near = space::rounded(c.at);
       double highest = !a.point() ? -exact::kInfinity : space::length(c.near - space::rounded(center));
       for (const HalfSpace& h : planes) highest = std::max(highest, h.approx_value(c.near));
@@ -108,11 +109,11 @@ SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVect
       corners.push_back(std::move(c));
     }
   }
-  std::sort(corners.begin(), corners.end(), [](const Corner& x, const Corner& y) { return x.floor > y.floor; });
-  std::optional<SolidValue> best;
+  std::sort(corners.begin(), corners.end(), [](const FarCorner& x, const FarCorner& y) { return x.floor > y.floor; });
+  std::optional<Answer> best;
   std::vector<Vector> projections;
-  const double slack = 0x1p-40 * (space::size_of(corners[0].near) + std::fabs(corners[0].floor));
-  for (const Corner& c : corners) {
+  const double slack = margin::kFarCorner * (space::size_of(corners[0].near) + std::fabs(corners[0].floor));
+  for (const FarCorner& c : corners) {
     const double radius = c.part->radius.to_double();
     const double highest = c.floor - radius;
     double ceiling = highest > 0 ? exact::kInfinity : highest;
@@ -133,7 +134,7 @@ SolidValue protrusion_of_convex(const Body& b, const BodyPart& a, const RealVect
     }
     const Real value = core + c.part->radius - a.radius;
     if (best && !(best->value < value)) continue;
-    best = SolidValue{};
+    best = Answer{};
     best->value = value;
     if (core.sign() > 0) {
       const RealVector away = space::minus(c.at, projection);
@@ -174,19 +175,19 @@ Solids solids_of(const Body& b, const RealVector& p) {
 }
 
 /// At a vertex of B the exact distance to the nearest set is known.
-std::optional<SolidValue> at_vertex(const Body& b, std::span<const Target> targets, const RealVector& p,
-                                    const Vector& place) {
+std::optional<Answer> at_vertex(const Body& b, std::span<const Target> targets, const RealVector& p,
+                                const Vector& place) {
   for (const BodyPart& part : b.parts) {
     if (part.radius.sign() > 0) continue;
     for (const space::Point& v : part.vertices()) {
       const RealVector at = space::plus(real(v), p);
-      if (space::length(space::rounded(at) - place) > 0x1p-44 * space::size_of(place)) continue;
-      std::optional<SolidValue> best;
+      if (space::length(space::rounded(at) - place) > margin::kAtVertex * space::size_of(place)) continue;
+      std::optional<Answer> best;
       for (const Target& t : targets) {
         const RealVector projection = t.planes.empty() ? t.center : *nearest_in(t.planes, at);
         const Real core = length(space::minus(at, projection)), d = core - t.radius;
         if (best && !(d < best->value)) continue;
-        best = SolidValue{};
+        best = Answer{};
         best->value = d;
         if (core.sign() > 0)
           best->points = {at, space::along(projection, t.radius / core, space::minus(at, projection))};
@@ -197,29 +198,29 @@ std::optional<SolidValue> at_vertex(const Body& b, std::span<const Target> targe
   return std::nullopt;
 }
 
-SolidValue protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const Target> targets,
-                      const RealVector& p) {
+Answer protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const Target> targets,
+                  const RealVector& p) {
   const Solids solids = solids_of(b, p);
   const SolidMaxMin max_min = solid_max_min(solids.cells, solids.round, distances, 0);
   if (max_min.complete) {
     if (auto exact = at_vertex(b, targets, p, max_min.place)) return *exact;
   }
-  SolidValue out;
+  Answer out;
   out.value = Real::from_double(max_min.value);
   out.proven = false;
-  out.error = max_min.bound - max_min.value + 0x1p-40 * space::size_of(max_min.place);
+  out.error = max_min.bound - max_min.value + margin::kFoundError * space::size_of(max_min.place);
   return out;
 }
 
 }  // namespace
 
-SolidValue protrusion_of_union(const Body& b, const Body& a, const RealVector& p) {
+Answer protrusion_of_union(const Body& b, const Body& a, const RealVector& p) {
   std::vector<Target> targets;
   for (const BodyPart& part : a.parts) targets.push_back({part.planes(), real(part.center), part.radius});
   return protrusion(b, distances_to_parts(a), targets, p);
 }
 
-SolidValue protrusion_of_cells(const Body& b, std::span<const space::OutsideCell> a, const RealVector& p) {
+Answer protrusion_of_cells(const Body& b, std::span<const space::OutsideCell> a, const RealVector& p) {
   std::vector<Target> targets;
   std::vector<ConvexDistance> distances;
   for (const space::OutsideCell& cell : a) {

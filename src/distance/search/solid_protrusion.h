@@ -12,9 +12,9 @@
 #include <span>
 #include <utility>
 
+#include "distance/search/answer.h"
 #include "distance/search/round_solid.h"
 #include "distance/search/solid_max_min.h"
-#include "distance/search/solid_value.h"
 #include "space/body/body.h"
 #include "space/body/open_union.h"
 #include "space/body/outside_cells.h"
@@ -30,10 +30,10 @@ bool polyhedra_and_balls(const space::Body& b);
 /// Both less the radius of a convex A, where no part of B is less round: (P (+) r) (-) r = P, so they fit as they did.
 std::optional<std::pair<space::Body, space::Body>> without_radius(const space::Body& b, const space::Body& a);
 /// A convex, of any radius.
-SolidValue protrusion_of_convex(const space::Body& b, const space::BodyPart& a, const space::RealVector& p);
+Answer protrusion_of_convex(const space::Body& b, const space::BodyPart& a, const space::RealVector& p);
 /// The closed sets are convex and their union is A; B + p is not inside A.
-SolidValue protrusion_of_cells(const space::Body& b, std::span<const space::OutsideCell> a, const space::RealVector& p);
+Answer protrusion_of_cells(const space::Body& b, std::span<const space::OutsideCell> a, const space::RealVector& p);
 /// B + p is not inside A.
-SolidValue protrusion_of_union(const space::Body& b, const space::Body& a, const space::RealVector& p);
+Answer protrusion_of_union(const space::Body& b, const space::Body& a, const space::RealVector& p);
 
 }  // namespace findspace::distance

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/number/interval.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -15,9 +16,7 @@ using space::Vector;
 
 namespace {
 
-constexpr double kSame = 0x1p-40;  // of normals, and of sizes
-
-Touching highest(const std::vector<NearPlane>& planes, const Vector& x) {
+Touching nearest_plane(const std::vector<NearPlane>& planes, const Vector& x) {
   Touching best{-exact::kInfinity, {}};
   for (const NearPlane& h : planes) {
     const double value = dot(h.unit, x) + h.shift;
@@ -52,7 +51,7 @@ SweptPart::SweptPart(const space::BodyPart& part, const Vector& unit)
 void SweptPart::add_silhouette(std::span<const Point> corners, const Vector& corner, const Vector& edge) {
   Vector n = space::cross(edge, unit_);
   const double size = space::length(n);
-  if (size <= kSame * space::length(edge)) return;  // nothing new: the edge is swept along itself
+  if (size <= margin::kSameNormal * space::length(edge)) return;  // nothing new: the edge is swept along itself
   n = space::scaled(1 / size, n);
   double most = -exact::kInfinity, wide = 0;
   for (const Point& p : corners) {
@@ -60,8 +59,8 @@ void SweptPart::add_silhouette(std::span<const Point> corners, const Vector& cor
     most = std::max(most, dot(n, v));
     wide = std::max(wide, space::size_of(v));
   }
-  if (most > dot(n, corner) + kSame * wide) return;
-  const auto same = [&](const NearPlane& h) { return space::length(h.unit - n) < kSame; };
+  if (most > dot(n, corner) + margin::kSameNormal * wide) return;
+  const auto same = [&](const NearPlane& h) { return space::length(h.unit - n) < margin::kSameNormal; };
   if (std::any_of(planes_.begin(), planes_.end(), same) || std::any_of(along_.begin(), along_.end(), same)) return;
   along_.push_back({n, -most});
 }
@@ -83,13 +82,13 @@ TouchingRule SweptPart::gap(const Vector& start, double from, double to) const {
   return [way = way_to(planes), planes, start, radius = radius_](const Vector& x) {
     const Vector at = x - start;
     if (radius == 0) {
-      const Touching inside = highest(planes, at);
+      const Touching inside = nearest_plane(planes, at);
       if (inside.value < 0) return inside;
     }
     const Vector off = way(at);
     const double d = space::length(off);
     // So near the core the slope is rounding; 0 is one as well.
-    if (d <= 0x1p-40 * (space::size_of(at) + 1)) return Touching{-radius, {}};
+    if (d <= margin::kNoSlope * (space::size_of(at) + 1)) return Touching{-radius, {}};
     return Touching{d - radius, space::scaled(-1 / d, off)};
   };
 }

@@ -8,20 +8,17 @@
 #include <queue>
 
 #include "distance/search/lp_bound.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
 using space::plus;
 using space::scaled;
 using space::Vector;
-using Column = UnionProtrusion::Column;
 using Witness = UnionProtrusion::Witness;
 
 namespace {
 
-/// Of the size: what rounding may do, by how much B has to fit, where cells are no longer divided, and what is better
-/// than the best by less than which is not looked for.
-constexpr double kNoise = 0x1p-46, kTolerance = 0x1p-45, kLeast = 0x1p-42, kBetter = 0x1p-37;
 constexpr int kMostCells = 6000;
 /// Cells of the search for what sticks out, at a corner and at a place that may be in E.
 constexpr int kRough = 1500, kFine = 20000;
@@ -29,19 +26,19 @@ constexpr std::size_t kMostWitnesses = 6;
 /// Choices of parts that are tried for a cell; with more it is divided.
 constexpr int kMostChoices = 200;
 
-struct Corner {
+struct FitCorner {
   Vector at;
   UnionProtrusion::Farthest protrusion;
 };
-using CornerPointer = std::shared_ptr<const Corner>;
+using CornerPointer = std::shared_ptr<const FitCorner>;
 
-struct Cell {
+struct FitCell {
   std::array<CornerPointer, 4> corner;
   std::vector<Witness> witnesses;
   CornerPointer inside;  // a corner of it or of one that it is a part of, at which B fits
   double key = 0;
   int depth = 0;
-  bool operator<(const Cell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
+  bool operator<(const FitCell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
 };
 
 /// A place where the columns, of which one of each witness is chosen, are all at most 0, and the objective allows it.
@@ -91,7 +88,7 @@ class Choice {
       for (double& entry : c) entry -= lowest;
     }
     const LpBound found = lp_bound(raised);
-    if (found.value + lowest < -noise_ - 0x1p-44 * (highest - lowest)) return std::nullopt;
+    if (found.value + lowest < -noise_ - margin::kLpNoise * (highest - lowest)) return std::nullopt;
     return found.rows;
   }
 
@@ -102,9 +99,9 @@ class Choice {
   int tried_ = 0;
 };
 
-class Search {
+class FitSearch {
  public:
-  Search(const UnionProtrusion& protrusion, const FitQuery& query, double size)
+  FitSearch(const UnionProtrusion& protrusion, const FitQuery& query, double size)
       : protrusion_(protrusion), query_(query), size_(size) {
     best_.value = query.known;
     best_.known = std::isfinite(query.known);
@@ -112,20 +109,20 @@ class Search {
 
   BoundaryPlace run(std::span<const Tetrahedron> tolerance) {
     for (const Tetrahedron& t : tolerance) {
-      Cell cell;
-      for (std::size_t v = 0; v < 4; ++v) cell.corner[v] = corner(t[v], 0x1p-6 * size_);
+      FitCell cell;
+      for (std::size_t v = 0; v < 4; ++v) cell.corner[v] = corner(t[v], margin::kRoughCorner * size_);
       cell.key = query_.floor;
       add(std::move(cell));
     }
     int count = 0;
     double left = exact::kInfinity;
     for (; !queue_.empty(); ++count) {
-      const Cell top = queue_.top();
+      const FitCell top = queue_.top();
       if (!(top.key < wanted())) break;
       queue_.pop();
       std::size_t a = 0, b = 1;
       const double edge = longest_edge(corners(top), a, b);
-      if (edge <= kLeast * size_ || count >= kMostCells) {
+      if (edge <= margin::kSmallestFitCell * size_ || count >= kMostCells) {
         best_.complete = count < kMostCells;
         left = top.key;
         best_.unresolved = middle(corners(top));
@@ -138,20 +135,20 @@ class Search {
   }
 
  private:
-  static Tetrahedron corners(const Cell& cell) {
+  static Tetrahedron corners(const FitCell& cell) {
     return {cell.corner[0]->at, cell.corner[1]->at, cell.corner[2]->at, cell.corner[3]->at};
   }
   static Vector middle(const Tetrahedron& t) { return scaled(0.25, plus(plus(t[0], t[1]), plus(t[2], t[3]))); }
 
   CornerPointer corner(const Vector& at, double precision) const {
-    return std::make_shared<const Corner>(Corner{at, protrusion_.farthest(at, precision, kRough)});
+    return std::make_shared<const FitCorner>(FitCorner{at, protrusion_.farthest(at, precision, kRough)});
   }
 
   double objective(const Vector& x) const {
     const double d = space::length(x - query_.from);
     return query_.farthest ? -d : d;
   }
-  double wanted() const { return std::isfinite(best_.value) ? best_.value - kBetter * size_ : best_.value; }
+  double wanted() const { return std::isfinite(best_.value) ? best_.value - margin::kNearerFit * size_ : best_.value; }
 
   /// At the corners, what is nowhere more than the objective.
   Column objective_below(const Tetrahedron& t) const {
@@ -175,25 +172,25 @@ class Search {
 
   /// Whether B fits at a place, by more than rounding; if not, about how far it sticks out. One of the witnesses often
   /// says so.
-  bool fits(const Vector& x, const Cell& cell, double edge, double& out) const {
-    const double tolerance = kTolerance * size_;
+  bool fits(const Vector& x, const FitCell& cell, double edge, double& out) const {
+    const double tolerance = margin::kFits * size_;
     out = -exact::kInfinity;
     for (const Witness& w : cell.witnesses) out = std::max(out, protrusion_.beyond(plus(w.point, x)));
     if (out > -tolerance) return false;
     const UnionProtrusion::Farthest protrusion =
-        protrusion_.farthest(x, std::max(0.25 * edge * edge / size_, kNoise * size_), kFine);
+        protrusion_.farthest(x, std::max(0.25 * edge * edge / size_, margin::kDistanceNoise * size_), kFine);
     out = protrusion.bound;
     return protrusion.bound <= -tolerance;
   }
 
   /// A place that may be in E, or else where E begins on the way to one that is.
-  void offer(const Vector& x, const Cell& cell, double edge) {
+  void offer(const Vector& x, const FitCell& cell, double edge) {
     double out = 0;
     if (!(objective(x) < wanted())) return;
     if (fits(x, cell, edge, out)) return take(x);
     if (!cell.inside) return;
-    const double deep = 2 * kTolerance * size_ - cell.inside->protrusion.bound;
-    double step = (out + 2 * kTolerance * size_) / (out + deep);
+    const double deep = 2 * margin::kFits * size_ - cell.inside->protrusion.bound;
+    double step = (out + 2 * margin::kFits * size_) / (out + deep);
     for (int k = 0; k < 6 && step < 1; ++k, step *= 1.5) {
       const Vector y = plus(x, scaled(step, cell.inside->at - x));
       if (!(objective(y) < wanted())) return;
@@ -202,7 +199,7 @@ class Search {
   }
 
   /// The columns of the witnesses that say something; false where one says that B fits nowhere in the cell.
-  bool decided(Cell& cell, const Tetrahedron& t, double edge, std::vector<std::vector<Column>>& out) const {
+  bool decided(FitCell& cell, const Tetrahedron& t, double edge, std::vector<std::vector<Column>>& out) const {
     std::vector<Witness> kept, all;
     for (const CornerPointer& c : cell.corner) {
       all.push_back({c->protrusion.point, c->at, c->protrusion.piece});
@@ -232,7 +229,7 @@ class Search {
     return true;
   }
 
-  void add(Cell cell) {
+  void add(FitCell cell) {
     const Tetrahedron t = corners(cell);
     const Column objective = objective_below(t);
     cell.key = std::max(cell.key, *std::min_element(objective.begin(), objective.end()));
@@ -240,8 +237,8 @@ class Search {
     std::size_t a = 0, b = 1;
     const double edge = longest_edge(t, a, b);
     for (const CornerPointer& c : cell.corner) {
-      if (c->protrusion.value > edge + kNoise * size_) return;
-      if (c->protrusion.bound > -kTolerance * size_) continue;
+      if (c->protrusion.value > edge + margin::kDistanceNoise * size_) return;
+      if (c->protrusion.bound > -margin::kFits * size_) continue;
       cell.inside = c;
       take(c->at);
     }
@@ -252,7 +249,7 @@ class Search {
       better.emplace_back();
       for (std::size_t v = 0; v < 4; ++v) better.back()[v] = wanted() - objective[v];
     }
-    const auto rows = Choice(std::move(witnesses), std::move(better), kNoise * size_).place();
+    const auto rows = Choice(std::move(witnesses), std::move(better), margin::kDistanceNoise * size_).place();
     if (!rows) return;
     Vector x;
     for (std::size_t v = 0; v < 4; ++v) x = plus(x, scaled((*rows)[v], t[v]));
@@ -260,11 +257,11 @@ class Search {
     if (cell.key < wanted()) queue_.push(std::move(cell));
   }
 
-  void split(const Cell& cell, std::size_t a, std::size_t b, double edge) {
+  void split(const FitCell& cell, std::size_t a, std::size_t b, double edge) {
     const Vector half = scaled(0.5, plus(cell.corner[a]->at, cell.corner[b]->at));
-    const CornerPointer fresh = corner(half, std::max(0.25 * edge * edge / size_, kNoise * size_));
+    const CornerPointer fresh = corner(half, std::max(0.25 * edge * edge / size_, margin::kDistanceNoise * size_));
     for (const std::size_t moved : {a, b}) {
-      Cell part = cell;
+      FitCell part = cell;
       part.corner[moved] = fresh;
       part.depth = cell.depth + 1;
       add(std::move(part));
@@ -275,17 +272,17 @@ class Search {
   const FitQuery& query_;
   double size_;
   BoundaryPlace best_;
-  std::priority_queue<Cell> queue_;
+  std::priority_queue<FitCell> queue_;
 };
 
 }  // namespace
 
 BoundaryPlace best_fit(const UnionProtrusion& protrusion, const Vector& low, const Vector& high,
                        const FitQuery& query) {
-  const double size = protrusion.size(), tolerance = 0x1p-30 * size;
+  const double size = protrusion.size(), tolerance = margin::kAroundBox * size;
   const auto [from, to] =
       askew(low - Vector{tolerance, tolerance, tolerance}, plus(high, {tolerance, tolerance, tolerance}));
-  return Search(protrusion, query, size).run(tetrahedra_of_box(from, to));
+  return FitSearch(protrusion, query, size).run(tetrahedra_of_box(from, to));
 }
 
 }  // namespace findspace::distance

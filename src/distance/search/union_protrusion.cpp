@@ -9,6 +9,7 @@
 #include "distance/search/free_space.h"
 #include "distance/search/lp_bound.h"
 #include "distance/search/solid_protrusion.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -18,10 +19,8 @@ using space::Vector;
 
 namespace {
 
-/// Of the sizes: what rounding may do to a distance.
-constexpr double kNoise = 0x1p-46;
 /// To the nearest place that sticks out farthest; a place before is as good.
-constexpr int kMostSteps = 12;
+constexpr int kMostFarSteps = 12;
 
 Vector mixed(const std::array<double, 4>& weights, const Tetrahedron& t) {
   Vector out;
@@ -127,7 +126,7 @@ Tetrahedron UnionProtrusion::around(const Witness& witness, double reach) const 
   const auto at = [&](double a, double b, double c) {
     return solid.pulled_in(plus(witness.point, scaled(reach, plus(scaled(a, u), plus(scaled(b, w), scaled(c, out))))));
   };
-  const double rise = far < solid.radius * (1 - 0x1p-20) ? 0.5 : 0;  // no sign: which tetrahedron
+  const double rise = far < solid.radius * (1 - margin::kInsideBall) ? 0.5 : 0;  // no sign: which tetrahedron
   return {at(1, 0, rise), at(-0.5, 0.8, rise), at(-0.5, -0.8, rise), at(0, 0, -1)};
 }
 
@@ -159,7 +158,7 @@ void UnionProtrusion::follow(Witness& witness, const Vector& to, double reach) c
   witness.at = to;
   Vector at = plus(witness.point, witness.at);
   double out = beyond(at);
-  for (int k = 0; k < kMostSteps; ++k) {
+  for (int k = 0; k < kMostFarSteps; ++k) {
     Witness next = witness;
     next.point = farthest_out(around(witness, reach), witness.at, touching(at), at);
     const Vector there = plus(next.point, next.at);
@@ -176,8 +175,7 @@ void UnionProtrusion::follow(Witness& witness, const Vector& to, double reach) c
   }
 }
 
-std::vector<UnionProtrusion::Column> UnionProtrusion::holders(const Witness& witness, const Tetrahedron& cell,
-                                                              double reach) const {
+std::vector<Column> UnionProtrusion::holders(const Witness& witness, const Tetrahedron& cell, double reach) const {
   Vector at = plus(witness.point, witness.at);
   const Tetrahedron near = around(witness, 1.5 * reach);
   const std::vector<Touching> there = touching(at);
@@ -190,7 +188,7 @@ std::vector<UnionProtrusion::Column> UnionProtrusion::holders(const Witness& wit
     const Touching t = part(at);
     Column c{};
     for (std::size_t v = 0; v < 4; ++v) c[v] = t.value + space::dot(t.slope, moved[v] - at);
-    if (*std::min_element(c.begin(), c.end()) <= kNoise * size_) out.push_back(c);
+    if (*std::min_element(c.begin(), c.end()) <= margin::kDistanceNoise * size_) out.push_back(c);
   }
   return out;
 }

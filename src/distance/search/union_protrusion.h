@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "distance/search/boundary_search.h"
+#include "distance/search/lp_bound.h"
 #include "distance/search/round_solid.h"
 #include "space/body/body.h"
 
@@ -44,7 +45,6 @@ class UnionProtrusion {
   };
   /// To another position, and the point to where it sticks out farther there, nearby.
   void follow(Witness& witness, const space::Vector& to, double reach) const;
-  using Column = std::array<double, 4>;
   /// For each part of A that can hold the point at some position of the cell: at most its signed distance there, linear
   /// between the cell's corners. No part: B lies in A nowhere in the cell. The point may go so far from corner to
   /// corner, to stick out farther.

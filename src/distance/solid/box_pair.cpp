@@ -21,8 +21,6 @@ using space::RealVector;
 
 namespace {
 
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
-
 BoxComplex either(const BoxComplex& a, const BoxComplex& b) {
   return overlay(std::array<const BoxComplex*, 2>{&a, &b}, [](std::span<const Mark> m) { return Mark(m[0] || m[1]); });
 }
@@ -123,10 +121,10 @@ BoxComplex BoxPair::base_map(Which base, const Real& level) const {
   if (!s.defined) return BoxComplex({}, 1);
   if (level.sign() == 0) return s.map;
   if (level.sign() > 0)
-    fail("at a level above 0 the positions have round edges, which the exact map of boxes does not hold");
+    not_computed("at a level above 0 the positions have round edges, which the exact map of boxes does not hold");
   if (!s.has_negative) return BoxComplex({}, 1);
   if (s.negative.empty())
-    fail("at a level below 0 the positions have round edges, which the exact map of boxes does not hold");
+    not_computed("at a level below 0 the positions have round edges, which the exact map of boxes does not hold");
   std::optional<BoxComplex> map;
   for (const IntervalBox& box : s.negative) {
     const auto open = shrunk(box, -level, true), closed = shrunk(box, -level, false);
@@ -169,7 +167,7 @@ BoxComplex BoxPair::sign_map(Which which, const Real& level) const {
     default:
       break;
   }
-  fail("the positions have round edges, which the exact map of boxes does not hold");
+  not_computed("the positions have round edges, which the exact map of boxes does not hold");
 }
 
 bool BoxPair::has_value(Which which) {
@@ -181,10 +179,10 @@ bool BoxPair::has_value(Which which) {
 
 bool BoxPair::is_reach(Which which) { return which == Which::kGamma2 || which == Which::kDiameter; }
 
-std::optional<SolidValue> BoxPair::signed_value(Which base, const RealVector& p) const {
+std::optional<Answer> BoxPair::signed_value(Which base, const RealVector& p) const {
   const Signs& s = signs(base);
   if (!s.defined) return std::nullopt;
-  SolidValue out;
+  Answer out;
   const Mark sign = s.map.mark(p);
   if (sign == 0) return out;
   const auto q = nearest(sign < 0 ? s.rest : s.closed, p);
@@ -199,16 +197,16 @@ std::optional<SolidValue> BoxPair::signed_value(Which base, const RealVector& p)
   return out;
 }
 
-std::optional<SolidValue> BoxPair::farthest_value(Which base, const RealVector& p) const {
+std::optional<Answer> BoxPair::farthest_value(Which base, const RealVector& p) const {
   const auto q = farthest(signs(base).closed, p);
   if (!q) return std::nullopt;
-  SolidValue out;
+  Answer out;
   const RealVector off = space::minus(*q, p);
   out.value = sqrt(dot(off, off));
   return out;
 }
 
-std::optional<SolidValue> BoxPair::value(Which which, const RealVector& p) const {
+std::optional<Answer> BoxPair::value(Which which, const RealVector& p) const {
   if (which == Which::kEta2) return farthest_value(Which::kEta1, p);
   if (which == Which::kDelta2) return farthest_value(Which::kDelta1, p);
   if (is_reach(which)) {
@@ -223,7 +221,7 @@ std::optional<SolidValue> BoxPair::value(Which which, const RealVector& p) const
   const auto d = derived(which);
   if (!d) return signed_value(which, p);
   auto v = signed_value(d->base, p);
-  if (!v) return d->negated ? std::optional<SolidValue>(SolidValue{}) : std::nullopt;
+  if (!v) return d->negated ? std::optional<Answer>(Answer{}) : std::nullopt;
   if (v->lowest && d->negated) return std::nullopt;
   v->lowest = false;
   if (d->negated) v->value = -v->value;

@@ -32,7 +32,7 @@ class BoxPair {
   /// Whether value() answers for it; for these two as well, which bodies tell faster.
   static bool has_value(Which which);
   static bool is_reach(Which which);
-  std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
+  std::optional<Answer> value(Which which, const space::RealVector& p) const;
 
   /// The least value of gamma1, eta1 or delta1 and where it is taken, if the '-' set is made of separate boxes or
   /// empty.
@@ -55,8 +55,8 @@ class BoxPair {
   const Signs& signs(Which base) const;
   Signs made(Which base) const;
   space::BoxComplex base_map(Which base, const exact::Real& level) const;
-  std::optional<SolidValue> signed_value(Which base, const space::RealVector& p) const;
-  std::optional<SolidValue> farthest_value(Which base, const space::RealVector& p) const;
+  std::optional<Answer> signed_value(Which base, const space::RealVector& p) const;
+  std::optional<Answer> farthest_value(Which base, const space::RealVector& p) const;
 
   space::BoxComplex b_, a_;
   mutable std::array<std::once_flag, 3> once_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "distance/search/lp_bound.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -16,37 +17,37 @@ using space::Vector;
 namespace {
 
 /// The unit vector along which the distance grows.
-std::optional<Vector> direction(const SolidValue& v) {
+std::optional<Vector> direction(const Answer& v) {
   if (!v.points) return std::nullopt;
   const Vector w = space::rounded(space::minus((*v.points)[0], (*v.points)[1]));
   const double length = space::length(w), value = v.value.to_double();
   // The points of a signed value may be others.
-  if (!(length > 0) || std::fabs(length - std::fabs(value)) > 0x1p-40 * length) return std::nullopt;
+  if (!(length > 0) || std::fabs(length - std::fabs(value)) > margin::kWitnessAgrees * length) return std::nullopt;
   return space::scaled(1 / (value < 0 ? -length : length), w);
 }
 
 class Search {
  public:
-  Search(const std::function<SolidValue(const RealVector&)>& value, const Vector& low, const Vector& high)
+  Search(const std::function<Answer(const RealVector&)>& value, const Vector& low, const Vector& high)
       : value_(value), size_(space::length(high - low) + space::size_of(low) + space::size_of(high) + 1) {
     const Vector by = space::scaled(3, high - low);
     corners_ = {low, space::plus(low, {by.x, 0, 0}), space::plus(low, {0, by.y, 0}), space::plus(low, {0, 0, by.z})};
     next_ = space::scaled(0.5, space::plus(low, high));
   }
 
-  std::optional<SolidLeast> run() {
+  std::optional<Answer> run() {
     double bound = -exact::kInfinity;
-    for (int k = 0; k < kMostTangents && !(least_ - bound <= 0x1p-40 * size_); ++k) {
+    for (int k = 0; k < kMostTangents && !(least_ - bound <= margin::kTangentsMeet * size_); ++k) {
       if (!add_tangent()) break;
       const LpBound lowest = bounding_lp(columns_, std::nullopt);
-      bound = -lowest.value - 0x1p-42 * size_;
+      bound = -lowest.value - margin::kTangentNoise * size_;
       Vector to{};
       for (std::size_t c = 0; c < 4; ++c) to = space::plus(to, space::scaled(lowest.rows[c], corners_[c]));
       // Between the best and the lowest: where tangents are nearly level the lowest is anywhere.
       const Vector best = space::rounded(out_.at);
       next_ = space::plus(best, space::scaled(k % 4 == 3 ? 1.0 : 0.3, to - best));
     }
-    if (least_ - bound > 0x1p-36 * size_) return std::nullopt;
+    if (least_ - bound > margin::kTangentsApart * size_) return std::nullopt;
     offer_near();
     out_.bound = std::min(out_.value, Real::from_double(bound));
     return out_;
@@ -55,7 +56,7 @@ class Search {
  private:
   bool add_tangent() {
     const RealVector p = space::real(next_);
-    const SolidValue v = value_(p);
+    const Answer v = value_(p);
     const double value = v.value.to_double();
     if (value < least_) {
       least_ = value;
@@ -74,25 +75,25 @@ class Search {
   void offer_near() {
     RealVector even = out_.at;
     for (Real& c : even) c = Real(exact::round(c));
-    SolidValue v = value_(even);
-    if (v.value <= out_.value + Real::from_double(0x1p-38 * size_)) {
+    Answer v = value_(even);
+    if (v.value <= out_.value + Real::from_double(margin::kNoBetter * size_)) {
       out_.value = std::move(v.value);
       out_.at = even;
     }
   }
 
-  const std::function<SolidValue(const RealVector&)>& value_;
+  const std::function<Answer(const RealVector&)>& value_;
   double size_, least_ = exact::kInfinity;
   std::array<Vector, 4> corners_;  // of a tetrahedron about the box
   Vector next_;
   std::vector<std::array<double, 4>> columns_;
-  SolidLeast out_;
+  Answer out_ = least_answer({}, {}, false, {});
 };
 
 }  // namespace
 
-std::optional<SolidLeast> convex_least(const std::function<SolidValue(const RealVector&)>& value, const Vector& low,
-                                       const Vector& high) {
+std::optional<Answer> convex_least(const std::function<Answer(const RealVector&)>& value, const Vector& low,
+                                   const Vector& high) {
   return Search(value, low, high).run();
 }
 

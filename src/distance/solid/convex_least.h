@@ -20,7 +20,7 @@ namespace findspace::distance {
 inline constexpr int kMostTangents = 500;
 
 /// The least is in the box. Nothing where a value has no points to tell the tangent.
-std::optional<SolidLeast> convex_least(const std::function<SolidValue(const space::RealVector&)>& value,
-                                       const space::Vector& low, const space::Vector& high);
+std::optional<Answer> convex_least(const std::function<Answer(const space::RealVector&)>& value,
+                                   const space::Vector& low, const space::Vector& high);
 
 }  // namespace findspace::distance

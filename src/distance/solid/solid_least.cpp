@@ -9,6 +9,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/solid/convex_least.h"
+#include "exact/number/margins.h"
 #include "space/body/outside_cells.h"
 #include "space/body/union_frontier.h"
 #include "space/polytope/deepest.h"
@@ -30,7 +31,7 @@ struct Obstacles {
 
 /// The planes that obstacles near `place` turn to it: the ball about the place touches their insides.
 std::vector<HalfSpace> touched_planes(const Obstacles& all, const Vector& place, double radius) {
-  const double slack = 0x1p-24 * (radius + 0x1p-20 * space::size_of(place));
+  const double slack = margin::kTouchedPlane * (radius + margin::kTouchedOfSize * space::size_of(place));
   std::vector<HalfSpace> planes;
   for (std::size_t k = 0; k < all.distances.size(); ++k) {
     if (all.distances[k](place) > radius + slack) continue;
@@ -44,7 +45,7 @@ std::vector<HalfSpace> touched_planes(const Obstacles& all, const Vector& place,
 /// Positions near a place that is known to rounding, of numbers that the true one may well have.
 std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place, double radius) {
   std::vector<RealVector> out;
-  const double tolerance = 0x1p-20 * (radius + space::size_of(place)) + 1;
+  const double tolerance = margin::kLikelyBox * (radius + space::size_of(place)) + 1;
   const Vector by{tolerance, tolerance, tolerance};
   if (const auto exact = space::deepest(touched_planes(all, place, radius), space::real(place - by),
                                         space::real(space::plus(place, by))))
@@ -53,7 +54,8 @@ std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place,
   for (Real& c : even) {
     for (const int parts : {8, 6, 5, 4, 3, 2, 1}) {
       const Real rounded = Real(exact::round(c * Real(parts))) / Real(parts);
-      if (std::fabs((rounded - c).to_double()) <= 0x1p-24 * (radius + 1)) c = rounded;  // no sign: its value decides
+      if (std::fabs((rounded - c).to_double()) <= margin::kSimpleCoordinate * (radius + 1))
+        c = rounded;  // no sign: its value decides
     }
   }
   out.push_back(even);
@@ -62,19 +64,19 @@ std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place,
 }
 
 /// Of a signed distance: -(max_min - radius).
-std::optional<SolidLeast> deepest_place(const Obstacles& all, const Real& radius, const RealVector& somewhere,
-                                        const std::function<std::optional<SolidValue>(const RealVector&)>& value) {
+std::optional<Answer> deepest_place(const Obstacles& all, const Real& radius, const RealVector& somewhere,
+                                    const std::function<std::optional<Answer>(const RealVector&)>& value) {
   const double size = space::size_of(space::rounded(somewhere)) + radius.to_double() + 1;
   const SolidMaxMin max_min =
-      all.tolerance.empty() ? SolidMaxMin{} : solid_max_min(all.tolerance, all.distances, 0x1p-42 * size);
-  const Real bound = radius - Real::from_double(max_min.bound + 0x1p-42 * size);
-  std::optional<SolidLeast> best;
+      all.tolerance.empty() ? SolidMaxMin{} : solid_max_min(all.tolerance, all.distances, margin::kTangentNoise * size);
+  const Real bound = radius - Real::from_double(max_min.bound + margin::kTangentNoise * size);
+  std::optional<Answer> best;
   // Values are right to 2^-40, so what is less by less than that is no better than a likelier place.
-  const Real blur = Real::from_double(0x1p-38 * size);  // no sign: it chooses among positions
+  const Real blur = Real::from_double(margin::kNoBetter * size);  // no sign: it chooses among positions
   const auto offer = [&](const RealVector& p) {
     const auto v = value(p);
     if (!v || (best && !(v->value < best->value - blur))) return;
-    best = SolidLeast{v->value, std::min(bound, v->value), false, p};
+    best = least_answer(v->value, std::min(bound, v->value), false, p);
   };
   if (max_min.value > 0) {
     for (const RealVector& p : likely_places(all, max_min.place, max_min.value)) offer(p);
@@ -92,7 +94,7 @@ class Least {
     high_ = space::minus(outer.high, inner.low);
   }
 
-  std::optional<SolidLeast> of(Which which) const {
+  std::optional<Answer> of(Which which) const {
     switch (which) {
       case Which::kGamma1:
         return a_.round() || b_.round() ? searched(which, -exact::kInfinity) : overlap();
@@ -153,7 +155,7 @@ class Least {
     return all;
   }
 
-  std::optional<SolidLeast> overlap() const {
+  std::optional<Answer> overlap() const {
     return deepest_place(around_overlap(), Real(), low_,
                          [&](const RealVector& p) { return pair_.value(Which::kGamma1, p); });
   }
@@ -166,7 +168,7 @@ class Least {
     return low[0] <= high[0] && low[1] <= high[1] && low[2] <= high[2];
   }
 
-  std::optional<SolidLeast> containment() const {
+  std::optional<Answer> containment() const {
     RealVector low, high;
     if (!fit_box(low, high)) return std::nullopt;
     Body core = b_;
@@ -186,25 +188,22 @@ class Least {
       const std::vector<Tetrahedron> more = tetrahedra(piece);
       all.tolerance.insert(all.tolerance.end(), more.begin(), more.end());
     }
-    if (all.tolerance.empty() && radius.sign() == 0) return SolidLeast{Real(), Real(), true, *somewhere};
+    if (all.tolerance.empty() && radius.sign() == 0) return least_answer(Real(), Real(), true, *somewhere);
     for (std::size_t k = 0; k < cover.size(); ++k) {
       all.distances.push_back(distance_to(cover.planes(k)));
       all.planes.push_back(cover.planes(k));
     }
-    auto found = deepest_place(all, radius, *somewhere, [&](const RealVector& p) -> std::optional<SolidValue> {
-      try {
-        return pair_.value(Which::kEta1, p);
-      } catch (const Error& e) {
-        // A round shape that does not fit there has no value.
-        if (e.code() != ErrorCode::kUnsupported || radius.sign() == 0) throw;
-        return std::nullopt;
-      }
+    auto found = deepest_place(all, radius, *somewhere, [&](const RealVector& p) -> std::optional<Answer> {
+      if (radius.sign() == 0) return pair_.value(Which::kEta1, p);
+      // A round shape that does not fit there has no value.
+      auto v = exact::tried([&] { return pair_.value(Which::kEta1, p); });
+      return v ? *std::move(v) : std::nullopt;
     });
     // Where it fits nowhere with its radius the value says so, or that this is not decided.
     return !found && radius.sign() > 0 ? searched(Which::kEta1, -exact::kInfinity) : found;
   }
 
-  std::optional<SolidLeast> farthest_fit() const {
+  std::optional<Answer> farthest_fit() const {
     RealVector low, high;
     if (a_.round() || b_.round()) return searched(Which::kEta2, 0);
     if (!fit_box(low, high)) return std::nullopt;
@@ -223,27 +222,27 @@ class Least {
     }
     const space::EnclosingBall ball = space::min_ball(points);
     const Real value = sqrt(ball.square);
-    return SolidLeast{value, value, true, ball.center};
+    return least_answer(value, value, true, ball.center);
   }
 
   /// 0, at a place where the bodies touch or lie apart.
-  std::optional<SolidLeast> zero(Which which) const {
+  std::optional<Answer> zero(Which which) const {
     RealVector at = which == Which::kD1
                         ? space::minus(space::real(a_.parts[0].vertices()[0]), space::real(b_.parts[0].vertices()[0]))
                         : high_;
     if (which != Which::kD1) at[0] += Real(1);
-    return SolidLeast{Real(), Real(), true, at};
+    return least_answer(Real(), Real(), true, at);
   }
 
-  static std::optional<SolidLeast> at_least(std::optional<SolidLeast> v, const Real& floor) {
-    if (v && v->value <= floor) return SolidLeast{floor, floor, true, v->at};
+  static std::optional<Answer> at_least(std::optional<Answer> v, const Real& floor) {
+    if (v && v->value <= floor) return least_answer(floor, floor, true, v->at);
     if (v && v->bound < floor) v->bound = floor;
     return v;
   }
 
   /// The farthest points of A and B + p are vertices: the centre of the smallest ball around their differences is
   /// nearest to all.
-  std::optional<SolidLeast> reach() const {
+  std::optional<Answer> reach() const {
     const Real round = a_.parts[0].radius + b_.parts[0].radius;
     std::vector<RealVector> points;
     for (const space::BodyPart& t : a_.parts) {
@@ -256,10 +255,10 @@ class Least {
     }
     const space::EnclosingBall ball = space::min_ball(points);
     const Real value = sqrt(ball.square) + round;
-    return SolidLeast{value, value, true, ball.center};
+    return least_answer(value, value, true, ball.center);
   }
 
-  std::optional<SolidLeast> searched(Which which, double floor) const {
+  std::optional<Answer> searched(Which which, double floor) const {
     if (!pair_.value(which, low_)) return std::nullopt;
     const Vector low = space::rounded(low_), high = space::rounded(high_);
     const auto value = [&](const RealVector& p) { return *pair_.value(which, p); };
@@ -292,7 +291,7 @@ Which exchanged(Which which) {
 
 }  // namespace
 
-std::optional<SolidLeast> solid_least(Which which, const Body& b, const Body& a) {
+std::optional<Answer> solid_least(Which which, const Body& b, const Body& a) {
   if (a.outside)
     throw Error(ErrorCode::kUnsupported, "over all positions a distance to a complement has no least value");
   const Which forth = exchanged(which);

@@ -22,6 +22,6 @@
 namespace findspace::distance {
 
 /// Both of one scale, B not `outside`; nothing where the distance is undefined.
-std::optional<SolidLeast> solid_least(Which which, const space::Body& b, const space::Body& a);
+std::optional<Answer> solid_least(Which which, const space::Body& b, const space::Body& a);
 
 }  // namespace findspace::distance

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
+#include "distance/search/answer.h"
 #include "distance/search/free_space.h"
 #include "distance/search/solid_protrusion.h"
-#include "distance/search/solid_value.h"
 
 namespace findspace::distance {
 
@@ -20,22 +20,20 @@ using space::RealVector;
 
 namespace {
 
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
-
 Real length(const RealVector& v) { return sqrt(space::dot(v, v)); }
 
 /// The value of a convex core with radius r around it; q is the nearest point of the core's frontier (or of the core).
-SolidValue with_radius(const RealVector& p, const RealVector& q, bool inside, const Real& r) {
+Answer with_radius(const RealVector& p, const RealVector& q, bool inside, const Real& r) {
   const RealVector w = space::minus(p, q);
   const Real d = length(w);
-  SolidValue out;
+  Answer out;
   out.value = (inside ? -d : d) - r;
   // The frontier lies r further out from q, on the line through p; at d = 0 the line is not known.
   if (out.value.sign() != 0 && d.sign() != 0) out.nearest = space::along(q, (inside ? -r : r) / d, w);
   return out;
 }
 
-SolidValue turned(SolidValue v) {
+Answer turned(Answer v) {
   v.value = -v.value;
   return v;
 }
@@ -55,20 +53,20 @@ SolidPair::SolidPair(std::shared_ptr<const Body> b, std::shared_ptr<const Body> 
   back_.fixed = b_.get();
 }
 
-SolidValue SolidPair::gap(const RealVector& p, bool depth) const {
+Answer SolidPair::gap(const RealVector& p, bool depth) const {
   if (a_->round() || b_->round()) return round_gap(p, depth);
   std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenUnion>(overlap_cover(*b_, *a_)); });
   if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_in_complement(p), -1);
   return signed_value(p, *overlap_->nearest_touching(p), 1);
 }
 
-SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
-  std::optional<SolidValue> best;
+Answer SolidPair::round_gap(const RealVector& p, bool depth) const {
+  std::optional<Answer> best;
   for (const BodyPart& t : a_->parts) {
     for (const BodyPart& s : b_->parts) {
       const std::vector<space::HalfSpace> planes = space::difference_planes(t, s);
       const Real r = t.radius + s.radius;
-      SolidValue v;
+      Answer v;
       if (planes.empty()) {
         v = with_radius(p, real(t.center - s.center), false, r);
       } else {
@@ -105,24 +103,24 @@ SolidValue SolidPair::round_gap(const RealVector& p, bool depth) const {
   return turned(*round_overlap_->nearest(p, true));
 }
 
-SolidValue SolidPair::protrusion(const Side& side, const RealVector& p, bool depth) const {
+Answer SolidPair::protrusion(const Side& side, const RealVector& p, bool depth) const {
   if (side.fixed->convex()) return protrusion_of_convex(*side.moving, side.fixed->parts[0], p);
   if (!side.fixed->round()) {
     if (auto inside = inside_polyhedra(side, p)) return *inside;
   }
-  SolidValue out = protrusion_of_union(*side.moving, *side.fixed, p);
+  Answer out = protrusion_of_union(*side.moving, *side.fixed, p);
   const bool inside = side.fixed->round() && out.value.sign() <= 0;
   return depth && inside ? depth_inside(side, p) : out;
 }
 
-std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) const {
+std::optional<Answer> SolidPair::bounded(Which which, const RealVector& p) const {
   const RealVector q = space::negated(p);
   // Exchanged roles see the position from the other side.
-  const auto seen_back = [](std::optional<SolidValue> v) {
+  const auto seen_back = [](std::optional<Answer> v) {
     if (v && v->nearest) v->nearest = space::negated(*v->nearest);
     return v;
   };
-  const auto points_back = [&](SolidValue v) {
+  const auto points_back = [&](Answer v) {
     if (v.points) v.points = {space::plus((*v.points)[1], p), space::plus((*v.points)[0], p)};
     if (v.nearest) v.nearest = space::negated(*v.nearest);
     return v;
@@ -145,7 +143,7 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
     case Which::kMuBack:
       return points_back(protrusion(back_, q));
     case Which::kHausdorff: {
-      const SolidValue forth = protrusion(forth_, p, false), back = points_back(protrusion(back_, q, false));
+      const Answer forth = protrusion(forth_, p, false), back = points_back(protrusion(back_, q, false));
       return forth.value < back.value ? back : forth;
     }
     case Which::kD1:
@@ -161,10 +159,10 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
     case Which::kPenetration:
       return cut_off(gap(p), true);
     case Which::kDiameter: {
-      SolidValue most = reach(p);
+      Answer most = reach(p);
       for (const Body* body : {a_.get(), b_.get()}) {
         const Real own = diameter(*body);
-        if (most.value < own) most = SolidValue{own, true, false, {}, {}};
+        if (most.value < own) most = Answer{own, true, false, {}, {}};
       }
       return most;
     }
@@ -173,12 +171,13 @@ std::optional<SolidValue> SolidPair::bounded(Which which, const RealVector& p) c
 }
 
 /// The depth of the deepest point of B + p, which lies in the interior of A's parts.
-SolidValue SolidPair::reach_into_parts(const RealVector& p) const {
+Answer SolidPair::reach_into_parts(const RealVector& p) const {
   if (!a_->round()) return protrusion_of_cells(*b_, fit(forth_).cells, p);
-  if (!a_->convex()) fail("how far a shape sticks out of the complement of a union of round parts is not computed");
+  if (!a_->convex())
+    not_computed("how far a shape sticks out of the complement of a union of round parts is not computed");
   // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
   const BodyPart& part = a_->parts[0];
-  SolidValue out;
+  Answer out;
   if (!part.core) {
     out.value = std::min(-gap(p, false).value, part.radius);
     return out;
@@ -186,7 +185,7 @@ SolidValue SolidPair::reach_into_parts(const RealVector& p) const {
   Body core = *a_;
   core.parts[0].radius = Real();
   core.outside = true;
-  const SolidValue v = *SolidPair(b_, std::make_shared<const Body>(std::move(core))).value(Which::kMu, p);
+  const Answer v = *SolidPair(b_, std::make_shared<const Body>(std::move(core))).value(Which::kMu, p);
   out.value = v.value + part.radius;
   out.proven = v.proven;
   out.error = v.error;
@@ -194,15 +193,15 @@ SolidValue SolidPair::reach_into_parts(const RealVector& p) const {
 }
 
 /// A is the closure of the complement of its parts: the dual distances of the parts (distances.md 3.1).
-std::optional<SolidValue> SolidPair::unbounded(Which which, const RealVector& p) const {
-  const auto gamma1 = [&]() -> std::optional<SolidValue> {
+std::optional<Answer> SolidPair::unbounded(Which which, const RealVector& p) const {
+  const auto gamma1 = [&]() -> std::optional<Answer> {
     auto v = contained(forth_, p);
-    if (!v) return SolidValue{Real(), true, true, {}, {}};
+    if (!v) return Answer{Real(), true, true, {}, {}};
     return turned(*v);
   };
   const auto eta1 = [&] { return turned(gap(p)); };
-  const auto mu = [&]() -> SolidValue {
-    const SolidValue v = turned(gap(p, false));
+  const auto mu = [&]() -> Answer {
+    const Answer v = turned(gap(p, false));
     if (v.value.sign() <= 0) return v;
     return reach_into_parts(p);
   };
@@ -222,13 +221,13 @@ std::optional<SolidValue> SolidPair::unbounded(Which which, const RealVector& p)
     case Which::kDstarBack:
       return cut_off(eta1(), true);
     case Which::kDstar:
-      return SolidValue{};
+      return Answer{};
     default:
       return std::nullopt;
   }
 }
 
-std::optional<SolidValue> SolidPair::value(Which which, const RealVector& p) const {
+std::optional<Answer> SolidPair::value(Which which, const RealVector& p) const {
   return outside_ ? unbounded(which, p) : bounded(which, p);
 }
 

@@ -11,8 +11,8 @@
 //   mu       the greatest signed distance to A of a point of B: at a vertex where A is convex, else by search
 //   (solid_protrusion.h); of a complement the depth of the deepest point of B in what that leaves.
 // Guarantee: signs exact, values right to 2^-40 relative, most of them exact numbers (`proven`). Where a distance is
-// not computed for a kind of body (see fail in the .cpp) Error(kUnsupported) says so. Lengths in the bodies' common
-// steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
+// not computed for a kind of body (see not_computed in the .cpp) Error(kUnsupported) says so. Lengths in the bodies'
+// common steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "distance/planar/shape_pair.h"
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
 #include "space/body/ball_meet.h"
 #include "space/body/body.h"
 #include "space/body/position_covers.h"
@@ -37,7 +37,7 @@ class SolidPair {
   SolidPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a);
 
   /// Nothing where the distance is undefined: +infinity.
-  std::optional<SolidValue> value(Which which, const space::RealVector& p) const;
+  std::optional<Answer> value(Which which, const space::RealVector& p) const;
 
  private:
   /// "moving in fixed": E of a body in another, made when first needed.
@@ -67,29 +67,29 @@ class SolidPair {
   const Fit& fit(const Side& side) const;
   static std::unique_ptr<Fit> made_fit(const Side& side);
   static const FreeSpace& front(const Side& side, const Fit& fit);
-  std::optional<SolidValue> contained(const Side& side, const space::RealVector& p) const;
+  std::optional<Answer> contained(const Side& side, const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
-  std::optional<SolidValue> inside_polyhedra(const Side& side, const space::RealVector& p) const;
-  std::optional<SolidValue> farthest_fit(const Side& side, const space::RealVector& p) const;
+  std::optional<Answer> inside_polyhedra(const Side& side, const space::RealVector& p) const;
+  std::optional<Answer> farthest_fit(const Side& side, const space::RealVector& p) const;
   /// The box holds E.
   static std::shared_ptr<const UnionContainers> union_containers(const space::Body& b, const space::Body& a,
                                                                  const space::Bounds3& box);
   /// `outside`: the protrusion of the moving body at p.
-  std::optional<SolidValue> into_union(const Side& side, const Fit& fit, const space::RealVector& p,
-                                       const SolidValue& outside) const;
-  static std::optional<SolidValue> farthest_in_union(const Fit& fit, const space::RealVector& p);
+  std::optional<Answer> into_union(const Side& side, const Fit& fit, const space::RealVector& p,
+                                   const Answer& outside) const;
+  static std::optional<Answer> farthest_in_union(const Fit& fit, const space::RealVector& p);
   /// max(0, -eta1), also where eta1 is not computed.
-  std::optional<SolidValue> clearance_inside(const Side& side, const space::RealVector& p) const;
+  std::optional<Answer> clearance_inside(const Side& side, const space::RealVector& p) const;
   /// Minus the distance of the moving body, which lies in the fixed one, to what is outside that.
-  static SolidValue depth_inside(const Side& side, const space::RealVector& p);
+  static Answer depth_inside(const Side& side, const space::RealVector& p);
   /// Without `depth` a value below 0 need only be below 0; so also below.
-  SolidValue gap(const space::RealVector& p, bool depth = true) const;
-  SolidValue round_gap(const space::RealVector& p, bool depth) const;
-  SolidValue reach(const space::RealVector& p) const;
-  SolidValue protrusion(const Side& side, const space::RealVector& p, bool depth = true) const;
-  SolidValue reach_into_parts(const space::RealVector& p) const;
-  std::optional<SolidValue> bounded(Which which, const space::RealVector& p) const;
-  std::optional<SolidValue> unbounded(Which which, const space::RealVector& p) const;
+  Answer gap(const space::RealVector& p, bool depth = true) const;
+  Answer round_gap(const space::RealVector& p, bool depth) const;
+  Answer reach(const space::RealVector& p) const;
+  Answer protrusion(const Side& side, const space::RealVector& p, bool depth = true) const;
+  Answer reach_into_parts(const space::RealVector& p) const;
+  std::optional<Answer> bounded(Which which, const space::RealVector& p) const;
+  std::optional<Answer> unbounded(Which which, const space::RealVector& p) const;
 
   std::shared_ptr<const space::Body> b_, a_;  // a_ without its `outside`
   bool outside_ = false;

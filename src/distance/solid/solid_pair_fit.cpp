@@ -16,9 +16,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/search/answer.h"
 #include "distance/search/free_space.h"
 #include "distance/search/solid_protrusion.h"
-#include "distance/search/solid_value.h"
 #include "distance/solid/solid_pair.h"
 
 namespace findspace::distance {
@@ -115,10 +115,10 @@ const SolidPair::Fit& SolidPair::fit(const Side& side) const {
   return *side.fit;
 }
 
-std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVector& p) const {
+std::optional<Answer> SolidPair::contained(const Side& side, const RealVector& p) const {
   const bool in_round = side.fixed->round() && !(side.fixed->convex() && side.fixed->parts[0].point());
   if (in_round) {
-    const SolidValue v = protrusion(side, p);
+    const Answer v = protrusion(side, p);
     if (v.value.sign() <= 0) return v;  // inside both distances agree
     const Fit& f = fit(side);
     if (f.none) return std::nullopt;
@@ -148,12 +148,12 @@ std::optional<SolidValue> SolidPair::contained(const Side& side, const RealVecto
   return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
 }
 
-std::optional<SolidValue> SolidPair::inside_polyhedra(const Side& side, const RealVector& p) const {
-  std::optional<SolidValue> least;
+std::optional<Answer> SolidPair::inside_polyhedra(const Side& side, const RealVector& p) const {
+  std::optional<Answer> least;
   for (const Fit::Group& group : fit(side).groups) {
     if (group.cover.covers(p)) return std::nullopt;
     const RealVector q = *group.cover.nearest_touching(p);
-    SolidValue v = signed_value(p, q, -1);
+    Answer v = signed_value(p, q, -1);
     if (group.radius.sign() > 0) {
       // The ball fits where it is no deeper than that; so much less is the way to where it does not.
       const Real d = -v.value;
@@ -167,7 +167,7 @@ std::optional<SolidValue> SolidPair::inside_polyhedra(const Side& side, const Re
   return least;
 }
 
-std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
+std::optional<Answer> SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
   const Fit& f = fit(side);
   if (f.none) return std::nullopt;
   if (f.in_union) return farthest_in_union(f, p);
@@ -185,25 +185,25 @@ std::optional<SolidValue> SolidPair::farthest_fit(const Side& side, const RealVe
     q = farthest_in_complement(f.groups[0].cover, box->low, box->high, p);
   }
   if (!q) return std::nullopt;
-  SolidValue out;
+  Answer out;
   out.value = sqrt(space::dot(space::minus(*q, p), space::minus(*q, p)));
   return out;
 }
 
-std::optional<SolidValue> SolidPair::clearance_inside(const Side& side, const RealVector& p) const {
+std::optional<Answer> SolidPair::clearance_inside(const Side& side, const RealVector& p) const {
   const bool in_rounds = side.fixed->round() && !side.fixed->convex();
-  if (in_rounds && protrusion(side, p, false).value.sign() > 0) return SolidValue{};
+  if (in_rounds && protrusion(side, p, false).value.sign() > 0) return Answer{};
   return cut_off(contained(side, p), true);
 }
 
-SolidValue SolidPair::depth_inside(const Side& side, const RealVector& p) {
+Answer SolidPair::depth_inside(const Side& side, const RealVector& p) {
   const space::Bounds3 box = bounds(*side.fixed);
   std::vector<GrownSet> sets;
   for (const BodyPart& part : side.fixed->parts) sets.push_back({part.planes(), real(part.center), part.radius});
   const FreeSpace tolerance = FreeSpace::outside(std::move(sets), box.low, box.high);
-  std::optional<SolidValue> least;
+  std::optional<Answer> least;
   for (const BodyPart& part : side.moving->parts) {
-    SolidValue v = tolerance.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
+    Answer v = tolerance.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
     if (!least || v.value < least->value) least = std::move(v);
   }
   least->value = -least->value;

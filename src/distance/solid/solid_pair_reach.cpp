@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "distance/solid/solid_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -43,7 +44,7 @@ void visit_farthest(const Body& a, const Body& b, const space::Vector& p, Visit&
         const space::Vector at = exact::approx(v) - p;
         const double most = space::length(at - middle) + reach + radius,
                      blur = space::size_of(at) + space::size_of(middle);
-        if (most * (1 + 0x1p-40) + 0x1p-44 * blur < top * (1 - 0x1p-40)) continue;
+        if (most * margin::kUpward + margin::kPlaceNoise * blur < top * margin::kDownward) continue;
         for (const BodyPart& s : b.parts) {
           const double r = radius + s.radius.to_double();
           for (const space::Point& w : s.vertices()) take(t, s, v, w, space::length(at - exact::approx(w)) + r);
@@ -54,19 +55,19 @@ void visit_farthest(const Body& a, const Body& b, const space::Vector& p, Visit&
   using space::Point;
   each([&](const BodyPart&, const BodyPart&, const Point&, const Point&, double d) { top = std::max(top, d); });
   each([&](const BodyPart& t, const BodyPart& s, const Point& v, const Point& w, double d) {
-    if (d >= top * (1 - 0x1p-46)) visit(t, s, v, w);
+    if (d >= top * (1 - margin::kFarthestTie)) visit(t, s, v, w);
   });
 }
 
 }  // namespace
 
-SolidValue SolidPair::reach(const RealVector& p) const {
-  std::optional<SolidValue> best;
+Answer SolidPair::reach(const RealVector& p) const {
+  std::optional<Answer> best;
   visit_farthest(*a_, *b_, space::rounded(p), [&](const BodyPart& t, const BodyPart& s, const auto& v, const auto& w) {
     const RealVector a = real(v), b = space::plus(real(w), p), e = space::minus(a, b);
     const Real core = sqrt(space::dot(e, e)), value = core + t.radius + s.radius;
     if (best && !(best->value < value)) return;
-    best = SolidValue{};
+    best = Answer{};
     best->value = value;
     if (core.sign() == 0) return;
     best->points = {space::along(b, -(s.radius / core), e), space::along(a, t.radius / core, e)};

@@ -11,9 +11,10 @@
 
 #include <cmath>
 
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
 #include "distance/search/union_fit.h"
 #include "distance/solid/solid_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -29,30 +30,23 @@ struct UnionContainers {
 
 namespace {
 
-/// What a value found by search may be off, of the sizes.
-constexpr double kError = 0x1p-36;
-
 /// The nearest (farthest) place in a single part, where that is known.
-std::optional<SolidValue> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
-  std::optional<SolidValue> best;
+std::optional<Answer> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
+  std::optional<Answer> best;
   for (const auto& pair : containers.alone) {
-    try {
-      auto v = pair->value(farthest ? Which::kEta2 : Which::kEta1, p);
-      if (!v) continue;
-      if (!best || (farthest ? best->value < v->value : v->value < best->value)) best = std::move(v);
-    } catch (const Error& e) {
-      if (e.code() != ErrorCode::kUnsupported) throw;  // the search will tell
-    }
+    auto tried = exact::tried([&] { return pair->value(farthest ? Which::kEta2 : Which::kEta1, p); });
+    if (!tried || !*tried) continue;  // the search will tell
+    Answer& v = **tried;
+    if (!best || (farthest ? best->value < v.value : v.value < best->value)) best = std::move(v);
   }
   return best;
 }
 
-std::optional<SolidValue> settled(const BoundaryPlace& found, const std::optional<SolidValue>& known, double size,
-                                  int sense) {
-  const double slack = kError * size;
+std::optional<Answer> settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size, int sense) {
+  const double slack = margin::kUnionFitError * size;
   if (found.known && found.value - found.bound <= slack) return known;
   if (found.found && found.value - found.bound <= slack) {
-    SolidValue out;
+    Answer out;
     out.value = Real::from_double(sense * found.value);
     out.nearest = RealVector{Real::from_double(found.place.x), Real::from_double(found.place.y),
                              Real::from_double(found.place.z)};
@@ -86,8 +80,8 @@ std::shared_ptr<const UnionContainers> SolidPair::union_containers(const space::
   return out;
 }
 
-std::optional<SolidValue> SolidPair::into_union(const Side& side, const Fit& fit, const RealVector& p,
-                                                const SolidValue& outside) const {
+std::optional<Answer> SolidPair::into_union(const Side& side, const Fit& fit, const RealVector& p,
+                                            const Answer& outside) const {
   // Moved by as much, the way that B sticks out by, it often fits, and no shorter way leads to where it does.
   if (outside.points && outside.proven) {
     const RealVector q = space::minus(p, space::minus((*outside.points)[0], (*outside.points)[1]));
@@ -102,7 +96,7 @@ std::optional<SolidValue> SolidPair::into_union(const Side& side, const Fit& fit
                  containers.protrusion.size(), 1);
 }
 
-std::optional<SolidValue> SolidPair::farthest_in_union(const Fit& fit, const RealVector& p) {
+std::optional<Answer> SolidPair::farthest_in_union(const Fit& fit, const RealVector& p) {
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, true);
   FitQuery query{space::rounded(p), true};

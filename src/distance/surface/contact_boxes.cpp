@@ -3,6 +3,7 @@
 #include "distance/surface/contact_boxes.h"
 
 #include "distance/search/boundary_cells.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -32,7 +33,7 @@ ContactBoxes::ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& 
   const Vector low = approx(inside ? of_a.low - of_b.low : of_a.low - of_b.high),
                high = approx(inside ? of_a.high - of_b.high : of_a.high - of_b.low);
   // The bodies may be as large as each other: some tolerance.
-  const double tolerance = 0x1p-6 * space::length(approx(of_b.high - of_b.low));
+  const double tolerance = margin::kAroundContacts * space::length(approx(of_b.high - of_b.low));
   const auto complete =
       askew(low - Vector{tolerance, tolerance, tolerance}, space::plus(high, {tolerance, tolerance, tolerance}));
   size_ = space::length(complete.first) + space::length(complete.second) + depths_.size();
@@ -47,7 +48,7 @@ const ContactBoxes::Box& ContactBoxes::look(int k) {
   if (box.state != State::kNew) return box;
   const Vector middle = box.of.middle();
   const double half = space::length(box.half());
-  if (depths_.deeper(middle, half + 0x1p-43 * size_, likely_)) {
+  if (depths_.deeper(middle, half + margin::kDepthNoise * size_, likely_)) {
     box.state = State::kOverlap;
   } else if (const auto planes = planes_.near(middle, half, kFewPlanes, kFewPairs)) {
     box.state = State::kPlanes;

@@ -10,6 +10,7 @@
 #include <deque>
 
 #include "distance/surface/surface_depths.h"
+#include "exact/number/margins.h"
 #include "space/polytope/extent.h"
 #include "space/surface/contact_planes.h"
 #include "space/surface/real_overlap.h"
@@ -38,7 +39,7 @@ class ContactBoxes {
   const Box& box(int k) const { return boxes_[static_cast<std::size_t>(k)]; }
   /// Those of a box that many pass; nothing where they are too many.
   std::optional<std::vector<space::HalfSpace>> many_planes(int k) const;
-  bool tiny(const Box& box) const { return space::length(box.half()) < kTiny * size_; }
+  bool tiny(const Box& box) const { return space::length(box.half()) < margin::kSmallestContactBox * size_; }
   /// One that is not tiny, in eight.
   void divide(int k);
 
@@ -52,9 +53,6 @@ class ContactBoxes {
   double size() const { return size_; }
 
  private:
-  /// Of the size: no box is divided further.
-  static constexpr double kTiny = 0x1p-38;
-
   space::RealOverlap overlap_;
   space::ContactPlanes planes_;
   SurfaceDepths depths_;

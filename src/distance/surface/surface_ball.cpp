@@ -9,6 +9,7 @@
 #include "distance/search/boundary_search.h"
 #include "distance/surface/surface_ball_name.h"
 #include "distance/surface/surface_max_min.h"
+#include "exact/number/margins.h"
 #include "space/polytope/extent.h"
 
 namespace findspace::distance {
@@ -19,24 +20,20 @@ using space::Vector;
 
 namespace {
 
-/// As in free_space.cpp.
-constexpr double kError = 0x1p-40, kMostError = 0x1p-32;
-/// Of the size: what is better than the best by less is not looked for.
-constexpr double kBetter = 0x1p-43;
-constexpr int kMostBoxes = 200000;
+constexpr int kMostBallBoxes = 200000;
 
-struct Box {
+struct BallBox {
   space::Extent of;
   double key = 0;  // nothing in it is nearer; or minus that nothing is farther
-  bool operator<(const Box& other) const { return key > other.key; }
+  bool operator<(const BallBox& other) const { return key > other.key; }
 };
 
 /// Triangles whose distances are searched in a box of that share of the radius.
-std::size_t few(double share) { return share > 0x1p-4 ? 64 : 400; }
+std::size_t few(double share) { return share > margin::kLargeShare ? 64 : 400; }
 
-class Search {
+class BallSearch {
  public:
-  Search(const SurfaceBall& ball, const RealVector& x, bool farthest)
+  BallSearch(const SurfaceBall& ball, const RealVector& x, bool farthest)
       : ball_(ball),
         radius_(ball.radius.to_double()),
         x_(x),
@@ -53,26 +50,26 @@ class Search {
   }
 
   BallPlace run() {
-    for (int count = 0; !queue_.empty() && queue_.top().key < best_ - kBetter * size_; ++count) {
-      if (count == kMostBoxes) return {};
-      const Box top = queue_.top();
+    for (int count = 0; !queue_.empty() && queue_.top().key < best_ - margin::kNearerAtAll * size_; ++count) {
+      if (count == kMostBallBoxes) return {};
+      const BallBox top = queue_.top();
       queue_.pop();
       if (!settled(top)) divide(top);
       if (lost_) return {};
     }
     if (!found_) return {!(bound_ < exact::kInfinity), std::nullopt};
     const double off = std::max(best_ - bound_, 0.0);
-    if (off > kMostError * size_) return {};
+    if (off > margin::kMostFoundError * size_) return {};
     return {true, value(off)};
   }
 
  private:
   void push(const space::Extent& of) {
     const double key = farthest_ ? -of.farthest(near_) : of.distance(near_);
-    if (key < best_ - kBetter * size_) queue_.push({of, key});
+    if (key < best_ - margin::kNearerAtAll * size_) queue_.push({of, key});
   }
 
-  void divide(const Box& box) {
+  void divide(const BallBox& box) {
     for (int k = 0; k < 8; ++k) push(box.of.eighth(k));
   }
 
@@ -90,7 +87,7 @@ class Search {
   }
 
   /// The corner of the box, or the place in it, that is best.
-  Vector best_of(const Box& box) const {
+  Vector best_of(const BallBox& box) const {
     const auto pick = [&](double c, double lo, double hi) {
       return farthest_ ? (c - lo > hi - c ? lo : hi) : std::clamp(c, lo, hi);
     };
@@ -99,9 +96,9 @@ class Search {
   }
 
   /// Whether nothing is left to look for in the box.
-  bool settled(const Box& box) {
+  bool settled(const BallBox& box) {
     const Vector middle = box.of.middle();
-    const double half = space::length(box.of.high - box.of.low) / 2, noise = 0x1p-44 * size_;
+    const double half = space::length(box.of.high - box.of.low) / 2, noise = margin::kPlaceNoise * size_;
     const SurfaceField::Signed at = field_.at(middle);
     const double clear = (ball_.side == space::TouchSide::kOutside ? at.value : -at.value) - radius_;
     const bool decided = at.certain || at.distance + half < radius_;
@@ -122,7 +119,7 @@ class Search {
   }
 
   /// All of the box is on the right side.
-  void search(const Box& box, const std::vector<SurfaceField::Distance>& triangles) {
+  void search(const BallBox& box, const std::vector<SurfaceField::Distance>& triangles) {
     Constraints rules;
     for (const SurfaceField::Distance& f : triangles)
       rules.keep_out.push_back([&f, r = radius_](const Vector& y) { return f(y) - r; });
@@ -130,7 +127,7 @@ class Search {
       const double d = space::length(y - near_);
       return Touching{d, d > 0 ? space::scaled(1 / d, y - near_) : Vector{}};
     };
-    const double most = best_ - kBetter * size_;  // what is not better need not be looked at
+    const double most = best_ - margin::kNearerAtAll * size_;  // what is not better need not be looked at
     const auto tolerance = tetrahedra_of_box(box.of.low, box.of.high);
     BoundaryPlace found;
     if (farthest_) {
@@ -155,9 +152,9 @@ class Search {
     if (found.found || found.unresolved || !found.complete) bound_ = std::min(bound_, found.bound);
   }
 
-  SolidValue value(double off) const {
-    SolidValue out;
-    if (const auto named = named_for_ball(ball_, x_, place_, farthest_, (kError * size_ + off) * 64)) {
+  Answer value(double off) const {
+    Answer out;
+    if (const auto named = named_for_ball(ball_, x_, place_, farthest_, (margin::kFoundError * size_ + off) * 64)) {
       const RealVector way = space::minus(*named, x_);
       out.value = sqrt(space::dot(way, way));
       out.nearest = *named;
@@ -166,7 +163,7 @@ class Search {
     out.value = Real::from_double(std::fabs(best_));
     out.nearest = {Real::from_double(place_.x), Real::from_double(place_.y), Real::from_double(place_.z)};
     out.proven = false;
-    out.error = kError * size_ + off;
+    out.error = margin::kFoundError * size_ + off;
     return out;
   }
 
@@ -177,7 +174,7 @@ class Search {
   bool farthest_;
   SurfaceField field_;
   double size_ = 0;
-  std::priority_queue<Box> queue_;
+  std::priority_queue<BallBox> queue_;
   bool found_ = false, lost_ = false;
   double best_ = exact::kInfinity, bound_ = exact::kInfinity;
   Vector place_;
@@ -185,7 +182,7 @@ class Search {
 
 }  // namespace
 
-BallPlace nearest_for_ball(const SurfaceBall& ball, const RealVector& x) { return Search(ball, x, false).run(); }
-BallPlace farthest_for_ball(const SurfaceBall& ball, const RealVector& x) { return Search(ball, x, true).run(); }
+BallPlace nearest_for_ball(const SurfaceBall& ball, const RealVector& x) { return BallSearch(ball, x, false).run(); }
+BallPlace farthest_for_ball(const SurfaceBall& ball, const RealVector& x) { return BallSearch(ball, x, true).run(); }
 
 }  // namespace findspace::distance

@@ -27,7 +27,7 @@ struct SurfaceBall {
 
 struct BallPlace {
   bool decided = false;
-  std::optional<SolidValue> value;  // nothing: there is no such place; `nearest` is the place
+  std::optional<Answer> value;  // nothing: there is no such place; `nearest` is the place
 };
 
 BallPlace nearest_for_ball(const SurfaceBall& ball, const space::RealVector& x);

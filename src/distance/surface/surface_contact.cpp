@@ -7,6 +7,7 @@
 
 #include "distance/search/plane_projections.h"
 #include "distance/surface/contact_boxes.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -22,15 +23,13 @@ namespace {
 
 /// Of a box that many planes pass: points in which some of them meet, at most.
 constexpr std::size_t kMostCorners = 2000000;
-constexpr int kMostBoxes = 200000;
+constexpr int kMostContactBoxes = 200000;
 /// Kept for later searches, which takes a kilobyte each, more or less.
 constexpr std::size_t kMostKept = 200000;
-/// Of the size: what is better than the best by less is looked for, too; and what an answer may be off.
-constexpr double kSlack = 0x1p-40, kMostOff = 0x1p-36;
 
-class Search {
+class ContactSearch {
  public:
-  Search(ContactBoxes& boxes, const RealVector& p, bool farthest)
+  ContactSearch(ContactBoxes& boxes, const RealVector& p, bool farthest)
       : boxes_(boxes),
         p_(p),
         near_(space::rounded(p)),
@@ -41,13 +40,13 @@ class Search {
 
   SurfaceContact run() {
     for (int count = 0; !queue_.empty() && !beyond(queue_.top().key); ++count) {
-      if (count == kMostBoxes) return {};
+      if (count == kMostContactBoxes) return {};
       const Task top = queue_.top();
       queue_.pop();
       look(top);
     }
     const double off = std::max(best_ - bound_, 0.0);
-    if (off > kMostOff * size_) return {};
+    if (off > margin::kMostContactOff * size_) return {};
     return {true, place_, off};
   }
 
@@ -58,7 +57,7 @@ class Search {
     bool operator<(const Task& o) const { return key != o.key ? key > o.key : box > o.box; }
   };
 
-  bool beyond(double key) const { return key > best_ + kSlack * size_; }
+  bool beyond(double key) const { return key > best_ + margin::kContactSlack * size_; }
 
   void push(int k) {
     const space::Extent& of = boxes_.box(k).of;
@@ -167,7 +166,7 @@ SurfaceContact SurfaceContacts::search(const RealVector& p, bool farthest) const
     }
   }
   if (!boxes) boxes = std::make_unique<ContactBoxes>(b_, a_, side_);
-  SurfaceContact found = Search(*boxes, p, farthest).run();
+  SurfaceContact found = ContactSearch(*boxes, p, farthest).run();
   if (boxes->count() > kMostKept) return found;
   const std::lock_guard lock(guard_);
   free_.push_back(std::move(boxes));

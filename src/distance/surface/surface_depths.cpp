@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <queue>
 
+#include "exact/number/margins.h"
+
 namespace findspace::distance {
 
 using space::Vector;
@@ -23,8 +25,6 @@ Vector middle_of(const space::RayBody& body, int f) {
   return space::scaled(1.0 / 3, space::plus(corner(0), space::plus(corner(1), corner(2))));
 }
 
-double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
 /// The largest ball within the surface that touches it at the middle of the face, more or less: its centre, and a
 /// radius that is surely not too large.
 std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, const space::RayBody& body, int f) {
@@ -37,13 +37,13 @@ std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, c
     const SurfaceField::Signed there = field.at(at);
     const Vector way = there.projection - from;
     const double along = 2 * space::dot(way, inward);
-    if (there.distance >= radius * (1 - 0x1p-10) || !(along > 0)) break;
+    if (there.distance >= radius * (1 - margin::kBallTouches) || !(along > 0)) break;
     radius = std::min(radius, space::dot(way, way) / along);
   }
   const Vector at = space::plus(from, space::scaled(radius, inward));
   const SurfaceField::Signed there = field.at(at);
   if (!there.certain || !(there.value < 0)) return std::nullopt;
-  return std::pair(at, there.distance * (1 - 0x1p-30));
+  return std::pair(at, there.distance * (1 - margin::kBallShrunk));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "distance/surface/surface_max_min.h"
+#include "exact/number/margins.h"
 #include "space/surface/surface_gap.h"
 
 namespace findspace::distance {
@@ -55,7 +56,7 @@ void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) 
 /// + if p is left of the line from a to b, seen from above; 0 where doubles do not tell.
 int turn(const Vector& a, const Vector& b, const Vector& p) {
   const double u = (b.x - a.x) * (p.y - a.y), v = (b.y - a.y) * (p.x - a.x);
-  const double bound = 0x1p-50 * (std::fabs(u) + std::fabs(v));
+  const double bound = margin::kFewRoundings * (std::fabs(u) + std::fabs(v));
   return u - v > bound ? 1 : u - v < -bound ? -1 : 0;
 }
 
@@ -68,7 +69,7 @@ int volume(const Vector& a, const Vector& b, const Vector& c) {
     sum += t;
     size += std::fabs(t);
   }
-  return sum > 0x1p-48 * size ? 1 : sum < -0x1p-48 * size ? -1 : 0;
+  return sum > margin::kVolumeNoise * size ? 1 : sum < -margin::kVolumeNoise * size ? -1 : 0;
 }
 
 /// Whether x lies in the solid, by the faces above it; nothing where doubles do not tell.
@@ -95,7 +96,8 @@ std::optional<bool> seen_inside(const Sheet& sheet, const Vector& x) {
 std::optional<bool> inside(const Sheet& sheet, const Vector& x, double away) {
   const double limit = static_cast<double>(exact::kRayLimit);
   if (!(space::size_of(x) < limit)) return false;
-  if (!(away > 0x1p-44 * (space::size_of(x) + space::size_of(exact::approx(sheet.body.high - sheet.body.low)))))
+  if (!(away >
+        margin::kPlaceNoise * (space::size_of(x) + space::size_of(exact::approx(sheet.body.high - sheet.body.low)))))
     return std::nullopt;
   const Vector ways[] = {{0, 0, 0}, {0.31, 0.17, 0.09}, {-0.23, 0.29, -0.07}, {0.11, -0.37, 0.13}, {-0.19, -0.13, 0.3}};
   for (const Vector& way : ways) {
@@ -116,7 +118,7 @@ SurfaceField::Signed SurfaceField::at(const Vector& place, double known) const {
   };
   for (const auto& sheet : set_.sheets()) {
     const bool alone = set_.one_sheet() && known < exact::kInfinity;
-    double least = alone ? known * (1 + 0x1p-30) + 1 : exact::kInfinity;  // a margin: it only skips boxes
+    double least = alone ? known * margin::kKnownReach + 1 : exact::kInfinity;  // a margin: it only skips boxes
     int nearest = -1;
     near_faces(*sheet, x, least, [&](int face, double d) {
       if (d < least || nearest < 0) {

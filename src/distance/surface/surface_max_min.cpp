@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "distance/search/lp_bound.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -16,22 +17,22 @@ namespace {
 
 constexpr std::size_t kMostNear = 24;  // triangles that can be nearest in a cell, for a bound_of_lp
 
-struct Cell {
+struct DistanceCell {
   Tetrahedron corner;
   std::vector<SurfaceField::Distance> sets;  // all that can be nearest in the cell; none: too many
   std::vector<std::array<double, 4>> distances;
   const RoundSolid* round = nullptr;  // only what lies in it counts
   double bound = 0;
-  bool operator<(const Cell& other) const { return bound < other.bound; }
+  bool operator<(const DistanceCell& other) const { return bound < other.bound; }
 };
 
 Vector middle_of(const Tetrahedron& t) {
   return space::scaled(0.25, space::plus(space::plus(t[0], t[1]), space::plus(t[2], t[3])));
 }
 
-class Search {
+class DistanceMaxMin {
  public:
-  Search(const MaxMinDomain& tolerance, const SurfaceField& a) : room_(tolerance), a_(a) {
+  DistanceMaxMin(const MaxMinDomain& tolerance, const SurfaceField& a) : room_(tolerance), a_(a) {
     best_.value = -exact::kInfinity;
     for (const Vector& v : tolerance.corners) {
       size_ = std::max(size_, space::size_of(v));
@@ -43,7 +44,7 @@ class Search {
 
   SurfaceMaxMin run() {
     for (int count = 0; !queue_.empty(); ++count) {
-      const Cell top = queue_.top();
+      const DistanceCell top = queue_.top();
       if (!worth(top.bound)) break;
       if (count == kMostMaxMinCells) {
         best_.complete = false;
@@ -58,7 +59,9 @@ class Search {
   }
 
  private:
-  double slack() const { return std::isfinite(best_.value) ? 0x1p-41 * std::fabs(best_.value) + 0x1p-44 * size_ : 0; }
+  double slack() const {
+    return std::isfinite(best_.value) ? margin::kMaxMinNear * std::fabs(best_.value) + margin::kPlaceNoise * size_ : 0;
+  }
   bool worth(double bound) const { return bound > best_.value + slack(); }
 
   /// Of a place in B.
@@ -130,7 +133,7 @@ class Search {
     if (round) beyond = round->beyond_plane(middle, corner);
     if (!round && !room_.planes.empty()) beyond = beyond_hull(middle, corner);
     if (beyond && *std::min_element(beyond->begin(), beyond->end()) > slack()) return;
-    Cell cell{corner, {}, {}, round, ceiling};
+    DistanceCell cell{corner, {}, {}, round, ceiling};
     const double known = nearest(middle, sets);
     const Signed here = offer(middle, round, known);
     cell.bound = std::min(ceiling, here.value + reach);
@@ -149,7 +152,7 @@ class Search {
   }
 
   /// The bound by the bound_of_lp of the distances; whether the cell is still worth it.
-  bool play(Cell& cell, const std::optional<std::array<double, 4>>& beyond) {
+  bool play(DistanceCell& cell, const std::optional<std::array<double, 4>>& beyond) {
     for (const auto& d : cell.sets) {
       std::array<double, 4> column{};
       for (std::size_t v = 0; v < 4; ++v) column[v] = d(cell.corner[v]);
@@ -165,7 +168,7 @@ class Search {
   }
 
   /// By how much the distances half-way between two corners fall short of their means there: what the bound loses.
-  double bend(const Cell& cell, std::size_t v, std::size_t w) const {
+  double bend(const DistanceCell& cell, std::size_t v, std::size_t w) const {
     const Vector middle = space::scaled(0.5, space::plus(cell.corner[v], cell.corner[w]));
     double most = 0;
     for (std::size_t k = 0; k < cell.sets.size(); ++k)
@@ -176,7 +179,7 @@ class Search {
   }
 
   /// Across the edge with the greatest bend, unless it is much shorter than the longest; else across that.
-  void split(const Cell& cell) {
+  void split(const DistanceCell& cell) {
     std::array<std::size_t, 2> longest{0, 1}, bent{0, 1};
     double length = 0, most = 0, bent_length = 0;
     for (std::size_t v = 0; v < 4; ++v) {
@@ -206,14 +209,14 @@ class Search {
   const MaxMinDomain& room_;
   const SurfaceField& a_;
   double size_ = 0;
-  std::priority_queue<Cell> queue_;
+  std::priority_queue<DistanceCell> queue_;
   SurfaceMaxMin best_;
 };
 
 }  // namespace
 
 SurfaceMaxMin surface_max_min(const MaxMinDomain& tolerance, const SurfaceField& a) {
-  return Search(tolerance, a).run();
+  return DistanceMaxMin(tolerance, a).run();
 }
 
 }  // namespace findspace::distance

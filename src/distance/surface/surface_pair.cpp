@@ -2,21 +2,21 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/surface/surface_pair.h"
 
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
 
 namespace findspace::distance {
 
 using exact::Real;
 using space::RealVector;
 using space::SurfaceGap;
-using Answer = SurfacePair::Answer;
+using Decided = SurfacePair::Decided;
 using Relation = space::SurfaceGaps::Relation;
 
 namespace {
 
 /// A signed distance whose zero set is nearest along the way, the sign -1 inside.
-SolidValue of_gap(const SurfaceGap& gap, const RealVector& p, int sign) {
-  SolidValue out;
+Answer of_gap(const SurfaceGap& gap, const RealVector& p, int sign) {
+  Answer out;
   out.value = sign < 0 ? -gap.value : gap.value;
   const Real length = gap.value + gap.radius;
   if (gap.value.sign() != 0) {
@@ -34,14 +34,14 @@ bool box_fits(const space::Body& moving, const space::Body& fixed) {
   return true;
 }
 
-Answer turned_back(Answer v, const RealVector& p) {
+Decided turned_back(Decided v, const RealVector& p) {
   if (!v.value) return v;
   if (v.value->nearest) v.value->nearest = space::negated(*v.value->nearest);
   if (auto& points = v.value->points) points = {space::plus((*points)[1], p), space::plus((*points)[0], p)};
   return v;
 }
 
-std::optional<Answer> cut(std::optional<Answer> v, bool negated) {
+std::optional<Decided> cut(std::optional<Decided> v, bool negated) {
   if (v) v->value = cut_off(std::move(v->value), negated);
   return v;
 }
@@ -63,7 +63,7 @@ SurfacePair::Side SurfacePair::side(const Surfaced& moving, const Surfaced& fixe
 }
 
 /// How the two lie, and their distance where that is one.
-std::optional<Relation> SurfacePair::relation(const Side& side, const RealVector& p, std::optional<SolidValue>& gap) {
+std::optional<Relation> SurfacePair::relation(const Side& side, const RealVector& p, std::optional<Answer>& gap) {
   if (!side.gaps) return std::nullopt;
   const Relation found = side.gaps->relation(p);
   if (found != Relation::kOther)
@@ -72,43 +72,43 @@ std::optional<Relation> SurfacePair::relation(const Side& side, const RealVector
 }
 
 /// gamma1 and what follows from it.
-std::optional<Answer> SurfacePair::apart(Which which, const RealVector& p) const {
-  std::optional<SolidValue> gap;
+std::optional<Decided> SurfacePair::apart(Which which, const RealVector& p) const {
+  std::optional<Answer> gap;
   const auto found = relation(forth_, p, gap);
   if (!found) return std::nullopt;
   if (*found != Relation::kApart) {
-    if (which == Which::kD1) return Answer{SolidValue{}};
+    if (which == Which::kD1) return Decided{Answer{}};
     return which == Which::kGamma1 ? depth(p) : cut(depth(p), true);
   }
-  return cut(Answer{gap}, which == Which::kPenetration);
+  return cut(Decided{gap}, which == Which::kPenetration);
 }
 
 /// Where the one lies in the other eta1, which mu is too; else mu, and of eta1 nothing.
-std::optional<Answer> SurfacePair::inside(const Side& side, Which which, const RealVector& p) {
-  std::optional<SolidValue> gap;
+std::optional<Decided> SurfacePair::inside(const Side& side, Which which, const RealVector& p) {
+  std::optional<Answer> gap;
   const bool one = side.fixed->surface && side.fixed->surface->one_sheet();
   if (!side.gaps || (!one && which != Which::kMu)) return std::nullopt;
   const auto found = relation(side, p, gap);
   if (!found) return std::nullopt;
-  if (*found == Relation::kInside) return Answer{gap};
+  if (*found == Relation::kInside) return Decided{gap};
   if (which != Which::kMu) return to_fit(side, which, p);
-  SolidValue out = protrusion(side, p);
+  Answer out = protrusion(side, p);
   // Whether it lies inside a union of several, and how deep, is not known.
   const bool decided = one || *found == Relation::kApart || out.value > Real::from_double(out.error);
-  return decided ? std::optional(Answer{std::move(out)}) : std::nullopt;
+  return decided ? std::optional(Decided{std::move(out)}) : std::nullopt;
 }
 
-std::optional<Answer> SurfacePair::contained(const Side& side, Which which, const RealVector& p) {
+std::optional<Decided> SurfacePair::contained(const Side& side, Which which, const RealVector& p) {
   const auto &b = side.moving->outline, &a = side.fixed->outline;
   const bool fit = which == Which::kEta1 || which == Which::kEta2;
-  if (fit && b && a && !box_fits(*b, *a)) return Answer{};
-  if (side.fixed->convex && b) return Answer{SolidPair(b, a).value(which, p)};
+  if (fit && b && a && !box_fits(*b, *a)) return Decided{};
+  if (side.fixed->convex && b) return Decided{SolidPair(b, a).value(which, p)};
   if (which == Which::kEta2) return to_fit(side, which, p);
   return inside(side, which, p);
 }
 
 /// The Hausdorff distance.
-std::optional<Answer> SurfacePair::larger(const RealVector& p) const {
+std::optional<Decided> SurfacePair::larger(const RealVector& p) const {
   const auto forth = contained(forth_, Which::kMu, p);
   if (!forth) return std::nullopt;
   auto other = contained(back_, Which::kMu, space::negated(p));
@@ -117,20 +117,20 @@ std::optional<Answer> SurfacePair::larger(const RealVector& p) const {
   return forth->value->value < other->value->value ? other : forth;
 }
 
-std::optional<Answer> SurfacePair::back(Which which, const RealVector& p) const {
+std::optional<Decided> SurfacePair::back(Which which, const RealVector& p) const {
   auto found = contained(back_, which, space::negated(p));
   if (found) found = turned_back(*std::move(found), p);
   return found;
 }
 
-std::optional<Answer> SurfacePair::value(Which which, const RealVector& p) const {
-  const auto depth = [&](const Side& of, const RealVector& at) -> std::optional<Answer> {
+std::optional<Decided> SurfacePair::value(Which which, const RealVector& p) const {
+  const auto depth = [&](const Side& of, const RealVector& at) -> std::optional<Decided> {
     if (of.fixed->convex && of.moving->outline) return cut(contained(of, Which::kEta1, at), true);
     if (!of.fixed->surface || !of.fixed->surface->one_sheet()) return std::nullopt;
-    std::optional<SolidValue> gap;
+    std::optional<Answer> gap;
     const auto found = relation(of, at, gap);
     if (!found) return std::nullopt;
-    return *found == Relation::kInside ? cut(Answer{gap}, true) : Answer{SolidValue{}};
+    return *found == Relation::kInside ? cut(Decided{gap}, true) : Decided{Answer{}};
   };
   switch (which) {
     case Which::kGamma1:
@@ -140,7 +140,7 @@ std::optional<Answer> SurfacePair::value(Which which, const RealVector& p) const
     case Which::kGamma2:
     case Which::kDiameter:
       if (!a_.outline || !b_.outline) return std::nullopt;
-      return Answer{SolidPair(b_.outline, a_.outline).value(which, p)};
+      return Decided{SolidPair(b_.outline, a_.outline).value(which, p)};
     case Which::kEta1:
     case Which::kEta2:
     case Which::kMu:

@@ -39,11 +39,11 @@ class SurfacePair {
  public:
   SurfacePair(Surfaced b, Surfaced a);
 
-  struct Answer {
-    std::optional<SolidValue> value;  // nothing: undefined
+  struct Decided {
+    std::optional<Answer> value;  // nothing: undefined
   };
   /// Nothing where the surfaces do not tell.
-  std::optional<Answer> value(Which which, const space::RealVector& p) const;
+  std::optional<Decided> value(Which which, const space::RealVector& p) const;
 
  private:
   /// Positions at which the moving one touches the fixed one from one side, made when first needed.
@@ -58,18 +58,18 @@ class SurfacePair {
   };
   static Side side(const Surfaced& moving, const Surfaced& fixed);
   static std::optional<space::SurfaceGaps::Relation> relation(const Side& side, const space::RealVector& p,
-                                                              std::optional<SolidValue>& gap);
+                                                              std::optional<Answer>& gap);
   static const SurfaceContacts& contacts(const Side& side, space::TouchSide from);
   /// How deep they overlap; how far the moving one, which does not lie in the fixed one, is from it, and the farthest
   /// position at which it does.
-  std::optional<Answer> depth(const space::RealVector& p) const;
-  static std::optional<Answer> to_fit(const Side& side, Which which, const space::RealVector& p);
-  static SolidValue protrusion(const Side& side, const space::RealVector& p);
-  static std::optional<Answer> contained(const Side& side, Which which, const space::RealVector& p);
-  static std::optional<Answer> inside(const Side& side, Which which, const space::RealVector& p);
-  std::optional<Answer> apart(Which which, const space::RealVector& p) const;
-  std::optional<Answer> back(Which which, const space::RealVector& p) const;
-  std::optional<Answer> larger(const space::RealVector& p) const;
+  std::optional<Decided> depth(const space::RealVector& p) const;
+  static std::optional<Decided> to_fit(const Side& side, Which which, const space::RealVector& p);
+  static Answer protrusion(const Side& side, const space::RealVector& p);
+  static std::optional<Decided> contained(const Side& side, Which which, const space::RealVector& p);
+  static std::optional<Decided> inside(const Side& side, Which which, const space::RealVector& p);
+  std::optional<Decided> apart(Which which, const space::RealVector& p) const;
+  std::optional<Decided> back(Which which, const space::RealVector& p) const;
+  std::optional<Decided> larger(const space::RealVector& p) const;
 
   Surfaced b_, a_;
   Side forth_, back_;

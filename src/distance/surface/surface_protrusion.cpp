@@ -7,6 +7,7 @@
 #include "distance/search/convex_distance.h"
 #include "distance/surface/surface_max_min.h"
 #include "distance/surface/surface_pair.h"
+#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -61,18 +62,19 @@ MaxMinDomain room_of_field(const SurfaceField& field, const space::Body* hull) {
 }
 
 /// At a corner of B the exact distance; nothing where the place is none.
-std::optional<SolidValue> at_corner(const space::SurfaceSet& b, const space::SurfaceSet& a, const RealVector& p,
-                                    const Vector& place) {
+std::optional<Answer> at_corner(const space::SurfaceSet& b, const space::SurfaceSet& a, const RealVector& p,
+                                const Vector& place) {
   const Vector by = space::rounded(p);
   for (const auto& sheet : b.sheets()) {
     for (const space::Point& v : sheet->body.points) {
-      if (space::length(space::plus(exact::approx(v), by) - place) > 0x1p-44 * space::size_of(place)) continue;
+      if (space::length(space::plus(exact::approx(v), by) - place) > margin::kAtVertex * space::size_of(place))
+        continue;
       const RealVector at = space::plus(space::real(v), p);
-      std::optional<SolidValue> best;
+      std::optional<Answer> best;
       const auto offer = [&](const RealVector& way, const Real& radius) {
         const Real core = sqrt(space::dot(way, way)), value = core - radius;
         if (best && best->value <= value) return;
-        best = SolidValue{};
+        best = Answer{};
         best->value = value;
         if (core.sign() > 0) best->points = {at, space::along(at, value / core, way)};
       };
@@ -86,7 +88,7 @@ std::optional<SolidValue> at_corner(const space::SurfaceSet& b, const space::Sur
 
 }  // namespace
 
-SolidValue SurfacePair::protrusion(const Side& side, const RealVector& p) {
+Answer SurfacePair::protrusion(const Side& side, const RealVector& p) {
   const space::SurfaceSet &b = *side.moving->surface, &a = *side.fixed->surface;
   const Vector by = space::rounded(p);
   const SurfaceField of_a(a, {}), of_b(b, by);
@@ -97,10 +99,10 @@ SolidValue SurfacePair::protrusion(const Side& side, const RealVector& p) {
   if (max_min.complete) {
     if (auto exact = at_corner(b, a, p, max_min.place)) return *exact;
   }
-  SolidValue out;
+  Answer out;
   out.value = Real::from_double(max_min.value);
   out.proven = false;
-  out.error = max_min.bound - max_min.value + 0x1p-40 * space::size_of(max_min.place);
+  out.error = max_min.bound - max_min.value + margin::kFoundError * space::size_of(max_min.place);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "distance/search/lp_bound.h"
 #include "distance/search/max_min_queue.h"
 #include "distance/search/protrusion_field.h"
+#include "exact/number/margins.h"
 #include "space/surface/surface_side.h"
 
 namespace findspace::distance {
@@ -45,14 +46,14 @@ Vector nearest_place(const Corners& t, const Vector& x) {
   return space::plus(t.a, space::plus(space::scaled(vb / complete, ab), space::scaled(vc / complete, ac)));
 }
 
-struct Box {
+struct FaceBox {
   Vector low, high;
 };
 
-Box box_of(const space::GridBox& box) { return {exact::approx(box.low), exact::approx(box.high)}; }
+FaceBox box_of(const space::GridBox& box) { return {exact::approx(box.low), exact::approx(box.high)}; }
 
 /// The square of the distance.
-double gap(const Box& box, const Vector& x) {
+double gap(const FaceBox& box, const Vector& x) {
   const double u = std::max({box.low.x - x.x, x.x - box.high.x, 0.0}),
                v = std::max({box.low.y - x.y, x.y - box.high.y, 0.0}),
                w = std::max({box.low.z - x.z, x.z - box.high.z, 0.0});
@@ -79,7 +80,7 @@ class TriangleField : public ProtrusionField {
     double at = 0;
     for (int count = 0; count < kMostSteps && at < 4 * size; ++count) {
       const double clear = nearest(space::plus(x, space::scaled(at, way))).distance - cut;
-      if (!(clear > size * 0x1p-44)) break;
+      if (!(clear > size * margin::kPlaceNoise)) break;
       at += clear;
     }
     return at;
@@ -153,21 +154,21 @@ class TriangleField : public ProtrusionField {
   space::RayBody body_;
   BoxTree tree_;
   std::vector<Corners> triangles_;
-  std::vector<Box> boxes_, face_boxes_;  // of the nodes; of the faces, as the tree has them
+  std::vector<FaceBox> boxes_, face_boxes_;  // of the nodes; of the faces, as the tree has them
   double size_;
   std::unique_ptr<const FieldBoxes> known_;
 };
 
-struct Cell {
+struct ProtrusionCell {
   Tetrahedron corner;
   double bound = 0;
   std::vector<int> triangles;  // that bound it: any do
-  bool operator<(const Cell& other) const { return bound < other.bound; }
+  bool operator<(const ProtrusionCell& other) const { return bound < other.bound; }
 };
 
-class Search {
+class ProtrusionSearch {
  public:
-  Search(const TriangleField& field, double slack, double share) : field_(field), queue_(slack, share) {}
+  ProtrusionSearch(const TriangleField& field, double slack, double share) : field_(field), queue_(slack, share) {}
 
   SolidMaxMin run(std::span<const Tetrahedron> solid) {
     for (const Tetrahedron& t : solid) {
@@ -176,12 +177,12 @@ class Search {
       for (const Vector& v : t) triangles.push_back(field_.nearest(v).triangle);
       add(t, exact::kInfinity, std::move(triangles));
     }
-    return queue_.run([this](const Cell& top) { split(top); });
+    return queue_.run([this](const ProtrusionCell& top) { split(top); });
   }
 
  private:
   void add(const Tetrahedron& corner, double ceiling, std::vector<int> triangles) {
-    Cell cell{corner, ceiling, std::move(triangles)};
+    ProtrusionCell cell{corner, ceiling, std::move(triangles)};
     const Vector middle =
         space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
     double radius = 0;
@@ -203,7 +204,7 @@ class Search {
   }
 
   /// The distances of the cell's triangles from its corners; keeps those that bound it best.
-  std::vector<std::array<double, 4>> find_columns(Cell& cell) {
+  std::vector<std::array<double, 4>> find_columns(ProtrusionCell& cell) {
     struct Bounding {
       double most;
       int triangle;
@@ -232,7 +233,7 @@ class Search {
   }
 
   /// Lowers the bound by the bound_of_lp, and tries its place.
-  void play(Cell& cell, const std::vector<std::array<double, 4>>& columns) {
+  void play(ProtrusionCell& cell, const std::vector<std::array<double, 4>>& columns) {
     const LpBound bound_of_lp = lp_bound(columns);
     cell.bound = std::min(cell.bound, bound_of_lp.value);
     if (!queue_.worth(cell.bound)) return;
@@ -243,7 +244,7 @@ class Search {
     if (near.distance > queue_.best().value && !field_.inside(x)) queue_.offer(x, near.distance);
   }
 
-  void split(const Cell& cell) {
+  void split(const ProtrusionCell& cell) {
     std::size_t a = 0, b = 1;
     double longest = 0;
     for (std::size_t v = 0; v < 4; ++v) {
@@ -265,12 +266,12 @@ class Search {
   }
 
   const TriangleField& field_;
-  MaxMinQueue<Cell> queue_;
+  MaxMinQueue<ProtrusionCell> queue_;
 };
 
 SolidMaxMin TriangleField::max_min(std::span<const Tetrahedron> solid, std::span<const RoundSolid> /*round*/,
                                    double slack, double share) const {
-  return Search(*this, slack, share).run(solid);
+  return ProtrusionSearch(*this, slack, share).run(solid);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // SurfacePair: what positions tell at which the surfaces touch.
-#include "distance/search/solid_value.h"
+#include "distance/search/answer.h"
 #include "distance/surface/surface_ball.h"
 #include "distance/surface/surface_contact.h"
 #include "distance/surface/surface_pair.h"
@@ -11,7 +11,7 @@ namespace findspace::distance {
 
 using space::RealVector;
 using space::TouchSide;
-using Answer = SurfacePair::Answer;
+using Decided = SurfacePair::Decided;
 
 namespace {
 
@@ -27,15 +27,15 @@ const space::SurfaceSet::Ball* only_ball(const Surfaced& s) {
   return one ? s.surface->balls().data() : nullptr;
 }
 
-std::optional<Answer> of_ball(const space::SurfaceSet::Ball& ball, const Surfaced& fixed, TouchSide side, bool farthest,
-                              const RealVector& p) {
+std::optional<Decided> of_ball(const space::SurfaceSet::Ball& ball, const Surfaced& fixed, TouchSide side,
+                               bool farthest, const RealVector& p) {
   if (!fixed.surface || !fixed.surface->one_sheet() || fixed.convex || ball.radius.sign() <= 0) return std::nullopt;
   const SurfaceBall of{fixed.surface.get(), ball.radius, side};
   const RealVector center = space::real(ball.center), x = space::plus(p, center);
   BallPlace place = farthest ? farthest_for_ball(of, x) : nearest_for_ball(of, x);
   if (!place.decided) return std::nullopt;
   if (place.value && place.value->nearest) place.value->nearest = space::minus(*place.value->nearest, center);
-  return Answer{std::move(place.value)};
+  return Decided{std::move(place.value)};
 }
 
 /// Each one surface, not both convex: then parts are the quick way.
@@ -44,15 +44,15 @@ bool decided_by_contacts(const Surfaced& b, const Surfaced& a) {
   return one(b) && one(a) && !(b.convex && a.convex);
 }
 
-std::optional<Answer> of_contact(const SurfaceContact& contact, const RealVector& p, int sign) {
+std::optional<Decided> of_contact(const SurfaceContact& contact, const RealVector& p, int sign) {
   if (!contact.decided) return std::nullopt;
-  if (!contact.place) return Answer{};
-  SolidValue out = signed_value(p, *contact.place, sign);
+  if (!contact.place) return Decided{};
+  Answer out = signed_value(p, *contact.place, sign);
   if (contact.error > 0) {
     out.proven = false;
     out.error = contact.error;
   }
-  return Answer{std::move(out)};
+  return Decided{std::move(out)};
 }
 
 }  // namespace
@@ -65,11 +65,11 @@ const SurfaceContacts& SurfacePair::contacts(const Side& side, TouchSide from) {
   return *slot.contacts;
 }
 
-std::optional<Answer> SurfacePair::depth(const RealVector& p) const {
+std::optional<Decided> SurfacePair::depth(const RealVector& p) const {
   const bool back = faces(a_) < faces(b_);
   const Side& side = back ? back_ : forth_;
   const RealVector at = back ? space::negated(p) : p;
-  std::optional<Answer> out;
+  std::optional<Decided> out;
   if (const auto* ball = only_ball(*side.moving)) {
     out = of_ball(*ball, *side.fixed, TouchSide::kOutside, false, at);
     if (out && out->value) out->value->value = -out->value->value;
@@ -81,7 +81,7 @@ std::optional<Answer> SurfacePair::depth(const RealVector& p) const {
   return out;
 }
 
-std::optional<Answer> SurfacePair::to_fit(const Side& side, Which which, const RealVector& p) {
+std::optional<Decided> SurfacePair::to_fit(const Side& side, Which which, const RealVector& p) {
   if (const auto* ball = only_ball(*side.moving)) {
     auto out = of_ball(*ball, *side.fixed, TouchSide::kInside, which == Which::kEta2, p);
     if (out && out->value && which == Which::kEta2) out->value->nearest.reset();

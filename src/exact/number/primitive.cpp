@@ -10,7 +10,7 @@
 namespace findspace::exact {
 namespace {
 
-constexpr std::size_t kMost = 16;
+constexpr std::size_t kMostAtOnce = 16;
 
 template <std::size_t kLanes>
 using Lanes = std::array<double, kLanes>;
@@ -63,7 +63,8 @@ void make_primitive_few(std::span<Normal> normals) {
 }  // namespace
 
 void make_primitive(std::span<Normal> normals) {
-  for (; normals.size() > kMost; normals = normals.subspan(kMost)) make_primitive_few<kMost>(normals.first(kMost));
+  for (; normals.size() > kMostAtOnce; normals = normals.subspan(kMostAtOnce))
+    make_primitive_few<kMostAtOnce>(normals.first(kMostAtOnce));
   if (normals.size() > 12) return make_primitive_few<16>(normals);
   if (normals.size() > 8) return make_primitive_few<12>(normals);
   if (normals.size() > 4) return make_primitive_few<8>(normals);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "exact/number/powers.h"
 #include "findspace/error.h"
 
 namespace findspace::exact::detail {
@@ -89,34 +90,23 @@ double log2_degree(const Plan& plan) {
 double degree_of(const Step& root) { return double(root.polynomial->coefficients.size()) - 1; }
 
 /// Powers of one root of a polynomial each: max(1, |r|)^d.
-using Powers = std::vector<double>;
+using RootPowers = std::vector<double>;
 
 /// |U| <= 2^u * powers, L a product of factors.
-struct Fraction {
+struct RootedFraction {
   double u = 0;
-  Powers powers;
-  std::map<int, int> below;  // from factors to how often
+  RootPowers powers;
+  Powers below;  // from factors to how often
 };
 
 /// Something that divides: an integer, or the numerator of a step.
-struct Factor {
+struct RootedFactor {
   double bits = 0;
-  Powers powers;
+  RootPowers powers;
 };
 
-void add_to(Powers& to, const Powers& more, double times) {
+void add_to(RootPowers& to, const RootPowers& more, double times) {
   for (std::size_t r = 0; r < to.size(); ++r) to[r] += times * more[r];
-}
-
-/// The factors of `to` that `from` lacks.
-std::map<int, int> lacking(const std::map<int, int>& from, const std::map<int, int>& to) {
-  std::map<int, int> out;
-  for (const auto& [f, power] : to) {
-    const auto have = from.find(f);
-    const int rest = power - (have == from.end() ? 0 : have->second);
-    if (rest > 0) out[f] = rest;
-  }
-  return out;
 }
 
 class RootedBounds {
@@ -132,9 +122,9 @@ class RootedBounds {
   }
 
   double bits() const {
-    const Fraction& value = fractions_[std::size_t(plan_.root())];
+    const RootedFraction& value = fractions_[std::size_t(plan_.root())];
     const double degree = std::exp2(log2_degree_);
-    const Factor l = factor(value.below);
+    const RootedFactor l = factor(value.below);
     double bits = std::max(value.u, 0.0) * (degree - 1) + std::max(l.bits, 0.0);
     for (std::size_t r = 0; r < roots_.size(); ++r) {
       bits += value.powers[r] * std::max(norms_[r], 0.0) * degree / degree_of(*roots_[r]);
@@ -144,45 +134,45 @@ class RootedBounds {
   }
 
  private:
-  Factor factor(const std::map<int, int>& below) const {
-    Factor out{0, Powers(roots_.size())};
+  RootedFactor factor(const Powers& below) const {
+    RootedFactor out{0, RootPowers(roots_.size())};
     for (const auto& [f, power] : below) {
-      const Factor& one = factors_[std::size_t(f)];
+      const RootedFactor& one = factors_[std::size_t(f)];
       out.bits = up(out.bits + power * one.bits);
       add_to(out.powers, one.powers, power);
     }
     return out;
   }
   /// The numerator times these factors.
-  void raise(Fraction& a, const std::map<int, int>& by) const {
-    const Factor f = factor(by);
+  void raise(RootedFraction& a, const Powers& by) const {
+    const RootedFactor f = factor(by);
     a.u = up(a.u + f.bits);
     add_to(a.powers, f.powers, 1);
   }
-  Fraction expanded(Fraction a, const std::map<int, int>& by) const {
+  RootedFraction expanded(RootedFraction a, const Powers& by) const {
     raise(a, by);
     for (const auto& [f, power] : by) a.below[f] += power;
     return a;
   }
 
-  Fraction leaf(double u, const mpz_class& q) {
-    Fraction out{u, Powers(roots_.size()), {}};
+  RootedFraction leaf(double u, const mpz_class& q) {
+    RootedFraction out{u, RootPowers(roots_.size()), {}};
     if (q == 1) return out;
     const auto [at, is_new] = integers_.try_emplace(q, int(factors_.size()));
-    if (is_new) factors_.push_back({log2_of(q), Powers(roots_.size())});
+    if (is_new) factors_.push_back({log2_of(q), RootPowers(roots_.size())});
     out.below[at->second] = 1;
     return out;
   }
 
-  Fraction sum(const Fraction& a, const Fraction& b) const {
-    Fraction p = expanded(a, lacking(a.below, b.below));
-    const Fraction q = expanded(b, lacking(b.below, a.below));
+  RootedFraction sum(const RootedFraction& a, const RootedFraction& b) const {
+    RootedFraction p = expanded(a, lacking(a.below, b.below));
+    const RootedFraction q = expanded(b, lacking(b.below, a.below));
     p.u = log2_sum(p.u, q.u);
     for (std::size_t r = 0; r < p.powers.size(); ++r) p.powers[r] = std::max(p.powers[r], q.powers[r]);
     return p;
   }
 
-  static Fraction product(Fraction a, const Fraction& b) {
+  static RootedFraction product(RootedFraction a, const RootedFraction& b) {
     a.u = up(a.u + b.u);
     add_to(a.powers, b.powers, 1);
     for (const auto& [f, power] : b.below) a.below[f] += power;
@@ -190,8 +180,8 @@ class RootedBounds {
   }
 
   /// (ua / la) / (ub / lb): what la and lb share cancels.
-  Fraction quotient(const Fraction& a, const Fraction& b, int divisor) {
-    Fraction out = a;
+  RootedFraction quotient(const RootedFraction& a, const RootedFraction& b, int divisor) {
+    RootedFraction out = a;
     out.below = lacking(b.below, a.below);
     raise(out, lacking(a.below, b.below));
     const auto [at, is_new] = numerators_.try_emplace(divisor, int(factors_.size()));
@@ -201,33 +191,33 @@ class RootedBounds {
   }
 
   /// sqrt(U/L) = sqrt(U L) / L.
-  Fraction square_root(Fraction a) const {
+  RootedFraction square_root(RootedFraction a) const {
     raise(a, a.below);
     a.u = up(a.u / 2);
     for (double& d : a.powers) d /= 2;
     return a;
   }
 
-  Fraction root_of(const Step& s) {
+  RootedFraction root_of(const Step& s) {
     norms_.push_back(norm_of(s));
-    Fraction out{0, Powers(roots_.size()), {}};
+    RootedFraction out{0, RootPowers(roots_.size()), {}};
     out.powers[norms_.size() - 1] = 1;
     return out;
   }
 
   /// log2 of the norm of a root's polynomial, made integral.
   double norm_of(const Step& s) const {
-    const auto coefficient = [&](std::size_t k) -> const Fraction& {
+    const auto coefficient = [&](std::size_t k) -> const RootedFraction& {
       return fractions_[std::size_t(plan_.coefficients()[std::size_t(s.first) + k])];
     };
-    std::map<int, int> all;
+    Powers all;
     const std::size_t n = s.polynomial->coefficients.size();
     for (std::size_t k = 0; k < n; ++k) {
       for (const auto& [f, power] : lacking(all, coefficient(k).below)) all[f] += power;
     }
     double norm = -kInfinity;
     for (std::size_t k = 0; k < n; ++k) {
-      const Fraction c = expanded(coefficient(k), lacking(coefficient(k).below, all));
+      const RootedFraction c = expanded(coefficient(k), lacking(coefficient(k).below, all));
       if (std::any_of(c.powers.begin(), c.powers.end(), [](double d) { return d > 0; })) {
         throw Error(ErrorCode::kUnsupported, "roots of polynomials made of roots of polynomials");
       }
@@ -236,9 +226,9 @@ class RootedBounds {
     return norm;
   }
 
-  Fraction fraction_of(const Step& s) {
-    const auto a = [&]() -> const Fraction& { return fractions_[std::size_t(s.a)]; };
-    const auto b = [&]() -> const Fraction& { return fractions_[std::size_t(s.b)]; };
+  RootedFraction fraction_of(const Step& s) {
+    const auto a = [&]() -> const RootedFraction& { return fractions_[std::size_t(s.a)]; };
+    const auto b = [&]() -> const RootedFraction& { return fractions_[std::size_t(s.b)]; };
     switch (s.kind) {
       case StepKind::kSmall:
         return leaf(log2_of(enclose(s.small.p)), mpz_class(static_cast<long>(s.small.q)));
@@ -268,10 +258,10 @@ class RootedBounds {
   double log2_degree_;
   std::vector<const Step*> roots_;
   std::vector<double> norms_;  // of the roots met so far, in the order of roots_
-  std::vector<Factor> factors_;
+  std::vector<RootedFactor> factors_;
   std::map<mpz_class, int> integers_;
   std::map<int, int> numerators_;  // by step
-  std::vector<Fraction> fractions_;
+  std::vector<RootedFraction> fractions_;
 };
 
 /// Of plans without roots of polynomials.

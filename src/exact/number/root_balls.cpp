@@ -16,12 +16,10 @@ OwnBall ball_of(const Real& x, mpfr_prec_t precision) {
   return out;
 }
 
-namespace {
-
 /// A polynomial and its derivative in balls.
-class Values {
+class PolynomialBalls {
  public:
-  Values(const std::vector<Real>& polynomial, mpfr_prec_t precision) : precision_(precision) {
+  PolynomialBalls(const std::vector<Real>& polynomial, mpfr_prec_t precision) : precision_(precision) {
     for (const Real& c : polynomial) coefficients_.push_back(ball_of(c, precision));
   }
 
@@ -53,8 +51,6 @@ class Values {
   std::vector<OwnBall> coefficients_;
 };
 
-}  // namespace
-
 /// The method at one precision.
 class RootBalls::Newton {
  public:
@@ -76,7 +72,7 @@ class RootBalls::Newton {
   OwnBall x;
 
  private:
-  Values p_;
+  PolynomialBalls p_;
   OwnBall middle_, step_, next_;
 };
 

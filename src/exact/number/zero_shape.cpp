@@ -9,21 +9,13 @@ namespace findspace::exact::detail {
 
 namespace {
 
-double up(double bits) { return bits + std::abs(bits) * 0x1p-40 + 0x1p-40; }  // no sign: more than log2 loses
+/// No less than the logarithm, whatever its computation lost.
+double over_rounding(double bits) { return bits + std::abs(bits) * 0x1p-40 + 0x1p-40; }
 
-double log2_of(const mpz_class& z) { return sgn(z) == 0 ? 0 : double(mpz_sizeinbase(z.get_mpz_t(), 2)); }
+double bits_of(const mpz_class& z) { return sgn(z) == 0 ? 0 : double(mpz_sizeinbase(z.get_mpz_t(), 2)); }
 
-double log2_sum(double a, double b) { return up(std::max(a, b) + std::log2(1 + std::exp2(-std::abs(a - b)))); }
-
-/// The factors of `to` that `from` lacks.
-Powers lacking(const Powers& from, const Powers& to) {
-  Powers out;
-  for (const auto& [f, power] : to) {
-    const auto have = from.find(f);
-    const int rest = power - (have == from.end() ? 0 : have->second);
-    if (rest > 0) out[f] = rest;
-  }
-  return out;
+double bits_of_sum(double a, double b) {
+  return over_rounding(std::max(a, b) + std::log2(1 + std::exp2(-std::abs(a - b))));
 }
 
 }  // namespace
@@ -61,7 +53,7 @@ double ZeroShape::size_of(const Powers& product) const {
   double bits = 0;
   for (const auto& [f, power] : product) {
     const Factor& factor = factors_[std::size_t(f)];
-    bits += power * (factor.step < 0 ? log2_of(factor.integer) : fractions_[std::size_t(factor.step)].size);
+    bits += power * (factor.step < 0 ? bits_of(factor.integer) : fractions_[std::size_t(factor.step)].size);
   }
   return bits;
 }
@@ -79,7 +71,7 @@ Fraction ZeroShape::variable(double size, std::size_t degree) {
   return {size, {}, {}, {}, {}, variables_++, 0};
 }
 
-Fraction ZeroShape::root_of(double radicand) { return variable(std::max(0.0, up(radicand / 2)), 2); }
+Fraction ZeroShape::root_of(double radicand) { return variable(std::max(0.0, over_rounding(radicand / 2)), 2); }
 
 /// A root of a_n r^n + ... is t / a_n, with t^n = -(a_(n-1) t^(n-1) + a_n a_(n-2) t^(n-2) + ...). That t is bounded
 /// by the greatest of the n-th part's k-th roots: then each term is at most an n-th of t^n.
@@ -99,7 +91,7 @@ Fraction ZeroShape::polynomial(const Step& step) {
   double most = 0;
   for (std::size_t k = 0; k < degree; ++k) {
     const double term = sizes[k] + double(degree - 1 - k) * sizes[degree] + std::log2(double(degree));
-    most = std::max(most, up(term / double(degree - k)));
+    most = std::max(most, over_rounding(term / double(degree - k)));
   }
   Fraction out = variable(most, degree);
   out.below = times[degree];
@@ -110,7 +102,7 @@ Fraction ZeroShape::polynomial(const Step& step) {
 
 Fraction ZeroShape::leaf(const Step& step, double root) {
   const Closed& c = *step.leaf;
-  return over(c.rational() ? log2_of(c.p) : log2_sum(log2_of(c.p), log2_of(c.r) + root), c.q);
+  return over(c.rational() ? bits_of(c.p) : bits_of_sum(bits_of(c.p), bits_of(c.r) + root), c.q);
 }
 
 Fraction ZeroShape::sum(const Fraction& a, const Fraction& b) const {
@@ -119,13 +111,13 @@ Fraction ZeroShape::sum(const Fraction& a, const Fraction& b) const {
   out.times_b = lacking(b.below, a.below);
   out.below = a.below;
   for (const auto& [f, power] : out.times_a) out.below[f] += power;
-  out.size = log2_sum(a.size + size_of(out.times_a), b.size + size_of(out.times_b));
+  out.size = bits_of_sum(a.size + size_of(out.times_a), b.size + size_of(out.times_b));
   return out;
 }
 
 Fraction ZeroShape::product(const Fraction& a, const Fraction& b) const {
   Fraction out;
-  out.size = up(a.size + b.size);
+  out.size = over_rounding(a.size + b.size);
   out.below = a.below;
   for (const auto& [f, power] : b.below) out.below[f] += power;
   return out;
@@ -136,7 +128,7 @@ Fraction ZeroShape::quotient(const Fraction& a, const Fraction& b, int divisor) 
   out.below = lacking(b.below, a.below);
   out.times_a = lacking(a.below, b.below);
   ++out.below[step_factor(divisor)];
-  out.size = up(a.size + size_of(out.times_a));
+  out.size = over_rounding(a.size + size_of(out.times_a));
   return out;
 }
 
@@ -159,10 +151,10 @@ Fraction ZeroShape::fraction_of(const Step& step) {
       mpz_class p, q;
       set(p, step.small.p);
       set(q, step.small.q);
-      return over(log2_of(p), q);
+      return over(bits_of(p), q);
     }
     case StepKind::kPlainRoot:
-      return root_of(log2_of(step.leaf->n));
+      return root_of(bits_of(step.leaf->n));
     case StepKind::kPolynomialRoot:
       return polynomial(step);
     case StepKind::kLeaf:

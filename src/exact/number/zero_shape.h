@@ -6,14 +6,12 @@
 // sum of the numerator's coefficients. Internal to src/exact.
 #pragma once
 
-#include <map>
 #include <vector>
 
+#include "exact/number/powers.h"
 #include "exact/number/real_plan.h"
 
 namespace findspace::exact::detail {
-
-using Powers = std::map<int, int>;  // from factors to how often
 
 /// A step; before operands are joined they are multiplied by some factors.
 struct Fraction {

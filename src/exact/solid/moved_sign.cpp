@@ -13,9 +13,6 @@ struct Way {
   double error = 0, size = 0;
 };
 
-double component(const Approx3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-std::int64_t component(const Grid3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
 Way way(const MovedPoint& p, const MovedPoint& q, const RoughMovement& m) {
   const Grid3 d = q.at - p.at;
   const double turned = q.moved == p.moved ? 0 : q.moved ? 1 : -1;

@@ -64,6 +64,8 @@ struct Approx3 {
 
 inline Approx3 approx(const Grid3& p) { return {double(p.x), double(p.y), double(p.z)}; }
 Approx3 approx(const Wide3& n);
+inline double component(const Approx3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+inline std::int64_t component(const Grid3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 inline Approx3 operator-(const Approx3& a, const Approx3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 /// The sign of the dot product of two approx of integer vectors, or 2 where doubles cannot tell. The grid factor is

@@ -112,6 +112,11 @@ Extremum natural_extremum(const Distance& distance) {
   return distance.kind == Kind::kGamma1 ? Extremum::kInf : Extremum::kSup;
 }
 
+Extremum opposite(Extremum prefix) {
+  if (prefix == Extremum::kNone) return prefix;
+  return prefix == Extremum::kInf ? Extremum::kSup : Extremum::kInf;
+}
+
 Distance moving_first(const Distance& distance, std::span<const std::string> moving) {
   const auto moves = [&](const std::vector<std::string>& shapes) {
     return std::any_of(shapes.begin(), shapes.end(),
@@ -121,6 +126,7 @@ Distance moving_first(const Distance& distance, std::span<const std::string> mov
   if (!is_symmetric(distance.kind) && exchanged(distance.kind) == distance.kind) return distance;
   Distance result = distance;
   result.kind = exchanged(distance.kind);
+  result.spelled = nullptr;
   std::swap(result.first, result.second);
   return result;
 }

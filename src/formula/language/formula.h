@@ -41,13 +41,17 @@ struct Distance {
   Mode mode = Mode::kPlain;
   std::vector<exact::Real> vector;  // direction, or centre of rotation in the scene's unit; empty if mode is kPlain
   std::vector<std::string> first, second;
-  std::string vector_text;  // "(1, 0)": the vector as it is printed; exact, no part of the value
+  std::string vector_text;                // "(1, 0)": the vector as it is printed; exact, no part of the value
+  const DistanceName* spelled = nullptr;  // the word of its writer, where there is one; no part of the value
 
   friend bool operator==(const Distance& a, const Distance& b) {
     return a.kind == b.kind && a.prefix == b.prefix && a.mode == b.mode && a.first == b.first && a.second == b.second &&
            a.vector == b.vector;
   }
 };
+
+/// Of -f that which is minus the one of f.
+Extremum opposite(Extremum prefix);
 
 /// The extremum over time that a distance without prefix means: gamma1 its infimum, every other distance its supremum,
 /// so that a constraint holds at every instant.
@@ -63,8 +67,8 @@ struct Atom {
   Relation relation = Relation::kEqual;
   exact::Real level;  // in the scene's unit; degrees if the distance rotates
   bool minimum = false;
-  std::string
-      written;  // the level as it was written: how it is printed where it is no finite decimal ("1mm" in inches)
+  std::string written;  // the level as it was written, for one that is no finite decimal ("1mm" in inches)
+  const PredicateName* predicate = nullptr;  // the word of its writer, where that is one; no part of the value
 
   friend bool operator==(const Atom& a, const Atom& b) {
     return a.distance == b.distance && a.relation == b.relation && a.minimum == b.minimum && a.level == b.level;

@@ -8,7 +8,7 @@
 namespace findspace::formula {
 namespace {
 
-constexpr std::array<DistanceName, 26> kDistances{{
+constexpr std::array<DistanceName, 28> kDistances{{
     {"gamma1", Kind::kGamma1},
     {"gamma2", Kind::kGamma2},
     {"eta1", Kind::kEta1},
@@ -23,11 +23,14 @@ constexpr std::array<DistanceName, 26> kDistances{{
     {"dstar", Kind::kDstar},
     {"diameter", Kind::kDiameter},
     {"penetration", Kind::kPenetration},
-    // English.
+    // Plain words.
     {"gap", Kind::kGamma1},
     {"reach", Kind::kGamma2},
     {"margin", Kind::kEta1, false, true},
+    {"cover", Kind::kDelta1, false, true},
+    {"protrusion", Kind::kMu},
     {"distance", Kind::kD1},
+    {"depth", Kind::kPenetration},
     // The names of older region files.
     {"m1", Kind::kMu},
     {"m2", Kind::kMu, true},
@@ -36,18 +39,19 @@ constexpr std::array<DistanceName, 26> kDistances{{
     {"hAB", Kind::kH, true},
     {"H", Kind::kHausdorff},
     {"diam_union", Kind::kDiameter},
-    {"depth", Kind::kPenetration},
 }};
 
-using Level = PredicateName::Level;
+constexpr std::size_t kPlainCount = 7;  // of the rows above
+
+using NameLevel = PredicateName::Level;
 constexpr std::array<PredicateName, 7> kPredicates{{
-    {"overlaps", Kind::kGamma1, Relation::kLess, Level::kNone, false},
-    {"touches", Kind::kGamma1, Relation::kEqual, Level::kNone, false},
-    {"disjoint", Kind::kGamma1, Relation::kGreater, Level::kNone, false},
-    {"clear", Kind::kGamma1, Relation::kGreaterEqual, Level::kOptional, false},
-    {"within", Kind::kGamma1, Relation::kLessEqual, Level::kRequired, false},
-    {"inside", Kind::kEta1, Relation::kLessEqual, Level::kOptional, true},
-    {"covers", Kind::kDelta1, Relation::kLessEqual, Level::kOptional, true},
+    {"overlaps", Kind::kGamma1, Relation::kLess, NameLevel::kNone, false},
+    {"touches", Kind::kGamma1, Relation::kEqual, NameLevel::kNone, false},
+    {"disjoint", Kind::kGamma1, Relation::kGreater, NameLevel::kNone, false},
+    {"clear", Kind::kGamma1, Relation::kGreaterEqual, NameLevel::kOptional, false},
+    {"within", Kind::kGamma1, Relation::kLessEqual, NameLevel::kRequired, false},
+    {"inside", Kind::kEta1, Relation::kLessEqual, NameLevel::kOptional, true},
+    {"covers", Kind::kDelta1, Relation::kLessEqual, NameLevel::kOptional, true},
 }};
 
 constexpr std::array<std::string_view, kKindCount> kSymbols{
@@ -133,6 +137,12 @@ const DistanceName* find_distance(std::string_view word) {
 const PredicateName* find_predicate(std::string_view word) {
   const auto row = std::find_if(kPredicates.begin(), kPredicates.end(), [&](const auto& p) { return p.name == word; });
   return row == kPredicates.end() ? nullptr : &*row;
+}
+
+const DistanceName& plain_name(Kind kind) {
+  const auto first = kDistances.begin() + kKindCount;
+  const auto row = std::find_if(first, first + kPlainCount, [&](const auto& d) { return d.kind == kind; });
+  return row == first + kPlainCount ? kDistances[static_cast<std::size_t>(kind)] : *row;
 }
 
 std::string_view name(Kind kind) { return kDistances[static_cast<std::size_t>(kind)].name; }

@@ -70,6 +70,9 @@ std::span<const PredicateName> predicate_names();
 const DistanceName* find_distance(std::string_view word);
 const PredicateName* find_predicate(std::string_view word);
 
+/// The plain word of a distance: gap, reach, margin, cover, protrusion, hausdorff, distance, depth; of the others the
+/// canonical one.
+const DistanceName& plain_name(Kind kind);
 /// The formula name ("gamma1") and the symbol of the literature, where it has one ("γ₁", otherwise the name).
 std::string_view name(Kind kind);
 std::string_view symbol(Kind kind);

@@ -118,7 +118,7 @@ class Grammar {
     Node node{Op::kAnd, 0, {}};
     node.operands.push_back(std::move(first));
     node.operands.push_back(add(comparison(term, upper, level_number())));
-    if (reader_.at(K::kRelation)) reader_.fail_syntax("a chain has two relations at most: 0.5 <= gamma1(B, A) <= 2");
+    if (reader_.at(K::kRelation)) reader_.fail_syntax("a chain has two relations at most: 0.5 <= gap(B, A) <= 2");
     return node;
   }
 
@@ -131,12 +131,12 @@ class Grammar {
     }
     if (!reader_.at(K::kRelation)) {
       reader_.fail(ErrorCode::kSyntax, term.span, "a distance is a number, not a condition; compare it, e.g. {} >= 0",
-                   text(term.distance));
+                   written(term.distance));
     }
     const Relation relation = reader_.take().relation;
     Node node = add(comparison(std::move(term), relation, level_number()));
     if (reader_.at(K::kRelation)) {
-      reader_.fail_syntax("a chain has its distance in the middle: 0.5 <= gamma1(B, A) <= 2");
+      reader_.fail_syntax("a chain has its distance in the middle: 0.5 <= gap(B, A) <= 2");
     }
     return node;
   }
@@ -153,7 +153,8 @@ class Grammar {
   Node minimum(const Term& term) {
     if (term.negated) {
       reader_.fail(ErrorCode::kBadValue, term.span,
-                   "the margin has no least value; the positions of largest margin are {} -> min", text(term.distance));
+                   "'{}' has no least value; the positions of its greatest value are {} -> min",
+                   term.distance.spelled->name, text(term.distance));
     }
     return add(minimisers(term.distance));
   }
@@ -162,7 +163,7 @@ class Grammar {
     reader_.take();
     const Span open = reader_.peek().span;
     if (!reader_.accept(K::kOpen) || !reader_.at(K::kName)) {
-      reader_.fail_syntax("'argmin' takes a distance: argmin(gamma1(B, A)), found {}", reader_.found());
+      reader_.fail_syntax("'argmin' takes a distance: argmin(gap(B, A)), found {}", reader_.found());
     }
     const Term term = reader_.distance();
     if (!reader_.accept(K::kClose)) reader_.fail_unclosed(open);
@@ -238,7 +239,7 @@ Formula parse_formula(std::string_view text, const Context& context) { return Gr
 
 Objective parse_objective(std::string_view text, const Context& context) {
   static constexpr char kForms[] =
-      "an objective is a distance such as gamma1(B, A), x, y, z or distance to [x, y]; found {}";
+      "an objective is a distance such as gap(B, A), x, y, z or distance to [x, y]; found {}";
   Reader reader(text, context);
   Objective objective;
   if (!read_coordinate(reader, objective) && !read_point(reader, objective)) {

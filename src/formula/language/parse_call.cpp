@@ -32,11 +32,6 @@ std::string joined(const std::vector<std::string>& names) {
   return printable(result);
 }
 
-Extremum opposite(Extremum prefix) {
-  if (prefix == Extremum::kNone) return prefix;
-  return prefix == Extremum::kInf ? Extremum::kSup : Extremum::kInf;
-}
-
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -69,7 +64,7 @@ Term Reader::distance() {
       word, [&] { return word + "(B, A)"; }, false);
   if (arguments.mode != Mode::kPlain && !is_directional(row->kind)) {
     fail(ErrorCode::kBadValue, arguments.mode_span,
-         "'{}' has no directional or turning form; gamma1 gamma2 eta1 eta2 delta1 delta2 have", word);
+         "'{}' has no directional or rotational form; gap, reach, margin, cover, eta2 and delta2 have", word);
   }
   term.negated = row->negated;
   Distance& result = term.distance;
@@ -82,6 +77,7 @@ Term Reader::distance() {
   result.first = std::move(arguments.first);
   result.second = std::move(arguments.second);
   if (row->exchanged) std::swap(result.first, result.second);
+  result.spelled = row;
   term.span.end = end();
   return term;
 }
@@ -105,13 +101,16 @@ Atom Reader::predicate() {
   distance.kind = row.kind;
   distance.first = std::move(arguments.first);
   distance.second = std::move(arguments.second);
-  return compare(std::move(distance), row.relation, std::move(bound.value), std::move(bound.written));
+  distance.spelled = &plain_name(row.kind);
+  Atom atom = compare(std::move(distance), row.relation, std::move(bound.value), std::move(bound.written));
+  atom.predicate = &row;
+  return atom;
 }
 
 void Reader::fail_unknown_word() const {
   const std::string word = peek().text;
   if (known_.contains(word)) {
-    fail_syntax("'{}' is a shape; a distance or predicate is meant here, such as gamma1(B, A)", printable(word));
+    fail_syntax("'{}' is a shape; a distance or predicate is meant here, such as gap(B, A)", printable(word));
   }
   std::vector<std::string> known{"true", "false", "not", "inf", "sup", "argmin"};
   for (const DistanceName& row : distance_names()) known.emplace_back(row.name);

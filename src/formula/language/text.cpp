@@ -42,10 +42,11 @@ std::string operator_text(Op op, Script script) {
 }
 
 /// An operand stands in parentheses if it binds less tightly than its operator.
-std::string node_text(const Node& node, const std::vector<Atom>& atoms, Script script) {
+template <class AtomText>
+std::string node_text(const Node& node, const AtomText& atom_text, Script script) {
   const auto operand_text = [&](const Node& operand) {
     const bool loose = operand.op == Op::kOr || (node.op == Op::kNot && operand.op == Op::kAnd);
-    const std::string inner = node_text(operand, atoms, script);
+    const std::string inner = node_text(operand, atom_text, script);
     return loose ? fmt::format("({})", inner) : inner;
   };
   switch (node.op) {
@@ -54,7 +55,7 @@ std::string node_text(const Node& node, const std::vector<Atom>& atoms, Script s
     case Op::kFalse:
       return "false";
     case Op::kAtom:
-      return text(atoms[node.atom], script);
+      return atom_text(node.atom);
     case Op::kNot:
       return operator_text(Op::kNot, script) + operand_text(node.operands.front());
     case Op::kAnd:
@@ -76,24 +77,84 @@ std::string text(Relation relation, Script script) {
   return std::string((script == Script::kAscii ? kAscii : kSymbols)[static_cast<std::size_t>(relation)]);
 }
 
-std::string text(const Distance& distance, Script script) {
+namespace {
+
+std::string distance_text(const Distance& distance, std::string_view word_of_it) {
   std::string result;
   if (distance.prefix != Extremum::kNone) result = distance.prefix == Extremum::kInf ? "inf " : "sup ";
-  result += script == Script::kAscii ? name(distance.kind) : symbol(distance.kind);
+  result += word_of_it;
   result += fmt::format("({}, {}", shapes_text(distance.first), shapes_text(distance.second));
   if (distance.mode != Mode::kPlain) result += fmt::format(", {}={}", word(distance.mode), distance.vector_text);
   return result + ")";
 }
 
+/// The level, or minus it where `minus`.
+std::string level_text(const Atom& atom, bool minus) {
+  const exact::Real level = minus ? -atom.level : atom.level;
+  const std::string decimal = decimal_text(level);
+  if (!decimal.empty()) return decimal;
+  if (atom.written.empty()) return level.text();
+  if (!minus) return atom.written;
+  return atom.written.starts_with('-') ? atom.written.substr(1) : "-" + atom.written;
+}
+
+}  // namespace
+
+std::string text(const Distance& distance, Script script) {
+  return distance_text(distance, script == Script::kAscii ? name(distance.kind) : symbol(distance.kind));
+}
+
 std::string text(const Atom& atom, Script script) {
   const std::string distance = text(atom.distance, script);
   if (atom.minimum) return distance + (script == Script::kAscii ? " -> min" : " → min");
-  std::string level = decimal_text(atom.level);
-  if (level.empty()) level = atom.written.empty() ? atom.level.text() : atom.written;
-  return fmt::format("{} {} {}", distance, text(atom.relation, script), level);
+  return fmt::format("{} {} {}", distance, text(atom.relation, script), level_text(atom, false));
 }
 
-std::string text(const Formula& formula, Script script) { return node_text(formula.root(), formula.atoms(), script); }
+std::string text(const Formula& formula, Script script) {
+  return node_text(
+      formula.root(), [&](std::size_t k) { return text(formula.atoms()[k], script); }, script);
+}
+
+bool negated(const Distance& distance) { return distance.spelled != nullptr && distance.spelled->negated; }
+
+std::string written(const Distance& distance) {
+  if (distance.spelled == nullptr) return text(distance);
+  Distance said = distance;
+  if (distance.spelled->exchanged) std::swap(said.first, said.second);
+  if (negated(distance)) said.prefix = opposite(said.prefix);
+  return distance_text(said, distance.spelled->name);
+}
+
+std::string written(const Atom& atom) {
+  const bool from_word = atom.predicate != nullptr && atom.predicate->level != PredicateName::Level::kNone;
+  const bool turned_round = atom.predicate != nullptr ? atom.predicate->negated : negated(atom.distance);
+  const std::string level = level_text(atom, turned_round);
+  if (atom.predicate == nullptr) {
+    if (atom.minimum) return written(atom.distance) + " -> min";
+    const Relation relation = turned_round ? mirrored(atom.relation) : atom.relation;
+    return fmt::format("{} {} {}", written(atom.distance), text(relation), level);
+  }
+  const bool said = from_word && (atom.predicate->level == PredicateName::Level::kRequired || atom.level.sign() != 0);
+  return fmt::format("{}({}, {}{})", atom.predicate->name, shapes_text(atom.distance.first),
+                     shapes_text(atom.distance.second), said ? ", " + level : "");
+}
+
+std::string written(const Formula& formula) {
+  return node_text(
+      formula.root(), [&](std::size_t k) { return written(formula.atoms()[k]); }, Script::kAscii);
+}
+
+PlainText plain(std::string_view canonical) {
+  const std::size_t open = canonical.find('(');
+  const std::size_t blank = canonical.rfind(' ', open);
+  const std::size_t start = blank == std::string_view::npos ? 0 : blank + 1;
+  const DistanceName* const row = find_distance(canonical.substr(start, open - start));
+  if (row == nullptr) return {std::string(canonical)};
+  const DistanceName& word = plain_name(row->kind);
+  std::string prefix(canonical.substr(0, start));
+  if (word.negated && !prefix.empty()) prefix = prefix == "inf " ? "sup " : "inf ";
+  return {prefix + std::string(word.name) + std::string(canonical.substr(open)), word.negated};
+}
 
 std::string text(const Objective& objective, Script script) {
   switch (objective.kind) {
@@ -108,14 +169,11 @@ std::string text(const Objective& objective, Script script) {
     case Objective::Kind::kDistance:
       break;
   }
-  if (!objective.negated) return text(objective.distance, script);
-  // Only eta1 has a word for its negative, and sup of -f is -inf of f.
-  Distance margin = objective.distance;
-  if (margin.prefix != Extremum::kNone)
-    margin.prefix = margin.prefix == Extremum::kInf ? Extremum::kSup : Extremum::kInf;
-  const std::string positive = text(margin);
-  const std::size_t start = positive.find("eta1(");
-  return positive.substr(0, start) + "margin" + positive.substr(start + 4);
+  if (!objective.negated)
+    return script == Script::kAscii ? written(objective.distance) : text(objective.distance, script);
+  Distance said = objective.distance;
+  said.spelled = &plain_name(said.kind);
+  return written(said);
 }
 
 std::string decimal_text(const exact::Real& value) {

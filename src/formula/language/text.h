@@ -2,13 +2,14 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Formulas as text: the canonical spelling, which is also the key of every distance in results ("gamma1(B, A)", one
-// blank after the comma), or with the signs of the literature (γ₁(B, A) ≥ 0.5 ∧ ¬(...)). Guarantee:
+// blank after the comma), with the signs of the literature (γ₁(B, A) ≥ 0.5 ∧ ¬(...)). Guarantee:
 // parse_formula(text(f)) == f for either script in the context that f was read in. Keywords: pretty printer, unparse,
 // canonical form.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "formula/language/formula.h"
 
@@ -20,6 +21,20 @@ std::string text(const Distance& distance, Script script = Script::kAscii);
 std::string text(const Atom& atom, Script script = Script::kAscii);
 std::string text(const Formula& formula, Script script = Script::kAscii);
 std::string text(const Objective& objective, Script script = Script::kAscii);
+
+/// As its writer named it: gap(B, A), margin(B, A) >= 1, inside(B, A, 1), with one blank after a comma. What names no
+/// word is written canonically. `negated`: the value of the word is minus that of the canonical distance.
+std::string written(const Distance& distance);
+std::string written(const Atom& atom);
+std::string written(const Formula& formula);
+bool negated(const Distance& distance);
+
+/// A canonical spelling in the plain word of its distance: eta1(B, A) is minus margin(B, A), inf eta1 minus sup margin.
+struct PlainText {
+  std::string text;
+  bool negated = false;
+};
+PlainText plain(std::string_view canonical);
 
 /// The relation's sign.
 std::string text(Relation relation, Script script = Script::kAscii);

@@ -66,9 +66,11 @@ SignMap plain_level(SignMap wanted) {
   return wanted;
 }
 
-void refuse(const Distance& distance, const std::string& what) {
-  throw Error(ErrorCode::kUnsupported, text(distance) + ": " + what);
+exact::Refusal refused(const Distance& distance, const std::string& what) {
+  return exact::Refusal(written(distance) + ": " + what);
 }
+
+void refuse(const Distance& distance, const std::string& what) { throw refused(distance, what).error; }
 
 bool is_directional(const Distance& d) { return d.mode == Mode::kAlong || d.mode == Mode::kToward; }
 
@@ -76,7 +78,7 @@ distance::TranslationDirection direction(const Distance& d) {
   const auto direction = plane::primitive_direction({d.vector.at(0), d.vector.at(1)});
   if (!direction) {
     throw Error(ErrorCode::kUnsupported,
-                text(d) + ": the direction is no ratio of integers below 2^53; use fewer digits");
+                written(d) + ": the direction is no ratio of integers below 2^53; use fewer digits");
   }
   return {direction->x, direction->y, d.mode == Mode::kAlong};
 }

@@ -6,6 +6,7 @@
 
 #include "distance/planar/directional.h"
 #include "distance/planar/shape_pair.h"
+#include "exact/number/tried.h"
 #include "formula/language/formula.h"
 
 namespace findspace::formula {
@@ -22,7 +23,8 @@ Kind nearest_kind(Kind kind);
 bool is_plain_level(const SignMap& wanted);
 /// The plain one in its place, where it is.
 SignMap plain_level(SignMap wanted);
-/// Throws Error(kUnsupported) that names the distance.
+/// The refusal of a distance, by its name; and the Error(kUnsupported) that it is.
+exact::Refusal refused(const Distance& distance, const std::string& what);
 [[noreturn]] void refuse(const Distance& distance, const std::string& what);
 
 /// With along= or toward=.

@@ -8,7 +8,7 @@
 #include "distance/rotation/rotated_directional.h"
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotation.h"
-#include "findspace/error.h"
+#include "exact/number/tried.h"
 #include "formula/language/evaluate.h"
 #include "plane/base/real_vector.h"
 
@@ -113,12 +113,9 @@ RotationMap RotationMaps::sign_map(const SignMap& wanted) const {
   }
   if (is_directional(d)) return directional_map(d, wanted.level / world_.step());
   const PairAndDistance t = rotated_pair(*this, d);
-  try {
-    return t.pair.sign_map(t.which, wanted.level / world_.step());
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    refuse(d, e.message());
-  }
+  auto map = exact::tried([&] { return t.pair.sign_map(t.which, wanted.level / world_.step()); });
+  if (!map) refuse(d, map.refusal().error.message());
+  return *std::move(map);
 }
 
 RotationMap RotationMaps::feasible(const Formula& formula) const {

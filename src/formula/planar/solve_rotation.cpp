@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "distance/rotation/rotation.h"
+#include "exact/number/tried.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
@@ -116,12 +117,11 @@ AtomAt RotationSolver::check_plain(const RotationMaps& maps, const Formula& whol
   AtomAt out = rotated_solver().check(Formula(atom), pose_.at).atoms.at(0);
   if (is_quarters(pose_.degrees) || atom.minimum || atom.distance.mode == Mode::kRotation) return out;
   // The truth from the exact circle, where there is one: rounding must not decide a contact.
-  try {
+  const auto sign = exact::tried([&] {
     const RotationMap map = maps.sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
-    out.holds = holds(atom, mark_at(map, Angle::of_degrees(pose_.degrees)));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-  }
+    return mark_at(map, Angle::of_degrees(pose_.degrees));
+  });
+  if (sign) out.holds = holds(atom, *sign);
   return out;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 /// Positions about one of contact are no deeper, no farther from it, than they are from that one; those far from a
 /// place where a shape fits have it that far.
-std::optional<distance::SignBall> ball(distance::Which which, const distance::SolidValue& value, const Real& level) {
+std::optional<distance::SignBall> ball(distance::Which which, const distance::Answer& value, const Real& level) {
   if (!value.nearest) return std::nullopt;
   const bool farthest = which == distance::Which::kEta2 || which == distance::Which::kDelta2;
   const int sign = which == distance::Which::kGamma1 || farthest ? 1 : -1;

@@ -4,9 +4,8 @@
 
 namespace findspace::formula {
 
-using Kind = plane::Shape::Kind;
-
 std::vector<ContainerPart> container_parts(const plane::ShapePtr& shape) {
+  using Kind = plane::Shape::Kind;
   const auto& children = shape->children;
   const bool keeps =
       shape->kind == Kind::kClosure || shape->kind == Kind::kRegularize || shape->kind == Kind::kInterior;

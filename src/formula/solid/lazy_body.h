@@ -8,7 +8,9 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 
+#include "exact/number/tried.h"
 #include "space/body/body.h"
 
 namespace findspace::formula {
@@ -22,10 +24,10 @@ class LazyBody {
   LazyBody(Pointer made) {
     if (made) {
       state_ = std::make_shared<State>();
-      state_->body = std::move(made);
+      state_->body.emplace(std::move(made));
     }
   }
-  static LazyBody later(std::function<Pointer()> make) {
+  static LazyBody later(std::function<exact::Tried<Pointer>()> make) {
     LazyBody out;
     out.state_ = std::make_shared<State>();
     out.state_->make = std::move(make);
@@ -38,15 +40,16 @@ class LazyBody {
   bool made() const {
     if (!state_) return false;
     const std::lock_guard lock(state_->guard);
-    return state_->body != nullptr;
+    return state_->body && *state_->body;
   }
-  /// Throws what making it throws.
-  Pointer pointer() const {
+  /// Null if there is none; a refusal where it cannot be made.
+  exact::Tried<Pointer> try_pointer() const {
     if (!state_) return nullptr;
     const std::lock_guard lock(state_->guard);
-    if (!state_->body) state_->body = state_->make();
-    return state_->body;
+    if (!state_->body) state_->body.emplace(state_->make());
+    return *state_->body;
   }
+  Pointer pointer() const { return try_pointer().or_throw(); }
   const space::Body* get() const { return pointer().get(); }
   const space::Body& operator*() const { return *get(); }
   const space::Body* operator->() const { return get(); }
@@ -54,8 +57,8 @@ class LazyBody {
  private:
   struct State {
     std::mutex guard;
-    Pointer body;
-    std::function<Pointer()> make;
+    std::optional<exact::Tried<Pointer>> body;
+    std::function<exact::Tried<Pointer>()> make;
   };
   std::shared_ptr<State> state_;
 };

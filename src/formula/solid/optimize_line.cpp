@@ -23,14 +23,14 @@ struct OnLine {
   int far(bool forward) const { return projection ? 1 : forward ? rate.sign() : -rate.sign(); }
 };
 
-struct Place {
+struct LinePlace {
   Real t;
   bool in = false;
 };
 
 /// Where an extremum over one interval can be.
-std::vector<Place> candidates(const LineInterval& i, const OnLine& f) {
-  std::vector<Place> out;
+std::vector<LinePlace> candidates(const LineInterval& i, const OnLine& f) {
+  std::vector<LinePlace> out;
   if (i.from) out.push_back({*i.from, i.from_in});
   if (i.to) out.push_back({*i.to, i.to_in});
   if (f.projection && (!i.from || *i.from < *f.projection) && (!i.to || *f.projection < *i.to))
@@ -81,18 +81,20 @@ LineOptimum optimize(const std::vector<LineInterval>& set, const SpaceLine& line
     out.at = set;
     return out;
   }
-  std::vector<Place> places;
+  std::vector<LinePlace> places;
   for (const LineInterval& i : set) {
     out.unbounded = out.unbounded || (!i.from && f.far(false) == -way) || (!i.to && f.far(true) == -way);
-    for (Place& p : candidates(i, f)) places.push_back(std::move(p));
+    for (LinePlace& p : candidates(i, f)) places.push_back(std::move(p));
   }
   if (out.unbounded) return out;
-  const auto better = [&](const Place& a, const Place& b) { return compare(f.order(a.t), f.order(b.t)) * way < 0; };
-  const Place best = *std::min_element(places.begin(), places.end(), better);
-  std::erase_if(places, [&](const Place& p) { return better(best, p); });
-  out.attained = std::any_of(places.begin(), places.end(), [](const Place& p) { return p.in; });
-  if (out.attained) std::erase_if(places, [](const Place& p) { return !p.in; });
-  for (const Place& p : places) {
+  const auto better = [&](const LinePlace& a, const LinePlace& b) {
+    return compare(f.order(a.t), f.order(b.t)) * way < 0;
+  };
+  const LinePlace best = *std::min_element(places.begin(), places.end(), better);
+  std::erase_if(places, [&](const LinePlace& p) { return better(best, p); });
+  out.attained = std::any_of(places.begin(), places.end(), [](const LinePlace& p) { return p.in; });
+  if (out.attained) std::erase_if(places, [](const LinePlace& p) { return !p.in; });
+  for (const LinePlace& p : places) {
     if (out.at.empty() || !(*out.at.back().from == p.t)) out.at.push_back({p.t, p.t, true, true});
   }
   out.value = value_at(objective, line, step, best.t);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <queue>
 
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::formula {
@@ -147,7 +148,7 @@ class Search {
     double square = 0;
     for (std::size_t k = 0; k < 3; ++k) square += width(g, k) * width(g, k);
     const double length = std::sqrt(square);
-    tolerance_ = std::max(tolerance_, 0x1p-20 * length);
+    tolerance_ = std::max(tolerance_, margin::kLineOptimum * length);
     if (g.last - g.first > 1) {
       count_ += 2;
       if (const auto p = example(g)) {

@@ -10,18 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "formula/solid/solve_rays.h"
+#include "formula/solid/side.h"
 #include "formula/solid/solve_space.h"
 
 namespace findspace::formula {
 
-/// On which side of the true set a map may lie; kNone: nothing is claimed.
-enum class Side { kExact, kInner, kOuter, kMixed, kNone };
-std::string_view name(Side side);
-
 struct LeastOf {
-  std::string text;                           // the atom's
-  std::optional<distance::SolidLeast> least;  // in the scene's unit; nothing where undefined: the atom holds nowhere
+  std::string text;                       // the atom's
+  std::optional<distance::Answer> least;  // in the scene's unit; nothing where undefined: the atom holds nowhere
 };
 
 struct MinimaAsLevels {
@@ -31,9 +27,6 @@ struct MinimaAsLevels {
 };
 
 bool has_minima(const Formula& formula);
-Side both(Side a, Side b);
-/// The side on which lines lie whose sign maps are 0 near the levels as well as at them.
-Side side_of_search(const RayWorld& world, const Formula& formula, const space::RayGrid* grid = nullptr);
 /// Throws Error(kUnsupported) where a least value is not computed.
 MinimaAsLevels minima_as_levels(const SpaceSolver& solver, const Formula& formula);
 

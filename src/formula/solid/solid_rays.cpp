@@ -19,9 +19,8 @@ using Source = space::RaySourcePointer;
 
 namespace {
 
-/// Pairs of triangles up to which convex parts are quicker, and up to which there is memory for the surface about every
-/// corner.
-constexpr std::size_t kFewPairs = 1500, kMostPairs = 200000;
+/// Pairs of triangles up to which there is memory for the surface about every corner.
+constexpr std::size_t kMostPairs = 200000;
 
 /// max(0, f), or max(0, -f) if negated.
 struct CutOff {
@@ -46,12 +45,6 @@ std::optional<CutOff> cut_off(Which which) {
     default:
       return std::nullopt;
   }
-}
-
-SurfaceRays one(Source source) {
-  SurfaceRays rays;
-  if (source) rays.sources.push_back(std::move(source));
-  return rays;
 }
 
 bool convex(const std::vector<RaySolid>& solids) { return solids.size() == 1 && space::is_convex(solids[0]); }
@@ -129,7 +122,7 @@ SurfaceRays hausdorff(const TouchingSolid& b, const TouchingSolid& a, const Real
     if (some.sources.empty()) return {};
     both.push_back(as_source(std::move(some)));
   }
-  return one(space::greatest_rays(std::move(both)));
+  return SurfaceRays::of(space::greatest_rays(std::move(both)));
 }
 
 }  // namespace
@@ -137,37 +130,24 @@ SurfaceRays hausdorff(const TouchingSolid& b, const TouchingSolid& a, const Real
 SurfaceRays solid_rays(Which which, const TouchingSolid& b, const TouchingSolid& a, const Real& level,
                        const RayGrid& grid) {
   if (const auto base = cut_off(which)) {
-    if (level.sign() < 0) return one(space::constant_rays(grid, 1));
+    if (level.sign() < 0) return SurfaceRays::of(space::constant_rays(grid, 1));
     SurfaceRays rays = solid_rays(base->which, b, a, base->negated ? -level : level, grid);
     if (rays.sources.empty()) return rays;
-    return one(space::cut_off_rays(as_source(std::move(rays)), base->negated, level));
+    return SurfaceRays::of(space::cut_off_rays(as_source(std::move(rays)), base->negated, level));
   }
   if (which == Which::kHausdorff) return hausdorff(b, a, level, grid);
   if (which == Which::kDiameter) return {};
   const bool protrudes = which == Which::kMu || which == Which::kMuBack;
   if (protrudes && level.sign() > 0) {
-    if (auto rays = protrusion_of_convex(which, b.solids, a.solids, level, grid)) return one(std::move(rays));
-    return one(which == Which::kMu ? protrusion(b, a.solids, level, grid) : protrusion_back(b, a, level, grid));
+    if (auto rays = protrusion_of_convex(which, b.solids, a.solids, level, grid)) return SurfaceRays::of(std::move(rays));
+    return SurfaceRays::of(which == Which::kMu ? protrusion(b, a.solids, level, grid) : protrusion_back(b, a, level, grid));
   }
   if (which == Which::kMuBack) which = Which::kDelta1;
   SurfaceRays rays;
   if (which != Which::kEta2 && which != Which::kDelta2) rays = surface_rays(which, b.solids, a.solids, level, grid);
   if (!rays.sources.empty()) return rays;
-  return one(touching_rays(which, b, a, level, grid,
+  return SurfaceRays::of(touching_rays(which, b, a, level, grid,
                            [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
-}
-
-std::optional<bool> found_by_search(Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
-                                    const Real& level) {
-  const auto flat = [](const std::vector<RaySolid>& all) {
-    return std::none_of(all.begin(), all.end(), [](const RaySolid& s) { return s.ball(); });
-  };
-  if (level.sign() >= 0 && (which == Which::kGamma1 || which == Which::kD1)) return false;
-  if (!flat(b) || !flat(a)) return std::nullopt;
-  if (level.sign() <= 0) return false;
-  const bool forth = which == Which::kMu || which == Which::kH || which == Which::kHausdorff,
-             back = which == Which::kMuBack || which == Which::kHBack || which == Which::kHausdorff;
-  return (forth && !convex(a)) || (back && !convex(b));
 }
 
 Source as_source(SurfaceRays rays) {

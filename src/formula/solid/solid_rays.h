@@ -18,11 +18,6 @@ namespace findspace::formula {
 SurfaceRays solid_rays(distance::Which which, const TouchingSolid& b, const TouchingSolid& a, const exact::Real& level,
                        const space::RayGrid& grid);
 
-/// As distance::found_by_search, where that is clear without convex parts, which surfaces may not have in reasonable
-/// time: of polyhedra only how far one sticks out of one that is not convex needs a search, of balls no clearance.
-std::optional<bool> found_by_search(distance::Which which, const std::vector<space::RaySolid>& b,
-                                    const std::vector<space::RaySolid>& a, const exact::Real& level);
-
 /// All in one; not of no sources.
 space::RaySourcePointer as_source(SurfaceRays rays);
 

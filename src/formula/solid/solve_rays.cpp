@@ -25,6 +25,8 @@ namespace findspace::formula {
 namespace {
 
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 using space::RayGrid;
 using space::RayRow;
 using space::RaySolid;
@@ -34,8 +36,8 @@ using space::RealVector;
 /// Denominators of positions that are tried.
 constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 3, 8, 64, 1024};
 
-[[noreturn]] void refuse(const SignMap& map, const std::string& why) {
-  throw Error(ErrorCode::kUnsupported, text(map.distance) + " has no ray map here: " + why);
+Refusal no_map(const SignMap& map, const std::string& why) {
+  return Refusal(text(map.distance) + " has no ray map here: " + why);
 }
 
 /// All solids of the names; nothing where one of them is no union of solids.
@@ -49,33 +51,42 @@ std::optional<std::vector<RaySolid>> solids(const RayWorld& world, const std::ve
   return all;
 }
 
-space::Body body(const RayWorld& world, const std::vector<std::string>& names) {
+Tried<space::Body> body(const RayWorld& world, const std::vector<std::string>& names) {
   std::vector<const space::Body*> bodies;
-  for (const std::string& name : names) bodies.push_back(&world.shapes.at(name).body());
-  return united(bodies);
+  for (const std::string& name : names) {
+    const Tried<const space::Body*> one = world.shapes.at(name).try_body();
+    if (!one && one.refusal().fault()) throw one.refusal().error;
+    if (!one) return one.refusal();
+    bodies.push_back(*one);
+  }
+  return try_united(bodies);
 }
 
 RealVector direction_of(const Distance& d) { return {d.vector.at(0), d.vector.at(1), d.vector.at(2)}; }
 
 /// By the convex parts of the shapes.
-space::RaySourcePointer by_parts(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
-                                 const RayGrid& grid) {
-  space::Body b = body(world, second ? d.second : d.first), a = body(world, second ? d.first : d.second);
-  const std::int64_t scale = std::lcm(b.scale, a.scale);
-  if (b.outside) refuse(map, "a moving shape has to be bounded");
-  b = space::at_scale(b, scale);
-  a = space::at_scale(a, scale);
+Tried<space::RaySourcePointer> by_parts(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                                        const RayGrid& grid) {
+  const Tried<space::Body> moving = body(world, second ? d.second : d.first);
+  if (!moving) return moving.refusal();
+  const Tried<space::Body> fixed = body(world, second ? d.first : d.second);
+  if (!fixed) return fixed.refusal();
+  const std::int64_t scale = std::lcm(moving->scale, fixed->scale);
+  if (moving->outside) return no_map(map, "a moving shape has to be bounded");
+  const space::Body b = space::at_scale(*moving, scale), a = space::at_scale(*fixed, scale);
   const distance::Which base = which(d.kind, second);
   const Real level = map.level / world.step * Real(scale);
-  if (!is_directional(d)) return distance::ray_sign_map(base, level, b, a, grid);
-  return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
+  return exact::tried([&]() -> space::RaySourcePointer {
+    if (!is_directional(d)) return distance::ray_sign_map(base, level, b, a, grid);
+    return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
+  });
 }
 
-SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid);
+Tried<SurfaceRays> parts(const RayWorld& world, const SignMap& map, const RayGrid& grid);
 
 /// Containment up to level 0 in a shape that has no convex parts, by those it is made of (container_parts.h); nothing
 /// where it is made of one.
-SurfaceRays in_room(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
+Tried<SurfaceRays> in_room(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
   SurfaceRays out;
   out.least = false;
   if ((d.kind != Kind::kEta1 && d.kind != Kind::kMu) || map.level.sign() > 0 || d.second.size() != 1) return out;
@@ -86,24 +97,36 @@ SurfaceRays in_room(const RayWorld& world, const SignMap& map, const Distance& d
     one.shapes.insert_or_assign(d.second[0], RayShape(part.shape));
     SignMap wanted{d, part.without ? -map.level : map.level, false};
     wanted.distance.kind = part.without ? Kind::kGamma1 : Kind::kEta1;
-    auto source = as_source(parts(one, wanted, grid));
+    Tried<SurfaceRays> rays = parts(one, wanted, grid);
+    if (!rays) return rays;
+    auto source = as_source(*std::move(rays));
     out.sources.push_back(part.without ? space::negated_rays(std::move(source)) : std::move(source));
   }
   return out;
 }
 
 /// To or from a shape that balls are cut out of, by values; null where neither is one.
-space::RaySourcePointer by_cut(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
-                               const RayGrid& grid) {
-  const auto forms = [&](const std::vector<std::string>& names) {
+Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                                      const RayGrid& grid) {
+  const auto forms = [&](const std::vector<std::string>& names) -> Tried<std::vector<SpaceShape>> {
     std::vector<SpaceShape> out;
-    for (const std::string& name : names) out.push_back(space_shape(*world.shapes.at(name).stated()));
+    for (const std::string& name : names) {
+      Tried<SpaceShape> shape = try_space_shape(*world.shapes.at(name).stated());
+      if (!shape) return shape.refusal();
+      out.push_back(*std::move(shape));
+    }
     return out;
   };
-  CsgShapes cut = csg_shapes(forms(second ? d.second : d.first), forms(second ? d.first : d.second));
+  const Tried<std::vector<SpaceShape>> b = forms(second ? d.second : d.first);
+  if (!b) return b.refusal();
+  const Tried<std::vector<SpaceShape>> a = forms(second ? d.first : d.second);
+  if (!a) return a.refusal();
+  CsgShapes cut = csg_shapes(*b, *a);
   if (!cut.pair) return nullptr;
   const Real level = map.level / world.step * Real(cut.scale);
-  return distance::cut_map(which(d.kind, second), level, std::move(cut.pair), cut.scale, grid);
+  return exact::tried([&]() -> space::RaySourcePointer {
+    return distance::cut_map(which(d.kind, second), level, std::move(cut.pair), cut.scale, grid);
+  });
 }
 
 /// Whether the direction is that of the lines, or the opposite one.
@@ -116,7 +139,8 @@ bool runs_along(const Distance& d, const RayGrid& grid) {
 }
 
 /// Off the signs at level 0 on the same lines.
-space::RaySourcePointer along_lines(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
+Tried<space::RaySourcePointer> along_lines(const RayWorld& world, const SignMap& map, const Distance& d,
+                                           const RayGrid& grid) {
   SignMap zero{d, Real(), false};
   zero.distance.mode = Mode::kPlain;
   zero.distance.vector.clear();
@@ -128,47 +152,59 @@ space::RaySourcePointer along_lines(const RayWorld& world, const SignMap& map, c
   query.forward =
       (grid.oblique ? space::dot(direction, grid.oblique->frame[2]) : direction[static_cast<std::size_t>(grid.axis)])
           .sign() > 0;
-  auto rays = std::make_shared<SurfaceRays>(parts(world, zero, grid));
-  return std::make_unique<distance::RayRuns>([rays](int j) { return rays->row(j); }, query,
+  Tried<SurfaceRays> made = parts(world, zero, grid);
+  if (!made) return made.refusal();
+  auto rays = std::make_shared<SurfaceRays>(*std::move(made));
+  return std::make_unique<distance::RayRuns>([rays](int j) { return rays->row(j); }, rays->searched(), query,
                                              map.level / world.step * Real(grid.parts), grid);
 }
 
-SurfaceRays parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+/// By the surfaces of the solids, as they are; no sources where they do not answer.
+Tried<SurfaceRays> by_surfaces(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                               const RayGrid& grid) {
+  if (grid.oblique) return SurfaceRays();
+  if (is_directional(d) && (map.level.sign() != 0 || nearest_kind(d.kind) != d.kind)) return SurfaceRays();
+  const std::vector<std::string>&moving = second ? d.second : d.first, &fixed = second ? d.first : d.second;
+  const auto b = solids(world, moving), a = solids(world, fixed);
+  if (!b || !a) return SurfaceRays();
+  return exact::tried([&] {
+    return solid_rays(which(d.kind, second), {*b, [&] { return body(world, moving).or_throw(); }},
+                      {*a, [&] { return body(world, fixed).or_throw(); }}, map.level / world.step, grid);
+  });
+}
+
+/// By the convex parts of the shapes, or else by what a shape without such is made of.
+Tried<SurfaceRays> by_sets(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
+                           const RayGrid& grid) {
+  Tried<space::RaySourcePointer> whole = by_parts(world, map, d, second, grid);
+  if (whole) return SurfaceRays::of(*std::move(whole));
+  if (is_directional(d)) return whole.refusal().within(text(map.distance));
+  if (!second) {
+    Tried<SurfaceRays> containers = in_room(world, map, d, grid);
+    if (!containers || !containers->sources.empty()) return containers;
+  }
+  Tried<space::RaySourcePointer> cut = by_cut(world, map, d, second, grid);
+  if (!cut) return cut.refusal();
+  if (!*cut) return whole.refusal().within(text(map.distance));
+  return SurfaceRays::of(*std::move(cut));
+}
+
+Tried<SurfaceRays> parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   Distance d = moving_first(map.distance, world.moving);
-  if (d.mode == Mode::kRotation || d.prefix != Extremum::kNone) refuse(map, "only translations are");
+  if (d.mode == Mode::kRotation || d.prefix != Extremum::kNone) return no_map(map, "only translations are");
   const bool second = second_is_moving(d, world.moving);
-  SurfaceRays result;
-  if (!grid.oblique && (!is_directional(d) || (map.level.sign() == 0 && nearest_kind(d.kind) == d.kind))) {
-    const std::vector<std::string>&moving = second ? d.second : d.first, &fixed = second ? d.first : d.second;
-    const auto b = solids(world, moving), a = solids(world, fixed);
-    if (b && a)
-      result = solid_rays(which(d.kind, second), {*b, [&] { return body(world, moving); }},
-                          {*a, [&] { return body(world, fixed); }}, map.level / world.step, grid);
-  }
-  if (!result.sources.empty()) return result;
-  if (is_directional(d) && runs_along(d, grid)) {
-    result.sources.push_back(along_lines(world, map, d, grid));
-    return result;
-  }
-  try {
-    result.sources.push_back(by_parts(world, map, d, second, grid));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    if (!second && !is_directional(d)) result = in_room(world, map, d, grid);
-    if (!result.sources.empty()) return result;
-    auto cut = is_directional(d) ? nullptr : by_cut(world, map, d, second, grid);
-    if (!cut) throw e.within(text(map.distance));
-    result.sources.push_back(std::move(cut));
-  }
-  return result;
+  Tried<SurfaceRays> result = by_surfaces(world, map, d, second, grid);
+  if (!result || !result->sources.empty()) return result;
+  if (!is_directional(d) || !runs_along(d, grid)) return by_sets(world, map, d, second, grid);
+  Tried<space::RaySourcePointer> along = along_lines(world, map, d, grid);
+  if (!along) return along.refusal();
+  return SurfaceRays::of(*std::move(along));
 }
 
 class RegionRays : public RaySource {
  public:
-  RegionRays(const RayWorld& world, const Formula& formula, const RayGrid& grid) : formula_(formula), grid_(grid) {
-    for (const SignMap& map : formula.sign_maps()) maps_.push_back(parts(world, map, grid));
-    if (maps_.empty()) throw Error(ErrorCode::kUnsupported, "a constant formula has no ray map");
-  }
+  RegionRays(std::vector<SurfaceRays> maps, const Formula& formula, const RayGrid& grid)
+      : formula_(formula), grid_(grid), maps_(std::move(maps)) {}
   const RayGrid& grid() const override { return grid_; }
   RayRow row(int j) const override {
     std::vector<RayRow> rows;
@@ -180,12 +216,9 @@ class RegionRays : public RaySource {
 
  private:
   RayRow named_row(std::size_t k, int j) const {
-    try {
-      return maps_[k].row(j);
-    } catch (const Error& e) {
-      if (e.code() != ErrorCode::kUnsupported) throw;
-      throw e.within(text(formula_.sign_maps()[k].distance));
-    }
+    auto row = exact::tried([&] { return maps_[k].row(j); });
+    if (!row) throw row.refusal().within(text(formula_.sign_maps()[k].distance)).error;
+    return *std::move(row);
   }
 
   const Formula& formula_;
@@ -218,17 +251,46 @@ RayWindow window(const RayWorld& world, const Formula& formula) {
   return result;
 }
 
-std::unique_ptr<RaySource> ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
-  return std::make_unique<RegionRays>(world, formula, grid);
+Tried<RegionOnLines> try_ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
+  if (formula.sign_maps().empty()) return Refusal("a constant formula has no ray map");
+  std::vector<SurfaceRays> maps;
+  std::vector<bool> searched;
+  for (const SignMap& map : formula.sign_maps()) {
+    Tried<SurfaceRays> one = parts(world, map, grid);
+    if (!one) return one.refusal();
+    searched.push_back(one->searched());
+    maps.push_back(*std::move(one));
+  }
+  return RegionOnLines{std::make_unique<RegionRays>(std::move(maps), formula, grid), side_of_search(formula, searched)};
 }
 
-plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
-  const SurfaceRays source = parts(world, map, grid);
-  const RayRow row = source.row(0);
-  plane::Section out{row.before[0], {}};
+RegionOnLines ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
+  return try_ray_region(world, formula, grid).or_throw();
+}
+
+namespace {
+
+/// Line (0, 0) of one map.
+struct FirstRow {
+  RayRow row;
+  bool searched = false;
+};
+Tried<FirstRow> first_row(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+  const Tried<SurfaceRays> source = parts(world, map, grid);
+  if (!source) return source.refusal();
+  return exact::tried([&] { return FirstRow{source->row(0), source->searched()}; });
+}
+
+}  // namespace
+
+Tried<LineSigns> signs_on_line(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
+  const Tried<FirstRow> found = first_row(world, map, grid);
+  if (!found) return found.refusal();
+  const RayRow& row = found->row;
+  LineSigns out{{row.before[0], {}}, found->searched};
   for (int e = row.first[0]; e < row.first[1]; ++e) {
     const space::RayEvent& event = row.events[static_cast<std::size_t>(e)];
-    out.stops.push_back({event.at.to_real(), event.here, event.after});
+    out.section.stops.push_back({event.at.to_real(), event.here, event.after});
   }
   return out;
 }
@@ -248,47 +310,14 @@ std::optional<RayGrid> grid_through(const space::RealVector& p, int axis) {
   return RayGrid{axis, *fits, at[0], at[1], 1, 1, 1, 1};
 }
 
-std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
+Tried<std::optional<int>> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p) {
   const auto grid = grid_through(p, 2);
   if (!grid) return std::nullopt;
-  const SurfaceRays source = parts(world, map, *grid);
-  const int sign = space::sign_at(source.row(0), 0, p[2] * Real(grid->parts));
-  if (sign == 0 && found_by_search(world, map, &*grid)) return std::nullopt;
+  const Tried<FirstRow> found = first_row(world, map, *grid);
+  if (!found) return found.refusal();
+  const int sign = space::sign_at(found->row, 0, p[2] * Real(grid->parts));
+  if (sign == 0 && found->searched) return std::nullopt;
   return sign;
-}
-
-namespace {
-
-/// In all directions, or at level 0 along one: from the sign of that on the same line others follow (along_lines).
-bool searched(const Distance& d, bool second, const Real& level, const space::Body& b, const space::Body& a,
-              bool runs) {
-  const distance::Which base = which(d.kind, second);
-  if (!is_directional(d)) return distance::found_by_search(base, level, b, a);
-  const bool at_zero = level.sign() == 0 && !is_farthest(d.kind);
-  if (runs || at_zero) return distance::found_by_search(which(nearest_kind(d.kind), second), Real(), b, a);
-  return distance::directional_by_values(base, level, b, a);
-}
-
-}  // namespace
-
-bool found_by_search(const RayWorld& world, const SignMap& map, const RayGrid* grid) {
-  const Distance d = moving_first(map.distance, world.moving);
-  if (d.mode == Mode::kRotation) return false;
-  const bool second = second_is_moving(d, world.moving);
-  const auto& [b, a] = second ? std::pair(d.second, d.first) : std::pair(d.first, d.second);
-  if (d.kind == Kind::kGamma2) return false;
-  const auto of_b = solids(world, b), of_a = solids(world, a);
-  if (of_b && of_a && (!is_directional(d) || map.level.sign() <= 0)) {
-    if (const auto known = found_by_search(which(d.kind, second), *of_b, *of_a, map.level)) return *known;
-  }
-  try {
-    return searched(d, second, map.level, body(world, b), body(world, a),
-                    grid != nullptr && is_directional(d) && runs_along(d, *grid));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    const bool fit = d.kind == Kind::kEta1 || d.kind == Kind::kMu;
-    return !(fit && map.level.sign() <= 0);  // by surfaces, or by rooms and obstacles
-  }
 }
 
 }  // namespace findspace::formula

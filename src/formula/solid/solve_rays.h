@@ -16,11 +16,14 @@
 #include <utility>
 #include <vector>
 
+#include "distance/search/way.h"
 #include "formula/language/formula.h"
+#include "formula/solid/side.h"
 #include "plane/query/section.h"
 #include "space/body/body.h"
 #include "space/convolution/ray_solids.h"
 #include "space/rays/ray_map.h"
+#include "space/rays/ray_sources.h"
 
 namespace findspace::formula {
 
@@ -30,8 +33,8 @@ class RayShape {
   explicit RayShape(plane::ShapePtr shape) : shape_(std::move(shape)) {}
   /// Null where the shape is no union of solids.
   const std::vector<space::RaySolid>* solids() const;
-  /// Throws Error(kUnsupported) for shapes that have none.
-  const space::Body& body() const;
+  /// Refused for shapes that have none.
+  exact::Tried<const space::Body*> try_body() const;
   /// Whether it goes on for ever.
   bool outside() const;
   const plane::ShapePtr& stated() const { return shape_; }
@@ -39,12 +42,10 @@ class RayShape {
   void extend_box(space::Point& low, space::Point& high, bool& any) const;
 
  private:
-  bool has_body() const;
-
   struct Made {
     std::once_flag solids_once, body_once;
     std::optional<std::vector<space::RaySolid>> solids;
-    std::shared_ptr<const space::Body> body;
+    std::optional<exact::Tried<std::shared_ptr<const space::Body>>> body;
   };
   plane::ShapePtr shape_;
   std::shared_ptr<Made> made_ = std::make_shared<Made>();
@@ -62,22 +63,31 @@ struct RayWindow {
 };
 RayWindow window(const RayWorld& world, const Formula& formula);
 
-/// -1 where the formula holds, +1 elsewhere. Keeps a reference to the formula.
-std::unique_ptr<space::RaySource> ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
+/// -1 where the formula holds, +1 elsewhere, and on which side of the region the lines may be.
+struct RegionOnLines {
+  space::RaySourcePointer rays;
+  Side side = Side::kExact;
+};
+/// Keeps a reference to the formula.
+exact::Tried<RegionOnLines> try_ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
+RegionOnLines ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
 
 /// The one line along an axis through p; nothing where its coordinates are no fractions of small denominators.
 std::optional<space::RayGrid> grid_through(const space::RealVector& p, int axis);
 
-/// The signs of one sign map along line (0, 0) of the grid, in parts of a step.
-plane::Section signs_on_line(const RayWorld& world, const SignMap& map, const space::RayGrid& grid);
+/// The signs of one sign map along a line.
+struct LineSigns {
+  plane::Section section;
+  bool searched = false;  // 0 means near the level as well as at it
+  distance::Way way = distance::Way::kLines;
+};
+/// Along line (0, 0) of the grid, in parts of a step.
+exact::Tried<LineSigns> signs_on_line(const RayWorld& world, const SignMap& map, const space::RayGrid& grid);
 
 /// The sign of one sign map at p (grid steps), from the line along z through it; nothing where there is no such
 /// grid, or where the sign is not certain.
-std::optional<int> sign_at_position(const RayWorld& world, const SignMap& map, const space::RealVector& p);
-
-/// Whether the sign map is known only where the value is not very near the level (distance::found_by_search);
-/// `grid`: on these lines.
-bool found_by_search(const RayWorld& world, const SignMap& map, const space::RayGrid* grid = nullptr);
+exact::Tried<std::optional<int>> sign_at_position(const RayWorld& world, const SignMap& map,
+                                                  const space::RealVector& p);
 
 /// Whether the formula holds far away.
 bool holds_far_away(const RayWorld& world, const Formula& formula);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
@@ -20,10 +21,13 @@
 
 namespace findspace::formula {
 
+using distance::Answer;
 using distance::BoxPair;
-using distance::SolidValue;
+using distance::Way;
 using distance::Which;
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 using space::BoxComplex;
 using space::dot;
 using space::Mark;
@@ -39,13 +43,11 @@ SpaceSolver::SpaceSolver(SpaceWorld world) : world_(std::move(world)), cache_(st
 
 SpaceSolver::~SpaceSolver() = default;
 
-SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
+Tried<SpaceSolver::Named> SpaceSolver::named(const Distance& wanted) const {
   Distance d = moving_first(wanted, world_.moving);
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) {
-    throw Error(
-        ErrorCode::kUnsupported,
-        text(d) +
-            ": regions of distances along a direction, and distances in rotation or over time, are not computed in 3D");
+    return refused(
+        d, "regions of distances along a direction, and distances in rotation or over time, are not computed in 3D");
   }
   const bool second = std::find(world_.moving.begin(), world_.moving.end(), d.first.at(0)) == world_.moving.end();
   if (second) std::swap(d.first, d.second);
@@ -64,23 +66,26 @@ SpaceSolver::Named SpaceSolver::named(const Distance& wanted) const {
   const std::lock_guard lock(cache_->guard);
   auto& slot = cache_->pairs[{d.first, d.second}];
   if (!slot) slot = std::make_shared<const SpacePair>(shapes(d.first), shapes(d.second));
-  return {slot, which(d.kind, second)};
+  if (const auto& why = slot->refusal()) return *why;
+  return Named{slot, which(d.kind, second)};
 }
 
-std::optional<SolidValue> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
+Tried<std::optional<Answer>> SpaceSolver::try_value(const Distance& wanted, const RealVector& p) const {
   if (is_directional(wanted)) return directional_value(wanted, p);
-  const Named n = named(wanted);
-  try {
-    return n.pair->value(n.which, p);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    throw e.within(text(wanted));
-  }
+  const Tried<Named> n = named(wanted);
+  if (!n) return n.refusal();
+  Tried<std::optional<Answer>> v = n->pair->value(n->which, p);
+  return v ? std::move(v) : v.refusal().within(text(wanted));
 }
 
-SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<SolidValue>& v) const {
+std::optional<Answer> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
+  return try_value(wanted, p).or_throw();
+}
+
+SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<Answer>& v) const {
   SpaceDistanceAt out{text(wanted), std::nullopt, std::nullopt, std::nullopt, {}};
   if (!v) return out;
+  out.way = v->way;
   out.value = v->lowest ? -exact::kInfinity : (v->value * world_.step).to_double();
   const auto place = [&](const RealVector& q) {
     return SpacePlace{(q[0] * world_.step).to_double(), (q[1] * world_.step).to_double(),
@@ -93,73 +98,74 @@ SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<S
   return out;
 }
 
-int SpaceSolver::sign(const SignMap& wanted, const std::optional<SolidValue>& v) const {
+Tried<int> SpaceSolver::sign(const SignMap& wanted, const std::optional<Answer>& v) const {
   if (!v) return 1;
   if (v->lowest) return -1;
   const Real level = wanted.level / world_.step;
-  if (!v->proven) {
-    const double gap = std::fabs((v->value - level).to_double());
-    if (gap <= std::max(0x1p-34 * std::fabs(v->value.to_double()), v->error)) {
-      throw Error(ErrorCode::kUnsupported, text(wanted.distance) +
-                                               ": the value, found by search, is too near the level " +
-                                               "to tell on which side of it it lies");
-    }
-  }
+  if (!v->proven && std::fabs((v->value - level).to_double()) <= v->slack())
+    return refused(wanted.distance,
+                   "the value, found by search, is too near the level to tell on which side of it it lies");
   return compare(v->value, level);
 }
 
 /// Whether p is a minimiser, by the whole set of them where that is known, else by its value.
-SpaceSolver::SignedValue SpaceSolver::minimal(const SignMap& map, const RealVector& p) const {
-  const auto v = value(map.distance, p);
-  if (is_directional(map.distance)) return {shown(map.distance, v), takes_least(map.distance, v, p) ? 0 : 1};
-  const Named n = named(map.distance);
-  if (const auto whole = n.pair->least(n.which)) return {shown(map.distance, v), whole->at.mark(p) == 0 ? 1 : 0};
-  const auto least = n.pair->nearly_least(n.which);
-  const auto order = [&] {
-    if (!v || !least || least->value < v->value) return 1;
-    if (least->proven && v->proven) return 0;
-    throw Error(ErrorCode::kUnsupported, text(map.distance) +
-                                             ": the value is too near the least one, which is known to " +
-                                             "rounding only, to tell whether the position is a minimiser");
-  };
-  return {shown(map.distance, v), order()};
+Tried<SpaceSolver::SignedValue> SpaceSolver::minimal(const SignMap& map, const RealVector& p) const {
+  const auto tried = try_value(map.distance, p);
+  if (!tried) return tried.refusal();
+  const std::optional<Answer>& v = *tried;
+  const auto outcome = [&](bool least) { return SignedValue{shown(map.distance, v), least ? 0 : 1}; };
+  if (is_directional(map.distance)) {
+    const Tried<bool> takes = takes_least(map.distance, v, p);
+    if (!takes) return takes.refusal();
+    return outcome(*takes);
+  }
+  const Tried<Named> n = named(map.distance);
+  if (!n) return n.refusal();
+  const auto whole = n->pair->least(n->which);
+  if (!whole) return whole.refusal();
+  if (*whole) return outcome((*whole)->at.mark(p) != 0);
+  const auto nearly = n->pair->nearly_least(n->which);
+  if (!nearly) return nearly.refusal();
+  const std::optional<distance::Answer>& least = *nearly;
+  if (!v || !least || least->value < v->value) return outcome(false);
+  if (least->proven && v->proven) return outcome(true);
+  return refused(map.distance,
+                 "the value is too near the least one, which is known to rounding only, to tell whether the position "
+                 "is a minimiser");
 }
 
-std::optional<distance::SolidLeast> SpaceSolver::nearly_least(const Distance& wanted) const {
+Tried<std::optional<distance::Answer>> SpaceSolver::try_nearly_least(const Distance& wanted) const {
   if (is_directional(wanted)) return directional_nearly_least(wanted);
-  const Named n = named(wanted);
-  auto found = n.pair->nearly_least(n.which);
-  if (!found) return found;
-  found->value *= world_.step;
-  found->bound *= world_.step;
-  found->at = space::scaled(world_.step, found->at);
+  const Tried<Named> n = named(wanted);
+  if (!n) return n.refusal();
+  auto found = n->pair->nearly_least(n->which);
+  if (!found || !*found) return found;
+  distance::Answer& least = **found;
+  least.value *= world_.step;
+  least.bound *= world_.step;
+  least.at = space::scaled(world_.step, least.at);
   return found;
 }
 
-/// By the exact map of all positions, where there is one.
-std::optional<int> SpaceSolver::sign_on_map(const SignMap& map, const RealVector& p) const {
-  try {
-    return sign_map(map).mark(p);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return std::nullopt;
-  }
+std::optional<distance::Answer> SpaceSolver::nearly_least(const Distance& wanted) const {
+  return try_nearly_least(wanted).or_throw();
 }
 
-/// Where the value is not computed, its sign may be.
-SpaceSolver::SignedValue SpaceSolver::signed_value(const SignMap& map, const RealVector& p) const {
+/// By the value; where that is not computed, or too near the level, by the exact map or the ray through p.
+Tried<SpaceSolver::SignedValue> SpaceSolver::signed_value(const SignMap& map, const RealVector& p) const {
   if (map.minimum) return minimal(map, p);
-  try {
-    const auto v = value(map.distance, p);
-    return {shown(map.distance, v), sign(map, v)};
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    auto sign = sign_on_map(map, p);
-    if (!sign && world_.rays) sign = sign_at_position(*world_.rays, map, p);
-    if (!sign) throw;
-    SpaceDistanceAt at{text(map.distance), {}, {}, {}, e.message()};
-    return {std::move(at), *sign};
-  }
+  const auto v = try_value(map.distance, p);
+  const Tried<int> by_value = v ? sign(map, *v) : v.refusal();
+  if (by_value) return SignedValue{shown(map.distance, *v), *by_value};
+  const auto signs_alone = [&](int sign, Way way) {
+    return SignedValue{{text(map.distance), {}, {}, {}, by_value.refusal().error.message(), way}, sign};
+  };
+  if (const auto on_map = sign_map(map)) return signs_alone(on_map->mark(p), Way::kMap);
+  if (!world_.rays) return by_value.refusal();
+  const auto on_ray = sign_at_position(*world_.rays, map, p);
+  if (!on_ray) return on_ray.refusal();
+  if (!*on_ray) return by_value.refusal();
+  return signs_alone(**on_ray, Way::kLines);
 }
 
 SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& position) const {
@@ -167,7 +173,7 @@ SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& 
   std::vector<std::int8_t> signs;
   std::vector<SpaceDistanceAt> values;
   for (const SignMap& m : formula.sign_maps()) {
-    const SignedValue found = signed_value(m, p);
+    const SignedValue found = signed_value(m, p).or_throw();
     values.push_back(found.shown);
     signs.push_back(static_cast<std::int8_t>(found.sign));
   }
@@ -206,53 +212,67 @@ std::vector<SpaceDistanceAt> SpaceSolver::measure(const RealVector& position) co
   }
   std::vector<SpaceDistanceAt> out(wanted.size());
   plane::parallel_for(out.size(), [&](std::size_t k) {
-    try {
-      out[k] = shown(wanted[k], value(wanted[k], p));
-    } catch (const Error& e) {
-      if (e.code() != ErrorCode::kUnsupported) throw;
-      out[k].text = text(wanted[k]);
-      out[k].refused = e.message();
-    }
+    const auto v = try_value(wanted[k], p);
+    if (v)
+      out[k] = shown(wanted[k], *v);
+    else
+      out[k] = {text(wanted[k]), {}, {}, {}, v.refusal().error.message()};
   });
   return out;
 }
 
-BoxPair::Least SpaceSolver::least(const Distance& wanted) const {
-  if (is_directional(wanted)) return directional_least(wanted).value_or(BoxPair::Least{Real(), BoxComplex()});
-  const Named n = named(wanted);
-  auto found = n.pair->least(n.which);
-  if (!found) {
-    throw Error(ErrorCode::kUnsupported, text(wanted) + " -> min is not computed in 3D for these shapes");
+Tried<BoxPair::Least> SpaceSolver::least(const Distance& wanted) const {
+  if (is_directional(wanted)) {
+    auto found = directional_least(wanted);
+    if (!found) return found.refusal();
+    return found->value_or(BoxPair::Least{Real(), BoxComplex()});
   }
-  return *found;
+  const Tried<Named> n = named(wanted);
+  if (!n) return n.refusal();
+  auto found = n->pair->least(n->which);
+  if (!found) return found.refusal();
+  if (!*found) return Refusal(text(wanted) + " -> min is not computed in 3D for these shapes");
+  return **std::move(found);
 }
 
-BoxComplex SpaceSolver::sign_map(const SignMap& wanted) const {
-  if (wanted.minimum) return least(wanted.distance).at.remarked([](Mark m) { return Mark(m == 0); });
+Tried<BoxComplex> SpaceSolver::sign_map(const SignMap& wanted) const {
+  if (wanted.minimum) {
+    const auto found = least(wanted.distance);
+    if (!found) return found.refusal();
+    return found->at.remarked([](Mark m) { return Mark(m == 0); });
+  }
   if (is_directional(wanted.distance)) return directional_map(wanted);
-  const Named n = named(wanted.distance);
-  try {
-    return n.pair->boxes().sign_map(n.which, wanted.level / world_.step);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    throw e.within(text(wanted.distance));
-  }
+  const Tried<Named> n = named(wanted.distance);
+  if (!n) return n.refusal();
+  const Tried<const BoxPair*> boxes = n->pair->boxes();
+  const auto map =
+      boxes ? exact::tried([&] { return (*boxes)->sign_map(n->which, wanted.level / world_.step); }) : boxes.refusal();
+  return map ? map : map.refusal().within(text(wanted.distance));
 }
 
-BoxComplex SpaceSolver::feasible(const Formula& formula) const {
+Tried<BoxComplex> SpaceSolver::try_feasible(const Formula& formula) const {
   std::vector<BoxComplex> maps;
-  for (const SignMap& m : formula.sign_maps()) maps.push_back(sign_map(m));
+  for (const SignMap& m : formula.sign_maps()) {
+    Tried<BoxComplex> map = sign_map(m);
+    if (!map) return map;
+    maps.push_back(*std::move(map));
+  }
   std::vector<const BoxComplex*> operands;
   for (const BoxComplex& m : maps) operands.push_back(&m);
-  return overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); }).simplified();
+  return exact::tried([&] {
+    return overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); }).simplified();
+  });
 }
 
-std::optional<SpaceSolver::ConvexMap> SpaceSolver::feasible_convex(const Formula& formula) const {
+BoxComplex SpaceSolver::feasible(const Formula& formula) const { return try_feasible(formula).or_throw(); }
+
+Tried<std::optional<SpaceSolver::ConvexMap>> SpaceSolver::feasible_convex(const Formula& formula) const {
   if (formula.sign_maps().size() != 1 || formula.sign_maps()[0].minimum) return std::nullopt;
   const SignMap& map = formula.sign_maps()[0];
   if (is_directional(map.distance)) return std::nullopt;
-  const Named n = named(map.distance);
-  auto found = n.pair->sublevel(n.which, map.level / world_.step);
+  const Tried<Named> n = named(map.distance);
+  if (!n) return n.refusal();
+  auto found = n->pair->sublevel(n->which, map.level / world_.step);
   if (!found) return std::nullopt;
   const auto holds_at = [&](std::int8_t sign) { return evaluate(formula, std::array<std::int8_t, 1>{sign}); };
   return ConvexMap{{std::move(found->region), holds_at(-1), holds_at(0), holds_at(1), found->radius},
@@ -265,9 +285,9 @@ std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) cons
     SpaceOptimum out;
     // An infimum that no position takes is decided as well.
     if (is_directional(m.distance)) {
-      if (const auto infimum = directional_least(m.distance)) out.value = infimum->value * world_.step;
+      if (const auto infimum = directional_least(m.distance).or_throw()) out.value = infimum->value * world_.step;
     }
-    BoxPair::Least found = least(m.distance);
+    BoxPair::Least found = least(m.distance).or_throw();
     if (!found.at.empty()) {
       out.value = found.value * world_.step;
       out.attained = true;

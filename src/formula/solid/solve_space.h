@@ -21,6 +21,7 @@
 #include "distance/solid/solid_least.h"
 #include "formula/language/formula.h"
 #include "formula/solid/lazy_body.h"
+#include "formula/solid/side.h"
 #include "plane/query/section.h"
 #include "space/body/csg_solid.h"
 #include "space/box/convex_set.h"
@@ -28,6 +29,7 @@
 
 namespace findspace::formula {
 
+struct LineSigns;
 struct RayWorld;
 class SpacePair;
 
@@ -42,6 +44,7 @@ struct SpaceShape {
   bool convex = false;  // of a shape with surfaces
 };
 
+exact::Tried<SpaceShape> try_space_shape(const plane::Shape& shape);
 SpaceShape space_shape(const plane::Shape& shape);
 
 struct SpaceWorld {
@@ -60,6 +63,7 @@ struct SpaceDistanceAt {
   std::optional<SpacePlace> nearest;
   std::optional<std::array<SpacePlace, 2>> points;  // of the first shape and of the second one
   std::string refused;                              // why it is not computed
+  distance::Way way = distance::Way::kNone;         // how the value, or else the sign, was found
 };
 
 struct SpaceAtomAt {
@@ -102,24 +106,31 @@ class SpaceSolver {
   std::vector<SpaceDistanceAt> measure(const space::RealVector& p) const;
 
   /// One distance at p, in grid steps; nothing where it is undefined.
-  std::optional<distance::SolidValue> value(const Distance& distance, const space::RealVector& p) const;
+  std::optional<distance::Answer> value(const Distance& distance, const space::RealVector& p) const;
+  exact::Tried<std::optional<distance::Answer>> try_value(const Distance& distance, const space::RealVector& p) const;
 
   /// In grid steps.
   space::BoxComplex feasible(const Formula& formula) const;
+  exact::Tried<space::BoxComplex> try_feasible(const Formula& formula) const;
   /// The same where the formula has one distance only, whose sublevel set is a convex polytope; nothing where that is
   /// not so.
   struct ConvexMap {
     space::ConvexSet set;
     exact::Real step;  // one unit of its coordinates in the scene's unit
   };
-  std::optional<ConvexMap> feasible_convex(const Formula& formula) const;
+  exact::Tried<std::optional<ConvexMap>> feasible_convex(const Formula& formula) const;
+  struct OnLine {
+    plane::Section marks;
+    Side side = Side::kExact;  // of the true set
+  };
   /// Where the formula holds along a line: marks 1, and 0 elsewhere, by the length gone from `through`, in grid steps.
-  plane::Section feasible_on(const Formula& formula, const SpaceLine& line) const;
+  OnLine feasible_on(const Formula& formula, const SpaceLine& line) const;
   /// The first `distance -> min` of the formula, if it has one.
   std::optional<SpaceOptimum> minimum_of(const Formula& formula) const;
   /// The least value of a distance over all positions, as far as it is known; nothing where it is undefined. In the
   /// scene's unit.
-  std::optional<distance::SolidLeast> nearly_least(const Distance& distance) const;
+  std::optional<distance::Answer> nearly_least(const Distance& distance) const;
+  exact::Tried<std::optional<distance::Answer>> try_nearly_least(const Distance& distance) const;
   /// Of x, y, z or the distance to a point over the region.
   SpaceOptimum optimize(const space::BoxComplex& region, const Objective& objective, distance::Sense sense) const;
 
@@ -137,31 +148,31 @@ class SpaceSolver {
     int sign = 0;
   };
 
-  Named named(const Distance& distance) const;
+  exact::Tried<Named> named(const Distance& distance) const;
   /// Of a distance along an axis.
   struct Axial {
     Named plain;
     int axis = 0, way = 0;
   };
-  Axial axial(const Distance& distance) const;
-  std::optional<int> sign_on_map(const SignMap& map, const space::RealVector& p) const;
-  SignedValue signed_value(const SignMap& map, const space::RealVector& p) const;
-  SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::SolidValue>& value) const;
-  SignedValue minimal(const SignMap& map, const space::RealVector& p) const;
+  exact::Tried<Axial> axial(const Distance& distance) const;
+  exact::Tried<SignedValue> signed_value(const SignMap& map, const space::RealVector& p) const;
+  SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::Answer>& value) const;
+  exact::Tried<SignedValue> minimal(const SignMap& map, const space::RealVector& p) const;
   /// The sign of a distance minus its level, given its value.
-  int sign(const SignMap& map, const std::optional<distance::SolidValue>& value) const;
-  space::BoxComplex sign_map(const SignMap& map) const;
-  distance::BoxPair::Least least(const Distance& distance) const;
-  space::BoxComplex directional_map(const SignMap& map) const;
-  /// Nothing where it is undefined or -infinity; Error(kUnsupported) but of boxes along an axis.
-  std::optional<distance::BoxPair::Least> directional_least(const Distance& distance) const;
-  std::optional<distance::SolidLeast> directional_nearly_least(const Distance& distance) const;
-  std::optional<distance::SolidLeast> convex_directional_least(const Distance& distance) const;
-  bool takes_least(const Distance& distance, const std::optional<distance::SolidValue>& v,
-                   const space::RealVector& p) const;
+  exact::Tried<int> sign(const SignMap& map, const std::optional<distance::Answer>& value) const;
+  exact::Tried<space::BoxComplex> sign_map(const SignMap& map) const;
+  exact::Tried<distance::BoxPair::Least> least(const Distance& distance) const;
+  exact::Tried<space::BoxComplex> directional_map(const SignMap& map) const;
+  /// Nothing where it is undefined or -infinity; refused but of boxes along an axis.
+  exact::Tried<std::optional<distance::BoxPair::Least>> directional_least(const Distance& distance) const;
+  exact::Tried<std::optional<distance::Answer>> directional_nearly_least(const Distance& distance) const;
+  exact::Tried<std::optional<distance::Answer>> convex_directional_least(const Distance& distance) const;
+  exact::Tried<bool> takes_least(const Distance& distance, const std::optional<distance::Answer>& v,
+                                 const space::RealVector& p) const;
   /// The signs of one sign map along a line, as feasible_on().
-  plane::Section signs_on(const SignMap& map, const SpaceLine& line) const;
-  std::optional<distance::SolidValue> directional_value(const Distance& distance, const space::RealVector& p) const;
+  exact::Tried<LineSigns> signs_on(const SignMap& map, const SpaceLine& line) const;
+  exact::Tried<std::optional<distance::Answer>> directional_value(const Distance& distance,
+                                                                  const space::RealVector& p) const;
 
   SpaceWorld world_;
   std::unique_ptr<Cache> cache_;

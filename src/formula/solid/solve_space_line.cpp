@@ -25,8 +25,9 @@ namespace {
 
 constexpr const char* kNotTaken = "no position takes a least value, so that lines do not show it";
 
-using distance::SolidValue;
+using distance::Answer;
 using exact::Real;
+using exact::Tried;
 using plane::Section;
 using space::Mark;
 using space::RealVector;
@@ -50,7 +51,7 @@ int axis_of(const RealVector& direction) {
   return axis;
 }
 
-Section ray_signs(const RayWorld& world, const SignMap& map, const SpaceLine& line) {
+Tried<LineSigns> ray_signs(const RayWorld& world, const SignMap& map, const SpaceLine& line) {
   const int axis = axis_of(line.direction);
   const auto grid = axis < 0 ? std::nullopt : grid_through(line.through, axis);
   if (!grid) {
@@ -58,10 +59,13 @@ Section ray_signs(const RayWorld& world, const SignMap& map, const SpaceLine& li
     oblique.oblique = std::make_shared<const space::ObliqueLine>(line.through, line.direction);
     return signs_on_line(world, map, oblique);
   }
-  Section out = signs_on_line(world, map, *grid);
+  Tried<LineSigns> found = signs_on_line(world, map, *grid);
+  if (!found) return found;
+  Section& out = found->section;
   const Real unit = Real::ratio(1, grid->parts), &start = line.through[static_cast<std::size_t>(axis)];
   for (Section::Stop& stop : out.stops) stop.t = stop.t * unit - start;
-  return line.direction[static_cast<std::size_t>(axis)].sign() < 0 ? reversed(out) : out;
+  if (line.direction[static_cast<std::size_t>(axis)].sign() < 0) out = reversed(out);
+  return found;
 }
 
 Section box_signs(const space::BoxComplex& map, const SpaceLine& line) {
@@ -84,71 +88,72 @@ bool is_bounded(const Section& line) { return line.before > 0 && (line.stops.emp
 
 }  // namespace
 
-Section SpaceSolver::signs_on(const SignMap& map, const SpaceLine& line) const {
-  try {
-    return box_signs(sign_map(map), line);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported || map.minimum || !world_.rays) throw;
-    return ray_signs(*world_.rays, map, line);
-  }
+Tried<LineSigns> SpaceSolver::signs_on(const SignMap& map, const SpaceLine& line) const {
+  const Tried<space::BoxComplex> boxes = sign_map(map);
+  if (boxes) return LineSigns{box_signs(*boxes, line), false, distance::Way::kMap};
+  if (map.minimum || !world_.rays) return boxes.refusal();
+  return ray_signs(*world_.rays, map, line);
 }
 
-SpaceSolver::Axial SpaceSolver::axial(const Distance& wanted) const {
+Tried<SpaceSolver::Axial> SpaceSolver::axial(const Distance& wanted) const {
   const Distance d = moving_first(wanted, world_.moving);
   const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
   const int axis = axis_of(direction);
-  if (axis < 0) refuse(d, "the exact map needs a direction along an axis");
+  if (axis < 0) return refused(d, "the exact map needs a direction along an axis");
   Distance plain = level_zero(d).distance;
   plain.kind = d.kind;
-  return {named(plain), axis, d.mode == Mode::kAlong ? 0 : direction[static_cast<std::size_t>(axis)].sign()};
+  const Tried<Named> n = named(plain);
+  if (!n) return n.refusal();
+  return Axial{*n, axis, d.mode == Mode::kAlong ? 0 : direction[static_cast<std::size_t>(axis)].sign()};
 }
 
-space::BoxComplex SpaceSolver::directional_map(const SignMap& map) const {
-  const Axial d = axial(map.distance);
-  return d.plain.pair->boxes().directional_map(d.plain.which, map.level / world_.step, d.axis, d.way);
+Tried<space::BoxComplex> SpaceSolver::directional_map(const SignMap& map) const {
+  const Tried<Axial> d = axial(map.distance);
+  if (!d) return d.refusal();
+  const auto boxes = d->plain.pair->boxes();
+  if (!boxes) return boxes.refusal();
+  return exact::tried(
+      [&] { return (*boxes)->directional_map(d->plain.which, map.level / world_.step, d->axis, d->way); });
 }
 
-std::optional<distance::BoxPair::Least> SpaceSolver::directional_least(const Distance& wanted) const {
-  const Axial d = axial(wanted);
-  try {
-    return d.plain.pair->boxes().directional_least(d.plain.which, d.axis, d.way);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    refuse(wanted, "the exact least value along a direction needs axis-parallel faces");
+Tried<std::optional<distance::BoxPair::Least>> SpaceSolver::directional_least(const Distance& wanted) const {
+  const Tried<Axial> d = axial(wanted);
+  if (!d) return d.refusal();
+  if (const auto boxes = d->plain.pair->boxes()) {
+    auto found = exact::tried([&] { return (*boxes)->directional_least(d->plain.which, d->axis, d->way); });
+    if (found) return found;
   }
+  return refused(wanted, "the exact least value along a direction needs axis-parallel faces");
 }
 
 /// Where the positions of level 0 are a convex polytope: minus half its longest chord both ways; one way only, the
 /// whole of it, which no position takes, as it ends in contact.
-std::optional<distance::SolidLeast> SpaceSolver::convex_directional_least(const Distance& wanted) const {
+Tried<std::optional<distance::Answer>> SpaceSolver::convex_directional_least(const Distance& wanted) const {
   const Distance d = moving_first(wanted, world_.moving);
-  const Named plain = named(level_zero(d).distance);
-  const auto zero = is_farthest(d.kind) ? std::nullopt : plain.pair->sublevel(plain.which, Real());
+  const Tried<Named> plain = named(level_zero(d).distance);
+  if (!plain) return plain.refusal();
+  const auto zero = is_farthest(d.kind) ? std::nullopt : plain->pair->sublevel(plain->which, Real());
   if (!zero || zero->radius.sign() != 0)
-    refuse(wanted,
-           "least values along a direction are computed in 3D for convex polyhedra, and where faces are "
-           "axis-parallel along an axis, only");
+    return refused(wanted,
+                   "least values along a direction are computed in 3D for convex polyhedra, and where faces are "
+                   "axis-parallel along an axis, only");
   if (zero->region.empty()) return std::nullopt;
   const Real unit = world_.step / zero->scale;
   if (zero->region.dimension() < 3)
-    return distance::SolidLeast{Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at)};
+    return distance::least_answer(Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at));
   const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
   const space::LongestChord chord = longest_chord(zero->region, direction);
-  if (d.mode != Mode::kAlong || !chord.inside) refuse(wanted, kNotTaken);
+  if (d.mode != Mode::kAlong || !chord.inside) return refused(wanted, kNotTaken);
   const Real value = -chord.length * sqrt(space::dot(direction, direction)) / Real(2) * unit;
-  return distance::SolidLeast{value, value, true, space::scaled(unit, chord.middle)};
+  return distance::least_answer(value, value, true, space::scaled(unit, chord.middle));
 }
 
 /// On lines the least value stands for where it is taken.
-std::optional<distance::SolidLeast> SpaceSolver::directional_nearly_least(const Distance& wanted) const {
-  std::optional<distance::BoxPair::Least> found;
-  try {
-    found = directional_least(wanted);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return convex_directional_least(wanted);
-  }
-  if (!found || found->at.empty()) refuse(wanted, kNotTaken);
+Tried<std::optional<distance::Answer>> SpaceSolver::directional_nearly_least(const Distance& wanted) const {
+  const auto tried = directional_least(wanted);
+  if (!tried) return convex_directional_least(wanted);
+  const std::optional<distance::BoxPair::Least>& found = *tried;
+  if (!found || found->at.empty()) return refused(wanted, kNotTaken);
   RealVector at;
   const space::IntervalBox box = found->at.boxes()[0];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -156,40 +161,45 @@ std::optional<distance::SolidLeast> SpaceSolver::directional_nearly_least(const 
     at[k] = from && to ? (*from + *to) / Real(2) : from ? *from + Real(1) : to ? *to - Real(1) : Real();
   }
   const Real value = found->value * world_.step;
-  return distance::SolidLeast{value, value, true, space::scaled(world_.step, at)};
+  return distance::least_answer(value, value, true, space::scaled(world_.step, at));
 }
 
 /// Whether the value at p is the least.
-bool SpaceSolver::takes_least(const Distance& wanted, const std::optional<SolidValue>& v, const RealVector& p) const {
-  std::optional<distance::BoxPair::Least> whole;
-  try {
-    whole = least(wanted);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-  }
-  if (whole) return whole->at.mark(p) != 0;
-  const auto least = directional_nearly_least(wanted);
+Tried<bool> SpaceSolver::takes_least(const Distance& wanted, const std::optional<Answer>& v,
+                                     const RealVector& p) const {
+  if (const auto whole = least(wanted)) return whole->at.mark(p) != 0;
+  const auto nearly = directional_nearly_least(wanted);
+  if (!nearly) return nearly.refusal();
+  const std::optional<distance::Answer>& least = *nearly;
   return v && least && !v->lowest && v->value * world_.step == least->value;
 }
 
-Section SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {
+SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {
   const auto rule = [&](std::span<const Mark> signs) { return Mark(evaluate(formula, signs)); };
-  if (formula.sign_maps().empty()) return {rule({}), {}};
+  if (formula.sign_maps().empty()) return {{rule({}), {}}};
   std::vector<Section> all;
-  for (const SignMap& map : formula.sign_maps()) all.push_back(signs_on(map, line));
-  return overlay_sections(all, rule);
+  std::vector<bool> searched;
+  for (const SignMap& map : formula.sign_maps()) {
+    LineSigns signs = signs_on(map, line).or_throw();
+    all.push_back(std::move(signs.section));
+    searched.push_back(signs.searched);
+  }
+  return {overlay_sections(all, rule), side_of_search(formula, searched)};
 }
 
-std::optional<SolidValue> SpaceSolver::directional_value(const Distance& wanted, const RealVector& p) const {
-  if (wanted.prefix != Extremum::kNone) refuse(wanted, "distances over time are not computed in 3D");
+Tried<std::optional<Answer>> SpaceSolver::directional_value(const Distance& wanted, const RealVector& p) const {
+  if (wanted.prefix != Extremum::kNone) return refused(wanted, "distances over time are not computed in 3D");
   const SpaceLine line{p, {wanted.vector.at(0), wanted.vector.at(1), wanted.vector.at(2)}};
-  const Section signs = signs_on(level_zero(moving_first(wanted, world_.moving)), line);
+  const Tried<LineSigns> found_signs = signs_on(level_zero(moving_first(wanted, world_.moving)), line);
+  if (!found_signs) return found_signs.refusal();
+  const Section& signs = found_signs->section;
   const bool both_ways = wanted.mode == Mode::kAlong;
   if (is_farthest(wanted.kind) && !is_bounded(signs)) return std::nullopt;
   const auto found = is_farthest(wanted.kind) ? distance::farthest_place(signs, both_ways)
                                               : distance::nearest_change(signs, both_ways);
   if (!found) return std::nullopt;
-  SolidValue out;
+  Answer out;
+  out.way = found_signs->way;
   out.value = Real(found->sign) * abs(found->t);
   out.lowest = found->lowest;
   if (!is_farthest(wanted.kind) && !found->lowest && found->sign != 0)

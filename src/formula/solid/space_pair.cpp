@@ -13,10 +13,12 @@
 
 namespace findspace::formula {
 
+using distance::Answer;
 using distance::BoxPair;
-using distance::SolidValue;
 using distance::Which;
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 using space::Body;
 using space::BoxComplex;
 using space::Mark;
@@ -36,31 +38,25 @@ std::optional<BoxComplex> united_boxes(const std::vector<SpaceShape>& shapes) {
   }));
 }
 
-/// The union as a body; `boxes`: the same set as boxes, where it is made of them. Null: `refused` says why.
-std::shared_ptr<const Body> united_bodies(const std::vector<SpaceShape>& shapes, const std::optional<BoxComplex>& boxes,
-                                          std::string& refused) {
+/// The union as a body; `boxes`: the same set as boxes, where it is made of them.
+Tried<std::shared_ptr<const Body>> united_bodies(const std::vector<SpaceShape>& shapes,
+                                                 const std::optional<BoxComplex>& boxes) {
   if (boxes && shapes.size() > 1) {
     if (auto made = space::body_of(boxes->simplified())) return std::make_shared<const Body>(*std::move(made));
   }
   std::vector<const Body*> bodies;
   for (const SpaceShape& s : shapes) {
-    if (!s.body) {
-      refused = s.refused;
-      return nullptr;
-    }
-    bodies.push_back(s.body.get());
+    if (!s.body) return Refusal(s.refused);
+    const Tried<LazyBody::Pointer> body = s.body.try_pointer();
+    if (!body || shapes.size() == 1) return body;
+    bodies.push_back(body->get());
   }
-  if (bodies.size() == 1) return shapes[0].body.pointer();
-  try {
-    return std::make_shared<const Body>(united(bodies));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    refused = e.what();
-    return nullptr;
-  }
+  Tried<Body> all = try_united(bodies);
+  if (!all) return Refusal(all.refusal().error.what());
+  return std::make_shared<const Body>(*std::move(all));
 }
 
-void scale_down(SolidValue& v, const Real& scale) {
+void scale_down(Answer& v, const Real& scale) {
   const auto down = [&](RealVector& q) {
     for (Real& c : q) c /= scale;
   };
@@ -85,18 +81,21 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
   const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
   if (std::any_of(moving_.begin(), moving_.end(), large) || std::any_of(fixed_.begin(), fixed_.end(), large))
     make_surfaces();
-  else
-    all();
+  else if (const Bodies& made = all(); !boxes_ && made.b && made.b->outside)
+    refusal_ = made.refused;
 }
 
 std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
   auto out = std::make_unique<Bodies>();
-  out->b = united_bodies(moving_, moving_boxes_, out->refused);
-  out->a = united_bodies(fixed_, fixed_boxes_, out->refused);
-  if (!out->b || !out->a) return out;
+  const auto b = united_bodies(moving_, moving_boxes_), a = united_bodies(fixed_, fixed_boxes_);
+  if (!b || !a) {
+    out->refused = (a ? b : a).refusal();
+    return out;
+  }
+  out->b = *b;
+  out->a = *a;
   if (out->b->outside) {
-    if (!boxes_) throw Error(ErrorCode::kUnsupported, "a moving shape has to be bounded");
-    out->refused = "a moving shape has to be bounded";
+    out->refused = Refusal("a moving shape has to be bounded");
     return out;
   }
   out->scale = std::lcm(out->b->scale, out->a->scale);
@@ -151,43 +150,50 @@ const SpacePair::Bodies& SpacePair::all() const {
   return *bodies_;
 }
 
-const BoxPair& SpacePair::boxes() const {
-  if (boxes_) return *boxes_;
-  throw Error(ErrorCode::kUnsupported,
-              "an exact map needs shapes whose faces are all parallel to the axes; --resolution N gives one on N times "
-              "N lines");
+Tried<const BoxPair*> SpacePair::boxes() const {
+  if (boxes_) return boxes_.get();
+  return Refusal(
+      "an exact map needs shapes whose faces are all parallel to the axes; --resolution N gives one on N times "
+      "N lines");
 }
 
-const distance::SolidPair& SpacePair::bodies() const {
-  if (all().pair) return *all().pair;
-  throw Error(ErrorCode::kUnsupported, all().refused);
+namespace {
+
+/// What is asked at p in steps / scale, by that way if no search.
+template <class Ask>
+Tried<std::optional<Answer>> asked(distance::Way way, std::int64_t scale, const RealVector& p, const Ask& ask) {
+  Tried<std::optional<Answer>> v = exact::tried([&] { return ask(space::scaled(Real(scale), p)); });
+  if (v && *v && scale != 1) scale_down(**v, Real(scale));
+  if (v && *v) (*v)->way = (*v)->proven ? way : distance::Way::kSearch;
+  return v;
 }
 
-std::optional<SolidValue> SpacePair::value(Which which, const RealVector& p) const {
+}  // namespace
+
+Tried<std::optional<Answer>> SpacePair::value_of_bodies(Which which, const RealVector& p) const {
+  if (!all().pair) return *all().refused;
+  return asked(distance::Way::kParts, all().scale, p,
+               [&](const RealVector& at) { return all().pair->value(which, at); });
+}
+
+// Boxes, then the ways of cut shapes and of surfaces, then bodies.
+Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) const {
   if (boxes_ && (BoxPair::has_value(which) || (BoxPair::is_reach(which) && !all().pair))) {
-    try {
-      return boxes_->value(which, p);
-    } catch (const Error& e) {
-      // Too many coordinates for the grid: the bodies need none.
-      if (e.code() != ErrorCode::kUnsupported || !all().pair) throw;
-    }
+    auto v = asked(distance::Way::kBoxes, 1, p, [&](const RealVector& at) { return boxes_->value(which, at); });
+    if (v || !all().pair) return v;  // too many coordinates for the grid: the bodies need none
   }
-  const auto asked = [&](std::int64_t scale, const auto& ask) {
-    auto v = ask(space::scaled(Real(scale), p));
-    if (v && scale != 1) scale_down(*v, Real(scale));
-    return v;
-  };
-  if (cut_.pair) return asked(cut_.scale, [&](const RealVector& at) { return cut_.pair->value(which, at); });
+  if (cut_.pair)
+    return asked(distance::Way::kCut, cut_.scale, p, [&](const RealVector& at) { return cut_.pair->value(which, at); });
   if (surfaces_) {
     bool decided = false;
-    auto v = asked(surface_scale_, [&](const RealVector& at) {
+    auto v = asked(distance::Way::kSurfaces, surface_scale_, p, [&](const RealVector& at) {
       const auto found = surfaces_->value(which, at);
       decided = found.has_value();
       return found ? found->value : std::nullopt;
     });
-    if (decided) return v;
+    if (decided || !v) return v;
   }
-  return asked(all().scale, [&](const RealVector& at) { return bodies().value(which, at); });
+  return value_of_bodies(which, p);
 }
 
 }  // namespace findspace::formula

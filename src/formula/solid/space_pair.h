@@ -26,11 +26,14 @@ class SpacePair {
  public:
   SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed);
 
-  std::optional<distance::SolidValue> value(distance::Which which, const space::RealVector& p) const;
+  /// Why nothing is answered of these shapes; null where something is.
+  const std::optional<exact::Refusal>& refusal() const { return refusal_; }
+  /// Nothing where the distance is undefined.
+  exact::Tried<std::optional<distance::Answer>> value(distance::Which which, const space::RealVector& p) const;
   /// The least value and its positions; nothing where this is not computed.
-  std::optional<distance::BoxPair::Least> least(distance::Which which) const;
+  exact::Tried<std::optional<distance::BoxPair::Least>> least(distance::Which which) const;
   /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.
-  std::optional<distance::SolidLeast> nearly_least(distance::Which which) const;
+  exact::Tried<std::optional<distance::Answer>> nearly_least(distance::Which which) const;
   /// {distance <= level}, if it is a convex polytope, or one grown by a ball: gamma1 of convex shapes, eta1 in a convex
   /// polytope or of a ball in a ball, delta1 of such, mu to these at levels up to 0, gamma2 of balls. Its coordinates
   /// and radius are in grid steps times `scale`.
@@ -40,8 +43,8 @@ class SpacePair {
     exact::Real scale;
   };
   std::optional<Sublevel> sublevel(distance::Which which, const exact::Real& level) const;
-  /// Throws Error(kUnsupported) if one of the shapes has slanted or round faces.
-  const distance::BoxPair& boxes() const;
+  /// Refused if one of the shapes has slanted or round faces.
+  exact::Tried<const distance::BoxPair*> boxes() const;
 
  private:
   using BodyPointer = std::shared_ptr<const space::Body>;
@@ -51,7 +54,7 @@ class SpacePair {
     BodyPointer b, a;
     std::unique_ptr<distance::SolidPair> pair;
     std::int64_t scale = 1;
-    std::string refused;
+    std::optional<exact::Refusal> refused;
   };
   /// Two bodies of convex outlines, as far as sublevel sets go.
   struct Outlines {
@@ -60,13 +63,15 @@ class SpacePair {
   };
 
   const Bodies& all() const;  // made when first asked for
-  const distance::SolidPair& bodies() const;
   std::unique_ptr<const Bodies> made_bodies() const;
   void make_surfaces();
+  exact::Tried<std::optional<distance::Answer>> value_of_bodies(distance::Which which,
+                                                                const space::RealVector& p) const;
   std::optional<Outlines> outlines(bool eta, bool delta) const;
   static Sublevel none(std::int64_t scale);
   std::optional<distance::BoxPair::Least> deepest_fit(distance::Which which) const;
 
+  std::optional<exact::Refusal> refusal_;
   Shapes moving_, fixed_;
   std::optional<space::BoxComplex> moving_boxes_, fixed_boxes_;
   std::unique_ptr<distance::BoxPair> boxes_;
@@ -76,7 +81,7 @@ class SpacePair {
   std::int64_t surface_scale_ = 1;
   mutable std::mutex bodies_guard_, least_guard_;
   mutable std::unique_ptr<const Bodies> bodies_;
-  mutable std::map<distance::Which, std::unique_ptr<std::optional<distance::SolidLeast>>> least_;  // in steps / scale
+  mutable std::map<distance::Which, std::unique_ptr<std::optional<distance::Answer>>> least_;  // in steps / scale
 };
 
 }  // namespace findspace::formula

@@ -12,6 +12,7 @@ namespace findspace::formula {
 using distance::BoxPair;
 using distance::Which;
 using exact::Real;
+using exact::Tried;
 using space::Body;
 using space::BoxComplex;
 using space::real;
@@ -139,23 +140,29 @@ std::optional<BoxPair::Least> SpacePair::deepest_fit(Which which) const {
   return least_at(found->at, found->value - grown, Real(scale));
 }
 
-std::optional<BoxPair::Least> SpacePair::least(Which which) const {
-  if (auto found = boxes_ ? boxes_->least(which) : std::nullopt) return found;
+Tried<std::optional<BoxPair::Least>> SpacePair::least(Which which) const {
+  auto of_boxes = exact::tried([&] { return boxes_ ? boxes_->least(which) : std::nullopt; });
+  if (!of_boxes || *of_boxes) return of_boxes;
   if (auto found = deepest_fit(which)) return found;
   if (which != Which::kGamma2 && which != Which::kEta2 && which != Which::kDelta2) return std::nullopt;
-  const auto found = nearly_least(which);  // the others are taken by whole sets
+  const auto tried = nearly_least(which);  // the others are taken by whole sets
+  if (!tried) return tried.refusal();
+  const std::optional<distance::Answer>& found = *tried;
   if (!found) return BoxPair::Least{Real(), BoxComplex()};
   if (!found->proven) return std::nullopt;
   const Real scale(all().scale);
   return least_at(space::scaled(scale, found->at), found->value * scale, scale);
 }
 
-std::optional<distance::SolidLeast> SpacePair::nearly_least(Which which) const {
-  bodies();
+Tried<std::optional<distance::Answer>> SpacePair::nearly_least(Which which) const {
+  if (!all().pair) return *all().refused;
   const std::lock_guard lock(least_guard_);
   auto& slot = least_[which];
-  if (!slot)
-    slot = std::make_unique<std::optional<distance::SolidLeast>>(distance::solid_least(which, *all().b, *all().a));
+  if (!slot) {
+    auto made = exact::tried([&] { return distance::solid_least(which, *all().b, *all().a); });
+    if (!made) return made;
+    slot = std::make_unique<std::optional<distance::Answer>>(*std::move(made));
+  }
   auto found = *slot;
   if (!found) return found;
   const Real scale(all().scale);

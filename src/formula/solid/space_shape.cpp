@@ -11,6 +11,8 @@
 
 namespace findspace::formula {
 
+using exact::Tried;
+
 namespace {
 
 std::size_t mesh_faces(const plane::Shape& shape) {
@@ -21,39 +23,34 @@ std::size_t mesh_faces(const plane::Shape& shape) {
   return sum;
 }
 
-/// The surfaces of a large mesh, or a union with one; null for other shapes.
+/// The surfaces of a large mesh, or a union with one; null for other shapes. Where they are refused convex parts may
+/// do.
 std::shared_ptr<const std::vector<space::RaySolid>> large_surfaces(const plane::Shape& shape) {
   if (mesh_faces(shape) < space::kManyFaces) return nullptr;
-  try {
-    return std::make_shared<const std::vector<space::RaySolid>>(space::ray_solids(shape));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported && e.code() != ErrorCode::kGeometry) throw;
-    return nullptr;  // convex parts may do, or say why not
-  }
+  auto solids = space::try_ray_solids(shape);
+  return solids ? std::make_shared<const std::vector<space::RaySolid>>(*std::move(solids)) : nullptr;
 }
 
 /// What balls are cut out of; null for other shapes.
 std::shared_ptr<const space::CsgSolid> cut_of(const plane::Shape& shape) {
-  try {
-    auto cut = std::make_shared<const space::CsgSolid>(space::csg_solid(shape));
-    if (distance::is_empty(*cut))
-      throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape", shape.place);
-    return cut;
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return nullptr;
-  }
+  auto made = space::try_csg_solid(shape);
+  auto cut = made ? std::make_shared<const space::CsgSolid>(*std::move(made)) : nullptr;
+  if (cut && distance::is_empty(*cut))
+    throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape", shape.place);
+  return cut;
+}
+
+Tried<LazyBody::Pointer> shared_body(const plane::Shape& shape) {
+  auto made = space::try_body(shape);
+  if (!made) return made.refusal();
+  return std::make_shared<const space::Body>(*std::move(made));
 }
 
 }  // namespace
 
-SpaceShape space_shape(const plane::Shape& shape) {
+Tried<SpaceShape> try_space_shape(const plane::Shape& shape) {
   SpaceShape out;
-  try {
-    out.boxes = space::box_complex(shape);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-  }
+  if (auto boxes = exact::tried([&] { return space::box_complex(shape); })) out.boxes = *std::move(boxes);
   if (out.boxes && out.boxes->empty()) {
     out.refused = "the shape is empty";
     return out;
@@ -65,20 +62,21 @@ SpaceShape space_shape(const plane::Shape& shape) {
   if (out.body) return out;
   out.surfaces = large_surfaces(shape);
   out.convex = out.surfaces && !seen_not_convex(*out.surfaces);
-  const auto make = [kept = plane::Shape(shape)] { return std::make_shared<const space::Body>(space::body(kept)); };
   if (out.surfaces && !out.convex) {
-    out.body = LazyBody::later(make);
+    out.body = LazyBody::later([kept = plane::Shape(shape)] { return shared_body(kept); });
     return out;
   }
-  try {
-    out.body = LazyBody(make());
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    out.refused = e.what();
-    if (!out.boxes) out.cut = cut_of(shape);
-    if (!out.boxes && !out.cut) throw;
+  auto made = shared_body(shape);
+  if (made) {
+    out.body = LazyBody(*made);
+    return out;
   }
+  out.refused = made.refusal().error.what();
+  if (!out.boxes) out.cut = cut_of(shape);
+  if (!out.boxes && !out.cut) return made.refusal();
   return out;
 }
+
+SpaceShape space_shape(const plane::Shape& shape) { return try_space_shape(shape).or_throw(); }
 
 }  // namespace findspace::formula

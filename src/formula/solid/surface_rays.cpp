@@ -23,9 +23,6 @@ using space::RaySource;
 
 namespace {
 
-/// Pairs of triangles up to which the convex parts are quicker.
-constexpr std::size_t kFewPairs = 1500;
-
 bool large(const std::vector<RaySolid>& a, const std::vector<RaySolid>& b) {
   const auto faces = [](const std::vector<RaySolid>& all) {
     std::size_t sum = 0;
@@ -107,6 +104,10 @@ RaySolid mirrored(RaySolid s) {
 }
 
 }  // namespace
+
+bool SurfaceRays::searched() const {
+  return std::any_of(sources.begin(), sources.end(), [](const auto& s) { return s->searched(); });
+}
 
 RayRow SurfaceRays::row(int j) const {
   if (sources.size() == 1) return sources[0]->row(j);

@@ -15,12 +15,23 @@
 
 namespace findspace::formula {
 
+/// Pairs of triangles up to which the convex parts of both are quicker.
+inline constexpr std::size_t kFewPairs = 1500;
+
 /// One sign map: the least, or the greatest, of several. No sources: surfaces do not answer.
 struct SurfaceRays {
   std::vector<space::RaySourcePointer> sources;
   bool least = true;
 
   space::RayRow row(int j) const;
+  /// Of one map; of none where it is null.
+  static SurfaceRays of(space::RaySourcePointer source) {
+    SurfaceRays rays;
+    if (source) rays.sources.push_back(std::move(source));
+    return rays;
+  }
+  /// As RaySource::searched().
+  bool searched() const;
 };
 
 /// `which` is kGamma1, kGamma2, kEta1, kMu or kDelta1; the level in grid steps.

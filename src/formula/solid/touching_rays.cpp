@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "formula/solid/contact_rays.h"
+#include "formula/solid/surface_rays.h"
 #include "space/surface/touch_rays.h"
 
 namespace findspace::formula {
@@ -22,8 +23,6 @@ using Signs = std::span<const std::int8_t>;
 
 namespace {
 
-/// Pairs of triangles up to which the convex parts of both are quicker; so is a convex one.
-constexpr std::size_t kFewPairs = 1500;
 /// Sets of a triangle and a convex part, at most.
 constexpr std::size_t kMostSets = 100000;
 constexpr std::int64_t kFarthest = std::int64_t{1} << 38;

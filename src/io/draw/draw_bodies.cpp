@@ -17,9 +17,7 @@ namespace {
 using Place3 = std::array<double, 3>;
 using Place2 = std::array<double, 2>;
 
-constexpr double kSize = 720, kMargin = 30, kLine = 18;
-
-double dot(const Place3& a, const Place3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+constexpr double kBodiesMargin = 30, kBodiesLine = 18;
 
 Place2 seen(const Place3& p) { return {dot(p, kRight), -dot(p, kUp)}; }
 
@@ -82,9 +80,9 @@ Shown part_seen(const space::BodyPart& part, const BodiesPicture::Drawn& drawn, 
   return out;
 }
 
-class Drawing {
+class BodiesDrawing {
  public:
-  explicit Drawing(const BodiesPicture& picture) : picture_(picture) {
+  explicit BodiesDrawing(const BodiesPicture& picture) : picture_(picture) {
     for (const auto& drawn : picture.bodies) {
       for (const space::BodyPart& part : drawn.body->parts) parts_.push_back(part_seen(part, drawn, picture.step));
     }
@@ -96,18 +94,18 @@ class Drawing {
       extend(seen(pair[1]), 0);
     }
     const double size = std::max(high_[0] - low_[0], high_[1] - low_[1]);
-    scale_ = size > 0 ? (kSize - 2 * kMargin) / size : 1;
-    header_ = kLine * static_cast<double>(picture.lines.size() + 1);
+    scale_ = size > 0 ? (kViewSize - 2 * kBodiesMargin) / size : 1;
+    header_ = kBodiesLine * static_cast<double>(picture.lines.size() + 1);
   }
 
   std::string run() {
     put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
         "font-size=\"13\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n",
-        kSize, (high_[1] - low_[1]) * scale_ + 2 * kMargin + header_, xml_escaped(picture_.title));
-    double y = kLine;
+        kViewSize, (high_[1] - low_[1]) * scale_ + 2 * kBodiesMargin + header_, xml_escaped(picture_.title));
+    double y = kBodiesLine;
     put("<text x=\"12\" y=\"{}\" fill=\"#123\" font-weight=\"bold\">{}</text>\n", y, xml_escaped(picture_.title));
     for (const std::string& line : picture_.lines)
-      put("<text x=\"12\" y=\"{}\" fill=\"#345\">{}</text>\n", y += kLine, xml_escaped(line));
+      put("<text x=\"12\" y=\"{}\" fill=\"#345\">{}</text>\n", y += kBodiesLine, xml_escaped(line));
     for (const Shown& part : parts_) put_outline(part);
     for (const Shown& part : parts_) {
       put_edges(part.back, part.moving ? "#9bd" : "#bbb", " stroke-dasharray=\"3 4\"");
@@ -133,8 +131,8 @@ class Drawing {
     any_ = true;
   }
   std::string at(const Place2& p, const char* between = " ") const {
-    return fmt::format("{:.2f}{}{:.2f}", (p[0] - low_[0]) * scale_ + kMargin, between,
-                       (p[1] - low_[1]) * scale_ + kMargin + header_);
+    return fmt::format("{:.2f}{}{:.2f}", (p[0] - low_[0]) * scale_ + kBodiesMargin, between,
+                       (p[1] - low_[1]) * scale_ + kBodiesMargin + header_);
   }
   void put_outline(const Shown& part) {
     std::string path;
@@ -164,6 +162,6 @@ class Drawing {
 
 }  // namespace
 
-std::string bodies_svg(const BodiesPicture& picture) { return Drawing(picture).run(); }
+std::string bodies_svg(const BodiesPicture& picture) { return BodiesDrawing(picture).run(); }
 
 }  // namespace findspace::io

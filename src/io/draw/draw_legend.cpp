@@ -13,7 +13,7 @@
 namespace findspace::io {
 namespace {
 
-constexpr double kTitleSize = 16, kLine = 20, kSwatch = 26, kGap = 24;
+constexpr double kTitleSize = 16, kEntryLine = 20, kSwatch = 26, kEntryGap = 24;
 constexpr std::size_t kMostLines = 3;  // of the title, and of what stands below it
 constexpr double kTickDistance = 80, kTickFont = 10.5;
 
@@ -96,7 +96,8 @@ Block title_block(std::string_view title, std::string_view subtitle, double left
 }
 
 std::string axes(const Frame& f) {
-  const double spacing = std::max(round_length(kTickDistance / f.scale), 0x1p-1000);
+  const double spacing =
+      std::max(round_length(kTickDistance / f.scale), 0x1p-1000);  // no sign: of a picture of one point
   const double right = f.left + f.width(), bottom = f.top + f.height();
   std::string grid, numbers;
   for (double t : ticks(f.world.low[0], f.world.high[0], spacing)) {
@@ -119,25 +120,25 @@ Block scale_bar(const Frame& f, std::string_view unit, double left, double top) 
   put(b.svg, "<path class=\"bar\" d=\"M{} {}v8h{}v-8\"/>\n", pixels(left), pixels(y - 4), pixels(length * f.scale));
   put(b.svg, "<text class=\"note\" x=\"{}\" y=\"{}\">{}{}{}</text>\n", pixels(left + length * f.scale + 8),
       pixels(y + kFontSize * 0.36), shown(length), unit.empty() ? "" : " ", xml_escaped(unit));
-  b.height = kLine + 4;
+  b.height = kEntryLine + 4;
   return b;
 }
 
 Block legend(const std::vector<LegendEntry>& entries, double left, double top, double width) {
   Block b;
-  double x = left, y = top + kLine / 2;
+  double x = left, y = top + kEntryLine / 2;
   for (const LegendEntry& e : entries) {
     const double needed = kSwatch + text_width(e.text);
     if (x > left && x + needed > left + width) {
       x = left;
-      y += kLine;
+      y += kEntryLine;
     }
     b.svg += sign(e.mark, x, y);
     put(b.svg, "<text class=\"note\" x=\"{}\" y=\"{}\">{}</text>\n", pixels(x + kSwatch), pixels(y + kFontSize * 0.36),
         xml_escaped(e.text));
-    x += needed + kGap;
+    x += needed + kEntryGap;
   }
-  b.height = entries.empty() ? 0 : y + kLine / 2 - top;
+  b.height = entries.empty() ? 0 : y + kEntryLine / 2 - top;
   return b;
 }
 

@@ -42,7 +42,7 @@ VertexKind kind_of_vertex(const Region& s, Index v) {
   return !differs ? kPlain : vertex.mark != 0 ? kFull : kHollow;
 }
 
-std::string dot(const Frame& frame, const Place& p, VertexKind kind) {
+std::string vertex_dot(const Frame& frame, const Place& p, VertexKind kind) {
   return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", kVertexClass[kind], pixels(frame.x(p[0])),
                      pixels(frame.y(p[1])), kVertexRadius[kind]);
 }
@@ -92,7 +92,7 @@ std::string region_lines(const CurveNet& net, const Frame& frame) {
   }
   for (Index v : net.vertices()) {
     const VertexKind kind = kind_of_vertex(s, v);
-    if (kind != kPlain) out += dot(frame, net.at(v), kind);
+    if (kind != kPlain) out += vertex_dot(frame, net.at(v), kind);
   }
   return out;
 }

@@ -15,7 +15,7 @@
 namespace findspace::io {
 namespace {
 
-constexpr double kWidth = 900, kGap = 18, kLine = 16;
+constexpr double kWidth = 900, kPanelGap = 18, kPanelLine = 16;
 
 /// One layer: from the window's coordinates to those of its panel.
 struct Panel {
@@ -71,11 +71,11 @@ struct Page {
         y1(static_cast<double>(high.y) * step),
         across(std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(layers)))))),
         down((static_cast<int>(layers) + across - 1) / across),
-        per_unit(((kWidth - kGap) / across - kGap) / std::max(x1 - x0, y1 - y0)),
-        width(std::max(kWidth * 0.6, kGap + across * ((x1 - x0) * per_unit + kGap))) {}
+        per_unit(((kWidth - kPanelGap) / across - kPanelGap) / std::max(x1 - x0, y1 - y0)),
+        width(std::max(kWidth * 0.6, kPanelGap + across * ((x1 - x0) * per_unit + kPanelGap))) {}
   double panel_width() const { return (x1 - x0) * per_unit; }
   double panel_height() const { return (y1 - y0) * per_unit; }
-  double below(double top) const { return top + down * (panel_height() + kLine + kGap); }
+  double below(double top) const { return top + down * (panel_height() + kPanelLine + kPanelGap); }
 
   double x0, x1, y0, y1;
   int across, down;
@@ -85,8 +85,8 @@ struct Page {
 /// Layer k of the grid as a panel of the page; `points` becomes true where a line has a single point.
 std::string layer_svg(const space::RayRow& row, const space::RayGrid& grid, int k, const Page& page, double top,
                       double part, std::string_view unit, bool& points) {
-  const Panel panel{kGap + (k % page.across) * (page.panel_width() + kGap),
-                    top + (k / page.across) * (page.panel_height() + kLine + kGap),
+  const Panel panel{kPanelGap + (k % page.across) * (page.panel_width() + kPanelGap),
+                    top + (k / page.across) * (page.panel_height() + kPanelLine + kPanelGap),
                     page.per_unit,
                     page.x0,
                     page.y1,
@@ -109,11 +109,11 @@ std::string layer_svg(const space::RayRow& row, const space::RayGrid& grid, int 
 Block below_layers(const Page& page, const SlicesText& text, std::string_view unit, bool points, double top) {
   std::vector<LegendEntry> entries{{LegendEntry::Mark::kFace, text.meaning}};
   if (points) entries.push_back({LegendEntry::Mark::kPoint, "a single point of a line"});
-  Block meanings = legend(entries, kGap, top, page.width - 2 * kGap);
+  Block meanings = legend(entries, kPanelGap, top, page.width - 2 * kPanelGap);
   const std::string ranges =
       fmt::format("Each layer is seen from above: x from {} to {}{} to the right, y from {} to {}{} upward.",
                   shown(page.x0), shown(page.x1), unit, shown(page.y0), shown(page.y1), unit);
-  const Block says = title_block("", ranges, kGap, top + meanings.height, page.width - 2 * kGap);
+  const Block says = title_block("", ranges, kPanelGap, top + meanings.height, page.width - 2 * kPanelGap);
   return {meanings.svg + says.svg, meanings.height + says.height};
 }
 
@@ -122,8 +122,8 @@ Block below_layers(const Page& page, const SlicesText& text, std::string_view un
 std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayGrid& grid, const space::Point& low,
                        const space::Point& high, double step, const SlicesText& text) {
   const Page page(rows.size(), low, high, step);
-  const Block title = title_block(text.title, text.subtitle, kGap, kLine, kWidth - 2 * kGap);
-  const double top = kLine + title.height + kLine, below = page.below(top);
+  const Block title = title_block(text.title, text.subtitle, kPanelGap, kPanelLine, kWidth - 2 * kPanelGap);
+  const double top = kPanelLine + title.height + kPanelLine, below = page.below(top);
   const double part = step / static_cast<double>(grid.parts);
   const std::string unit = text.unit.empty() ? "" : " " + text.unit;
   std::string panels;

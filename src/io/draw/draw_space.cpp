@@ -21,14 +21,12 @@ using space::BoxComplex;
 using space::Place3;
 using CellIndex = std::array<int, 3>;
 
-constexpr double kSize = 720, kMargin = 36, kHeader = 58, kLegendLine = 20;
+constexpr double kSpaceMargin = 36, kHeader = 58, kLegendLine = 20;
 constexpr const char* kShades[3] = {"#6fa8a0", "#8cc0b8", "#b4dcd5"};
 constexpr const char* kSheet = "fill=\"#f2a33a\" fill-opacity=\"0.75\"";
 constexpr const char* kFixed = "stroke=\"#8a8f98\" stroke-width=\"1\"";
 constexpr const char* kMoving = "stroke=\"#2f62c8\" stroke-width=\"2\"";
 constexpr const char* kHeavy = "stroke=\"#c8452c\" stroke-width=\"4\"";
-
-double dot(const Place3& a, const Place3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 struct Polygon {
   std::vector<Place3> corners;
@@ -184,27 +182,27 @@ class View {
       low_[0] = low_[1] = 0;
       high_[0] = high_[1] = 1;
     }
-    scale_ = kSize / std::max({high_[0] - low_[0], high_[1] - low_[1], 1e-300});  // no sign: a picture of one point
+    scale_ = kViewSize / std::max({high_[0] - low_[0], high_[1] - low_[1], 1e-300});  // no sign: a picture of one point
   }
   std::string at(const Place3& p) const { return fmt::format("{:.1f},{:.1f}", x(p), y(p)); }
-  double x(const Place3& p) const { return (dot(p, kRight) - low_[0]) * scale_ + kMargin; }
-  double y(const Place3& p) const { return (high_[1] - dot(p, kUp)) * scale_ + kMargin + kHeader; }
-  double width() const { return std::max((high_[0] - low_[0]) * scale_, 360.0) + 2 * kMargin; }
-  double height() const { return (high_[1] - low_[1]) * scale_ + 2 * kMargin + kHeader; }
+  double x(const Place3& p) const { return (dot(p, kRight) - low_[0]) * scale_ + kSpaceMargin; }
+  double y(const Place3& p) const { return (high_[1] - dot(p, kUp)) * scale_ + kSpaceMargin + kHeader; }
+  double width() const { return std::max((high_[0] - low_[0]) * scale_, 360.0) + 2 * kSpaceMargin; }
+  double height() const { return (high_[1] - low_[1]) * scale_ + 2 * kSpaceMargin + kHeader; }
 
  private:
   double low_[2] = {1e300, 1e300}, high_[2] = {-1e300, -1e300}, scale_ = 1;
 };
 
 /// All that is to be seen, in the scene's unit; faces from back to front.
-struct Drawing {
+struct SpaceDrawing {
   std::vector<Polygon> faces;
   std::vector<Stroke> strokes;
   std::vector<Place3> points;
 };
 
-Drawing drawing(const SpacePicture& picture) {
-  Drawing out;
+SpaceDrawing drawing(const SpacePicture& picture) {
+  SpaceDrawing out;
   const auto add_creases = [&](const BoxComplex& set, const char* style) {
     Parts(set, picture.step).add_lines(false, [&](const Place3& a, const Place3& b, bool) {
       out.strokes.push_back({a, b, style});
@@ -223,7 +221,7 @@ Drawing drawing(const SpacePicture& picture) {
   return out;
 }
 
-View view_of(const Drawing& d) {
+View view_of(const SpaceDrawing& d) {
   View view;
   for (const Polygon& f : d.faces) {
     for (const Place3& p : f.corners) view.include(p);
@@ -237,7 +235,7 @@ View view_of(const Drawing& d) {
   return view;
 }
 
-std::string elements(const Drawing& d, const View& view) {
+std::string elements(const SpaceDrawing& d, const View& view) {
   std::string out;
   const auto put = std::back_inserter(out);
   for (const Polygon& f : d.faces) {
@@ -255,14 +253,14 @@ std::string elements(const Drawing& d, const View& view) {
 }
 
 /// What the colours mean, of those that are to be seen: a column of swatches.
-std::string legend(const SpacePicture& picture, const Drawing& d, double top) {
+std::string legend(const SpacePicture& picture, const SpaceDrawing& d, double top) {
   std::string out;
   const auto row = [&](bool seen, const std::string& swatch, const char* meaning) {
     if (!seen) return;
     fmt::format_to(std::back_inserter(out),
                    "<g transform=\"translate({} {:.1f})\">{}<text x=\"26\" y=\"4.5\" font-size=\"12.5\" "
                    "fill=\"#333\">{}</text></g>\n",
-                   kMargin, top, swatch, meaning);
+                   kSpaceMargin, top, swatch, meaning);
     top += kLegendLine;
   };
   const auto box = [](const std::string& style) {
@@ -284,10 +282,10 @@ std::string legend(const SpacePicture& picture, const Drawing& d, double top) {
 }  // namespace
 
 std::string space_svg(const SpacePicture& picture) {
-  const Drawing d = drawing(picture);
+  const SpaceDrawing d = drawing(picture);
   const View view = view_of(d);
   const std::string meanings = legend(picture, d, view.height() + kLegendLine / 2);
-  const double below = kLegendLine * double(std::count(meanings.begin(), meanings.end(), '\n')) + kMargin;
+  const double below = kLegendLine * double(std::count(meanings.begin(), meanings.end(), '\n')) + kSpaceMargin;
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
              "{1:.0f}\" font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
@@ -295,7 +293,7 @@ std::string space_svg(const SpacePicture& picture) {
          fmt::format(
              "<text x=\"{0}\" y=\"28\" font-size=\"17\">{1}</text>\n<text x=\"{0}\" y=\"48\" "
              "font-size=\"12.5\" fill=\"#555\">{2}</text>\n",
-             kMargin, xml_escaped(picture.title), xml_escaped(picture.subtitle)) +
+             kSpaceMargin, xml_escaped(picture.title), xml_escaped(picture.subtitle)) +
          elements(d, view) + meanings + "</svg>\n";
 }
 

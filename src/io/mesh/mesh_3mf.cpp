@@ -24,7 +24,7 @@ constexpr const char* kModel = "3D/3dmodel.model";
 constexpr const char* kModelType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr const char* kCore = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 
-[[noreturn]] void fail(const std::string& what) { throw Error(ErrorCode::kBadValue, what); }
+[[noreturn]] void bad_value(const std::string& what) { throw Error(ErrorCode::kBadValue, what); }
 
 /// x' = row . (x, 1), as nine factors and a shift.
 struct Transform {
@@ -56,11 +56,11 @@ struct Transform {
 
 Real decimal(const pugi::xml_node& node, const char* name) {
   const pugi::xml_attribute value = node.attribute(name);
-  if (!value) fail(fmt::format("a <{}> has no {}", node.name(), name));
+  if (!value) bad_value(fmt::format("a <{}> has no {}", node.name(), name));
   try {
     return Real::parse_decimal(value.value());
   } catch (const Error&) {
-    fail(fmt::format("a <{}> has the {} '{}', which is not a number", node.name(), name, value.value()));
+    bad_value(fmt::format("a <{}> has the {} '{}', which is not a number", node.name(), name, value.value()));
   }
 }
 
@@ -69,7 +69,7 @@ long whole(const pugi::xml_node& node, const char* name) {
   long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || value < 0)
-    fail(fmt::format("a <{}> has the {} '{}', which is not an index", node.name(), name, text));
+    bad_value(fmt::format("a <{}> has the {} '{}', which is not an index", node.name(), name, text));
   return value;
 }
 
@@ -85,10 +85,10 @@ Transform transform(const pugi::xml_node& node) {
     try {
       out.row[static_cast<std::size_t>(count / 3)][static_cast<std::size_t>(count % 3)] = Real::parse_decimal(word);
     } catch (const Error&) {
-      fail(fmt::format("a transform has '{}', which is not a number", word));
+      bad_value(fmt::format("a transform has '{}', which is not a number", word));
     }
   }
-  if (count != 12 || words >> word) fail("a transform has twelve numbers");
+  if (count != 12 || words >> word) bad_value("a transform has twelve numbers");
   return out;
 }
 
@@ -97,31 +97,31 @@ class Reader {
   Reader(const pugi::xml_node& model, MeshBuilder& out) : out_(out) {
     for (const pugi::xml_node& object : model.child("resources").children("object")) {
       if (!objects_.emplace(whole(object, "id"), object).second)
-        fail(fmt::format("two objects have the id {}", object.attribute("id").value()));
+        bad_value(fmt::format("two objects have the id {}", object.attribute("id").value()));
     }
   }
 
   void build(const pugi::xml_node& model) {
     for (const pugi::xml_node& item : model.child("build").children("item"))
       object(whole(item, "objectid"), transform(item), 0);
-    if (out_.mesh().faces.empty()) fail("nothing with triangles is built");
+    if (out_.mesh().faces.empty()) bad_value("nothing with triangles is built");
   }
 
  private:
   void object(long id, const Transform& placed, int depth) {
     const auto found = objects_.find(id);
-    if (found == objects_.end()) fail(fmt::format("there is no object {}", id));
-    if (depth > kMostDepth) fail(fmt::format("object {} is a component of itself, or of too many", id));
+    if (found == objects_.end()) bad_value(fmt::format("there is no object {}", id));
+    if (depth > kMostDepth) bad_value(fmt::format("object {} is a component of itself, or of too many", id));
     if (const pugi::xml_node mesh = found->second.child("mesh")) return triangles(mesh, placed);
     for (const pugi::xml_node& part : found->second.child("components").children("component")) {
-      if (++components_ > kMostComponents) fail("there are more than 100,000 components");
+      if (++components_ > kMostComponents) bad_value("there are more than 100,000 components");
       object(whole(part, "objectid"), placed.after(transform(part)), depth + 1);
     }
   }
 
   void triangles(const pugi::xml_node& mesh, const Transform& placed) {
     const int sense = placed.sense();
-    if (sense == 0) fail("a transform flattens what it places");
+    if (sense == 0) bad_value("a transform flattens what it places");
     const auto first = static_cast<long>(out_.size());
     for (const pugi::xml_node& v : mesh.child("vertices").children("vertex"))
       out_.vertex(placed.apply({decimal(v, "x"), decimal(v, "y"), decimal(v, "z")}));
@@ -130,7 +130,7 @@ class Reader {
       std::vector<int> face;
       for (const char* corner : {"v1", "v2", "v3"}) {
         const long v = first + whole(t, corner);
-        if (v >= end) fail("a triangle refers to a vertex that is not there");
+        if (v >= end) bad_value("a triangle refers to a vertex that is not there");
         face.push_back(static_cast<int>(v));
       }
       if (sense < 0) std::reverse(face.begin(), face.end());
@@ -174,7 +174,7 @@ Real millimetres(std::string_view unit) {
                                                        {"foot", Real::ratio(3048, 10)},
                                                        {"meter", Real(1000)}};
   const auto found = kUnits.find(unit);
-  if (found == kUnits.end()) fail(fmt::format("the model has the unknown unit '{}'", unit));
+  if (found == kUnits.end()) bad_value(fmt::format("the model has the unknown unit '{}'", unit));
   return found->second;
 }
 
@@ -218,7 +218,7 @@ Model3mf open_3mf(std::string_view bytes) {
   pugi::xml_document document;
   const pugi::xml_node model = root(document, *xml);
   const std::string_view required = model.attribute("requiredextensions").value();
-  if (!required.empty()) fail(fmt::format("the model requires the extension '{}', which is not read", required));
+  if (!required.empty()) bad_value(fmt::format("the model requires the extension '{}', which is not read", required));
   const Real unit = millimetres(model.attribute("unit").value());
   return {std::move(*xml), unit};
 }

@@ -14,7 +14,7 @@ namespace findspace::io {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& what) { throw Error(ErrorCode::kFile, what); }
+[[noreturn]] void bad_file(const std::string& what) { throw Error(ErrorCode::kFile, what); }
 
 /// What libzip says of an error.
 class ZipError {
@@ -24,7 +24,7 @@ class ZipError {
   ZipError(const ZipError&) = delete;
   ZipError& operator=(const ZipError&) = delete;
   zip_error_t* get() { return &error_; }
-  [[noreturn]] void raise(const char* what) { fail(std::string(what) + ": " + zip_error_strerror(&error_)); }
+  [[noreturn]] void raise(const char* what) { bad_file(std::string(what) + ": " + zip_error_strerror(&error_)); }
 
  private:
   zip_error_t error_{};
@@ -49,7 +49,7 @@ std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& me
     if (at < 0 || zip_file_set_dostime(archive, static_cast<zip_uint64_t>(at), 0, 0x21, 0) != 0) {
       zip_discard(archive);
       zip_source_free(target);
-      fail("an archive cannot be made");
+      bad_file("an archive cannot be made");
     }
   }
   std::string bytes;
@@ -62,12 +62,12 @@ std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& me
     zip_source_close(target);
   }
   zip_source_free(target);
-  if (!whole) fail("an archive cannot be made");
+  if (!whole) bad_file("an archive cannot be made");
   return bytes;
 }
 
 ZipArchive::ZipArchive(std::string_view bytes) {
-  if (bytes.empty()) fail("not a ZIP archive: the file is empty");  // libzip would take it for a new one
+  if (bytes.empty()) bad_file("not a ZIP archive: the file is empty");  // libzip would take it for a new one
   ZipError error;
   zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, error.get());
   if (!source) error.raise("not a ZIP archive");
@@ -85,14 +85,14 @@ std::optional<std::string> ZipArchive::member(const std::string& name) const {
   if (at < 0) return std::nullopt;
   zip_stat_t stat;
   if (zip_stat_index(archive, static_cast<zip_uint64_t>(at), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0)
-    fail("the archive's member " + name + " cannot be read");
-  if (stat.size > kMostMember) fail("the archive's member " + name + " is larger than a gigabyte");
+    bad_file("the archive's member " + name + " cannot be read");
+  if (stat.size > kMostMember) bad_file("the archive's member " + name + " is larger than a gigabyte");
   zip_file_t* file = zip_fopen_index(archive, static_cast<zip_uint64_t>(at), 0);
-  if (!file) fail("the archive's member " + name + " cannot be read");
+  if (!file) bad_file("the archive's member " + name + " cannot be read");
   std::string content(static_cast<std::size_t>(stat.size), '\0');
   const zip_int64_t read = zip_fread(file, content.data(), content.size());
   const bool sound = zip_fclose(file) == 0 && read == static_cast<zip_int64_t>(content.size());
-  if (!sound) fail("the archive's member " + name + " is damaged");
+  if (!sound) bad_file("the archive's member " + name + " is damaged");
   return content;
 }
 

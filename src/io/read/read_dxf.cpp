@@ -24,7 +24,7 @@ namespace {
 using exact::Real;
 using plane::ShapePtr;
 
-constexpr int kMaxDepth = 16;
+constexpr int kMostBlockDepth = 16;
 
 std::optional<Real> millimetres(const DxfDocument& document) {
   switch (document.units.value_or(0)) {
@@ -201,7 +201,7 @@ class DxfReader {
   }
 
   void insert(const DxfEntity& e, const Affine& map, std::string_view layer, int depth) {
-    if (depth >= kMaxDepth)
+    if (depth >= kMostBlockDepth)
       throw Error(ErrorCode::kUnsupported, "blocks nested more than 16 deep, or in themselves", document_.place(e));
     const DxfGroup* name = e.find(2);
     auto block = name ? document_.blocks.find(name->value) : document_.blocks.end();

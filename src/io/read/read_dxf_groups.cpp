@@ -11,7 +11,7 @@
 namespace findspace::io {
 namespace {
 
-std::string_view trim(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
@@ -59,7 +59,7 @@ class DxfParser {
     std::string_view line = text_.substr(at_, end - at_);
     at_ = end + 1;
     ++line_;
-    return trim(line);
+    return without_blanks(line);
   }
 
   void advance() {

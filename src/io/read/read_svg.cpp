@@ -26,7 +26,7 @@ using exact::Real;
 using plane::Shape;
 using plane::ShapePtr;
 
-constexpr int kMaxDepth = 200;
+constexpr int kMostGroupDepth = 200;
 
 std::string_view local_name(const pugi::xml_node& node) {
   std::string_view name = node.name();
@@ -93,7 +93,7 @@ class SvgReader {
   }
 
   void walk_children(const pugi::xml_node& parent, const Affine& map, Inside inside, int depth) {
-    if (depth > kMaxDepth) throw Error(ErrorCode::kUnsupported, "groups nested too deeply", name_);
+    if (depth > kMostGroupDepth) throw Error(ErrorCode::kUnsupported, "groups nested too deeply", name_);
     for (const pugi::xml_node& node : parent.children()) {
       if (node.type() == pugi::node_element) walk(node, map, inside, depth);
     }

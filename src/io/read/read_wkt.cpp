@@ -19,7 +19,7 @@ namespace {
 using exact::Real;
 using plane::ShapePtr;
 
-constexpr int kMaxDepth = 50;
+constexpr int kMostGeometryDepth = 50;
 
 class WktReader {
  public:
@@ -128,7 +128,7 @@ class WktReader {
   }
 
   ShapePtr geometry(int depth) {
-    if (depth > kMaxDepth) fail(ErrorCode::kUnsupported, "geometries nested too deeply");
+    if (depth > kMostGeometryDepth) fail(ErrorCode::kUnsupported, "geometries nested too deeply");
     skip_blanks();
     std::size_t start = at_;
     std::string name = kind();

@@ -144,7 +144,7 @@ class CellsReader {
     json_.expect(item, Kind::kObject, "a vertex", label_);
     json_.check_keys(item, kKeys, label_);
     const Index p = item.find("on") ? crossing(g, item) : place(g, item);
-    constexpr double kMost = 0x1p42;
+    constexpr double kMost = 0x1p42;  // no sign: a limit of sizes
     if (std::fabs(g.points[p].x) > kMost || std::fabs(g.points[p].y) > kMost)
       json_.fail(ErrorCode::kOutOfRange, "a vertex is more than 2^42 grid steps away", label_, item);
     return p;

@@ -15,7 +15,7 @@
 namespace findspace::io {
 namespace {
 
-constexpr double kDialWidth = 300, kRadius = 92, kBand = 16, kTop = 74, kLine = 19;
+constexpr double kDialWidth = 300, kRadius = 92, kBand = 16, kDialTop = 74, kLine = 19;
 constexpr std::size_t kMostListed = 16;
 
 struct Spot {
@@ -25,7 +25,7 @@ struct Spot {
 class Dial {
  public:
   Dial(double left, double height, const std::vector<DegreeInterval>& angles)
-      : angles_(angles), center_{left + kDialWidth / 2, kTop + kRadius + 30}, left_(left), height_(height) {}
+      : angles_(angles), center_{left + kDialWidth / 2, kDialTop + kRadius + 30}, left_(left), height_(height) {}
 
   double height() const {
     const double lines = double(std::min(angles_.size(), kMostListed + 1)) + 1;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,7 +18,13 @@
 
 namespace findspace::io {
 
-/// The keys "atoms" and "distances".
+/// Minus a value; undefined where that is +infinity.
+inline std::optional<double> negated(const std::optional<double>& value) {
+  if (!value || *value == -std::numeric_limits<double>::infinity()) return std::nullopt;
+  return -*value;
+}
+
+/// The keys "atoms" and "distances": an atom with the names of its writer, the distances with the papers' names too.
 template <class Atoms, class Witness>
 void put_atoms(std::string& out, const Atoms& atoms, Witness witness) {
   std::map<std::string, std::optional<double>> distances;
@@ -25,10 +32,13 @@ void put_atoms(std::string& out, const Atoms& atoms, Witness witness) {
   out += list(
       atoms,
       [&](const auto& a) {
+        const formula::Distance& of = a.atom.distance;
+        const auto value = formula::negated(of) ? negated(a.distance.value) : a.distance.value;
         distances[a.distance.text] = a.distance.value;
+        distances[formula::written(of)] = value;
         const std::string lacks = a.lacks ? fmt::format(R"( "lacks": {},)", json_number(*a.lacks)) : "";
         return fmt::format(R"({{"text": {}, "value": {}, "true": {},{} "witness": {{{}}}}})",
-                           json_string(formula::text(a.atom)), number(a.distance.value), truth(a.holds), lacks,
+                           json_string(formula::written(a.atom)), number(value), truth(a.holds), lacks,
                            witness(a.distance));
       },
       true);
@@ -41,20 +51,27 @@ void put_atoms(std::string& out, const Atoms& atoms, Witness witness) {
   out += "}";
 }
 
-/// The keys "distances" and "witnesses".
+/// The keys "distances" and "witnesses": by the papers' names and by the plain ones beside them.
 template <class Distances, class Witness>
 void put_distances(std::string& out, const Distances& distances, Witness witness) {
   std::string witnesses;
   const char* separator = "\n    ";
   const char* between = "\n    ";
   out += "  \"distances\": {";
-  for (const auto& d : distances) {
-    put(out, "{}{}: {}", separator, json_string(d.text), number(d.value));
+  const auto add = [&](const std::string& key, const std::optional<double>& value, const std::string& members) {
+    put(out, "{}{}: {}", separator, json_string(key), number(value));
     separator = ",\n    ";
-    const std::string members = witness(d);
-    if (members.empty()) continue;
-    put(witnesses, "{}{}: {{{}}}", between, json_string(d.text), members);
+    if (members.empty()) return;
+    put(witnesses, "{}{}: {{{}}}", between, json_string(key), members);
     between = ",\n    ";
+  };
+  for (const auto& d : distances) {
+    const std::string members = witness(d);
+    const formula::PlainText plain = formula::plain(d.text);
+    add(d.text, d.value, members);
+    if (plain.text != d.text) {
+      add(plain.text, plain.negated ? negated(d.value) : d.value, members);
+    }
   }
   out += "\n  },\n  \"witnesses\": {" + witnesses + "\n  }";
 }

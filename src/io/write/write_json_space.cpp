@@ -25,7 +25,7 @@ std::string box(const std::optional<PlaceBox>& b) {
 }
 Place3 place(const space::RealVector& p) { return {p[0].to_double(), p[1].to_double(), p[2].to_double()}; }
 
-std::string component_text(const space::SpaceComponent& c) {
+std::string solid_component_text(const space::SpaceComponent& c) {
   return fmt::format(
       R"({{"dimension": {}, "volume": {}, "dangling_area": {}, "dangling_length": {}, "holes": {}, "sample": {}, "bbox": {}}})",
       c.dimension, number(c.volume), json_number(c.dangling_area), json_number(c.dangling_length), c.holes,
@@ -64,7 +64,7 @@ void put_summary(std::string& out, const space::SpaceSummary& s, std::string_vie
   put(out, "  \"crack_area\": {}, \"crack_length\": {}, \"holes\": {},\n", json_number(s.crack_area),
       json_number(s.crack_length), s.holes);
   put(out, "  \"isolated\": {}, \"bbox\": {},\n", list(s.isolated, triple), box(s.bbox));
-  put(out, "  \"components\": {},\n", list(s.components, component_text, true));
+  put(out, "  \"components\": {},\n", list(s.components, solid_component_text, true));
 }
 
 }  // namespace

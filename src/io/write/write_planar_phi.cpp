@@ -34,7 +34,7 @@ const char* form_name(const PlanarPair& pair) {
   return !pair.phi ? "discs" : pair.radius.sign() > 0 ? "rounded" : "polygons";
 }
 
-void put_pair(std::string& out, const PlanarPair& pair, const Real& step) {
+void put_planar_pair(std::string& out, const PlanarPair& pair, const Real& step) {
   put(out, "\"form\":\"{}\",", form_name(pair));
   if (pair.radius.sign() > 0) put(out, "\"radius\":{},", (pair.radius * step).text());
   const auto edges = pair.edges();
@@ -65,7 +65,7 @@ void put_value(std::string& out, const PlanarPhiReport& r) {
   out += limits_json(r.limits) + "}";
 }
 
-void put_table(std::string& out, const PlanarPair& pair, const Real& step) {
+void put_planar_table(std::string& out, const PlanarPair& pair, const Real& step) {
   const std::string radius = (pair.radius * step).text();
   if (!pair.phi) {
     put(out, "two discs: the circle about ({}) with radius {}\n", point_text(pair.apex, step), radius);
@@ -84,13 +84,13 @@ void put_table(std::string& out, const PlanarPair& pair, const Real& step) {
 
 std::string planar_phi_json(const PlanarPhiReport& r) {
   std::string out = "{\"dimension\":2,";
-  put_pairs(out, r, put_pair);
+  put_pairs(out, r, put_planar_pair);
   if (r.value) put_value(out, r);
   return out + "}\n";
 }
 
 std::string planar_phi_table(const PlanarPhiReport& r) {
-  return pairs_table(r, r.at ? r.at->x.text() + ", " + r.at->y.text() : "", put_table);
+  return pairs_table(r, r.at ? r.at->x.text() + ", " + r.at->y.text() : "", put_planar_table);
 }
 
 }  // namespace findspace::io

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 
 HalfAngle HalfAngle::linear(double constant, double cosine, double sine) {
@@ -70,8 +72,6 @@ double bisected(const HalfAngle& a, double from, double to) {
   return from + (to - from) / 2;
 }
 
-constexpr double kLost = 1e-12;  // no sign: of the size; more than rounding loses, places too many do no harm
-
 /// The roots, and the places where the polynomial comes as near to 0 as `tolerance`.
 std::vector<double> roots(const HalfAngle& a, double span, double tolerance) {
   // No root where the constant outweighs all else.
@@ -99,14 +99,14 @@ std::vector<double> roots(const HalfAngle& a, double span, double tolerance) {
 }  // namespace
 
 std::vector<RootPlace> root_places(const HalfAngle& a, double span, double scale) {
-  const double tolerance = scale * kLost;
+  const double tolerance = scale * margin::kPolynomialLost;
   double all = 0, power = 1;
   for (int k = 0; k <= a.degree; ++k, power *= span) all += std::abs(a.c[std::size_t(k)]) * power;
   if (all <= tolerance) return {{0, span}};
   std::vector<RootPlace> out;
   for (double u : roots(a, span, tolerance)) {
     if (!out.empty() && std::abs(u - out.back().u) <= out.back().tolerance) continue;
-    double width = 1e-15;  // no sign: doubled until the polynomial is clear of 0 at both ends
+    double width = margin::kFirstRootPlace;
     while (width < span && (std::abs(a.at(u - width)) <= 2 * tolerance || std::abs(a.at(u + width)) <= 2 * tolerance))
       width *= 2;
     out.push_back({u, std::min(2 * width, span)});

@@ -8,12 +8,10 @@
 #include <span>
 #include <utility>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
-
-/// In lattice units, far more than the rounding of the arithmetic here: coordinates stay below 2^43 steps, and a unit
-/// has more than 2.
-constexpr double kSlack = 0x1p-6;
 
 std::int64_t floor_of(double v) { return std::int64_t(std::floor(v)); }
 
@@ -63,11 +61,12 @@ struct Mark {
 
 void enter_cells(const LatticeEdge& e, double side, Rows<Mark>& rows) {
   double y0 = std::min(e.y0, e.y1), y1 = std::max(e.y0, e.y1);
-  std::int64_t last = floor_of(y1 / side + kSlack);
-  for (std::int64_t r = floor_of(y0 / side - kSlack); r <= last; ++r) {
+  std::int64_t last = floor_of(y1 / side + margin::kLatticeSlack);
+  for (std::int64_t r = floor_of(y0 / side - margin::kLatticeSlack); r <= last; ++r) {
     double bottom = double(r) * side, low = std::clamp(bottom, y0, y1), high = std::clamp(bottom + side, y0, y1);
     double xa = y0 == y1 ? e.x0 : x_at(e, low), xb = y0 == y1 ? e.x1 : x_at(e, high);
-    rows.add(r, {0, floor_of(std::min(xa, xb) / side - kSlack), floor_of(std::max(xa, xb) / side + kSlack), false});
+    rows.add(r, {0, floor_of(std::min(xa, xb) / side - margin::kLatticeSlack),
+                 floor_of(std::max(xa, xb) / side + margin::kLatticeSlack), false});
     double middle = bottom + side / 2;
     if (y0 <= middle && middle < y1) rows.add(r, {x_at(e, middle), 0, 0, true});
   }
@@ -109,7 +108,8 @@ std::vector<LatticeRun> point_runs(const Outline& outline, double side) {
   std::vector<LatticeRun> out;
   rows.each([&](std::int64_t row, std::span<const double> x) {
     for (std::size_t k = 0; k + 1 < x.size(); k += 2) {
-      auto first = std::int64_t(std::ceil(x[k] / side + kSlack)), last = floor_of(x[k + 1] / side - kSlack);
+      auto first = std::int64_t(std::ceil(x[k] / side + margin::kLatticeSlack)),
+           last = floor_of(x[k + 1] / side - margin::kLatticeSlack);
       if (first <= last) out.push_back({row, first, last});
     }
   });

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "plane/build/hull_wrap.h"
 #include "plane/complex/marked_curves.h"
@@ -131,10 +132,9 @@ class Candidates {
     Index outer = set_.heading(2 * e).forward ? 2 * e + 1 : 2 * e;
     if (set_.faces[set_.face(outer)].mark > 0) return false;
     const SupportingCurve& k = set_.supporting_curve(e);
-    constexpr double kMargin = 1e-6;  // no sign: candidates only; far above the rounding of doubles
     return corners < 3 || std::any_of(sides_.begin(), sides_.end(), [&](const Side& s) {
              double reach = s.x * k.x.value + s.y * k.y.value + k.z.value;
-             return reach + kMargin * (std::abs(reach) + std::abs(s.offset) + k.z.value + 1) > s.offset;
+             return reach + margin::kHullCandidate * (std::abs(reach) + std::abs(s.offset) + k.z.value + 1) > s.offset;
            });
   }
 

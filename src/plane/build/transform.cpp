@@ -19,7 +19,7 @@ using exact::int128;
 using exact::Real;
 using exact::SupportingCurve;
 
-constexpr double kGridLimit = 0x1p40;
+constexpr double kGridLimit = 0x1p40;  // no sign: the size of the grid
 
 void check_range(const CellComplex& c) {
   for (Index v = 0; v < c.vertices.size(); ++v) {

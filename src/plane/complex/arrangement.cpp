@@ -85,13 +85,13 @@ void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index
 }
 
 /// A part of a piece between neighbouring points on it, at its first vertex.
-struct Part {
+struct PiecePart {
   Index v1, piece, slot;
 };
 
 struct Parts {
   std::pmr::vector<Index> start;  // of each vertex
-  std::pmr::vector<Part> parts;
+  std::pmr::vector<PiecePart> parts;
 };
 
 Parts parts_by_vertex(Arrangement& a, const Chains& chains, Memory memory) {
@@ -104,7 +104,7 @@ Parts parts_by_vertex(Arrangement& a, const Chains& chains, Memory memory) {
     a.chain_start.push_back(a.chain_start.back() + (chains.start[i + 1] - chains.start[i] - 1));
   }
   for (Index v = 0; v < n; ++v) start[v + 1] += start[v];
-  std::pmr::vector<Part> parts(start.back(), memory);
+  std::pmr::vector<PiecePart> parts(start.back(), memory);
   std::pmr::vector<Index> at(start.begin(), start.end() - 1, memory);
   for (Index i = 0; i < a.pieces.size(); ++i)
     for (Index k = chains.start[i]; k + 1 < chains.start[i + 1]; ++k) {
@@ -141,7 +141,7 @@ void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
   for (Index v = 0; v < a.vertex_count(); ++v) {
     auto first = all.parts.begin() + all.start[v], last = all.parts.begin() + all.start[v + 1];
     small_sort(first, last,
-               [](const Part& p, const Part& q) { return p.v1 != q.v1 ? p.v1 < q.v1 : p.piece < q.piece; });
+               [](const PiecePart& p, const PiecePart& q) { return p.v1 != q.v1 ? p.v1 < q.v1 : p.piece < q.piece; });
     Index group = Index(a.edges.size());
     for (auto k = first; k != last; ++k) {
       if (k != first && k->v1 != (k - 1)->v1) group = Index(a.edges.size());

@@ -7,13 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
 #include "plane/base/small_sort.h"
 
 namespace findspace::plane {
 namespace {
-
-/// Relative width that covers the rounding of the box arithmetic itself, far above 2^-53.
-constexpr double kRelativeSlack = 0x1p-44;
 
 /// Up to here a sweep along x costs less than the cells.
 constexpr std::size_t kFewPieces = 256;
@@ -33,7 +31,7 @@ double y_at(const exact::Geometry& g, const Piece& p, double x) {
 
 }  // namespace
 
-double box_slack(double error, double largest) { return error * 2 + largest * kRelativeSlack; }
+double box_slack(double error, double largest) { return error * 2 + largest * margin::kPieceBoxSlack; }
 
 PieceBox box_of(const exact::Geometry& g, const Piece& p, double slack) {
   const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
@@ -41,7 +39,7 @@ PieceBox box_of(const exact::Geometry& g, const Piece& p, double slack) {
   if (p.half == 0) return box;
   const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
   if (k.x.value > box.x1 || k.x.value < box.x0) return box;  // monotone on this part: the ends bound it
-  double e = slack + k.z.error + k.y.error + std::abs(k.z.value) * kRelativeSlack;
+  double e = slack + k.z.error + k.y.error + std::abs(k.z.value) * margin::kPieceBoxSlack;
   if (p.half > 0)
     box.y1 = std::max(box.y1, k.y.value + k.z.value + e);
   else

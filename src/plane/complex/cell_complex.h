@@ -22,6 +22,8 @@
 namespace findspace::plane {
 
 using Mark = std::int8_t;
+inline bool is_in(Mark m) { return m > 0; }
+inline bool is_out(Mark m) { return m <= 0; }
 using Index = std::uint32_t;
 inline constexpr Index kNone = std::numeric_limits<Index>::max();
 

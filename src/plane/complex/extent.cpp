@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
-constexpr double kRelative = 0x1p-50;  // more than the rounding of the few operations below
-
 void grow(std::optional<PieceBox>& box, double x, double y, double tolerance) {
-  const double dx = tolerance + std::abs(x) * kRelative, dy = tolerance + std::abs(y) * kRelative;
+  const double dx = tolerance + std::abs(x) * margin::kRoundings8, dy = tolerance + std::abs(y) * margin::kRoundings8;
   if (!box) box = PieceBox{x - dx, y - dy, x + dx, y + dy};
   box->x0 = std::min(box->x0, x - dx);
   box->x1 = std::max(box->x1, x + dx);
@@ -24,7 +24,7 @@ void grow(std::optional<PieceBox>& box, double x, double y, double tolerance) {
 void grow_by_arc(std::optional<PieceBox>& box, const CellComplex& c, const Edge& arc) {
   const exact::SupportingCurve& k = c.geometry.supporting_curves[arc.supporting_curve];
   const double x = std::clamp(k.x.value, box->x0, box->x1);
-  grow(box, x, k.y.value + arc.half * k.z.value, k.y.error + k.z.error + std::abs(k.z.value) * kRelative);
+  grow(box, x, k.y.value + arc.half * k.z.value, k.y.error + k.z.error + std::abs(k.z.value) * margin::kRoundings8);
 }
 
 }  // namespace

@@ -28,5 +28,9 @@ Region subtract(std::span<const Region* const> regions);
 /// The same complex, whose cells are merged as far as they can be, with marks rule(mark); merged again where the rule
 /// unites marks. The rule is asked once for each mark.
 CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule);
+/// Of minus the function.
+inline SignMap negated(SignMap map) {
+  return remark(std::move(map), [](Mark k) { return Mark(-k); });
+}
 
 }  // namespace findspace::plane

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <string>
 
+#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "plane/base/arena.h"
 #include "plane/contour/contour_boxes.h"
@@ -124,9 +125,7 @@ Box box_of(const ContourEdge& edge, GridPoint to) {
   const GridPoint from = edge.start;
   Box box{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x), std::max(from.y, to.y)};
   if (!edge.arc) return box;
-  // Near a half circle the apothem is the root of a difference of rounded squares: off by up to sqrt(2^-51) * r.
-  constexpr double kSlack = 0x1p-24;
-  auto reach = std::int64_t(sagitta(edge, to) + edge.arc->r.to_double() * kSlack) + 2;
+  auto reach = std::int64_t(sagitta(edge, to) + edge.arc->r.to_double() * margin::kApothemSlack) + 2;
   return {box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
 }
 

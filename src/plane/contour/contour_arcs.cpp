@@ -31,7 +31,7 @@ ArcCircle circle_beside(GridPoint from, GridPoint to, const Real& factor) {
 /// The grid point nearest to the centre if it is equally far from both ends; the exact centre may be off by the few
 /// digits of the input. `moved` is set when the two differ.
 std::optional<GridPoint> grid_center(const ArcCircle& circle, GridPoint from, GridPoint to, bool* moved) {
-  constexpr double kFar = 0x1p60;  // beyond, products of coordinates would not fit 128 bits
+  constexpr double kFar = 0x1p60;  // no sign: beyond, products of coordinates would not fit 128 bits
   if (!(std::abs(circle.cx.to_double()) < kFar && std::abs(circle.cy.to_double()) < kFar)) return std::nullopt;
   GridPoint near{std::int64_t(round(circle.cx)), std::int64_t(round(circle.cy))};
   if (near == from || squared_distance(near, from) != squared_distance(near, to)) return std::nullopt;

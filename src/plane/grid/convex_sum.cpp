@@ -12,9 +12,9 @@ namespace {
 bool upper(const GridCorner& c) { return c.dy > 0 || (c.dy == 0 && c.dx > 0); }
 
 /// The corners in order from the first whose edge has an angle in [0, 180).
-class Ring {
+class ConvexRing {
  public:
-  explicit Ring(const ConvexOperand& o) : corners_(o.face.corners), geometry_(o.geometry) {
+  explicit ConvexRing(const ConvexOperand& o) : corners_(o.face.corners), geometry_(o.geometry) {
     while (upper(corners_[at_]) == upper(corners_[corners_[at_].before]) || !upper(corners_[at_])) ++at_;
   }
 
@@ -35,7 +35,7 @@ class Ring {
 };
 
 /// Order of the directions of the next edges, both rings begun at their first.
-int order(const Ring& p, const Ring& q) {
+int order(const ConvexRing& p, const ConvexRing& q) {
   if (p.ended() || q.ended()) return p.ended() ? 1 : -1;
   const GridCorner &c = p.corner(), &d = q.corner();
   if (upper(c) != upper(d)) return upper(c) ? -1 : 1;
@@ -46,7 +46,7 @@ int order(const Ring& p, const Ring& q) {
 }  // namespace
 
 SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
-  Ring p(a), q(b);
+  ConvexRing p(a), q(b);
   std::size_t most = a.face.corners.size() + b.face.corners.size();
   exact::Geometry geometry;
   geometry.supporting_curves.reserve(most);
@@ -58,7 +58,7 @@ SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
     // An edge of one ring starts at the sum of its start and of the corner where the other ring stands.
     GridPoint u = p.corner().at, v = q.corner().at;
     int o = order(p, q);
-    const Ring& side = o <= 0 ? p : q;
+    const ConvexRing& side = o <= 0 ? p : q;
     const GridCorner& c = side.corner();
     Index supporting_curve = geometry.add_parallel(side.supporting_curve(), u.x + v.x, u.y + v.y);
     edges.push_back(

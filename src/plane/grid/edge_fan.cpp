@@ -6,22 +6,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
 using exact::int128;
 
-/// Grows with the angle in [0, 360), by 4 in all; off by less than kAngleError.
+/// Grows with the angle in [0, 360), by 4 in all; off by less than kDiamondAngle.
 double diamond_angle(const GridCorner& c) {
   double x = double(c.dx), y = double(c.dy), t = y / (std::abs(x) + std::abs(y));
   return x < 0 ? 2 - t : t < 0 ? 4 + t : t;
 }
-constexpr double kAngleError = 0x1p-46;
 
 /// Order of the directions of two edges by angle in [0, 360).
 int compare(const EdgeFan& p, const EdgeFan::Ray& r, const EdgeFan& q, const EdgeFan::Ray& s) {
   double gap = r.angle - s.angle;
-  if (std::abs(gap) > kAngleError) return gap > 0 ? 1 : -1;
+  if (std::abs(gap) > margin::kDiamondAngle) return gap > 0 ? 1 : -1;
   const GridCorner &c = p.corners[r.corner], &d = q.corners[s.corner];
   int128 cross = int128(c.dx) * d.dy - int128(c.dy) * d.dx;
   return (cross < 0) - (cross > 0);

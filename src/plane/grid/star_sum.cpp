@@ -13,9 +13,9 @@ namespace findspace::plane {
 namespace {
 
 /// Curves run with the sum on their left.
-class Ring {
+class StarRing {
  public:
-  Ring(const ReducedConvolution& c, Memory memory) : c_(c), order_(memory), memory_(memory) {}
+  StarRing(const ReducedConvolution& c, Memory memory) : c_(c), order_(memory), memory_(memory) {}
 
   /// Whether all curves follow each other, round once as seen from one point.
   bool closes() {
@@ -67,7 +67,7 @@ class Ring {
 std::optional<SignMap> star_sum(ReducedConvolution& convolution) {
   if (convolution.pieces.empty()) return std::nullopt;
   Arena arena(convolution.pieces.size());
-  Ring ring(convolution, arena.memory());
+  StarRing ring(convolution, arena.memory());
   if (!ring.closes()) return std::nullopt;
   const std::pmr::vector<RingEdge> edges = ring.edges();
   const Index start = 0;

@@ -26,9 +26,7 @@ SignMap opposite(SignMap map) {
 }  // namespace
 
 SignMap distance_map(const Region& closed, const exact::Real& radius) {
-  if (auto map = grid_offset(
-          closed, [](Mark m) { return m > 0; }, radius))
-    return *std::move(map);
+  if (auto map = grid_offset(closed, is_in, radius)) return *std::move(map);
   return disc_contact(closed, radius);
 }
 

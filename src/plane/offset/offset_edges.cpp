@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
-/// Far above the rounding of the few operations on coordinates below 2^53 that decide whether a point is near.
-constexpr double kSlack = 0x1p-40;  // no sign: what is not certainly near is kept
 /// How often a curve is halved to find every part near one edge.
 constexpr int kHalvings = 5;
 /// Up to so many questions all edges are looked through; then the tree of boxes is made.
@@ -67,12 +67,13 @@ void OffsetEdges::prepare() {
     largest = std::max({largest, std::abs(from.x), std::abs(from.y)});
     edges_.push_back({from, way, {way.y / length, -way.x / length}, 1 / dot(way, way)});
   }
-  certain_ = r_ - (largest + r_) * kSlack;
+  certain_ = r_ - (largest + r_) * margin::kCertainlyFarther;
 }
 
 bool OffsetEdges::holds(const exact::Geometry& g, Index point, std::span<const Index> own) {
   const exact::Point& p = g.points[point];
-  const double reach = (r_ + p.error) * (1 + kSlack) + (std::abs(p.x) + std::abs(p.y)) * kSlack;
+  const double reach =
+      (r_ + p.error) * (1 + margin::kCertainlyFarther) + (std::abs(p.x) + std::abs(p.y)) * margin::kCertainlyFarther;
   const PieceBox around = grown({p.x, p.y, p.x, p.y}, reach);
   const auto is_near = [&](Index k) {
     if (std::find(own.begin(), own.end(), k) != own.end()) return false;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
 #include "plane/complex/piece_meet.h"
 
 namespace findspace::plane {
@@ -15,7 +16,7 @@ constexpr Index kMostColumns = 4096;
 constexpr std::size_t kEntriesPerEdge = 8;
 
 double widened(double value, double error, int direction) {
-  return value + direction * (error + std::abs(value) * 0x1p-50);
+  return value + direction * (error + std::abs(value) * margin::kRoundings8);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "plane/query/measure_cells.h"
 
+#include "exact/number/margins.h"
 #include "plane/query/measure_cells_places.h"
 
 namespace findspace::plane {
@@ -10,7 +11,9 @@ namespace {
 
 const Twofold kTwoPi{6.283185307179586, 2.4492935982947064e-16};  // no sign: the second half of 2 pi
 
-Twofold cross(const Twofold& ax, const Twofold& ay, const Twofold& bx, const Twofold& by) { return ax * by - ay * bx; }
+Twofold determinant(const Twofold& ax, const Twofold& ay, const Twofold& bx, const Twofold& by) {
+  return ax * by - ay * bx;
+}
 
 }  // namespace
 
@@ -38,13 +41,13 @@ CellMeasures::Spread CellMeasures::spread(Index arc) const {
   Index from = e.half < 0 ? e.v0 : e.v1, to = e.half < 0 ? e.v1 : e.v0;  // the lower half runs counter-clockwise
   const auto [ax, ay] = directed_edge(arc, from);
   const auto [bx, by] = directed_edge(arc, to);
-  return {cross(ax, ay, bx, by), ax * bx + ay * by};
+  return {determinant(ax, ay, bx, by), ax * bx + ay * by};
 }
 
 std::array<Twofold, 2> CellMeasures::directed_edge(Index arc, Index vertex) const {
   const Circle& k = circle(arc);
-  constexpr double kSmall = 0x1p-40;  // no sign: where the differences of rounded coordinates keep too few digits
-  if (k.radius.hi > kSmall * (std::abs(k.x.hi) + std::abs(k.y.hi))) return {x_[vertex] - k.x, y_[vertex] - k.y};
+  if (k.radius.hi > margin::kSmallRadius * (std::abs(k.x.hi) + std::abs(k.y.hi)))
+    return {x_[vertex] - k.x, y_[vertex] - k.y};
   const exact::RealPoint p = c_.geometry.exact(c_.vertices[vertex].point);
   return {Twofold(p.x - c_.supporting_curve(arc).center_x()), Twofold(p.y - c_.supporting_curve(arc).center_y())};
 }
@@ -66,7 +69,7 @@ Twofold CellMeasures::length(Index edge) const {
 Twofold CellMeasures::swept_area(Index half_edge, const Twofold& ox, const Twofold& oy) const {
   const Index arc = half_edge / 2;
   Index from = c_.origin(half_edge), to = c_.target(half_edge);
-  Twofold twice = cross(x_[from] - ox, y_[from] - oy, x_[to] - ox, y_[to] - oy);
+  Twofold twice = determinant(x_[from] - ox, y_[from] - oy, x_[to] - ox, y_[to] - oy);
   if (c_.is_arc(arc)) {
     // The circular segment between chord and arc, to the right of the chord where the arc rotates left.
     const Twofold& r = circle(arc).radius;

@@ -7,18 +7,19 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
 using exact::Real;
 using Number = BoundedTwofold;
 
-constexpr double kUnit = 0x1p-102;     // no sign: of the relative error of one operation of Twofold, twice that proved
-constexpr double kGrow = 1 + 0x1p-40;  // no sign: what rounding takes from a sum of errors
-constexpr double kEnough = 0x1p-94;    // no sign: the error of a place that will do
-constexpr double kNear = 0x1p-42;      // no sign: of a double from which the rest is taken
+Number rounded(const Twofold& value, double error) {
+  return {value, (error + margin::kTwofoldOperation * std::fabs(value.hi)) * margin::kGrowError};
+}
+}  // namespace
 
-Number rounded(const Twofold& value, double error) { return {value, (error + kUnit * std::fabs(value.hi)) * kGrow}; }
 Number operator+(const Number& p, const Number& q) { return rounded(p.value + q.value, p.error + q.error); }
 Number operator-(const Number& p, const Number& q) { return rounded(p.value - q.value, p.error + q.error); }
 Number operator*(const Number& p, const Number& q) {
@@ -29,8 +30,10 @@ Number operator/(const Number& p, const Number& q) {
   const Twofold ratio = p.value / q.value;
   const double least = std::fabs(q.value.hi) - q.error;
   if (!(least > 0)) return {ratio, std::numeric_limits<double>::infinity()};
-  return rounded(ratio, (p.error + std::fabs(ratio.hi) * q.error) / least * kGrow);
+  return rounded(ratio, (p.error + std::fabs(ratio.hi) * q.error) / least * margin::kGrowError);
 }
+namespace {
+
 Number root(const Number& p) {
   const Twofold r = sqrt(p.value);
   if (!(p.value.hi > 4 * p.error)) return {r, std::numeric_limits<double>::infinity()};
@@ -98,12 +101,14 @@ std::array<Twofold, 2> VertexPlaces::at(Index point) {
   if (p.kind == exact::Point::Kind::kGrid) return {double(p.gx), double(p.gy)};  // at most 2^40 and sums of such: exact
   if (p.kind == exact::Point::Kind::kCross) {
     const Crossing c = crossing(p);
-    const auto good = [](const Number& v) { return v.error <= kEnough * std::max(std::fabs(v.value.hi), 1.0); };
+    const auto good = [](const Number& v) {
+      return v.error <= margin::kGoodPlace * std::max(std::fabs(v.value.hi), 1.0);
+    };
     if (good(c[0]) && good(c[1])) return {c[0].value, c[1].value};
   }
   const exact::RealPoint q = geometry_.exact(point);
   const auto exactly = [&](const Real& value, double near) {
-    return p.error <= kNear * std::max(std::fabs(near), 1.0) ? Twofold(value, near) : Twofold(value);
+    return p.error <= margin::kGoodFirstHalf * std::max(std::fabs(near), 1.0) ? Twofold(value, near) : Twofold(value);
   };
   return {exactly(q.x, p.x), exactly(q.y, p.y)};
 }

@@ -23,6 +23,10 @@ struct BoundedTwofold {
   Twofold value;
   double error = 0;
 };
+BoundedTwofold operator+(const BoundedTwofold& p, const BoundedTwofold& q);
+BoundedTwofold operator-(const BoundedTwofold& p, const BoundedTwofold& q);
+BoundedTwofold operator*(const BoundedTwofold& p, const BoundedTwofold& q);
+BoundedTwofold operator/(const BoundedTwofold& p, const BoundedTwofold& q);
 
 class VertexPlaces {
  public:

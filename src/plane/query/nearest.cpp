@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -82,7 +84,7 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
   for (Index e = 0; e < c.edges.size(); ++e)
     if (wanted(c.edges[e].mark) && projection_inside(c, e, x, y)) take(edge_distance(c, e, x, y), {1, e});
   // Rounding can only exchange candidates within this of the least; they are compared exactly.
-  double tolerance = (scale + std::abs(x) + std::abs(y) + least) * 0x1p-44;
+  double tolerance = (scale + std::abs(x) + std::abs(y) + least) * margin::kNearestCandidate;
   std::optional<Nearest> best;
   for (const Candidate& k : all) {
     if (k.distance > least + tolerance) continue;

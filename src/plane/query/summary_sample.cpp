@@ -26,7 +26,7 @@ Real y_at(const CellComplex& c, Index edge, const Real& x) {
 bool is_vertical(const CellComplex& c, Index edge) { return !c.is_arc(edge) && c.supporting_curve(edge).b == 0; }
 
 /// The multiple of `unit` nearest to x, as an integer.
-Real rounded(double x, double unit) { return Real(exact::int128(std::round(x / unit))) * Real(exact::int128(unit)); }
+Real on_lattice(double x, double unit) { return Real(exact::int128(std::round(x / unit))) * Real(exact::int128(unit)); }
 
 }  // namespace
 
@@ -52,7 +52,7 @@ RealPoint Sampler::inside_face(Index face) {
   if (spot.clearance > 0) {
     // A grid point with as few digits as the tolerance around it allows.
     double unit = spot.clearance < 8 ? 1 : std::pow(10, std::floor(std::log10(spot.clearance / 8)));
-    RealPoint p{rounded(spot.x, unit), rounded(spot.y, unit)};
+    RealPoint p{on_lattice(spot.x, unit), on_lattice(spot.y, unit)};
     if (is_inside(p, face)) return p;
     p = {Real::from_double(spot.x), Real::from_double(spot.y)};
     if (is_inside(p, face)) return p;

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "exact/number/margins.h"
 
 namespace findspace::plane {
 
@@ -14,11 +15,6 @@ using Kind = ContactPair::Kind;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kTolerance = 1e-7;  // no sign: of directions; it only admits curves too many
-
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
 RoughPoint center(const RoundFeature& f) { return {f.x, f.y}; }
 RoughPoint normal(const EdgeFeature& e) { return {e.nx, e.ny}; }
 
@@ -38,7 +34,7 @@ bool RoughCurve::holds(RoughPoint at, double tolerance) const {
     return along >= -tolerance * whole && along <= (whole + tolerance) * whole;
   }
   if (std::abs(radius) <= tolerance) return true;
-  return allows((at - center) / radius, kTolerance + tolerance / std::abs(radius));
+  return allows((at - center) / radius, margin::kOneDirection + tolerance / std::abs(radius));
 }
 
 RoughPoint RoughCurve::normal_at(RoughPoint at) const { return line ? normal : (at - center) / radius; }
@@ -54,10 +50,13 @@ double RoughCurve::least() const {
 bool ContactCurves::may_touch(const ContactPair& k, double middle, double half) const {
   const auto shifted = [&](const Cone& c) { return Cone{c.from + middle - half + kPi, c.width + 2 * half}; };
   if (k.kind == Kind::kRounds)
-    return cones_meet(fixed_.rounds[k.fixed].normals, shifted(rotation_.rounds[k.rotating].normals), kTolerance);
+    return cones_meet(fixed_.rounds[k.fixed].normals, shifted(rotation_.rounds[k.rotating].normals),
+                      margin::kOneDirection);
   if (k.kind == Kind::kFixedEdge)
-    return cones_meet({fixed_.edges[k.fixed].normal, 0}, shifted(rotation_.rounds[k.rotating].normals), kTolerance);
-  return cones_meet(fixed_.rounds[k.fixed].normals, shifted({rotation_.edges[k.rotating].normal, 0}), kTolerance);
+    return cones_meet({fixed_.edges[k.fixed].normal, 0}, shifted(rotation_.rounds[k.rotating].normals),
+                      margin::kOneDirection);
+  return cones_meet(fixed_.rounds[k.fixed].normals, shifted({rotation_.edges[k.rotating].normal, 0}),
+                    margin::kOneDirection);
 }
 
 std::vector<ContactPair> ContactCurves::pairs(double middle, double half) const {

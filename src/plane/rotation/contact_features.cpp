@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "exact/number/margins.h"
 
 namespace findspace::plane {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kTolerance = 1e-7;  // no sign: it only admits features too many
 
 double positive(double angle) {
   const double r = std::fmod(angle, 2 * kPi);
@@ -25,9 +23,9 @@ struct Leaving {
   bool arc;
 };
 
-class Collector {
+class FeatureCollector {
  public:
-  Collector(const CellComplex& c, const exact::RealPoint& about, const std::function<bool(Mark)>& material)
+  FeatureCollector(const CellComplex& c, const exact::RealPoint& about, const std::function<bool(Mark)>& material)
       : c_(c), material_(material), net_(RotatedNet::of(c, about)), leaving_(c.vertices.size()) {}
 
   ContactFeatures run() {
@@ -81,11 +79,12 @@ class Collector {
       thin |= e.left == e.right;
       double gap = around.size() == 1 ? 2 * kPi : positive(next.direction - e.direction);
       // Two that leave with one tangent: the order of their directions is chance, and one side may be a cusp.
-      if (!e.left && gap < kTolerance) gap = 2 * kPi;
-      if (e.left || gap < kPi - kTolerance) continue;
+      if (!e.left && gap < margin::kOneDirection) gap = 2 * kPi;
+      if (e.left || gap < kPi - margin::kOneDirection) continue;
       found = true;
       // Where two curves join smoothly their own normals are enough.
-      if (!smooth || gap > kPi + kTolerance) add_corner(v, {e.direction + kPi / 2, std::max(0.0, gap - kPi)});
+      if (!smooth || gap > kPi + margin::kOneDirection)
+        add_corner(v, {e.direction + kPi / 2, std::max(0.0, gap - kPi)});
     }
     if (!found && thin) add_corner(v, {0, 2 * kPi});
   }
@@ -101,7 +100,7 @@ class Collector {
 
 ContactFeatures contact_features(const CellComplex& complex, const exact::RealPoint& about,
                                  const std::function<bool(Mark)>& material) {
-  return Collector(complex, about, material).run();
+  return FeatureCollector(complex, about, material).run();
 }
 
 bool cones_meet(const Cone& a, const Cone& b, double tolerance) {

@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
 using exact::Real;
 using Kind = ContactPair::Kind;
 
-constexpr double kNear = 1e-9;  // no sign: of the sizes; what is nearer is decided exactly
-
 /// Of lengths that sum up from such numbers.
 bool near(double x, double y, const RoundFeature& a, const RoundFeature& b) {
   const double size = std::abs(a.x) + std::abs(a.y) + std::abs(a.r) + std::abs(b.x) + std::abs(b.y) + std::abs(b.r);
-  return std::abs(x - y) <= kNear * size;
+  return std::abs(x - y) <= margin::kNearFeatures * size;
 }
 
 bool one_circle(const RoundFeature& a, const RoundFeature& b) {
@@ -36,7 +36,7 @@ bool circles_touch(const RoundFeature& a, const RoundFeature& b) {
 bool touches(const EdgeFeature& e, const RoundFeature& a) {
   const double off = e.nx * (a.x - e.x0) + e.ny * (a.y - e.y0);
   const double size = std::abs(e.x0) + std::abs(e.y0) + std::abs(a.x) + std::abs(a.y) + std::abs(a.r);
-  if (std::abs(off + a.r) > kNear * size) return false;
+  if (std::abs(off + a.r) > margin::kNearFeatures * size) return false;
   const RealVector n = exact_normal(e);
   return (plane::dot(n, a.center - e.p) + times_length(a.radius, n)).sign() == 0;
 }

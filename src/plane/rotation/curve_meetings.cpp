@@ -7,15 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
 using exact::Real;
-
-constexpr double kNormals = 1e-7;  // no sign: of directions; candidates too many do no harm
-
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
 /// A bound of the polynomial's value for |u| < 1, as it is rounded.
 double size(const HalfAngle& a) {
@@ -141,7 +138,7 @@ std::vector<RoughPoint> rough_projections(const RoughCurve& c, double tolerance)
     for (const Cone& k : {c.normals, c.opposed})
       for (double part : {0.0, 0.5, 1.0}) {
         const RoughPoint u = std::polar(1.0, k.from + part * k.width);
-        if (c.allows(u, kNormals)) out.push_back(c.center + c.radius * u);
+        if (c.allows(u, margin::kOneDirection)) out.push_back(c.center + c.radius * u);
       }
   } else {
     for (double side : {-1.0, 1.0}) add(c.center + side * radius * c.center / far);
@@ -173,7 +170,7 @@ std::optional<RoughPoint> rough_meeting(const std::array<RoughCurve, 3>& c, doub
       for (const RoughCurve* r : {&a, &b, &d})
         if (!r->line && std::abs(r->radius) <= tolerance) return s;  // a corner has many normals
       const double p = cross(u[0], u[1]), q = cross(u[1], u[2]), r = cross(u[2], u[0]);
-      const double slack = 1e-7;  // no sign: meetings too many do no harm
+      constexpr double slack = margin::kOneDirection;
       if ((p > -slack && q > -slack && r > -slack) || (p < slack && q < slack && r < slack)) return s;
     }
   }

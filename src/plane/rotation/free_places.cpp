@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
 #include "plane/query/topology.h"
 #include "plane/rotation/curve_meetings.h"
 
@@ -18,15 +19,7 @@ using exact::RealPoint;
 
 namespace {
 
-constexpr double kTolerance = 1e-9;  // no sign: of the sizes; what is nearer is decided exactly
-constexpr double kError = 1e-4;      // no sign: of the tolerance; more than rough curves are off
-
-constexpr double kBeside = 64;    // rooms: how far beside a point a position is tried
-constexpr double kOpposed = 0.1;  // no sign: curves that leave less tolerance between them are left to exact numbers
-
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-bool is_in(Mark m) { return m > 0; }
-bool is_out(Mark m) { return m <= 0; }
+constexpr double kBeside = 64;  // rooms: how far beside a point a position is tried
 
 ContactCurves contact_curves(const Region& a, const Region& b, FreePlaces::Keep keep, const RealPoint& p) {
   return {contact_features(b, {}, is_in), contact_features(a, p, keep == FreePlaces::Keep::kApart ? is_in : is_out)};
@@ -79,7 +72,7 @@ FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
       keep_(keep),
       around_(signs(a)),
 
-      room_(kTolerance * (size_of(a) + size_of(b))) {
+      room_(margin::kRotatedRoom * (size_of(a) + size_of(b))) {
   const ContactCurves all = contact_curves(a, b, keep, {});
   RoughBox whole{1, 0, 0, 0};
   for (const ContactPair& k : all.pairs(0, 0)) {
@@ -194,7 +187,7 @@ class FreePlaces::From::Search {
   }
 
   void add_meetings(std::size_t i, std::size_t k) {
-    for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], kError * f_.room_)) {
+    for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], margin::kRoughCurveError * f_.room_)) {
       const double tolerance = f_.room_ + m.off;
       if (rough_[i].holds(m.at, tolerance) && rough_[k].holds(m.at, tolerance)) add(m.at, m.off, i, k);
     }
@@ -205,7 +198,7 @@ class FreePlaces::From::Search {
     const double step = kBeside * (f_.room_ + c.off), reach = 2 * step;
     const RoughPoint u = rough_[c.first].normal_at(c.at), v = rough_[c.second].normal_at(c.at);
     const double along = length(u + v) / 2;  // the cosine of half the angle between them
-    if (along < kOpposed || std::min(bend(c.first), bend(c.second)) < 8 * reach / along) return std::nullopt;
+    if (along < margin::kOpenCurves || std::min(bend(c.first), bend(c.second)) < 8 * reach / along) return std::nullopt;
     const RoughPoint way = (u + v) / (2 * along);
     const double x = c.at.real() + x_, y = c.at.imag() + y_;
     for (Index k : f_.curves_in({x - reach, y - reach, x + reach, y + reach}))
@@ -223,7 +216,7 @@ class FreePlaces::From::Search {
     const double over = r.line ? dot(r.normal, c.at) - r.offset() : r.radius > 0 ? round : -round;
     if (std::abs(over) > reach || !r.holds(c.at, reach)) return true;
     return over > 2 * (f_.room_ + c.off) && (r.line || std::abs(r.radius) > 8 * reach) &&
-           dot(r.normal_at(c.at), way) > kOpposed;
+           dot(r.normal_at(c.at), way) > margin::kOpenCurves;
   }
 
   double bend(std::size_t i) const {

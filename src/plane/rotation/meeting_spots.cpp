@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
 #include "plane/rotation/curve_meetings.h"
 
 namespace findspace::plane {
 namespace {
 
 using Kind = ContactPair::Kind;
-
-constexpr double kMore = 1.01;  // no sign: of travels, more than their rounding
-
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
 
 /// How far a point is from a segment or a whole circle.
 double away(const RoughCurve& c, RoughPoint from) {
@@ -31,11 +28,11 @@ double MeetingSpots::travel(const ContactCurves& curves, const ContactPair& k, d
   const ContactFeatures &a = curves.fixed(), &b = curves.rotating();
   if (k.kind != Kind::kTurningEdge) {
     const RoundFeature& r = b.rounds[k.rotating];
-    return half * std::hypot(r.x, r.y) * kMore;
+    return half * std::hypot(r.x, r.y) * margin::kLongerTravel;
   }
   const EdgeFeature& e = b.edges[k.rotating];
   const double reach = std::max(std::hypot(e.x0, e.y0), std::hypot(e.x1, e.y1)) + std::abs(a.rounds[k.fixed].r);
-  return half * reach * kMore;
+  return half * reach * margin::kLongerTravel;
 }
 
 MeetingSpots::MeetingSpots(const FreeQuestion& q, std::span<const ContactPair> pairs, double middle, double half)
@@ -45,7 +42,7 @@ MeetingSpots::MeetingSpots(const FreeQuestion& q, std::span<const ContactPair> p
     travels_.push_back(travel(q.curves, k, half));
   }
   const RoughSet there = q.rotating.rotated(std::polar(1.0, middle));
-  const double rotated = half * q.rotating.reach() * kMore;  // what B's points travel
+  const double rotated = half * q.rotating.reach() * margin::kLongerTravel;  // what B's points travel
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     for (std::size_t k = i + 1; k < pairs.size(); ++k) {
       Spot& s = spots_[i * pairs.size() + k] = place(i, k);

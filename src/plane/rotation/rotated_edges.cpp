@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 
 using exact::ExactAngle;
@@ -51,7 +53,7 @@ RoughBox box_of(const RotatedEdge& e) {
   const auto cx = e.center.x.interval(), cy = e.center.y.interval(), r = e.radius.interval();
   // The arc lies to the right of its chord, within half a circle: the box of the circle where an extreme may lie on it.
   const double dx = qx.hi - px.lo, dy = qy.hi - py.lo,
-               tolerance = (std::abs(dx) + std::abs(dy) + r.hi) * 0x1p-20;  // no sign: a wider box is right too
+               tolerance = (std::abs(dx) + std::abs(dy) + r.hi) * margin::kUprightChord;
   if (dx > -tolerance) b.y0 = std::min(b.y0, cy.lo - r.hi);
   if (dx < tolerance) b.y1 = std::max(b.y1, cy.hi + r.hi);
   if (dy > -tolerance) b.x1 = std::max(b.x1, cx.hi + r.hi);

@@ -11,6 +11,7 @@
 #include "exact/planar/angle.h"
 #include "plane/base/real_vector.h"
 #include "plane/complex/cell_complex.h"
+#include "plane/rotation/rough_point.h"
 
 namespace findspace::plane {
 
@@ -40,6 +41,7 @@ struct RotatedNet {
 
 /// A double near the number; within a few ulps of the largest coordinates it is made of.
 double rough(const exact::Real& r);
+inline RoughPoint rough(const RealVector& p) { return {rough(p.x), rough(p.y)}; }
 /// Contains the edge.
 RoughBox box_of(const RotatedEdge& e);
 

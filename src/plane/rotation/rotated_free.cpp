@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "plane/rotation/curve_meetings.h"
 
@@ -18,14 +18,6 @@ using exact::Real;
 using Kind = ContactPair::Kind;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kTolerance = 1e-9;  // no sign: of the sizes; what is nearer is decided exactly
-constexpr double kError = 1e-4;      // no sign: of the tolerance; more than rough curves are off
-constexpr double kNormals = 1e-7;    // no sign: of directions; candidates too many do no harm
-
-bool is_in(Mark m) { return m > 0; }
-bool is_out(Mark m) { return m <= 0; }
 
 RoughPoint unit(const ExactAngle& t) { return {t.cos.to_double(), t.sin.to_double()}; }
 
@@ -39,7 +31,7 @@ RotatedFree::RotatedFree(const Pair& pair, Keep keep, std::optional<FreeWay> way
               contact_features(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out)),
       rotation_(pair.rotating, pair.about, is_in),
       open_(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out),
-      room_(kTolerance * std::max({1.0, rotation_.reach(), open_.reach()})) {}
+      room_(margin::kRotatedRoom * std::max({1.0, rotation_.reach(), open_.reach()})) {}
 
 /// The signs at single angles. One thread at a time.
 class RotatedFree::Look {
@@ -86,7 +78,7 @@ class RotatedFree::Look {
       for (std::size_t k = i + 1; k < rough_.size(); ++k) {
         if (!far_ && rough_[k].least() > rough_level_ + f_.room_) continue;
         if (never_cross(i, k)) continue;
-        for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], kError * f_.room_)) {
+        for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], margin::kRoughCurveError * f_.room_)) {
           const double tolerance = f_.room_ + m.off;
           if (rough_[i].holds(m.at, tolerance) && rough_[k].holds(m.at, tolerance)) add(m, i, k);
         }
@@ -105,7 +97,7 @@ class RotatedFree::Look {
       return a.rounds[p.fixed].center == a.rounds[q.fixed].center &&
              b.rounds[p.rotating].center == b.rounds[q.rotating].center;
     }
-    if (std::abs((std::conj(rough_[i].normal) * rough_[k].normal).imag()) > kNormals) return false;
+    if (std::abs((std::conj(rough_[i].normal) * rough_[k].normal).imag()) > margin::kOneDirection) return false;
     const bool fixed = p.kind == Kind::kFixedEdge;
     const EdgeFeature &e = fixed ? a.edges[p.fixed] : b.edges[p.rotating],
                       &g = fixed ? a.edges[q.fixed] : b.edges[q.rotating];
@@ -119,7 +111,7 @@ class RotatedFree::Look {
   }
 
   void add_crossings(std::size_t i, const RoughCurve& way) {
-    for (const RoughMeeting& m : rough_meetings(rough_[i], way, kError * f_.room_)) {
+    for (const RoughMeeting& m : rough_meetings(rough_[i], way, margin::kRoughCurveError * f_.room_)) {
       const double tolerance = f_.room_ + m.off;
       const bool ahead = way.p != RoughPoint() || m.at.real() * way.q.real() + m.at.imag() * way.q.imag() >= -tolerance;
       if (ahead && rough_[i].holds(m.at, tolerance)) add(m, i, kNone);

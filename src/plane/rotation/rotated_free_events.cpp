@@ -5,20 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "plane/rotation/rotated_free_sector.h"
 
 namespace findspace::plane {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kNear = 1e-9;  // no sign: degrees, below it the exact comparison takes over
 constexpr std::size_t kSectors = 16;
 
 int order(const FreeEvent& p, const FreeEvent& q) {
-  if (std::abs(p.degrees - q.degrees) > kNear) return p.degrees < q.degrees ? -1 : 1;
+  if (std::abs(p.degrees - q.degrees) > margin::kNearAngles) return p.degrees < q.degrees ? -1 : 1;
   return compare(exact::Angle{p.rotation, {}}, exact::Angle{q.rotation, {}});
 }
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "exact/number/margins.h"
 #include "plane/rotation/curve_meetings.h"
 
 namespace findspace::plane {
@@ -19,13 +19,8 @@ using Kind = ContactPair::Kind;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kFew = 14;
-constexpr double kNormals = 1e-6;  // no sign: of normals; angles too many do no harm
-constexpr double kNarrow = 0.01;   // no sign: radians, sectors are not halved below
-constexpr double kWide = 1e-4;     // no sign: of places; in wider ones nothing is filtered
-
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
+constexpr double kNarrow = 0.01;  // no sign: radians, sectors are not halved below
 
 }  // namespace
 
@@ -91,7 +86,7 @@ bool FreeSector::possible(double angle, RoughPoint s, double tolerance) const {
 }
 
 bool FreeSector::in_sector(double angle) const {
-  return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + kSectorSlack;
+  return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + margin::kSectorSlack;
 }
 
 void FreeSector::add(ExactAngle t) {
@@ -148,10 +143,11 @@ void FreeSector::touching(std::size_t i, std::size_t j) {
     if (!d.line) {
       if (std::abs(u) <= q_.tolerance) return true;  // two circles in one
       u /= std::abs(u);
-      if (!c.allows(u, kNormals) && c.allows(-u, kNormals)) u = -u;
+      if (!c.allows(u, margin::kOneDirectionAtRoot) && c.allows(-u, margin::kOneDirectionAtRoot)) u = -u;
     }
     const RoughPoint s = c.center + c.radius * u;
-    return c.allows(u, kNormals) && (d.line ? d.holds(s, q_.tolerance) : d.allows(-u, kNormals)) &&
+    return c.allows(u, margin::kOneDirectionAtRoot) &&
+           (d.line ? d.holds(s, q_.tolerance) : d.allows(-u, margin::kOneDirectionAtRoot)) &&
            possible(angle, s, q_.tolerance);
   };
   if (lines) return parallel_lines(*k, *m, witness);
@@ -177,7 +173,9 @@ void FreeSector::touching(std::size_t i, std::size_t j) {
 
 /// Segments of one line, with opposite normals, of which some part may lie in F.
 bool FreeSector::opposite(const RoughCurve& c, const RoughCurve& d) const {
-  if (dot(c.normal, d.normal) > -1 + kNormals || std::abs(c.offset() + d.offset()) > q_.tolerance * 10) return false;
+  if (dot(c.normal, d.normal) > -1 + margin::kOneDirectionAtRoot ||
+      std::abs(c.offset() + d.offset()) > q_.tolerance * 10)
+    return false;
   if (!q_.far && std::max(c.least(), d.least()) > level_ + q_.tolerance) return false;
   const RoughPoint way = (c.q - c.p) / std::abs(c.q - c.p);
   const double from = dot(way, d.p - c.p), to = dot(way, d.q - c.p), length = std::abs(c.q - c.p);
@@ -190,7 +188,7 @@ void FreeSector::parallel_lines(const ContactPair& k, const ContactPair& m, Witn
   const bool back = k.kind == Kind::kTurningEdge;
   const auto& edges = back ? q_.curves.rotating().edges : q_.curves.fixed().edges;
   const EdgeFeature &e = edges[back ? k.rotating : k.fixed], &f = edges[back ? m.rotating : m.fixed];
-  if (e.nx * f.nx + e.ny * f.ny > -1 + kNormals) return;
+  if (e.nx * f.nx + e.ny * f.ny > -1 + margin::kOneDirectionAtRoot) return;
   const RealVector n = exact_normal(e), o = exact_normal(f);
   if (plane::cross(n, o).sign() != 0) return;
   const auto& rounds = back ? q_.curves.fixed().rounds : q_.curves.rotating().rounds;
@@ -227,7 +225,7 @@ void FreeSector::Solved::look(Find find) {
 
 /// Two curves that meet exactly the level away.
 void FreeSector::corner(std::size_t i, std::size_t k) {
-  const double span = std::tan(half_ / 2) * (1 + kSectorSlack),
+  const double span = std::tan(half_ / 2) * (1 + margin::kSectorSlack),
                reach = 4 * std::max(spots_.travel(i), spots_.travel(k)) / half_;
   const auto polynomial = [&](int quarters) {
     const auto [f, g] = corner_lines(exact_form(alike_[i], quarters), exact_form(alike_[k], quarters), q_.level);
@@ -247,14 +245,14 @@ void FreeSector::corner(std::size_t i, std::size_t k) {
       return std::abs(std::abs(m.at) - level_) <= near && c.holds(m.at, near) && d.holds(m.at, near) &&
              possible(angle, m.at, near);
     };
-    done = place.tolerance > kWide || std::any_of(all.begin(), all.end(), witness);
+    done = place.tolerance > margin::kWideRootPlace || std::any_of(all.begin(), all.end(), witness);
     if (done) add_roots(place, polynomial);
   }
 }
 
 /// Three curves that meet in one point, B being held there.
 void FreeSector::meeting(std::size_t i, std::size_t k, std::size_t m) {
-  const double span = std::tan(half_ / 2) * (1 + kSectorSlack),
+  const double span = std::tan(half_ / 2) * (1 + margin::kSectorSlack),
                reach = 4 * std::max({spots_.travel(i), spots_.travel(k), spots_.travel(m)}) / half_;
   std::array<std::size_t, 3> key{alike_[i], alike_[k], alike_[m]};
   std::sort(key.begin(), key.end());
@@ -271,8 +269,8 @@ void FreeSector::meeting(std::size_t i, std::size_t k, std::size_t m) {
     const double angle = middle_ + 2 * std::atan(place.u), tolerance = 100 * q_.tolerance + place.tolerance * reach;
     const std::array<RoughCurve, 3> c{q_.curves.rough(pairs_[i], angle), q_.curves.rough(pairs_[k], angle),
                                       q_.curves.rough(pairs_[m], angle)};
-    const auto s = place.tolerance > kWide ? std::nullopt : rough_meeting(c, tolerance);
-    done = place.tolerance > kWide || (s && possible(angle, *s, tolerance));
+    const auto s = place.tolerance > margin::kWideRootPlace ? std::nullopt : rough_meeting(c, tolerance);
+    done = place.tolerance > margin::kWideRootPlace || (s && possible(angle, *s, tolerance));
     if (done) add_roots(place, polynomial);
   }
 }

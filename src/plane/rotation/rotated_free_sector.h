@@ -15,13 +15,12 @@
 #include <utility>
 #include <vector>
 
+#include "exact/number/margins.h"
 #include "plane/rotation/contact_joints.h"
 #include "plane/rotation/meeting_spots.h"
 #include "plane/rotation/rotated_free_events.h"
 
 namespace findspace::plane {
-
-inline constexpr double kSectorSlack = 1e-9;  // no sign: of sectors; angles too many do no harm
 
 class FreeSector {
  public:
@@ -91,7 +90,7 @@ class FreeSector {
 template <class Witness>
 void FreeSector::solve(const Equation& e, Witness witness) {
   const double a = rough(e.a), b = rough(e.b), c = rough(e.c), norm = std::hypot(a, b);
-  if (norm == 0 || std::abs(c) > norm * (1 + kSectorSlack)) return;
+  if (norm == 0 || std::abs(c) > norm * (1 + margin::kSectorSlack)) return;
   const double spread = std::acos(std::clamp(c / norm, -1.0, 1.0)), to = std::atan2(b, a);
   bool wanted = false;
   for (double angle : {to - spread, to + spread}) {
@@ -105,8 +104,8 @@ void FreeSector::solve(const Equation& e, Witness witness) {
 /// The exact roots in a place of those that a rounded polynomial may have.
 template <class Make>
 void FreeSector::add_roots(const RootPlace& place, Make polynomial) {
-  const double from = middle_ + 2 * std::atan(place.u - place.tolerance) - kSectorSlack,
-               to = middle_ + 2 * std::atan(place.u + place.tolerance) + kSectorSlack;
+  const double from = middle_ + 2 * std::atan(place.u - place.tolerance) - margin::kSectorSlack,
+               to = middle_ + 2 * std::atan(place.u + place.tolerance) + margin::kSectorSlack;
   const int quarters = int(std::lround(from / (std::numbers::pi / 2)));
   for (exact::ExactAngle& t : polynomial(quarters).rotations_between(from, to, quarters)) add(std::move(t));
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "exact/number/margins.h"
 #include "plane/rotation/curve_meetings.h"
 #include "plane/rotation/rotated_free_sector.h"
 
@@ -17,10 +18,6 @@ using exact::Real;
 using Kind = ContactPair::Kind;
 
 namespace {
-
-constexpr double kWide = 1e-4;  // no sign: of places; in wider ones nothing is filtered
-
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
 
 bool passes(const RoughCurve& c, RoughPoint s, double tolerance) {
   const double off = c.line ? dot(c.normal, s) - c.offset() : length(s - c.center) - std::abs(c.radius);
@@ -102,7 +99,7 @@ void FreeSector::touching_way(std::size_t i) {
 
 /// Two curves that meet on the way.
 void FreeSector::corner_on_way(std::size_t i, std::size_t k) {
-  const double span = std::tan(half_ / 2) * (1 + kSectorSlack),
+  const double span = std::tan(half_ / 2) * (1 + margin::kSectorSlack),
                reach = 4 * std::max({spots_.travel(i), spots_.travel(k), half_ * level_}) / half_;
   const auto polynomial = [&](int quarters) {
     const ExactSectorCurve way = q_.way->exact_sector(quarters);
@@ -113,7 +110,7 @@ void FreeSector::corner_on_way(std::size_t i, std::size_t k) {
   };
   for (const RootPlace& place : meeting_places(forms_[i], forms_[k], q_.way->sector(middle_), span)) {
     const double angle = middle_ + 2 * std::atan(place.u), tolerance = 100 * q_.tolerance + place.tolerance * reach;
-    if (place.tolerance > kWide || meet_on_way(i, k, angle, tolerance)) add_roots(place, polynomial);
+    if (place.tolerance > margin::kWideRootPlace || meet_on_way(i, k, angle, tolerance)) add_roots(place, polynomial);
   }
 }
 

@@ -5,60 +5,52 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+
+#include "exact/number/margins.h"
 
 namespace findspace::plane {
 namespace {
 
 using exact::ExactAngle;
 using exact::Real;
-using Rough = std::complex<double>;
-
-/// Room for what doubles cannot tell, relative to the coordinates: a tangency moves by the root of their rounding.
-constexpr double kTolerance = 0x1p-18;  // no sign: it only admits angles too many
-
-Rough rough(const RealVector& p) { return {plane::rough(p.x), plane::rough(p.y)}; }
 
 /// An edge, or a vertex (p = q), in numbers, as far as the filter needs it.
 struct RoughEdge {
-  Rough p, q, center;
+  RoughPoint p, q, center;
   double radius = 0;
   bool arc = false;
 };
 
-RoughEdge rough(const RotatedEdge& e) {
+RoughEdge rough_edge(const RotatedEdge& e) {
   RoughEdge r{rough(e.p), rough(e.q), {}, 0, e.arc};
   if (e.arc) {
     r.center = rough(e.center);
-    r.radius = plane::rough(e.radius);
+    r.radius = rough(e.radius);
   }
   return r;
 }
 
-double dot(Rough a, Rough b) { return a.real() * b.real() + a.imag() * b.imag(); }
-double cross(Rough a, Rough b) { return a.real() * b.imag() - a.imag() * b.real(); }
-
 /// The distance of a point of the edge's line or circle from the edge is at most about `tolerance`.
-bool near(const RoughEdge& e, Rough at, double tolerance) {
+bool near(const RoughEdge& e, RoughPoint at, double tolerance) {
   if (e.arc) return cross(e.q - e.p, at - e.p) <= tolerance * std::abs(e.q - e.p) + tolerance * tolerance;
-  const Rough d = e.q - e.p;
+  const RoughPoint d = e.q - e.p;
   return dot(d, at - e.p) >= -tolerance * std::abs(d) && dot(d, at - e.q) <= tolerance * std::abs(d);
 }
 
-class Collector {
+class EventCollector {
  public:
-  Collector(const RotatedNet& rotating, const RotatedNet& fixed) : t_(rotating), f_(fixed) {
+  EventCollector(const RotatedNet& rotating, const RotatedNet& fixed) : t_(rotating), f_(fixed) {
     for (const RotatedEdge& e : t_.edges) {
-      t_rough_.push_back(rough(e));
+      t_rough_.push_back(rough_edge(e));
       grow(t_rough_.back());
     }
     for (const RotatedEdge& e : f_.edges) {
-      f_rough_.push_back(rough(e));
+      f_rough_.push_back(rough_edge(e));
       grow(f_rough_.back());
     }
     for (const RealVector& v : t_.vertices) size_ = std::max(size_, std::abs(rough(v)));
     for (const RealVector& v : f_.vertices) size_ = std::max(size_, std::abs(rough(v)));
-    room_ = size_ * kTolerance;
+    room_ = size_ * margin::kTangencyRoom;
   }
 
   std::vector<ExactAngle> run() {
@@ -83,22 +75,23 @@ class Collector {
   /// a cos + b sin = c, where `plausible` (of the turn as a unit number) holds. `back`: of the turn by minus the angle.
   template <class Plausible>
   void add(const Real& a, const Real& b, const Real& c, bool back, Plausible plausible) {
-    const double ra = plane::rough(a), rb = plane::rough(b), rc = plane::rough(c), norm = std::hypot(ra, rb);
-    if (std::abs(rc) > norm * (1 + kTolerance) + room_ * room_) return;
+    const double ra = rough(a), rb = rough(b), rc = rough(c), norm = std::hypot(ra, rb);
+    if (std::abs(rc) > norm * (1 + margin::kTangencyRoom) + room_ * room_) return;
     // Where doubles see no solution, perhaps there is a tangency: near the direction (a, b).
     const double ratio = norm > 0 ? std::clamp(rc / norm, -1.0, 1.0) : 0, spread = std::sqrt(1 - ratio * ratio);
-    const Rough middle = norm > 0 ? Rough(ra, rb) / norm : Rough(1, 0);
-    if (norm > 0 && !plausible(middle * Rough(ratio, spread)) && !plausible(middle * Rough(ratio, -spread))) return;
+    const RoughPoint middle = norm > 0 ? RoughPoint(ra, rb) / norm : RoughPoint(1, 0);
+    if (norm > 0 && !plausible(middle * RoughPoint(ratio, spread)) && !plausible(middle * RoughPoint(ratio, -spread)))
+      return;
     for (ExactAngle& t : rotations_where(a, b, c)) {
-      if (!plausible(Rough(t.cos.to_double(), t.sin.to_double()))) continue;
+      if (!plausible(RoughPoint(t.cos.to_double(), t.sin.to_double()))) continue;
       found_.push_back(back ? -t : std::move(t));
     }
   }
 
   /// A point v, rotated (or the edge rotated back), on an edge.
   void vertex_on_edge(const RealVector& v, const RotatedEdge& e, const RoughEdge& r, bool back) {
-    const Rough at = rough(v);
-    const auto plausible = [&](Rough rotation) { return near(r, at * rotation, room_); };
+    const RoughPoint at = rough(v);
+    const auto plausible = [&](RoughPoint rotation) { return near(r, at * rotation, room_); };
     if (!e.arc) {
       const RealVector n = turned_left(e.q - e.p);
       return add(plane::dot(n, v), plane::cross(v, n), plane::dot(n, e.p), back, plausible);
@@ -128,14 +121,14 @@ class Collector {
   void line_and_circle(const RotatedEdge& line, const RoughEdge& l, const RotatedEdge& circle, const RoughEdge& o,
                        bool back) {
     const RealVector n = turned_left(line.q - line.p);
-    const Rough rn = Rough(0, 1) * (l.q - l.p);
+    const RoughPoint rn = RoughPoint(0, 1) * (l.q - l.p);
     const Real length = sqrt(plane::dot(n, n)), level = plane::dot(n, line.p), reach = circle.radius * length;
     const Real a = plane::dot(n, circle.center), b = plane::cross(circle.center, n);
     for (int side : {-1, 1}) {
       // The centre lies `side` radii along n from the line; the touching point is there and back.
-      const Rough projection = rn / std::abs(rn) * (o.radius * -side);
-      const auto plausible = [&](Rough rotation) {
-        const Rough at = o.center * rotation + projection;
+      const RoughPoint projection = rn / std::abs(rn) * (o.radius * -side);
+      const auto plausible = [&](RoughPoint rotation) {
+        const RoughPoint at = o.center * rotation + projection;
         return near(l, at, room_) && near(o, at / rotation, room_);
       };
       add(a, b, side > 0 ? level + reach : level - reach, back, plausible);
@@ -149,11 +142,11 @@ class Collector {
     const Real squares = plane::dot(e.center, e.center) + plane::dot(f.center, f.center);
     for (int side : {-1, 1}) {
       const Real reach = side > 0 ? e.radius + f.radius : e.radius - f.radius;
-      const auto plausible = [&](Rough rotation) {
-        const Rough z = r.center * rotation, way = s.center - z;
+      const auto plausible = [&](RoughPoint rotation) {
+        const RoughPoint z = r.center * rotation, way = s.center - z;
         if (std::abs(way) <= room_) return true;  // one circle on the other
         const double to = side > 0 || r.radius > s.radius ? r.radius : -r.radius;
-        const Rough at = z + way / std::abs(way) * to;
+        const RoughPoint at = z + way / std::abs(way) * to;
         return near(r, at / rotation, room_) && near(s, at, room_);
       };
       add(a, b, squares - reach * reach, false, plausible);
@@ -164,7 +157,7 @@ class Collector {
     std::vector<std::pair<double, ExactAngle>> keyed;
     for (ExactAngle& t : found_) keyed.emplace_back(exact::Angle{t, Real(0)}.degrees(), std::move(t));
     const auto order = [](const auto& p, const auto& q) {
-      if (std::abs(p.first - q.first) > kTolerance) return p.first < q.first ? -1 : 1;
+      if (std::abs(p.first - q.first) > margin::kTangencyRoom) return p.first < q.first ? -1 : 1;
       return compare(exact::Angle{p.second, Real(0)}, exact::Angle{q.second, Real(0)});
     };
     std::sort(keyed.begin(), keyed.end(), [&](const auto& p, const auto& q) { return order(p, q) < 0; });
@@ -184,7 +177,7 @@ class Collector {
 }  // namespace
 
 std::vector<ExactAngle> contact_rotations(const RotatedNet& rotating, const RotatedNet& fixed) {
-  return Collector(rotating, fixed).run();
+  return EventCollector(rotating, fixed).run();
 }
 
 }  // namespace findspace::plane

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -55,20 +57,19 @@ RotationMap middles(const RotationMap& set) {
 
 RotationLeast least_rotation(const std::function<RotationMap(const Real&)>& sign, const RotationMap& set,
                              const Real& step) {
-  constexpr double kMost = 0x1p44;
   const RotationMap closed = closure(set);
   const auto reached = [&](double level) { return has(probe(sign(Real::from_double(level) * step), closed), kOn); };
   RotationLeast out;
   double high = 1, low = -1;  // in steps
-  while (high < kMost && !reached(high)) {
+  while (high < margin::kBeyondRotatedLevels && !reached(high)) {
     low = high;
     high *= 2;
   }
-  if (high >= kMost) return out;
-  for (; low > -kMost && reached(low); low *= 2) high = low;
-  if (low <= -kMost) return out;
+  if (high >= margin::kBeyondRotatedLevels) return out;
+  for (; low > -margin::kBeyondRotatedLevels && reached(low); low *= 2) high = low;
+  if (low <= -margin::kBeyondRotatedLevels) return out;
   out.exists = true;
-  while (high - low > std::max(1.0, std::abs(high)) * 0x1p-42) {
+  while (high - low > std::max(1.0, std::abs(high)) * margin::kRotatedBracket) {
     const double middle = low + (high - low) / 2;
     (reached(middle) ? high : low) = middle;
   }

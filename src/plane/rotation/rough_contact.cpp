@@ -6,14 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
-constexpr double kTolerance = 0x1p-40;  // no sign: of the sizes; a rotated point is off by less than 2^-50 of them
-
-double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-RoughPoint rough(const RealVector& v) { return {v.x.to_double(), v.y.to_double()}; }
+RoughPoint rounded_point(const RealVector& v) { return {v.x.to_double(), v.y.to_double()}; }
 
 double square_away(RoughPoint at, RoughPoint p, RoughPoint q) {
   const RoughPoint way = q - p;
@@ -24,24 +22,24 @@ double square_away(RoughPoint at, RoughPoint p, RoughPoint q) {
 }  // namespace
 
 RoughContact::RoughContact(const RotatedNet& rotating, const RotatedNet& fixed) {
-  for (const RealVector& v : rotating.vertices) vertices_.push_back(rough(v));
+  for (const RealVector& v : rotating.vertices) vertices_.push_back(rounded_point(v));
   std::vector<char> on_edge(fixed.vertices.size(), 0);
   for (const RoughPoint& v : vertices_) reach_ = std::max(reach_, length(v));
   for (const RotatedEdge& e : fixed.edges) {
-    lines_.push_back({rough(e.p), rough(e.q), box_of(e), e.arc});
+    lines_.push_back({rounded_point(e.p), rounded_point(e.q), box_of(e), e.arc});
     reach_ = std::max({reach_, length(lines_.back().p), length(lines_.back().q)});
     on_edge[e.v0] = on_edge[e.v1] = 1;
   }
   for (Index v = 0; v < fixed.vertices.size(); ++v) {
     if (on_edge[v]) continue;
-    alone_.push_back(rough(fixed.vertices[v]));
+    alone_.push_back(rounded_point(fixed.vertices[v]));
     reach_ = std::max(reach_, length(alone_.back()));
   }
 }
 
 void RoughContact::set(const exact::ExactAngle& angle, const RealVector& shift) {
-  const RoughPoint by = rough(shift), rotation(angle.cos.to_double(), angle.sin.to_double());
-  room_ = kTolerance * (reach_ + length(by));
+  const RoughPoint by = rounded_point(shift), rotation(angle.cos.to_double(), angle.sin.to_double());
+  room_ = margin::kRotatedPoint * (reach_ + length(by));
   now_.clear();
   for (const RoughPoint& v : vertices_) now_.push_back(rotation * v + by);
 }

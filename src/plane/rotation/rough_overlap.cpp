@@ -7,14 +7,12 @@
 #include <array>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::plane {
 namespace {
 
 using Line = RoughSet::Line;
-
-double dot(RoughPoint a, RoughPoint b) { return a.real() * b.real() + a.imag() * b.imag(); }
-double cross(RoughPoint a, RoughPoint b) { return a.real() * b.imag() - a.imag() * b.real(); }
-RoughPoint rough(const RealVector& p) { return {plane::rough(p.x), plane::rough(p.y)}; }
 
 RoughPoint middle(const Line& e) {
   if (e.radius <= 0) return (e.p + e.q) / 2.0;
@@ -63,7 +61,7 @@ bool within(const Line& e, RoughPoint at, double tolerance) {
 }
 
 bool steep(RoughPoint a, RoughPoint b) {
-  return std::abs(cross(a, b)) > 1e-4 * std::abs(a) * std::abs(b);  // no sign: less steep is left to exact work
+  return std::abs(cross(a, b)) > margin::kSteepCrossing * std::abs(a) * std::abs(b);
 }
 
 bool segments_cross(const Line& e, const Line& f, double tolerance) {
@@ -79,7 +77,7 @@ bool segments_cross(const Line& e, const Line& f, double tolerance) {
 bool segment_crosses_arc(const Line& e, const Line& f, double tolerance) {
   const RoughPoint d = (e.q - e.p) / std::abs(e.q - e.p);
   const double height = cross(d, f.center - e.p), rest = f.radius * f.radius - height * height;
-  if (rest <= 1e-8 * f.radius * f.radius) return false;  // no sign: near a tangent nothing is certain
+  if (rest <= margin::kNearTangentSquare * f.radius * f.radius) return false;
   const RoughPoint projection = f.center - height * d * RoughPoint(0, 1);
   for (double side : {-1.0, 1.0}) {
     const RoughPoint at = projection + side * std::sqrt(rest) * d;
@@ -94,7 +92,7 @@ bool arcs_cross(const Line& e, const Line& f, double tolerance) {
   if (d <= tolerance) return false;
   const double along = (d * d + e.radius * e.radius - f.radius * f.radius) / (2 * d),
                rest = e.radius * e.radius - along * along;
-  if (rest <= 1e-8 * e.radius * e.radius) return false;  // no sign: as above
+  if (rest <= margin::kNearTangentSquare * e.radius * e.radius) return false;
   for (double side : {-1.0, 1.0}) {
     const RoughPoint at = e.center + way / d * RoughPoint(along, side * std::sqrt(rest));
     if (steep(at - e.center, at - f.center) && within(e, at, tolerance) && within(f, at, tolerance)) return true;

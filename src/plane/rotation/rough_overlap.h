@@ -8,17 +8,13 @@
 // collision.
 #pragma once
 
-#include <cmath>
-#include <complex>
 #include <functional>
 #include <vector>
 
 #include "plane/rotation/rotated_edges.h"
+#include "plane/rotation/rough_point.h"
 
 namespace findspace::plane {
-
-using RoughPoint = std::complex<double>;
-inline double length(RoughPoint p) { return std::sqrt(std::norm(p)); }  // coordinates are far from overflow
 
 /// The boundary of a set of faces ("inside") in doubles; inside or dangling curves as well.
 class RoughSet {

@@ -4,13 +4,6 @@
 #include "plane/sum/local_sum.h"
 
 namespace findspace::plane {
-namespace {
-
-bool in(Mark m) { return m > 0; }
-bool out(Mark m) { return m <= 0; }
-
-}  // namespace
-
 LocalSum::LocalSum(Operand a, Operand b, std::vector<GridFace> p, std::vector<GridFace> q)
     : a_(a),
       b_(b),
@@ -28,11 +21,11 @@ std::shared_ptr<const LocalSum> LocalSum::made(Operand a, Operand b) {
 }
 
 std::shared_ptr<const LocalSum> LocalSum::contact(const Region& a, const Region& b) {
-  return made({a, in}, {b, in, true});
+  return made({a, is_in}, {b, is_in, true});
 }
 
 std::shared_ptr<const LocalSum> LocalSum::containment(const Region& a, const Region& b) {
-  return made({a, out, false, false}, {b, in, true});
+  return made({a, is_out, false, false}, {b, is_in, true});
 }
 
 bool LocalSum::holds(const exact::RealPoint& p) const {

@@ -13,9 +13,6 @@
 namespace findspace::plane {
 namespace {
 
-bool in(Mark m) { return m > 0; }
-bool out(Mark m) { return m <= 0; }
-
 /// The open sum of two sets bounded by grid segments, without parts that have no interior.
 std::optional<SignMap> open_grid_sum(const Operand& a, const Operand& b) {
   auto p = a.grid();
@@ -63,16 +60,16 @@ SignMap sum_map(const Operand& a, const Operand& b) {
 
 }  // namespace
 
-SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, in}, {b, in, true}); }
+SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, is_in}, {b, is_in, true}); }
 
 SignMap containment_map(const Region& a, const Region& b) {
   // B + p leaves A where it meets the open complement; it leaves int A where it meets the closure of that.
-  Operand outside{a, out, false, false}, moving{b, in, true};
+  Operand outside{a, is_out, false, false}, moving{b, is_in, true};
   return remark(sum_map(outside, moving), [](Mark m) { return Mark(-m); });
 }
 
 Region minkowski_sum(const Region& a, const Region& b) {
-  return remark(sum_map({a, in}, {b, in}), [](Mark m) { return Mark(m <= 0); });
+  return remark(sum_map({a, is_in}, {b, is_in}), [](Mark m) { return Mark(m <= 0); });
 }
 
 Region minkowski_difference(const Region& a, const Region& b) {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "distance/planar/signed_distance.h"
+#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -40,7 +41,7 @@ double reach(const World& world, const plane::GridPoint& about) {
       most = std::max(most, std::hypot(k.x.value - double(about.x), k.y.value - double(about.y)) + k.z.hi());
     }
   }
-  return most * (1 + 0x1p-40) + 0x1p-20;  // no sign: rounded up
+  return most * margin::kUpward + margin::kUpwardSteps;
 }
 
 bool has_arcs(const World& world) {
@@ -128,7 +129,7 @@ PoseStack pose_stack(const World& world, const Formula& formula, const plane::Gr
     const Stand &p = stands[k], &q = stands[(k + 1) % n];
     const Real to = k + 1 < n ? q.slice.degrees : q.slice.degrees + Real(360), width = to - p.slice.degrees;
     if (n > 1 && width > Real(180)) continue;
-    const double half = width.to_double() * std::numbers::pi / 360 * (1 + 0x1p-40);
+    const double half = width.to_double() * std::numbers::pi / 360 * margin::kUpward;
     const double moved = roundings * std::max(p.slice.rounding.largest, q.slice.rounding.largest);
     const Real bound(std::int64_t(std::ceil(radius * half + moved)));
     out.sectors.push_back({p.slice.degrees, to, (bound * world.step).to_double(),

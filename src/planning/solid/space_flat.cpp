@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "distance/rays/ray_covers.h"
+#include "exact/number/margins.h"
 #include "space/rays/piece_rays.h"
 
 namespace findspace::planning {
@@ -86,7 +87,7 @@ class Maker {
     std::vector<HalfSpace> moved;
     for (const HalfSpace& h : planes) moved.emplace_back(h.normal, h.offset * unit - space::dot(h.normal, by));
     const space::Vector shift = space::rounded(by);
-    const double factor = unit.to_double(), tolerance = 0x1p-44 * space::size_of(shift);
+    const double factor = unit.to_double(), tolerance = margin::kPlaceNoise * space::size_of(shift);
     const space::Vector margin{tolerance, tolerance, tolerance};
     out_.covered.add({space::plus(space::scaled(factor, extent.low), shift) - margin,
                       space::plus(space::plus(space::scaled(factor, extent.high), shift), margin)},

@@ -35,9 +35,9 @@ struct Whole {
   std::optional<std::int64_t> low, high;  // none: it goes on for ever
 };
 
-class Search {
+class LineSearch {
  public:
-  Search(const LinesAsked& lines, const SpaceGoals& goals) : lines_(lines), goals_(goals), steps_(goals.all) {
+  LineSearch(const LinesAsked& lines, const SpaceGoals& goals) : lines_(lines), goals_(goals), steps_(goals.all) {
     for (const RealVector& tie : tie_forms()) steps_.push_back({tie, std::nullopt});
     for (std::size_t k = 0; k < 3; ++k) {
       if (!goals.fixed[k]) continue;
@@ -263,6 +263,6 @@ class Search {
 
 }  // namespace
 
-SpaceBest best_on_lines(const LinesAsked& lines, const SpaceGoals& goals) { return Search(lines, goals).run(); }
+SpaceBest best_on_lines(const LinesAsked& lines, const SpaceGoals& goals) { return LineSearch(lines, goals).run(); }
 
 }  // namespace findspace::planning

@@ -18,17 +18,6 @@ namespace {
 
 constexpr int kGridSteps = 2;
 
-/// What `make` gives; nothing where that is refused.
-template <class Make>
-auto unless_refused(Make make) -> std::optional<decltype(make())> {
-  try {
-    return make();
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported) throw;
-    return std::nullopt;
-  }
-}
-
 /// Whether a condition holds nowhere by itself, which one convex set tells.
 bool one_fails(const SpaceStage& stage) {
   const formula::Formula& formula = stage.formula();
@@ -39,7 +28,7 @@ bool one_fails(const SpaceStage& stage) {
   if (operands.empty()) operands = {formula.root()};
   return std::any_of(operands.begin(), operands.end(), [&](const formula::Node& n) {
     if (!is_atom(n)) return false;
-    const auto set = unless_refused([&] { return solver.feasible_convex(formula::Formula(formula.atoms()[n.atom])); });
+    const auto set = solver.feasible_convex(formula::Formula(formula.atoms()[n.atom]));
     return set && *set && space::summarize((*set)->set, (*set)->step).empty;
   });
 }
@@ -48,8 +37,10 @@ SpacePositions positions_of(const SpaceStage& stage, std::size_t angle) {
   SpacePositions out;
   out.angle = angle;
   out.formula = std::make_shared<const formula::Formula>(stage.formula());
-  out.boxes = unless_refused([&] { return formula::SpaceSolver(stage.world()).feasible(stage.formula()); });
-  if (out.boxes) return out;
+  if (auto boxes = formula::SpaceSolver(stage.world()).try_feasible(stage.formula())) {
+    out.boxes = *std::move(boxes);
+    return out;
+  }
   if (auto flat = flat_positions(stage)) {
     out.flat = std::make_shared<const FlatPositions>(std::move(*flat));
     return out;
@@ -169,7 +160,7 @@ formula::RayWindow SpacePositions::window() const {
 }
 
 space::RaySourcePointer SpacePositions::lines(const space::RayGrid& grid) const {
-  return flat ? flat->rays(grid) : formula::ray_region(*rays, *formula, grid);
+  return flat ? flat->rays(grid) : formula::ray_region(*rays, *formula, grid).rays;
 }
 
 SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit) {

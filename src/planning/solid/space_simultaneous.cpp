@@ -39,9 +39,9 @@ bool is_in(const IntervalBox& a, const IntervalBox& b) {
 }
 
 /// All that the choices leave to each body.
-class Search {
+class TogetherSearch {
  public:
-  Search(std::vector<Choice> choices, std::size_t bodies, const Limit& limit)
+  TogetherSearch(std::vector<Choice> choices, std::size_t bodies, const Limit& limit)
       : choices_(std::move(choices)), found_(bodies), limit_(limit) {}
 
   std::vector<Boxes> run() {
@@ -148,7 +148,7 @@ void take_witness(const SpaceProblem& problem, std::vector<Choice> choices, cons
     if (!best.at) return;
     poses[b] = SpacePose{0, *best.at};
     choices[b].boxes = {point_box(*best.at)};
-    left = Search(choices, found.size(), limit).run();
+    left = TogetherSearch(choices, found.size(), limit).run();
   }
   out.witness = poses;
 }
@@ -158,7 +158,7 @@ void take_witness(const SpaceProblem& problem, std::vector<Choice> choices, cons
 SpaceSimultaneous place_together_in_space(const SpaceProblem& problem, const Limit& limit) {
   require_pairs(problem);
   const std::vector<Choice> choices = choices_of(problem);
-  Search search(choices, problem.bodies.size(), limit);
+  TogetherSearch search(choices, problem.bodies.size(), limit);
   const std::vector<Boxes> found = search.run();
   SpaceSimultaneous out;
   out.witness.resize(problem.bodies.size());

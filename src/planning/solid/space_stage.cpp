@@ -46,10 +46,12 @@ SpaceShape moved(const SpaceShape& shape, const RealVector& by) {
   if (shape.boxes) out.boxes = shape.boxes->translated(by);
   const auto whole = on_grid(by);
   if (shape.body && whole) {
-    const auto make = [body = shape.body, whole] {
-      return std::make_shared<const space::Body>(translated(*body, *whole));
+    const auto make = [body = shape.body, whole]() -> exact::Tried<formula::LazyBody::Pointer> {
+      const auto made = body.try_pointer();
+      if (!made) return made;
+      return std::make_shared<const space::Body>(translated(**made, *whole));
     };
-    out.body = shape.body.made() ? formula::LazyBody(make()) : formula::LazyBody::later(make);
+    out.body = shape.body.made() ? formula::LazyBody(make().or_throw()) : formula::LazyBody::later(make);
   }
   if (shape.surfaces && whole) out.surfaces = moved(*shape.surfaces, *whole);
   if (shape.body && !whole) out.refused = "the shape stands off the grid";

@@ -8,17 +8,18 @@
 #include <numeric>
 #include <utility>
 
+#include "exact/number/margins.h"
 #include "space/body/erosion.h"
 #include "space/body/flat_core.h"
 
 namespace findspace::space {
 
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 using Kind = plane::Shape::Kind;
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::kUnsupported, what); }
 
 void append(Body& sum, const Body& more) {
   const std::int64_t scale = std::lcm(sum.scale, more.scale);
@@ -37,10 +38,11 @@ std::int64_t in_range(int128 c) {
 }
 
 /// Of parts of one radius: the hull of the cores, grown by it.
-Body hull_of(Body body) {
+Tried<Body> hull_of_cores(Body body) {
   std::vector<Point> points;
   for (const BodyPart& part : body.parts) {
-    if (part.radius != body.parts[0].radius) refuse("the hull of parts of different radii is not computed in 3D");
+    if (part.radius != body.parts[0].radius)
+      return Refusal("the hull of parts of different radii is not computed in 3D");
     points.insert(points.end(), part.vertices().begin(), part.vertices().end());
   }
   body.parts = {part_of(points, body.parts[0].radius)};
@@ -49,13 +51,15 @@ Body hull_of(Body body) {
 }
 
 /// Of a complement what is outside moves the other way.
-Body offset(Body body, const Real& by) {
+Tried<Body> offset(Body body, const Real& by) {
   const int sign = body.outside ? -by.sign() : by.sign();
   if (sign < 0) {
     const bool outside = std::exchange(body.outside, false);
-    body = eroded(body, ball(abs(by)));
-    body.outside = outside;
-  } else if (sign > 0) {
+    Tried<Body> left = eroded(body, ball(abs(by)));
+    if (left) left->outside = outside;
+    return left;
+  }
+  if (sign > 0) {
     for (BodyPart& part : body.parts) part.radius += abs(by) * Real(body.scale);
     body.around.clear();
   }
@@ -68,55 +72,76 @@ bool holds_ball(const plane::Shape& shape) {
          std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return holds_ball(*c); });
 }
 
-Body all_children(const plane::Shape& shape) {
+Tried<Body> children_in_one(const plane::Shape& shape) {
   Body sum;
   for (const plane::ShapePtr& c : shape.children) {
-    const Body part = body(*c);
-    if (part.outside) refuse("a union or hull with a complement is not computed in 3D for slanted or round shapes");
-    append(sum, part);
+    const Tried<Body> part = try_body(*c);
+    if (!part) return part;
+    if (part->outside)
+      return Refusal("a union or hull with a complement is not computed in 3D for slanted or round shapes");
+    append(sum, *part);
   }
   return sum;
 }
 
+Tried<Body> sum_of(const Body& a, const Body& b) {
+  if (a.outside || b.outside) return Refusal("a Minkowski sum with a complement is not computed in 3D");
+  return minkowski_sum(a, b);
+}
+
+/// The node over the body of its first child.
+Tried<Body> changed(const plane::Shape& shape, Body body) {
+  switch (shape.kind) {
+    case Kind::kMinkowskiSum:
+    case Kind::kMinkowskiDifference: {
+      const Tried<Body> b = try_body(*shape.children[1]);
+      if (!b) return b;
+      return shape.kind == Kind::kMinkowskiSum ? sum_of(body, *b) : eroded(body, *b);
+    }
+    case Kind::kComplement:
+      body.outside = !body.outside;
+      return body;
+    case Kind::kTranslate:
+      return translated(std::move(body), {shape.points[0].x, shape.points[0].y, shape.lift});
+    case Kind::kMirror:
+      return mirrored(std::move(body));
+    case Kind::kOffset:
+      return offset(std::move(body), shape.amount);
+    default:
+      return body;
+  }
+}
+
 /// The node, where it is not one of polytopes alone.
-Body mixed(const plane::Shape& shape) {
+Tried<Body> mixed(const plane::Shape& shape) {
   if (const Solid* solid = solid_of(shape)) {
     Body ball;
     ball.parts.push_back({std::nullopt, solid->mesh.vertices[0], solid->radius});
     return ball;
   }
-  const auto child = [&] { return body(*shape.children[0]); };
   switch (shape.kind) {
     case Kind::kUnion:
-      return all_children(shape);
-    case Kind::kHull:
-      return hull_of(all_children(shape));
-    case Kind::kMinkowskiSum: {
-      const Body a = child(), b = body(*shape.children[1]);
-      if (a.outside || b.outside) refuse("a Minkowski sum with a complement is not computed in 3D");
-      return minkowski_sum(a, b);
+      return children_in_one(shape);
+    case Kind::kHull: {
+      Tried<Body> all = children_in_one(shape);
+      return all ? hull_of_cores(*std::move(all)) : all;
     }
+    case Kind::kMinkowskiSum:
     case Kind::kMinkowskiDifference:
-      return eroded(child(), body(*shape.children[1]));
-    case Kind::kComplement: {
-      Body b = child();
-      b.outside = !b.outside;
-      return b;
-    }
+    case Kind::kComplement:
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
-      return child();
     case Kind::kTranslate:
-      return translated(child(), {shape.points[0].x, shape.points[0].y, shape.lift});
     case Kind::kMirror:
-      return mirrored(child());
-    case Kind::kOffset:
-      return offset(child(), shape.amount);
+    case Kind::kOffset: {
+      Tried<Body> child = try_body(*shape.children[0]);
+      return child ? changed(shape, *std::move(child)) : child;
+    }
     default:
       break;
   }
-  refuse("this kind of shape with round parts is no union of convex parts; state it as one");
+  return Refusal("this kind of shape with round parts is no union of convex parts; state it as one");
 }
 
 }  // namespace
@@ -152,14 +177,22 @@ Body body_of(ConvexParts parts) {
   return body;
 }
 
-Body body(const plane::Shape& shape) {
+Tried<Body> try_body(const plane::Shape& shape) {
   try {
-    return holds_ball(shape) ? mixed(shape) : body_of(convex_parts(shape));
+    if (holds_ball(shape)) {
+      Tried<Body> made = mixed(shape);
+      return made ? std::move(made) : made.refusal().at(shape.place);
+    }
+    Tried<ConvexParts> parts = try_convex_parts(shape);
+    if (!parts) return parts.refusal().at(shape.place);
+    return body_of(*std::move(parts));
   } catch (const Error& e) {
     if (shape.place.empty() || !e.place().empty()) throw;
     throw e.within(shape.place);
   }
 }
+
+Body body(const plane::Shape& shape) { return try_body(shape).or_throw(); }
 
 Body translated(Body body, const Point& t) {
   const auto by = [&](std::int64_t c, std::int64_t d) { return in_range(c + int128(d) * body.scale); };
@@ -200,15 +233,17 @@ Body at_scale(const Body& body, std::int64_t scale) {
   return out;
 }
 
-Body united(const std::vector<const Body*>& bodies) {
+Tried<Body> try_united(const std::vector<const Body*>& bodies) {
   Body sum = *bodies[0];
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     if (sum.outside || bodies[i]->outside)
-      refuse("a list with a complement is not computed in 3D for slanted or round shapes");
+      return Refusal("a list with a complement is not computed in 3D for slanted or round shapes");
     append(sum, *bodies[i]);
   }
   return sum;
 }
+
+Body united(const std::vector<const Body*>& bodies) { return try_united(bodies).or_throw(); }
 
 Body minkowski_sum(const Body& a, const Body& b) {
   Body sum;
@@ -247,7 +282,7 @@ Real support(const BodyPart& part, const RealVector& n) {
   }
   std::optional<Real> best;
   for (const Point& v : part.vertices()) {
-    if (dot(near, exact::approx(v)) < highest - 0x1p-48 * size) continue;
+    if (dot(near, exact::approx(v)) < highest - margin::kRoundings32 * size) continue;
     const Real value = dot(n, real(v));
     if (!best || *best < value) best = value;
   }

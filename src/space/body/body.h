@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/number/tried.h"
 #include "space/body/convex_parts.h"
 #include "space/polytope/real_vector.h"
 
@@ -51,17 +52,25 @@ struct Body {
   bool convex() const { return parts.size() == 1 && !outside; }
 };
 
-/// Throws Error(kUnsupported) for a node that such parts cannot represent, Error(kGeometry) for one without interior,
+/// Refuses a node that such parts cannot represent; throws Error(kGeometry) for one without interior,
 /// Error(kOutOfRange) beyond 2^40 steps.
+exact::Tried<Body> try_body(const plane::Shape& shape);
+/// The same; Error(kUnsupported) instead of a refusal.
 Body body(const plane::Shape& shape);
 Body body_of(ConvexParts parts);
 /// The same set in finer steps; `scale` is a multiple of its own.
 Body at_scale(const Body& body, std::int64_t scale);
 /// Moved by whole grid steps.
 Body translated(Body body, const Point& by);
-/// The union; all of the same scale and none `outside`.
+/// The union; a complement among several is refused.
+exact::Tried<Body> try_united(const std::vector<const Body*>& bodies);
 Body united(const std::vector<const Body*>& bodies);
 
+/// The parts themselves, whether or not it is their outside.
+inline Body inside_of(Body body) {
+  body.outside = false;
+  return body;
+}
 /// The reflection through the origin.
 Body mirrored(Body body);
 /// Part by part: cores add up, and so do radii. Neither `outside`.

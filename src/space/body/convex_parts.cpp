@@ -21,6 +21,8 @@ namespace findspace::space {
 namespace {
 
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 using Kind = plane::Shape::Kind;
 
 constexpr std::size_t kMostFaces = 100000;
@@ -52,12 +54,12 @@ ConvexRegion bounding_box(const Mesh& mesh) {
 }
 
 /// A prism over the convex parts of its polygon.
-ConvexParts prism_parts(const Solid& solid) {
+Tried<ConvexParts> prism_parts(const Solid& solid) {
   std::vector<std::vector<Point2>> rings;
   for (const plane::Contour& contour : solid.contours) {
     std::vector<Point2>& ring = rings.emplace_back();
     for (const plane::ContourEdge& edge : contour) {
-      if (edge.arc) throw Error(ErrorCode::kUnsupported, "a prism with arcs has no convex polyhedral parts");
+      if (edge.arc) return Refusal("a prism with arcs has no convex polyhedral parts");
       ring.push_back({edge.start.x, edge.start.y});
     }
   }
@@ -77,18 +79,18 @@ ConvexParts one(Polytope p) {
   return result;
 }
 
-ConvexParts solid_parts(const Solid& solid) {
+Tried<ConvexParts> solid_parts(const Solid& solid) {
   switch (solid.form) {
     case Solid::Form::kPolytope:
       return one(Polytope::hull(solid.mesh.vertices));
     case Solid::Form::kPrism:
       return prism_parts(solid);
     case Solid::Form::kMesh:
-      return convex_parts(solid.mesh);
+      return try_convex_parts(solid.mesh);
     case Solid::Form::kBall:
       break;
   }
-  throw Error(ErrorCode::kUnsupported, "a ball has no convex polyhedral parts");
+  return Refusal("a ball has no convex polyhedral parts");
 }
 
 void add(ConvexParts& sum, ConvexParts more) {
@@ -105,11 +107,15 @@ void add(ConvexParts& sum, ConvexParts more) {
 }
 
 /// As convex_parts(), but of what is left of a shape there may be nothing.
-ConvexParts made(const plane::Shape& shape);
+Tried<ConvexParts> made(const plane::Shape& shape);
 
-ConvexParts all_children(const plane::Shape& shape) {
+Tried<ConvexParts> all_children(const plane::Shape& shape) {
   ConvexParts sum;
-  for (const plane::ShapePtr& child : shape.children) add(sum, made(*child));
+  for (const plane::ShapePtr& child : shape.children) {
+    Tried<ConvexParts> part = made(*child);
+    if (!part) return part;
+    add(sum, *std::move(part));
+  }
   return sum;
 }
 
@@ -122,8 +128,13 @@ ConvexParts hull_of(ConvexParts parts) {
 }
 
 /// A sum of unions is the union of the sums of their parts.
-ConvexParts sum_of(const plane::Shape& a, const plane::Shape& b) {
-  ConvexParts p = made(a), q = made(b), result;
+Tried<ConvexParts> sum_of(const plane::Shape& a, const plane::Shape& b) {
+  const Tried<ConvexParts> first = made(a);
+  if (!first) return first;
+  const Tried<ConvexParts> second = made(b);
+  if (!second) return second;
+  const ConvexParts &p = *first, &q = *second;
+  ConvexParts result;
   result.scale = std::lcm(p.scale, q.scale);
   result.rounded = p.rounded + q.rounded;
   result.moved = std::max(p.moved, q.moved);
@@ -138,6 +149,19 @@ ConvexParts sum_of(const plane::Shape& a, const plane::Shape& b) {
     }
   }
   return result;
+}
+
+ConvexParts mirrored(ConvexParts parts) {
+  for (Polytope& p : parts.parts) p = p.mirrored();
+  enlarge(parts.around, -1);
+  return parts;
+}
+
+/// `change` takes the parts and gives those of another set.
+template <class Change>
+Tried<ConvexParts> changed(Tried<ConvexParts> parts, const Change& change) {
+  if (!parts) return parts;
+  return change(*std::move(parts));
 }
 
 ConvexParts moved_by(ConvexParts parts, const Point& t) {
@@ -157,8 +181,14 @@ ConvexParts moved_by(ConvexParts parts, const Point& t) {
   return parts;
 }
 
-ConvexParts difference_of(const plane::Shape& a, const plane::Shape& b) {
-  Body made = eroded(body_of(convex_parts(a)), body_of(convex_parts(b)));
+Tried<ConvexParts> difference_of(const plane::Shape& a, const plane::Shape& b) {
+  Tried<ConvexParts> first = try_convex_parts(a);
+  if (!first) return first;
+  Tried<ConvexParts> second = try_convex_parts(b);
+  if (!second) return second;
+  Tried<Body> left = eroded(body_of(*std::move(first)), body_of(*std::move(second)));
+  if (!left) return left.refusal();
+  Body& made = *left;
   ConvexParts result;
   for (BodyPart& part : made.parts) result.parts.push_back(*std::move(part.core));
   result.scale = made.scale;
@@ -175,33 +205,41 @@ bool lacks_boundary(const plane::Shape& shape) {
 }
 
 /// Keeps what is inside the other shape, or what is not.
-void clip(ConvexParts& kept, const plane::Shape& by, bool inside) {
+Tried<ConvexParts> clip(ConvexParts kept, const plane::Shape& by, bool inside) {
   const bool open = !inside && lacks_boundary(by);
   if (open && by.kind == Kind::kUnion) {  // walls between its sets stay
-    for (const plane::ShapePtr& child : by.children) clip(kept, *child, false);
-    return;
+    for (const plane::ShapePtr& child : by.children) {
+      Tried<ConvexParts> left = clip(std::move(kept), *child, false);
+      if (!left) return left;
+      kept = *std::move(left);
+    }
+    return kept;
   }
-  const ConvexParts other = made(by);
+  const Tried<ConvexParts> clipping = made(by);
+  if (!clipping) return clipping;
+  const ConvexParts& other = *clipping;
   const std::int64_t scale = std::lcm(kept.scale, other.scale);
   const std::vector<Polytope> a = at_scale(kept, scale), b = at_scale(other, scale);
-  ConvexParts next = parts_of_cells(inside ? intersection_cells(a, b)
-                                    : open ? outside_cells(a, b)
-                                           : difference_cells(a, b));
+  Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(a, b)
+                                           : open ? outside_cells(a, b)
+                                                  : difference_cells(a, b);
+  if (!cells) return cells.refusal();
+  ConvexParts next = parts_of_cells(*std::move(cells));
   next.scale *= scale;
   next.rounded += kept.rounded + other.rounded;
   next.moved = std::max({next.moved / static_cast<double>(scale), kept.moved, other.moved});
-  kept = std::move(next);
+  return next;
 }
 
 /// a n b n .., or the closure of a without the others.
-ConvexParts clipped(const plane::Shape& shape) {
-  ConvexParts result = made(*shape.children[0]);
-  for (std::size_t i = 1; i < shape.children.size(); ++i)
-    clip(result, *shape.children[i], shape.kind == Kind::kIntersection);
+Tried<ConvexParts> clipped(const plane::Shape& shape) {
+  Tried<ConvexParts> result = made(*shape.children[0]);
+  for (std::size_t i = 1; result && i < shape.children.size(); ++i)
+    result = clip(*std::move(result), *shape.children[i], shape.kind == Kind::kIntersection);
   return result;
 }
 
-ConvexParts node_parts(const plane::Shape& shape) {
+Tried<ConvexParts> node_parts(const plane::Shape& shape) {
   if (const Solid* solid = solid_of(shape)) return solid_parts(*solid);
   switch (shape.kind) {
     case Kind::kUnion:
@@ -214,29 +252,27 @@ ConvexParts node_parts(const plane::Shape& shape) {
     case Kind::kClosure:
       return made(*shape.children[0]);
     case Kind::kHull:
-      return hull_of(all_children(shape));
+      return changed(all_children(shape), hull_of);
     case Kind::kMinkowskiSum:
       return sum_of(*shape.children[0], *shape.children[1]);
     case Kind::kMinkowskiDifference:
       return difference_of(*shape.children[0], *shape.children[1]);
-    case Kind::kMirror: {
-      ConvexParts parts = made(*shape.children[0]);
-      for (Polytope& p : parts.parts) p = p.mirrored();
-      enlarge(parts.around, -1);
-      return parts;
-    }
+    case Kind::kMirror:
+      return changed(made(*shape.children[0]), mirrored);
     case Kind::kTranslate:
-      return moved_by(made(*shape.children[0]), {shape.points[0].x, shape.points[0].y, shape.lift});
+      return changed(made(*shape.children[0]), [&](ConvexParts parts) {
+        return moved_by(std::move(parts), {shape.points[0].x, shape.points[0].y, shape.lift});
+      });
     default:
       break;
   }
-  throw Error(ErrorCode::kUnsupported,
-              "this kind of shape has no convex polyhedral parts; state it as a union of polytopes");
+  return Refusal("this kind of shape has no convex polyhedral parts; state it as a union of polytopes");
 }
 
-ConvexParts made(const plane::Shape& shape) {
+Tried<ConvexParts> made(const plane::Shape& shape) {
   try {
-    return node_parts(shape);
+    Tried<ConvexParts> parts = node_parts(shape);
+    return parts ? std::move(parts) : parts.refusal().at(shape.place);
   } catch (const Error& e) {
     if (shape.place.empty() || !e.place().empty()) throw;
     throw e.within(shape.place);
@@ -245,11 +281,11 @@ ConvexParts made(const plane::Shape& shape) {
 
 }  // namespace
 
-ConvexParts convex_parts(const Mesh& mesh) {
+Tried<ConvexParts> try_convex_parts(const Mesh& mesh) {
   if (is_convex(mesh)) return one(Polytope::hull(mesh.vertices));
   if (mesh.faces.size() > kMostFaces) {
-    throw Error(ErrorCode::kUnsupported, "a non-convex mesh of " + std::to_string(mesh.faces.size()) +
-                                             " faces is not cut into convex parts; state it as a union of polytopes");
+    return Refusal("a non-convex mesh of " + std::to_string(mesh.faces.size()) +
+                   " faces is not cut into convex parts; state it as a union of polytopes");
   }
   std::vector<FacetPiece> facets;
   for (const auto& face : mesh.faces) {
@@ -266,12 +302,15 @@ ConvexParts convex_parts(const Mesh& mesh) {
   return parts;
 }
 
-ConvexParts convex_parts(const plane::Shape& shape) {
-  ConvexParts parts = made(shape);
-  if (parts.parts.empty())
-    throw Error(ErrorCode::kUnsupported, "nothing with interior is left of the shape", shape.place);
+Tried<ConvexParts> try_convex_parts(const plane::Shape& shape) {
+  Tried<ConvexParts> parts = made(shape);
+  if (parts && parts->parts.empty()) return Refusal("nothing with interior is left of the shape", shape.place);
   return parts;
 }
+
+ConvexParts convex_parts(const Mesh& mesh) { return try_convex_parts(mesh).or_throw(); }
+
+ConvexParts convex_parts(const plane::Shape& shape) { return try_convex_parts(shape).or_throw(); }
 
 std::vector<Polytope> at_scale(const ConvexParts& parts, std::int64_t scale) {
   const std::int64_t factor = scale / parts.scale;

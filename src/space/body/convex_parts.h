@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/number/tried.h"
 #include "space/polytope/solid.h"
 #include "space/polytope/surroundings.h"
 
@@ -31,11 +32,13 @@ struct ConvexParts {
 
 /// Of a clean mesh. Throws Error(kUnsupported) for non-convex meshes of more than 100,000 faces.
 ConvexParts convex_parts(const Mesh& mesh);
+exact::Tried<ConvexParts> try_convex_parts(const Mesh& mesh);
 
 /// Of a 3D shape tree: polytope, box, prism, mesh, and union, intersection, difference, interior, closure, regularize,
 /// translate, mirror, hull and minkowski_sum of such: the closure of the set, for interior and difference. Throws
 /// Error(kUnsupported) for a node that has no convex polyhedral parts, Error(kGeometry) for flat ones.
 ConvexParts convex_parts(const plane::Shape& shape);
+exact::Tried<ConvexParts> try_convex_parts(const plane::Shape& shape);
 
 /// The same parts at a scale that is a multiple of theirs.
 std::vector<Polytope> at_scale(const ConvexParts& parts, std::int64_t scale);

@@ -10,6 +10,8 @@
 namespace findspace::space {
 
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 
 namespace {
 
@@ -51,13 +53,16 @@ bool bulky(const CsgPart& part) {
   return box.low[0] < box.high[0] && box.low[1] < box.high[1] && box.low[2] < box.high[2];
 }
 
-void keep(CsgPart part, std::vector<CsgPart>& out) {
-  if (!bulky(part)) return;
+Refusal too_many() { return Refusal("shapes cut by round ones into more than 10,000 parts are not computed"); }
+
+/// False where there are too many already.
+bool keep(CsgPart part, std::vector<CsgPart>& out) {
+  if (!bulky(part)) return true;
   const Bounds3 box = bounds(part);
   std::erase_if(part.without, [&](const BodyPart& o) { return !meet(bounds(one(o)), box); });
-  if (out.size() == kMostParts)
-    throw Error(ErrorCode::kUnsupported, "shapes cut by round ones into more than 10,000 parts are not computed");
+  if (out.size() == kMostParts) return false;
   out.push_back(std::move(part));
+  return true;
 }
 
 std::pair<CsgSolid, CsgSolid> together(const CsgSolid& a, const CsgSolid& b) {
@@ -66,21 +71,30 @@ std::pair<CsgSolid, CsgSolid> together(const CsgSolid& a, const CsgSolid& b) {
 }
 
 /// x less y: where x leaves one of the sets that y lies within, or is in one that y lies without.
-std::vector<CsgPart> less(const std::vector<CsgPart>& all, const CsgPart& y) {
+Tried<std::vector<CsgPart>> less(const std::vector<CsgPart>& all, const CsgPart& y) {
   std::vector<CsgPart> out;
   for (const CsgPart& x : all) {
     for (const BodyPart& p : y.within) {
       CsgPart part = x;
       part.without.push_back(p);
-      keep(std::move(part), out);
+      if (!keep(std::move(part), out)) return too_many();
     }
     for (const BodyPart& p : y.without) {
       CsgPart part = x;
       part.within.push_back(p);
-      keep(std::move(part), out);
+      if (!keep(std::move(part), out)) return too_many();
     }
   }
   return out;
+}
+
+Tried<std::vector<CsgPart>> less(std::vector<CsgPart> all, const std::vector<CsgPart>& others) {
+  Tried<std::vector<CsgPart>> left = std::move(all);
+  for (const CsgPart& y : others) {
+    left = less(*left, y);
+    if (!left) break;
+  }
+  return left;
 }
 
 }  // namespace
@@ -102,7 +116,7 @@ CsgSolid united(const CsgSolid& first, const CsgSolid& second) {
 }
 
 // The second form is kept where both have it.
-CsgSolid common(const CsgSolid& first, const CsgSolid& second) {
+Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second) {
   const auto [a, b] = together(first, second);
   CsgSolid out;
   out.scale = a.scale;
@@ -111,7 +125,7 @@ CsgSolid common(const CsgSolid& first, const CsgSolid& second) {
       CsgPart part = x;
       part.within.insert(part.within.end(), y.within.begin(), y.within.end());
       part.without.insert(part.without.end(), y.without.begin(), y.without.end());
-      keep(std::move(part), out.parts);
+      if (!keep(std::move(part), out.parts)) return too_many();
     }
   }
   if (a.containers.empty() || b.containers.empty()) return out;
@@ -122,9 +136,12 @@ CsgSolid common(const CsgSolid& first, const CsgSolid& second) {
   return out;
 }
 
-CsgSolid less(const CsgSolid& first, const CsgSolid& second) {
+Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second) {
   auto [a, b] = together(first, second);
-  for (const CsgPart& part : b.parts) a.parts = less(a.parts, part);
+  if (auto left = less(std::move(a.parts), b.parts))
+    a.parts = *std::move(left);
+  else
+    return left.refusal();
   const bool whole = b.containers.size() == 1 && b.obstacles.empty();
   if (whole && !a.containers.empty())
     a.obstacles.push_back(std::move(b.containers[0]));
@@ -143,14 +160,17 @@ CsgSolid mirrored(const CsgSolid& body) {
   return changed(body, body.scale, [](Body b) { return mirrored(std::move(b)); });
 }
 
-CsgSolid left_in_box(const CsgSolid& body, const Point& low, const Point& high) {
+Tried<CsgSolid> left_in_box(const CsgSolid& body, const Point& low, const Point& high) {
   std::vector<Point> corners;
   for (int i = 0; i < 8; ++i)
     corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
   CsgSolid out;
   out.scale = body.scale;
   out.parts.push_back({{part_of(corners, Real())}, {}});
-  for (const CsgPart& part : body.parts) out.parts = less(out.parts, part);
+  if (auto left = less(std::move(out.parts), body.parts))
+    out.parts = *std::move(left);
+  else
+    return left.refusal();
   return out;
 }
 

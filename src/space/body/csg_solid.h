@@ -30,23 +30,24 @@ struct CsgSolid {
   std::int64_t scale = 1;  // coordinates and radii are in steps / scale
 };
 
-/// Throws Error(kUnsupported) as body() for nodes that have neither form or hold nothing round, and beyond 10,000
-/// parts.
+/// Refuses as try_body() nodes that have neither form or hold nothing round, and more than 10,000 parts.
+exact::Tried<CsgSolid> try_csg_solid(const plane::Shape& shape);
 CsgSolid csg_solid(const plane::Shape& shape);
 /// Of a minkowski_difference or an offset by a negative amount, also where it is a body: of a shape with flat faces the
 /// plain set, sheets and single points included.
-CsgSolid cut_erosion(const plane::Shape& shape);
+exact::Tried<CsgSolid> cut_erosion(const plane::Shape& shape);
 /// A bounded body in that form.
 CsgSolid uncut(Body body);
 /// The union; it has no containers.
 CsgSolid united(const CsgSolid& first, const CsgSolid& second);
-CsgSolid common(const CsgSolid& first, const CsgSolid& second);
-/// The first less the second.
-CsgSolid less(const CsgSolid& first, const CsgSolid& second);
+/// What both have in common; more than 10,000 parts are refused.
+exact::Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second);
+/// The first less the second; more than 10,000 parts are refused.
+exact::Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second);
 CsgSolid translated(const CsgSolid& body, const Point& by);
 CsgSolid mirrored(const CsgSolid& body);
-/// What the solid leaves of a box; without containers.
-CsgSolid left_in_box(const CsgSolid& body, const Point& low, const Point& high);
+/// What the solid leaves of a box; without containers. More than 10,000 parts are refused.
+exact::Tried<CsgSolid> left_in_box(const CsgSolid& body, const Point& low, const Point& high);
 /// The same set in finer steps; `scale` is a multiple of its own.
 CsgSolid at_scale(const CsgSolid& body, std::int64_t scale);
 

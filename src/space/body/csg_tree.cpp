@@ -11,6 +11,8 @@
 
 namespace findspace::space {
 
+using exact::Refusal;
+using exact::Tried;
 using Kind = plane::Shape::Kind;
 
 namespace {
@@ -18,7 +20,7 @@ namespace {
 /// The first child less the others, or what all have in common; `kept` and `taken` make those that count and those that
 /// are taken away.
 template <class Kept, class Taken>
-CsgSolid clipped(const plane::Shape& shape, Kept&& kept, Taken&& taken) {
+Tried<CsgSolid> clipped(const plane::Shape& shape, Kept&& kept, Taken&& taken) {
   const bool differs = shape.kind == Kind::kDifference;
   std::optional<CsgSolid> out;
   std::vector<const plane::Shape*> away;
@@ -28,37 +30,71 @@ CsgSolid clipped(const plane::Shape& shape, Kept&& kept, Taken&& taken) {
     } else if (!differs && c->kind == Kind::kComplement) {
       away.push_back(c->children[0].get());
     } else {
-      CsgSolid next = kept(*c);
-      out = out ? common(*out, next) : std::move(next);
+      Tried<CsgSolid> next = kept(*c);
+      if (next && out) next = common(*out, *next);
+      if (!next) return next;
+      out = *std::move(next);
     }
   }
-  if (!out) throw Error(ErrorCode::kUnsupported, "an intersection of complements is not computed in 3D", shape.place);
-  for (const plane::Shape* c : away) out = less(*out, taken(*c));
+  if (!out) return Refusal("an intersection of complements is not computed in 3D", shape.place);
+  for (const plane::Shape* c : away) {
+    const Tried<CsgSolid> other = taken(*c);
+    if (!other) return other;
+    Tried<CsgSolid> left = less(*out, *other);
+    if (!left) return left;
+    out = *std::move(left);
+  }
   return *std::move(out);
 }
 
 /// By the translation or reflection that the node is.
-CsgSolid displaced(const CsgSolid& child, const plane::Shape& shape) {
-  if (shape.kind == Kind::kMirror) return mirrored(child);
-  return translated(child, {shape.points[0].x, shape.points[0].y, shape.lift});
+Tried<CsgSolid> displaced(const Tried<CsgSolid>& child, const plane::Shape& shape) {
+  if (!child) return child;
+  if (shape.kind == Kind::kMirror) return mirrored(*child);
+  return translated(*child, {shape.points[0].x, shape.points[0].y, shape.lift});
 }
 
-CsgSolid of_erosion(const Erosion& made) {
+Tried<CsgSolid> of_erosion(const Erosion& made) {
   CsgSolid out = uncut(made.containers[0]);
-  for (std::size_t k = 1; k < made.containers.size(); ++k) out = common(out, uncut(made.containers[k]));
-  return made.obstacles ? less(out, uncut(*made.obstacles)) : out;
+  for (std::size_t k = 1; k < made.containers.size(); ++k) {
+    Tried<CsgSolid> next = common(out, uncut(made.containers[k]));
+    if (!next) return next;
+    out = *std::move(next);
+  }
+  if (!made.obstacles) return out;
+  return less(out, uncut(*made.obstacles));
+}
+
+/// A body, no complement.
+Tried<Body> bounded_body(const plane::Shape& shape) {
+  Tried<Body> made = try_body(shape);
+  if (made && made->outside) return Refusal("a complement of this kind is not computed in 3D", shape.place);
+  return made;
+}
+
+Tried<CsgSolid> eroded(const plane::Shape& shape, const Body& b);
+
+/// The shape's Minkowski difference by the sum of another shape and b.
+Tried<CsgSolid> eroded(const plane::Shape& shape, const plane::Shape& other, const Body& b) {
+  const Tried<Body> by = try_body(other);
+  if (!by) return by.refusal();
+  return eroded(shape, minkowski_sum(*by, b));
 }
 
 /// The shape's Minkowski difference by b: what several shapes have in common is shrunk one by one, what is taken away
 /// grows.
-CsgSolid eroded(const plane::Shape& shape, const Body& b) {
+Tried<CsgSolid> eroded(const plane::Shape& shape, const Body& b) {
   const auto& child = shape.children;
+  const auto grown = [&](const plane::Shape& c) -> Tried<CsgSolid> {
+    const Tried<Body> away = try_body(c);
+    if (!away) return away.refusal();
+    return uncut(minkowski_sum(*away, b));
+  };
   switch (shape.kind) {
     case Kind::kIntersection:
     case Kind::kDifference:
       return clipped(
-          shape, [&](const plane::Shape& c) { return eroded(c, b); },
-          [&](const plane::Shape& c) { return uncut(minkowski_sum(body(c), b)); });
+          shape, [&](const plane::Shape& c) { return eroded(c, b); }, grown);
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
@@ -68,37 +104,45 @@ CsgSolid eroded(const plane::Shape& shape, const Body& b) {
     case Kind::kMirror:
       return displaced(eroded(*child[0], mirrored(b)), shape);
     case Kind::kMinkowskiDifference:
-      return eroded(*child[0], minkowski_sum(body(*child[1]), b));
+      return eroded(*child[0], *child[1], b);
     case Kind::kOffset:
       if (shape.amount.sign() < 0) return eroded(*child[0], minkowski_sum(ball(-shape.amount), b));
       break;
     default:
       break;
   }
-  const Body whole = body(shape);
-  if (whole.outside)
-    throw Error(ErrorCode::kUnsupported, "a complement of this kind is not computed in 3D", shape.place);
-  return of_erosion(erosion(whole, b));
+  const Tried<Body> whole = bounded_body(shape);
+  if (!whole) return whole.refusal();
+  const Tried<Erosion> made = erosion(*whole, b);
+  if (!made) return made.refusal();
+  return of_erosion(*made);
 }
 
-CsgSolid node(const plane::Shape& shape) {
+Tried<CsgSolid> union_of(const plane::Shape& shape) {
+  Tried<CsgSolid> out = try_csg_solid(*shape.children[0]);
+  for (std::size_t k = 1; out && k < shape.children.size(); ++k) {
+    Tried<CsgSolid> next = try_csg_solid(*shape.children[k]);
+    if (!next) return next;
+    out = united(*out, *next);
+  }
+  return out;
+}
+
+Tried<CsgSolid> node(const plane::Shape& shape) {
   const auto& children = shape.children;
   switch (shape.kind) {
-    case Kind::kUnion: {
-      CsgSolid out = csg_solid(*children[0]);
-      for (std::size_t k = 1; k < children.size(); ++k) out = united(out, csg_solid(*children[k]));
-      return out;
-    }
+    case Kind::kUnion:
+      return union_of(shape);
     case Kind::kDifference:
     case Kind::kIntersection:
-      return clipped(shape, csg_solid, csg_solid);
+      return clipped(shape, try_csg_solid, try_csg_solid);
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
-      return csg_solid(*children[0]);
+      return try_csg_solid(*children[0]);
     case Kind::kTranslate:
     case Kind::kMirror:
-      return displaced(csg_solid(*children[0]), shape);
+      return displaced(try_csg_solid(*children[0]), shape);
     case Kind::kMinkowskiDifference:
       return cut_erosion(shape);
     case Kind::kOffset:
@@ -107,7 +151,9 @@ CsgSolid node(const plane::Shape& shape) {
     default:
       break;
   }
-  return uncut(body(shape));  // which says why not
+  const Tried<Body> made = try_body(shape);
+  if (!made) return made.refusal();
+  return uncut(*made);
 }
 
 bool is_round(const plane::Shape& shape) {
@@ -127,21 +173,21 @@ bool is_cut(const plane::Shape& shape) {
 
 }  // namespace
 
-CsgSolid csg_solid(const plane::Shape& shape) {
-  try {
-    Body made = body(shape);
-    if (made.outside)
-      throw Error(ErrorCode::kUnsupported, "a complement of this kind is not computed in 3D", shape.place);
-    return uncut(std::move(made));
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kUnsupported || !is_cut(shape) || !is_round(shape)) throw;
-  }
+// As a body, else node by node where something round is cut out of it.
+Tried<CsgSolid> try_csg_solid(const plane::Shape& shape) {
+  Tried<Body> made = bounded_body(shape);
+  if (made) return uncut(*std::move(made));
+  if (!is_cut(shape) || !is_round(shape)) return made.refusal();
   return node(shape);
 }
 
-CsgSolid cut_erosion(const plane::Shape& shape) {
+CsgSolid csg_solid(const plane::Shape& shape) { return try_csg_solid(shape).or_throw(); }
+
+Tried<CsgSolid> cut_erosion(const plane::Shape& shape) {
   try {
-    return eroded(*shape.children[0], shape.kind == Kind::kOffset ? ball(-shape.amount) : body(*shape.children[1]));
+    const Tried<Body> by = shape.kind == Kind::kOffset ? ball(-shape.amount) : try_body(*shape.children[1]);
+    Tried<CsgSolid> out = by ? eroded(*shape.children[0], *by) : by.refusal();
+    return out ? std::move(out) : out.refusal().at(shape.place);
   } catch (const Error& e) {
     throw shape.place.empty() || !e.place().empty() ? e : e.within(shape.place);
   }

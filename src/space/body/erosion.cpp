@@ -14,6 +14,8 @@
 namespace findspace::space {
 
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 
 namespace {
 
@@ -67,17 +69,17 @@ std::vector<Body> containers(const BodyPart& a, const Body& b) {
 }
 
 /// Of polytopes: the box about them, and the cells outside it that are kept out.
-Erosion of_union(const Body& a, const Body& b) {
+Tried<Erosion> of_union(const Body& a, const Body& b) {
   const auto round = [](const BodyPart& p) { return p.radius.sign() > 0; };
   if (std::any_of(a.parts.begin(), a.parts.end(), round))
-    throw Error(ErrorCode::kUnsupported, "a union with round parts is not shrunk in 3D");
+    return Refusal("a union with round parts is not shrunk in 3D");
   std::vector<std::vector<RealVector>> corners;
   for (OutsideCell& cell : outside_cells(a)) {
     if (cell.bounded()) corners.push_back(std::move(cell.vertices));
   }
   std::optional<ConvexRegion> within = box_of(bounds(a), b);
   if (!within) nothing_left();
-  return {{body_of(parts_of_cells({*std::move(within)}))}, minkowski_sum(body_of(parts_of_corners(corners)), b)};
+  return Erosion{{body_of(parts_of_cells({*std::move(within)}))}, minkowski_sum(body_of(parts_of_corners(corners)), b)};
 }
 
 Body at(Body body, std::int64_t scale) {
@@ -88,9 +90,8 @@ Body at(Body body, std::int64_t scale) {
 
 }  // namespace
 
-Erosion erosion(const Body& a, const Body& b) {
-  if (b.outside)
-    throw Error(ErrorCode::kUnsupported, "a Minkowski difference by a complement is empty or all of space");
+Tried<Erosion> erosion(const Body& a, const Body& b) {
+  if (b.outside) return Refusal("a Minkowski difference by a complement is empty or all of space");
   const std::int64_t scale = std::lcm(a.scale, b.scale);
   Body p = at_scale(a, scale), q = at_scale(b, scale);
   p.scale = q.scale = 1;  // finer steps from here on
@@ -98,49 +99,59 @@ Erosion erosion(const Body& a, const Body& b) {
     p.outside = false;
     Body sum = minkowski_sum(p, q);
     sum.outside = true;
-    return {{at(std::move(sum), scale)}};
+    return Erosion{{at(std::move(sum), scale)}};
   }
-  Erosion out = p.parts.size() == 1 ? Erosion{containers(p.parts[0], q)} : of_union(p, q);
-  for (Body& tolerance : out.containers) {
+  Tried<Erosion> out = p.parts.size() == 1 ? Erosion{containers(p.parts[0], q)} : of_union(p, q);
+  if (!out) return out;
+  for (Body& tolerance : out->containers) {
     tolerance = at(std::move(tolerance), scale);
     tolerance.rounded += a.rounded + b.rounded;
     tolerance.moved = std::max({tolerance.moved, a.moved, b.moved});
   }
-  if (out.obstacles) out.obstacles = at(*std::move(out.obstacles), scale);
+  if (out->obstacles) out->obstacles = at(*std::move(out->obstacles), scale);
   return out;
 }
 
 namespace {
 
 /// At the common scale of two bodies without radii.
-std::vector<Polytope> polytopes(const Body& body, std::int64_t scale) {
+Tried<std::vector<Polytope>> polytopes(const Body& body, std::int64_t scale) {
   std::vector<Polytope> out;
   for (const BodyPart& part : at_scale(body, scale).parts) {
-    if (part.radius.sign() > 0 || !part.core)
-      throw Error(ErrorCode::kUnsupported, "what is left of this shape is no union of convex parts");
+    if (part.radius.sign() > 0 || !part.core) return Refusal("what is left of this shape is no union of convex parts");
     out.push_back(*part.core);
   }
   return out;
 }
 
+/// What both bodies have in common, or what is left of the first one.
+Tried<Body> cut(const Body& body, const Body& by, bool inside) {
+  const std::int64_t scale = std::lcm(body.scale, by.scale);
+  const Tried<std::vector<Polytope>> p = polytopes(body, scale), q = polytopes(by, scale);
+  if (!p) return p.refusal();
+  if (!q) return q.refusal();
+  Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(*p, *q) : difference_cells(*p, *q);
+  if (!cells) return cells.refusal();
+  Body next = at(body_of(parts_of_cells(*std::move(cells))), scale);
+  if (next.parts.empty()) nothing_left();
+  next.rounded += body.rounded + by.rounded;
+  next.moved = std::max({next.moved, body.moved, by.moved});
+  return next;
+}
+
 }  // namespace
 
-Body eroded(const Body& a, const Body& b) {
-  Erosion made = erosion(a, b);
-  Body out = std::move(made.containers[0]);
-  if (made.containers.size() == 1 && (!made.obstacles || made.obstacles->parts.empty())) return out;
-  const auto cut = [&](const Body& by, bool inside) {
-    const std::int64_t scale = std::lcm(out.scale, by.scale);
-    const std::vector<Polytope> p = polytopes(out, scale), q = polytopes(by, scale);
-    Body next = at(body_of(parts_of_cells(inside ? intersection_cells(p, q) : difference_cells(p, q))), scale);
-    if (next.parts.empty()) nothing_left();
-    next.rounded += out.rounded + by.rounded;
-    next.moved = std::max({next.moved, out.moved, by.moved});
-    out = std::move(next);
-  };
-  for (std::size_t k = 1; k < made.containers.size(); ++k) cut(made.containers[k], true);
-  if (made.obstacles) cut(*made.obstacles, false);
-  return out;
+Tried<Body> eroded(const Body& a, const Body& b) {
+  Tried<Erosion> made = erosion(a, b);
+  if (!made) return made.refusal();
+  Body out = std::move(made->containers[0]);
+  if (made->containers.size() == 1 && (!made->obstacles || made->obstacles->parts.empty())) return out;
+  for (std::size_t k = 1; k < made->containers.size(); ++k) {
+    Tried<Body> next = cut(out, made->containers[k], true);
+    if (!next) return next;
+    out = *std::move(next);
+  }
+  return made->obstacles ? cut(out, *made->obstacles, false) : out;
 }
 
 Body ball(const Real& radius) { return of_part({std::nullopt, {}, radius, {}}); }

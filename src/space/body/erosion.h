@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "exact/number/tried.h"
 #include "space/body/body.h"
 
 namespace findspace::space {
@@ -21,12 +22,12 @@ struct Erosion {
   std::optional<Body> obstacles{};
 };
 
-/// Of a complement a complement, as the only tolerance. Throws Error(kUnsupported) for a union with round parts as a, a
-/// complement as b, Error(kGeometry) if nothing with interior is left of a tolerance.
-Erosion erosion(const Body& a, const Body& b);
+/// Of a complement a complement, as the only tolerance. Refuses a union with round parts as a, a complement as b;
+/// throws Error(kGeometry) if nothing with interior is left of a tolerance.
+exact::Tried<Erosion> erosion(const Body& a, const Body& b);
 
-/// The closure of its interior as a body. Throws Error(kUnsupported) where no union of convex parts is one, besides.
-Body eroded(const Body& a, const Body& b);
+/// The closure of its interior as a body. Refuses, besides, where no union of convex parts is one.
+exact::Tried<Body> eroded(const Body& a, const Body& b);
 
 /// A ball about the origin, in grid steps.
 Body ball(const exact::Real& radius);

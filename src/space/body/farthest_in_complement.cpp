@@ -13,15 +13,15 @@ namespace findspace::space {
 
 namespace {
 
-struct Piece {
+struct FarthestPiece {
   ConvexRegion region;
   double distance = 0;
   int farthest = 0;
-  bool operator<(const Piece& other) const { return distance < other.distance; }
+  bool operator<(const FarthestPiece& other) const { return distance < other.distance; }
 };
 
-Piece piece_of(ConvexRegion region, const Vector& p) {
-  Piece piece{std::move(region), -1, 0};
+FarthestPiece piece_of(ConvexRegion region, const Vector& p) {
+  FarthestPiece piece{std::move(region), -1, 0};
   for (int v = 0; v < static_cast<int>(piece.region.vertices().size()); ++v) {
     const double d = length(piece.region.vertices()[v].near - p);
     if (d > piece.distance) {
@@ -40,10 +40,10 @@ std::optional<RealVector> farthest_in_complement(const OpenUnion& cover, const R
     if (high[k] < low[k]) return std::nullopt;
   }
   const Vector near = space::rounded(p);
-  std::priority_queue<Piece> queue;
+  std::priority_queue<FarthestPiece> queue;
   queue.push(piece_of(ConvexRegion(low, high), near));
   while (!queue.empty()) {
-    Piece top = queue.top();
+    FarthestPiece top = queue.top();
     queue.pop();
     const RealVector& v = top.region.vertices()[top.farthest].at;
     const int part = cover.covering(v);

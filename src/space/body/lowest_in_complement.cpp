@@ -19,11 +19,11 @@ int compare_keys(const Key& a, const Key& b) {
   return 0;
 }
 
-struct Piece {
+struct LowestPiece {
   ConvexRegion region;
   std::size_t lowest = 0;
   Key key;
-  bool operator<(const Piece& other) const { return compare_keys(key, other.key) > 0; }  // the least is on top
+  bool operator<(const LowestPiece& other) const { return compare_keys(key, other.key) > 0; }  // the least is on top
 };
 
 Key key_of(const RealVector& p, std::span<const RealVector> forms) {
@@ -32,8 +32,8 @@ Key key_of(const RealVector& p, std::span<const RealVector> forms) {
   return key;
 }
 
-Piece piece_of(ConvexRegion region, std::span<const RealVector> forms) {
-  Piece piece{std::move(region), 0, {}};
+LowestPiece piece_of(ConvexRegion region, std::span<const RealVector> forms) {
+  LowestPiece piece{std::move(region), 0, {}};
   const auto vertices = piece.region.vertices();
   piece.key = key_of(vertices[0].at, forms);
   for (std::size_t v = 1; v < vertices.size(); ++v) {
@@ -50,10 +50,10 @@ Piece piece_of(ConvexRegion region, std::span<const RealVector> forms) {
 
 std::optional<RealVector> lowest_in_complement(const OpenUnion& cover, const ConvexRegion& within,
                                                std::span<const RealVector> forms) {
-  std::priority_queue<Piece> queue;
+  std::priority_queue<LowestPiece> queue;
   if (!within.empty()) queue.push(piece_of(within, forms));
   while (!queue.empty()) {
-    Piece top = queue.top();
+    LowestPiece top = queue.top();
     queue.pop();
     const RealVector& lowest = top.region.vertices()[top.lowest].at;
     const int set = cover.covering(lowest);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "exact/number/margins.h"
 #include "space/body/projection_search.h"
 
 namespace findspace::space {
@@ -39,7 +40,7 @@ const ExtentTree& OpenUnion::tree() const {
 
 int OpenUnion::covering(const RealVector& p) const {
   const Vector near = space::rounded(p);
-  const double tolerance = 0x1p-40 * size_of(near);
+  const double tolerance = margin::kWiderBox * size_of(near);
   int found = -1;
   tree().each([&](const Extent& e) { return found < 0 && e.holds(near, tolerance); },
               [&](std::size_t k) {
@@ -56,7 +57,7 @@ std::optional<RealVector> OpenUnion::nearest_in_complement(const RealVector& p) 
 
 std::optional<RealVector> OpenUnion::nearest_touching(const RealVector& p) const {
   const Vector near = space::rounded(p);
-  const double slack = 0x1p-40 * size_of(near);
+  const double slack = margin::kWiderBox * size_of(near);
   std::optional<RealVector> best;
   std::optional<Real> least;
   double bound = std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "exact/number/margins.h"
 #include "space/phi/contact_surface.h"
 
 namespace findspace::space {
@@ -35,7 +36,7 @@ bool selects_edge(const Vector& n, std::span<const Vector> points) {
     size = std::max(size, size_of(v));
   }
   return std::count_if(points.begin(), points.end(),
-                       [&](const Vector& v) { return dot(n, v) >= top - 0x1p-36 * size; }) > 1;
+                       [&](const Vector& v) { return dot(n, v) >= top - margin::kAsHigh * size; }) > 1;
 }
 
 /// Whether, by doubles, neither normal to the two edges selects an edge of both: so of most pairs.
@@ -43,7 +44,7 @@ bool selects_no_edges(const Vector& d, const Vector& e, std::span<const Vector> 
   const Vector n{d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x};
   const double size = length(n);
   // Else the direction of n is not known well enough for the tolerance that selects_edge() leaves.
-  if (!(size > 0x1p-10 * length(d) * length(e))) return false;
+  if (!(size > margin::kKnownDirection * length(d) * length(e))) return false;
   const Vector unit = scaled(1 / size, n), back = scaled(-1 / size, n);
   return !(selects_edge(unit, a) && selects_edge(unit, b)) && !(selects_edge(back, a) && selects_edge(back, b));
 }
@@ -120,7 +121,7 @@ std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b
       for (const RealVector& m : {n, negated(n)}) {
         const Vector near = space::rounded(m), unit = scaled(1 / length(near), near);
         const bool listed = std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& g) {
-          return dot(g.unit, unit) > 1 - 0x1p-30 && is_zero(cross(g.normal, m));
+          return dot(g.unit, unit) > 1 - margin::kSameDirection && is_zero(cross(g.normal, m));
         });
         if (!listed && selects_edge(unit, points_a) && selects_edge(unit, points_b)) add(m);
       }

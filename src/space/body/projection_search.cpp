@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 
 using exact::Real;
 
 namespace {
-
-/// Below this determinant of a Gram matrix of unit normals, planes may be parallel: exact arithmetic takes over.
-constexpr double kThin = 0x1p-30;
 
 double determinant(const std::array<std::array<double, 3>, 3>& g, int n) {
   if (n == 1) return g[0][0];
@@ -50,7 +49,7 @@ ProjectionSearch::ProjectionSearch(const OpenUnion& cover, const RealVector& p)
 int ProjectionSearch::seen(const HalfSpace& plane) {
   double gap = plane.approx_value(near_);
   // Next to the plane doubles cancel; there the exact value gives the gap to an ulp.
-  if (std::fabs(gap) < 0x1p-6 * (size_of(near_) + std::fabs(plane.shift))) {
+  if (std::fabs(gap) < margin::kNextToPlane * (size_of(near_) + std::fabs(plane.shift))) {
     gap = plane.value(p_).to_double() / length(space::rounded(plane.normal));
   }
   const std::array<double, 4> key{plane.unit.x, plane.unit.y, plane.unit.z, gap};
@@ -101,17 +100,17 @@ bool ProjectionSearch::multipliers(const std::array<int, 3>& planes, int count, 
     for (int j = 0; j < count; ++j) g[i][j] = dot(a.unit, planes_[planes[j]].unit);
   }
   const double det = determinant(g, count);
-  if (det > kThin) {
+  if (det > margin::kThinWedge) {
     out = cramer(g, right, count, det);
-    error = 0x1p-44 * size / det;
+    error = margin::kRoundings512 * size / det;
     return true;
   }
   std::array<Real, 3> exact;
   if (!exact_multipliers(planes, count, exact)) return false;
-  error = 0x1p-44 * size;
+  error = margin::kRoundings512 * size;
   for (int i = 0; i < count; ++i) {
     out[i] = exact[i].to_double() * length(space::rounded(planes_[planes[i]].plane->normal));
-    error += 0x1p-48 * std::fabs(out[i]);
+    error += margin::kRoundings32 * std::fabs(out[i]);
   }
   return true;
 }
@@ -134,7 +133,7 @@ std::optional<ProjectionSearch::Projection> ProjectionSearch::projection_on(std:
     projection.at = plus(projection.at, scaled(m[i], planes_[planes[i]].unit));
   }
   projection.distance = length(projection.at);
-  projection.error += 0x1p-46 * projection.distance;
+  projection.error += margin::kRoundings128 * projection.distance;
   projection.active = planes;
   projection.count = count;
   return projection;
@@ -187,7 +186,7 @@ int ProjectionSearch::covering_part(const Projection& projection, std::optional<
   double depth = 0;
   std::vector<std::size_t> open;
   const Vector at = plus(near_, projection.at);
-  const double tolerance = 8 * projection.error + 0x1p-40 * size_of(at);
+  const double tolerance = 8 * projection.error + margin::kWiderBox * size_of(at);
   const auto consider = [&](std::size_t k) {
     double highest = -exact::kInfinity;
     for (const int id : seen_planes(k)) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 namespace {
 
@@ -19,7 +21,7 @@ Box box_of(const ConvexRegion& set) {
     box.high = {std::max(box.high.x, v.near.x), std::max(box.high.y, v.near.y), std::max(box.high.z, v.near.z)};
     size = std::max(size, size_of(v.near));
   }
-  const double tolerance = 0x1p-40 * size;
+  const double tolerance = margin::kWiderBox * size;
   box.low = box.low - Vector{tolerance, tolerance, tolerance};
   box.high = plus(box.high, {tolerance, tolerance, tolerance});
   return box;

@@ -152,9 +152,9 @@ struct Exact {
   }
 };
 
-class Summarizer {
+class BoxSummarizer {
  public:
-  Summarizer(const BoxComplex& set, const Real& step)
+  BoxSummarizer(const BoxComplex& set, const Real& step)
       : set_(set),
         step_(step),
         open_(interior(set)),
@@ -269,7 +269,7 @@ class Summarizer {
 
 SpaceSummary summarize(const BoxComplex& set, const Real& step) {
   const BoxComplex least = set.simplified();
-  return Summarizer(least, step).run();
+  return BoxSummarizer(least, step).run();
 }
 
 }  // namespace findspace::space

@@ -10,9 +10,9 @@ using exact::Real;
 
 namespace {
 
-class Summarizer {
+class ConvexSummarizer {
  public:
-  Summarizer(const ConvexSet& set, const Real& step)
+  ConvexSummarizer(const ConvexSet& set, const Real& step)
       : set_(set),
         step_(step),
         radius_((set.radius * step).to_double()),
@@ -224,6 +224,6 @@ ConvexSet boundary(const ConvexSet& set) {
   return out;
 }
 
-SpaceSummary summarize(const ConvexSet& set, const Real& step) { return Summarizer(set, step).run(); }
+SpaceSummary summarize(const ConvexSet& set, const Real& step) { return ConvexSummarizer(set, step).run(); }
 
 }  // namespace findspace::space

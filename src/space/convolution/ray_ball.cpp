@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "space/convolution/ray_ball_patch.h"
 #include "space/convolution/ray_ball_row.h"
@@ -17,8 +18,6 @@ namespace {
 
 using exact::Real;
 
-constexpr double kWiden = 0x1p-20;  // boxes of patches are wider than they need to be
-
 /// Features whose patches are found together.
 constexpr std::size_t kAtOnce = 4096;
 
@@ -26,7 +25,8 @@ constexpr std::size_t kAtOnce = 4096;
 std::pair<double, double> range(double c, double cos_angle, double sin_angle) {
   c = std::clamp(c, -1.0, 1.0);
   const double across = std::sqrt(1 - c * c) * sin_angle, along = c * cos_angle;
-  return {(c <= -cos_angle ? -1 : along - across) - kWiden, (c >= cos_angle ? 1 : along + across) + kWiden};
+  return {(c <= -cos_angle ? -1 : along - across) - margin::kWiderPatchBox,
+          (c >= cos_angle ? 1 : along + across) + margin::kWiderPatchBox};
 }
 
 RayBody prepared(const Triangles& a, const RayGrid& grid, bool complement) {

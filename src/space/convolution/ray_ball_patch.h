@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 
+#include "exact/number/margins.h"
 #include "exact/planar/approx.h"
 #include "space/convolution/ray_body.h"
 
@@ -25,7 +26,7 @@ struct BallPatchMeets {
 inline exact::Approx number(std::int64_t v, exact::Approx*) { return {static_cast<double>(v), 0}; }
 inline exact::Approx number(int128 v, exact::Approx*) {
   const auto d = static_cast<double>(v);
-  return {d, std::fabs(d) * 0x1p-53};
+  return {d, std::fabs(d) * margin::kRounding};
 }
 inline exact::Real number(int128 v, exact::Real*) { return exact::Real(v); }
 inline exact::Real number(std::int64_t v, exact::Real*) { return exact::Real(v); }

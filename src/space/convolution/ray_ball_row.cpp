@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
 #include "space/convolution/ray_convolution.h"
 
 namespace findspace::space {
@@ -73,8 +74,9 @@ bool BallRow::vertex_index(const Patch& p, int column, const Approx& height, int
     const double value = x * e.x + y * e.y + height.value * e.z;
     const double size = std::fabs(x * e.x) + std::fabs(y * e.y) + std::fabs(height.value * e.z);
     // Room for the roundings here, and for the direction rounded to 2^40 parts of the radius below.
-    const double tolerance = height.error * std::fabs(e.z) + 0x1p-50 * size +
-                             0x1p-38 * rays_.rounded_radius_ * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z));
+    const double tolerance =
+        height.error * std::fabs(e.z) + margin::kRoundings8 * size +
+        margin::kRoundedDirection * rays_.rounded_radius_ * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z));
     if (!(std::fabs(value) > tolerance)) return false;
     const int s = value > 0 ? 1 : -1;
     changes += k > 0 && s != last;
@@ -84,7 +86,7 @@ bool BallRow::vertex_index(const Patch& p, int column, const Approx& height, int
   changes += first != last;
   index = 0;
   if (changes == 2) return true;
-  const double scale = 0x1p40 / rays_.rounded_radius_;
+  const double scale = margin::kDirectionParts / rays_.rounded_radius_;
   const Wide3 n{static_cast<int128>(x * scale), static_cast<int128>(y * scale),
                 static_cast<int128>(height.value * scale)};
   index = local_index(rays_.body_, v, n, exact::approx(n), 1);
@@ -176,7 +178,8 @@ void BallRow::emit_exact(int column, RayRow& row) {
       if (meets.where[m] < 0) continue;
       const Real z = meets.height[m] + Real(base(rays_, p).z);
       const double at = z.to_double();
-      places.push_back({{at, 0x1p-50 * (std::fabs(at) + 1), column, patch, static_cast<std::int8_t>(m), 0}, z});
+      places.push_back(
+          {{at, margin::kRoundings8 * (std::fabs(at) + 1), column, patch, static_cast<std::int8_t>(m), 0}, z});
     }
   }
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
@@ -188,7 +191,7 @@ void BallRow::emit_exact(int column, RayRow& row) {
   const std::int64_t x = rays_.grid_.u_at(column), y = rays_.grid_.v_at(j_);
   const auto sign_at = [&](const Real& z) {
     const double at = z.to_double();
-    const int s = rays_.distance_->compare(x, y, at, 0x1p-50 * (std::fabs(at) + 1), [&] { return z; });
+    const int s = rays_.distance_->compare(x, y, at, margin::kRoundings8 * (std::fabs(at) + 1), [&] { return z; });
     return s >= 0 && inside(column, at) > 0 ? -1 : s;
   };
   const int outside = rays_.complement_ ? -1 : 1;

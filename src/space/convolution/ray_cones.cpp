@@ -5,21 +5,22 @@
 #include <algorithm>
 #include <numeric>
 
+#include "exact/number/margins.h"
+#include "space/polytope/vector.h"
+
 namespace findspace::space {
 namespace {
 
 using exact::Approx3;
 
-constexpr double kWiden = 0x1p-20;   // far beyond the roundings of acos: a wider cone only tests more pairs
 constexpr double kHalfTurn = 3.125;  // below pi: all cones beyond meet
 constexpr double kNarrow = 1.5;      // caps above this count as full: short arcs stay in caps below a hemisphere
 
-double dot(const Approx3& a, const Approx3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 double angle_between(const Approx3& a, const Approx3& b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
 Cone around(const Approx3& sum) {
   const double size = std::sqrt(dot(sum, sum));
-  if (!(size > kWiden)) return {{0, 0, 1}, kFullCone};
+  if (!(size > margin::kWiderCone)) return {{0, 0, 1}, kFullCone};
   return {{sum.x / size, sum.y / size, sum.z / size}, 0};
 }
 
@@ -34,14 +35,14 @@ Cone cone_of(std::span<const Approx3> units) {
   Approx3 sum;
   for (const Approx3& u : units) sum = {sum.x + u.x, sum.y + u.y, sum.z + u.z};
   Cone cone = around(sum);
-  for (const Approx3& u : units) cone.angle = std::max(cone.angle, angle_between(cone.axis, u) + kWiden);
+  for (const Approx3& u : units) cone.angle = std::max(cone.angle, angle_between(cone.axis, u) + margin::kWiderCone);
   if (cone.angle > kNarrow) cone.angle = kFullCone;
   return cone;
 }
 
 bool ConeTree::may_meet(const Cone& a, const Cone& b) {
-  const double reach = a.angle + b.angle + kWiden;
-  return reach >= kHalfTurn || dot(a.axis, b.axis) >= std::cos(reach) - kWiden;
+  const double reach = a.angle + b.angle + margin::kWiderCone;
+  return reach >= kHalfTurn || dot(a.axis, b.axis) >= std::cos(reach) - margin::kWiderCone;
 }
 
 ConeTree::ConeTree(std::vector<Cone> cones) : cones_(std::move(cones)) {
@@ -66,7 +67,8 @@ void ConeTree::build(int node, int first, int count) {
   }
   Cone cone = around(sum);
   for (auto i = begin; i != end; ++i) {
-    cone.angle = std::max(cone.angle, angle_between(cone.axis, cones_[*i].axis) + cones_[*i].angle + kWiden);
+    cone.angle =
+        std::max(cone.angle, angle_between(cone.axis, cones_[*i].axis) + cones_[*i].angle + margin::kWiderCone);
   }
   nodes_[node].cone = cone;
   if (count <= 4) {

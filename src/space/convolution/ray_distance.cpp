@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "exact/number/margins.h"
 #include "space/polytope/near_features.h"
 
 namespace findspace::space {
@@ -78,7 +79,8 @@ bool SurfaceDistance::certainly_nearer(std::int64_t x, std::int64_t y, double z,
     return std::sqrt(gx * gx + gy * gy + gz * gz);
   };
   // Beside the error of z: coordinates below 2^40 relative to the place, and the roundings of the formulas.
-  const double blur = 2 * error + 0x1p-40 * distance_ + 0x1p-50 * (std::fabs(px) + std::fabs(py) + std::fabs(z));
+  const double blur = 2 * error + margin::kDistanceBlur * distance_ +
+                      margin::kRoundings8 * (std::fabs(px) + std::fabs(py) + std::fabs(z));
   int stack[64], depth = 0;
   stack[depth++] = 0;
   while (depth > 0) {
@@ -96,7 +98,7 @@ bool SurfaceDistance::certainly_nearer(std::int64_t x, std::int64_t y, double z,
         const Point& p = body_.corner(tree_.face(i), k);
         c[k] = {static_cast<double>(p.x - x), static_cast<double>(p.y - y), static_cast<double>(p.z) - z};
       }
-      const double distance = std::sqrt(to_triangle(c, 0x1p-30));
+      const double distance = std::sqrt(to_triangle(c, margin::kOnFace));
       if (distance < distance_ - blur) return true;
       if (distance <= distance_ + blur) close.push_back(tree_.face(i));
     }

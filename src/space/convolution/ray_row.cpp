@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 
 using exact::Fraction;
@@ -42,8 +44,8 @@ RayRow RowWork::run(int j) {
 RowWork::Hit RowWork::exact_hit(int column, int sheet, const Fraction& z, int jump, bool touch) {
   const double at = exact::to_double(z);
   exacts_.push_back(z);
-  return {at,    0x1p-50 * (std::fabs(at) + 1),        column,
-          sheet, static_cast<int>(exacts_.size()) - 1, static_cast<std::int8_t>(jump),
+  return {at,    margin::kRoundings8 * (std::fabs(at) + 1), column,
+          sheet, static_cast<int>(exacts_.size()) - 1,      static_cast<std::int8_t>(jump),
           touch};
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "exact/number/margins.h"
 #include "space/convolution/ray_row.h"
 
 namespace findspace::space {
@@ -26,7 +27,8 @@ std::pair<double, double> part_range(const Section& s, double x0, double x1) {
   const double low = std::min(s.z[0], s.z[1]) - s.z_error, high = std::max(s.z[0], s.z[1]) + s.z_error;
   if (!(width > 4 * s.x_error)) return {low, high};
   const double slope = (s.z[1] - s.z[0]) / width;
-  const double loose = s.z_error * 4 + std::fabs(slope) * 8 * s.x_error + 0x1p-48 * (std::fabs(low) + std::fabs(high));
+  const double loose =
+      s.z_error * 4 + std::fabs(slope) * 8 * s.x_error + margin::kRoundings32 * (std::fabs(low) + std::fabs(high));
   const double a = s.z[0] + slope * (x0 - s.x[0]), b = s.z[0] + slope * (x1 - s.x[0]);
   return {std::max(low, std::min(a, b) - loose), std::min(high, std::max(a, b) + loose)};
 }

@@ -5,6 +5,7 @@
 // is written once, where it belongs; lines through corners and along edges are done by themselves, exactly.
 #include <algorithm>
 
+#include "exact/number/margins.h"
 #include "space/convolution/ray_row.h"
 
 namespace findspace::space {
@@ -55,7 +56,7 @@ void RowWork::place_hits() {
   for (const Cut& c : cuts_) {
     const Sheet& s = sheets_[c.sheet];
     if (s.jump == 0) continue;
-    const bool rounded = s.slack <= kCoarseSlack;
+    const bool rounded = s.slack <= margin::kCoarseHeight;
     for (int i = c.section.column[0]; i < c.section.column[1]; ++i) {
       if (dirty_[i]) continue;
       const std::int64_t x = sheets_.grid().u_at(i);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 namespace {
 
@@ -15,13 +17,14 @@ struct Component {
 
 Component component(double a, double b, double c, double d) {
   const double p = a * b, q = c * d;
-  return {p - q, 0x1p-51 * (std::fabs(p) + std::fabs(q))};
+  return {p - q, margin::kRoundings4 * (std::fabs(p) + std::fabs(q))};
 }
 
 /// -n / m with the errors of both, m certain to be nonzero.
 Component slope(const Component& n, const Component& m) {
   const double value = -n.value / m.value;
-  return {value, (n.error + std::fabs(value) * m.error) / (std::fabs(m.value) - m.error) + 0x1p-51 * std::fabs(value)};
+  return {value, (n.error + std::fabs(value) * m.error) / (std::fabs(m.value) - m.error) +
+                     margin::kRoundings4 * std::fabs(value)};
 }
 
 Sheet make_sheet(const RayFacet& facet) {
@@ -40,7 +43,7 @@ Sheet make_sheet(const RayFacet& facet) {
   const int up = std::fabs(z.value) > 2 * z.error ? (z.value > 0 ? 1 : -1) : exact::sign(facet.normal().z);
   s.jump = static_cast<std::int8_t>(-up * facet.weight);
   if (std::fabs(z.value) <= 2 * z.error) {
-    s.slack = 2 * kCoarseSlack;  // vertical or nearly: exactly where needed
+    s.slack = 2 * margin::kCoarseHeight;  // vertical or nearly: exactly where needed
     return s;
   }
   const Component x = slope(component(a.y, b.z, a.z, b.y), z), y = slope(component(a.z, b.x, a.x, b.z), z);
@@ -49,7 +52,7 @@ Sheet make_sheet(const RayFacet& facet) {
   const double dx = static_cast<double>(right - left), dy = static_cast<double>(s.high - s.low);
   const double size =
       std::fabs(x.value) * dx + std::fabs(y.value) * dy + std::fabs(static_cast<double>(facet.corner[0].z));
-  s.slack = 2 * (x.error * dx + y.error * dy) + 0x1p-50 * size;
+  s.slack = 2 * (x.error * dx + y.error * dy) + margin::kRoundings8 * size;
   return s;
 }
 
@@ -114,9 +117,9 @@ bool Sheets::section(int sheet, int j, Section& section) const {
     const double width = static_cast<double>(q->x - p->x), rise = static_cast<double>(q->z - p->z);
     const double x = px + part * width;
     // Three roundings of the product, one of the sum.
-    const double x_error = 0x1p-50 * (std::fabs(width) + std::fabs(px));
+    const double x_error = margin::kRoundings8 * (std::fabs(width) + std::fabs(px));
     section.x_error = std::max(section.x_error, x_error);
-    section.z_error = std::max(section.z_error, 0x1p-50 * (std::fabs(rise) + std::fabs(pz)));
+    section.z_error = std::max(section.z_error, margin::kRoundings8 * (std::fabs(rise) + std::fabs(pz)));
     section.x[ends] = x;
     section.z[ends] = pz + part * rise;
     const double step = static_cast<double>(grid_.du);

@@ -35,9 +35,6 @@ struct Sheet {
   bool meets_displaced(std::int64_t x, std::int64_t y) const;
 };
 
-/// Beyond this slack heights are computed exactly and rounded. It decides only which way is taken.
-inline constexpr double kCoarseSlack = 0x1p-8;
-
 /// The section of a facet with a displaced row: it runs between two of the facet's edges.
 struct Section {
   double x[2], z[2];  // its ends, left and right

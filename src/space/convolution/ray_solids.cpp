@@ -5,6 +5,7 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "space/convolution/mesh_crossing.h"
 #include "space/mesh/mesh.h"
@@ -14,10 +15,12 @@
 namespace findspace::space {
 namespace {
 
+using exact::Refusal;
+using exact::Tried;
 using Kind = plane::Shape::Kind;
 
 /// Walls over the rings, and the convex parts of the polygon as floor and lid; `clean` matches their sides.
-Triangles prism(const Solid& solid) {
+Tried<Triangles> prism(const Solid& solid) {
   Mesh mesh;
   const auto vertex = [&](const Point2& p, std::int64_t z) {
     mesh.vertices.push_back({p.x, p.y, z});
@@ -27,7 +30,7 @@ Triangles prism(const Solid& solid) {
   for (const plane::Contour& contour : solid.contours) {
     std::vector<Point2>& ring = rings.emplace_back();
     for (const plane::ContourEdge& edge : contour) {
-      if (edge.arc) throw Error(ErrorCode::kUnsupported, "a prism with arcs has no ray map");
+      if (edge.arc) return Refusal("a prism with arcs has no ray map");
       ring.push_back({edge.start.x, edge.start.y});
     }
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -67,33 +70,45 @@ Triangles simple(Triangles surface) {
                                         ", in grid steps");
 }
 
-RaySolid primitive(const Solid& solid) {
+Tried<RaySolid> primitive(const Solid& solid) {
   switch (solid.form) {
     case Solid::Form::kPolytope:
-      return {triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
+      return RaySolid{triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
     case Solid::Form::kMesh:
-      return {simple(triangles(solid.mesh)), {}, {}};
-    case Solid::Form::kPrism:
-      return {prism(solid), {}, {}};
+      return RaySolid{simple(triangles(solid.mesh)), {}, {}};
+    case Solid::Form::kPrism: {
+      Tried<Triangles> surface = prism(solid);
+      if (!surface) return surface.refusal();
+      return RaySolid{*std::move(surface), {}, {}};
+    }
     case Solid::Form::kBall:
       break;
   }
-  return {{}, solid.mesh.vertices[0], solid.radius};
+  return RaySolid{{}, solid.mesh.vertices[0], solid.radius};
+}
+
+/// A fault of the surface is a refusal too: convex parts may do.
+Tried<std::vector<RaySolid>> of_solid(const Solid& solid, const std::string& place) {
+  try {
+    Tried<RaySolid> one = primitive(solid);
+    if (!one) return one.refusal().at(place);
+    return std::vector<RaySolid>{*std::move(one)};
+  } catch (const Error& e) {
+    const Refusal why = Refusal(e).at(place);
+    if (e.code() != ErrorCode::kGeometry) throw why.error;
+    return why;
+  }
 }
 
 }  // namespace
 
-std::vector<RaySolid> ray_solids(const plane::Shape& shape) {
-  if (const Solid* solid = solid_of(shape)) {
-    try {
-      return {primitive(*solid)};
-    } catch (const Error& e) {
-      throw e.place().empty() && !shape.place.empty() ? e.within(shape.place) : e;
-    }
-  }
+Tried<std::vector<RaySolid>> try_ray_solids(const plane::Shape& shape) {
+  if (const Solid* solid = solid_of(shape)) return of_solid(*solid, shape.place);
   std::vector<RaySolid> all;
   for (const plane::ShapePtr& child : shape.children) {
-    for (RaySolid& s : ray_solids(*child)) all.push_back(std::move(s));
+    Tried<std::vector<RaySolid>> more = try_ray_solids(*child);
+    if (!more) return more;
+    std::move(more->begin(), more->end(), std::back_inserter(all));
   }
   switch (shape.kind) {
     case Kind::kUnion:
@@ -116,9 +131,10 @@ std::vector<RaySolid> ray_solids(const plane::Shape& shape) {
     default:
       break;
   }
-  throw Error(ErrorCode::kUnsupported, "this kind of shape has no ray map; state it as a mesh or a union of solids",
-              shape.place);
+  return Refusal("this kind of shape has no ray map; state it as a mesh or a union of solids", shape.place);
 }
+
+std::vector<RaySolid> ray_solids(const plane::Shape& shape) { return try_ray_solids(shape).or_throw(); }
 
 void extend_box(const Point& p, Point& low, Point& high, bool& any) {
   if (!any) low = high = p;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/number/real.h"
+#include "exact/number/tried.h"
 #include "space/convolution/ray_body.h"
 
 namespace findspace::space {
@@ -27,7 +28,9 @@ inline constexpr std::size_t kManyFaces = 120;
 /// A surface, of one piece without holes, with no edge bent inward.
 bool is_convex(const RaySolid& solid);
 
-/// Throws Error(kUnsupported) for other nodes.
+/// Refuses other nodes with kUnsupported, and surfaces that cross themselves or are not closed with kGeometry.
+exact::Tried<std::vector<RaySolid>> try_ray_solids(const plane::Shape& shape);
+/// The same; throws the error of a refusal.
 std::vector<RaySolid> ray_solids(const plane::Shape& shape);
 
 /// The smallest box on the grid that holds them too.

@@ -15,14 +15,7 @@
 namespace findspace::space {
 namespace {
 
-using Edge = std::pair<int, int>;
-
-Edge undirected(int a, int b) { return std::minmax(a, b); }
-
-template <class Visit>
-void each_edge(const std::vector<int>& face, Visit visit) {
-  for (std::size_t i = 0; i < face.size(); ++i) visit(face[i], face[(i + 1) % face.size()]);
-}
+MeshEdge undirected(int a, int b) { return std::minmax(a, b); }
 
 void weld(Mesh& mesh, std::vector<std::string>& notes) {
   std::map<Point, int> seen;
@@ -91,8 +84,8 @@ void flatten(Mesh& mesh, std::vector<std::string>& notes) {
 }
 
 /// How often each edge is run through in the sense of its ascending vertices, minus the other sense; and in all.
-std::map<Edge, std::pair<int, int>> edge_counts(const Mesh& mesh) {
-  std::map<Edge, std::pair<int, int>> count;
+std::map<MeshEdge, std::pair<int, int>> edge_counts(const Mesh& mesh) {
+  std::map<MeshEdge, std::pair<int, int>> count;
   for (const auto& face : mesh.faces) {
     each_edge(face, [&](int a, int b) {
       auto& c = count[undirected(a, b)];
@@ -111,7 +104,7 @@ bool strictly_between(const Point& a, const Point& b, const Point& p) {
 /// Puts the ends of odd edges into the odd edges on which they lie. True if anything changed.
 bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
   std::vector<int> ends;
-  std::map<Edge, bool> odd;
+  std::map<MeshEdge, bool> odd;
   for (const auto& [edge, count] : edge_counts(mesh)) {
     if (count.second % 2 == 0) continue;
     odd[edge] = true;
@@ -211,10 +204,10 @@ std::vector<std::string> clean(Mesh& mesh, double step) {
 }
 
 bool is_convex(const Mesh& mesh) {
-  std::map<Edge, int> at;
+  std::map<MeshEdge, int> at;
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
     bool once = true;
-    each_edge(mesh.faces[f], [&](int a, int b) { once = once && at.emplace(Edge{a, b}, f).second; });
+    each_edge(mesh.faces[f], [&](int a, int b) { once = once && at.emplace(MeshEdge{a, b}, f).second; });
     if (!once) return false;
   }
   std::vector<char> used(mesh.vertices.size(), 0);

@@ -8,12 +8,22 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "space/polytope/convex_polygon.h"
 #include "space/polytope/solid.h"
 
 namespace findspace::space {
+
+/// An edge of a mesh, by its two vertices.
+using MeshEdge = std::pair<int, int>;
+
+/// Calls visit(from, to) for every edge about a face.
+template <class Visit>
+void each_edge(const std::vector<int>& face, Visit visit) {
+  for (std::size_t i = 0; i < face.size(); ++i) visit(face[i], face[(i + 1) % face.size()]);
+}
 
 /// Cleans the mesh in place and says what was done. Throws Error(kGeometry). `step`: size of a grid step in messages.
 std::vector<std::string> clean(Mesh& mesh, double step);

@@ -15,8 +15,6 @@
 namespace findspace::space {
 namespace {
 
-using Edge = std::pair<int, int>;
-
 struct Shell {
   std::vector<int> faces;
   bool agreed = true;  // as stated
@@ -25,11 +23,6 @@ struct Shell {
   std::vector<int> about{};  // the shells in which it lies
   bool placed = true;        // `about` is certain: some vertex is on no other shell
 };
-
-template <class Visit>
-void each_edge(const std::vector<int>& face, Visit visit) {
-  for (std::size_t i = 0; i < face.size(); ++i) visit(face[i], face[(i + 1) % face.size()]);
-}
 
 void widen(Point& low, Point& high, const Point& p) {
   low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -100,7 +93,7 @@ class Orientation {
   }
 
   bool is_closed(const Shell& s) const {
-    std::map<Edge, int> balance;
+    std::map<MeshEdge, int> balance;
     for (const int f : s.faces) {
       each_edge(mesh_.faces[f], [&](int a, int b) { balance[std::minmax(a, b)] += a < b ? 1 : -1; });
     }
@@ -211,7 +204,7 @@ class Orientation {
   }
 
   Mesh& mesh_;
-  std::map<Edge, std::vector<int>> faces_at_;
+  std::map<MeshEdge, std::vector<int>> faces_at_;
   std::vector<Shell> shells_;
 };
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "exact/number/margins.h"
 #include "space/phi/plane_scan.h"
 
 namespace findspace::space {
@@ -66,7 +67,7 @@ std::vector<int> DepthGrid::candidates(const Box& box, const std::vector<int>& f
     if (std::find(references.begin(), references.end(), best) == references.end()) references.push_back(best);
   }
   std::vector<int> kept;
-  const double grown = 1 + 0x1p-20;
+  const double grown = 1 + margin::kLargerGain;
   for (const int f : facets) {
     const Vector& n = phi_.unit_normal(f);
     const double at_centre = phi_.plane_value(f, box.centre);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "exact/number/margins.h"
 #include "space/phi/phi_level.h"
 
 namespace findspace::space {
@@ -92,7 +93,7 @@ exact::Real squared_distance(const PhiFunction& phi, const RealVector& u) {
     corners.clear();
     for (const int v : phi.surface().circuit(f)) corners.push_back(phi.vertex(v));
     const Vector gap = near - nearest_on_polygon(near, phi.unit_normal(f), corners);
-    if (dot(gap, gap) > found * found * (1 + 0x1p-30)) continue;
+    if (dot(gap, gap) > found * found * (1 + margin::kFacetTried)) continue;
     const Real d = squared_distance_to(phi, f, u);
     if (!best || d < *best) best = d;
   }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "exact/number/margins.h"
 #include "space/phi/plane_scan.h"
 
 namespace findspace::space {
@@ -47,7 +48,7 @@ PhiFunction::PhiFunction(ContactSurface surface) : surface_(std::move(surface)) 
 /// Unit normals carry four roundings, offsets four, the evaluation three products and three sums: below 11 * 2^-53 of
 /// the sum of the magnitudes, which |u|_1 + reach bounds.
 double PhiFunction::error_bound(const Vector& u) const {
-  return 0x1p-49 * (std::fabs(u.x) + std::fabs(u.y) + std::fabs(u.z) + reach_);
+  return margin::kRoundings16 * (std::fabs(u.x) + std::fabs(u.y) + std::fabs(u.z) + reach_);
 }
 
 double PhiFunction::max_form(const Vector& u) const {

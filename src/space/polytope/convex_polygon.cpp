@@ -9,6 +9,8 @@
 #include <limits>
 #include <numeric>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 namespace {
 
@@ -96,7 +98,9 @@ double PlanarPhi::value(int e, const Vector2& u) const {
 }
 
 /// As for PhiFunction::error_bound, with one product and one sum less.
-double PlanarPhi::error_bound(const Vector2& u) const { return 0x1p-49 * (std::fabs(u.x) + std::fabs(u.y) + reach_); }
+double PlanarPhi::error_bound(const Vector2& u) const {
+  return margin::kRoundings16 * (std::fabs(u.x) + std::fabs(u.y) + reach_);
+}
 
 int PlanarPhi::highest(const Vector2& u, double& most) const {
   int best = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/number/margins.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::space {
@@ -49,14 +50,14 @@ std::optional<Four> proposed(std::span<const HalfSpace> planes) {
     const HalfSpace& h = planes[k];
     return std::array<double, 5>{h.unit.x, h.unit.y, h.unit.z, -1, -h.shift};
   };
-  const double slack = 0x1p-32 * size;
+  const double slack = margin::kProposedPlace * size;
   const std::size_t n = planes.size();
   for (Four f{0, 0, 0, 0}; f[0] < n; ++f[0]) {
     for (f[1] = f[0] + 1; f[1] < n; ++f[1]) {
       for (f[2] = f[1] + 1; f[2] < n; ++f[2]) {
         for (f[3] = f[2] + 1; f[3] < n; ++f[3]) {
           Meeting<double> m{};
-          const auto tiny = [](double v) { return std::fabs(v) < 0x1p-30; };  // no sign: real numbers decide afterwards
+          const auto tiny = [](double v) { return std::fabs(v) < margin::kFlatMeeting; };
           if (!solve<double>({row(f[0]), row(f[1]), row(f[2]), row(f[3])}, tiny, m) || !(m.value < least)) continue;
           const bool holds = std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
             return h.approx_value({m.at[0], m.at[1], m.at[2]}) <= m.value + slack;

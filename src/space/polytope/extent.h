@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "exact/number/margins.h"
 #include "space/polytope/real_vector.h"
 
 namespace findspace::space {
@@ -67,7 +68,8 @@ inline Extent extent_of(std::span<const Vector> points) {
     e.add({p, p});
     size = std::max(size, size_of(p));
   }
-  const Vector tolerance{0x1p-48 * size, 0x1p-48 * size, 0x1p-48 * size};
+  const double widened = margin::kRoundings32 * size;
+  const Vector tolerance{widened, widened, widened};
   return {e.low - tolerance, plus(e.high, tolerance)};
 }
 

@@ -8,7 +8,7 @@ namespace findspace::space {
 namespace {
 
 using exact::Real;
-using Corner = FlatPiece::Corner;
+using FlatCorner = FlatPiece::Corner;
 
 /// Where three planes meet, whose normals are linearly independent.
 RealVector meeting(const HalfSpace& f, const HalfSpace& g, const HalfSpace& h) {
@@ -17,7 +17,7 @@ RealVector meeting(const HalfSpace& f, const HalfSpace& g, const HalfSpace& h) {
   return scaled(Real(-1) / dot(fg, h.normal), sum);
 }
 
-Corner meeting(const FlatPiece& piece, const Corner& edge, const HalfSpace& h, const HalfSpace* next) {
+FlatCorner meeting(const FlatPiece& piece, const FlatCorner& edge, const HalfSpace& h, const HalfSpace* next) {
   RealVector at = meeting(*piece.plane, *edge.side, h);
   const Vector near = rounded(at);
   return {std::move(at), near, next};
@@ -25,7 +25,7 @@ Corner meeting(const FlatPiece& piece, const Corner& edge, const HalfSpace& h, c
 
 void find_signs(const FlatPiece& piece, const HalfSpace& h, std::vector<int>& signs) {
   signs.clear();
-  for (const Corner& c : piece.corners) signs.push_back(h.sign(c.at, c.near));
+  for (const FlatCorner& c : piece.corners) signs.push_back(h.sign(c.at, c.near));
 }
 
 bool any(const std::vector<int>& signs, int sign) { return std::find(signs.begin(), signs.end(), sign) != signs.end(); }
@@ -35,7 +35,7 @@ FlatPiece clipped(const FlatPiece& piece, const HalfSpace& h, const std::vector<
   FlatPiece out{piece.plane, {}};
   const std::size_t n = piece.corners.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Corner& a = piece.corners[i];
+    const FlatCorner& a = piece.corners[i];
     const int sa = signs[i] * side, sb = signs[(i + 1) % n] * side;
     if (sa >= 0) out.corners.push_back({a.at, a.near, sa == 0 && sb < 0 ? &h : a.side});
     if (n == 2 && i == 1) continue;  // the way back

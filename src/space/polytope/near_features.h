@@ -12,12 +12,16 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/number/margins.h"
 #include "exact/number/real.h"
+#include "space/polytope/vector.h"
 
 namespace findspace::space::near {
 
 template <class T>
 using Triple = std::array<T, 3>;
+
+inline Triple<double> triple(const Vector& v) { return {v.x, v.y, v.z}; }
 
 template <class T>
 T dot(const Triple<T>& a, const Triple<T>& b) {
@@ -84,11 +88,11 @@ inline double squared_between(const Triple<double>& a, const Triple<double>& u, 
                               const Triple<double>& v) {
   const Triple<double> w = minus(a, b);
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
-  const double all = uu * vv - uv * uv, tolerance = 0x1p-10 * all;
+  const double all = uu * vv - uv * uv, tolerance = margin::kBeyondEnd * all;
   const double on_u = uv * vw - vv * uw, on_v = uu * vw - uv * uw;
   const auto within = [&](double t) { return t >= -tolerance && t <= all + tolerance; };
   // Of nearly parallel ones the ends are as near.
-  if (all <= 0x1p-40 * uu * vv || !within(on_u) || !within(on_v)) return exact::kInfinity;
+  if (all <= margin::kParallelEdges * uu * vv || !within(on_u) || !within(on_v)) return exact::kInfinity;
   const double t = std::clamp((uv * std::clamp(on_u / all, 0.0, 1.0) + vw) / vv, 0.0, 1.0);
   const double s = std::clamp((uv * t - uw) / uu, 0.0, 1.0);
   const Triple<double> way = along(along(w, s, u), -t, v);

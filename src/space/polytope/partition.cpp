@@ -8,7 +8,7 @@ namespace findspace::space {
 namespace {
 
 using exact::Real;
-using Corner = FacetPiece::Corner;
+using FacetCorner = FacetPiece::Corner;
 
 constexpr std::size_t kTried = 48;     // planes compared for one cut
 constexpr std::size_t kSampled = 400;  // pieces that a plane is judged by
@@ -19,7 +19,7 @@ struct Sides {
 
 Sides sides(const HalfSpace& plane, const FacetPiece& piece) {
   Sides s;
-  for (const Corner& c : piece.corners) {
+  for (const FacetCorner& c : piece.corners) {
     const int sign = plane.sign(c.at, c.near);
     s.above = s.above || sign > 0;
     s.below = s.below || sign < 0;
@@ -31,7 +31,7 @@ Sides sides(const HalfSpace& plane, const FacetPiece& piece) {
 FacetPiece cut_off(const FacetPiece& piece, const HalfSpace& plane, int side) {
   FacetPiece part{piece.plane, {}};
   for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-    const Corner &a = piece.corners[i], &b = piece.corners[(i + 1) % piece.corners.size()];
+    const FacetCorner &a = piece.corners[i], &b = piece.corners[(i + 1) % piece.corners.size()];
     const int sa = plane.sign(a.at, a.near), sb = plane.sign(b.at, b.near);
     if (sa * side >= 0) part.corners.push_back(a);
     if (sa * sb >= 0) continue;

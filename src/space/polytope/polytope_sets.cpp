@@ -82,13 +82,13 @@ Common common(std::span<const Cell> a, std::span<const Cell> b) {
   return out;
 }
 
-void refuse_thin(std::span<const ConvexRegion> thin, std::span<const Cell> cells, const char* of) {
-  for (const ConvexRegion& t : thin) {
-    if (covered(t, cells)) continue;
-    throw Error(ErrorCode::kUnsupported, std::string("the ") + of +
-                                             " has a part without interior; in 3D only shapes with "
-                                             "axis-parallel faces may");
-  }
+/// The refusal of a thin piece that no cell covers.
+std::optional<exact::Refusal> thin_left(std::span<const ConvexRegion> thin, std::span<const Cell> cells,
+                                        const char* of) {
+  if (std::all_of(thin.begin(), thin.end(), [&](const ConvexRegion& t) { return covered(t, cells); }))
+    return std::nullopt;
+  return exact::Refusal(std::string("the ") + of +
+                        " has a part without interior; in 3D only shapes with axis-parallel faces may");
 }
 
 std::vector<Cell> without(std::vector<Cell> cells, std::span<const Polytope> b) {
@@ -142,9 +142,9 @@ std::vector<ConvexRegion> regions_of(std::vector<Cell> cells) {
 
 }  // namespace
 
-std::vector<ConvexRegion> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
+exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
   Common both = common(cells_of(a), cells_of(b));
-  refuse_thin(both.thin, both.cells, "intersection");
+  if (auto why = thin_left(both.thin, both.cells, "intersection")) return *std::move(why);
   return regions_of(std::move(both.cells));
 }
 
@@ -152,9 +152,12 @@ std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::spa
   return regions_of(without(cells_of(a), b));
 }
 
-std::vector<ConvexRegion> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
+exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
   std::vector<Cell> left = without(cells_of(a), b);
-  if (!a.empty()) refuse_thin(common(cells_of(a), without({around(a, b)}, b)).thin, left, "difference");
+  if (!a.empty()) {
+    const Common thin = common(cells_of(a), without({around(a, b)}, b));
+    if (auto why = thin_left(thin.thin, left, "difference")) return *std::move(why);
+  }
   return regions_of(std::move(left));
 }
 

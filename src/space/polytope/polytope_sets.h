@@ -5,21 +5,22 @@
 //   intersection_cells   A n B;
 //   difference_cells     the closure of A \ B; its cells do not overlap where those of A do not;
 //   outside_cells        A \ int B, of all of B: walls between its polytopes are in the interior.
-// Guarantee: exact: a cell is kept if and only if it has interior, and Error(kUnsupported) says that a thin piece is
-// left over (A and B touch, faces of A and int B lie on each other), since a body has none. Cost: cells times facets.
+// Guarantee: exact: a cell is kept if and only if it has interior. A refusal says that a thin piece is left over (A
+// and B touch, faces of A and int B lie on each other), since a body has none. Cost: cells times facets.
 // Keywords: constructive solid geometry, convex clipping.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "exact/number/tried.h"
 #include "space/polytope/convex_region.h"
 #include "space/polytope/polytope.h"
 
 namespace findspace::space {
 
-std::vector<ConvexRegion> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b);
 std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b);
-std::vector<ConvexRegion> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b);
 
 }  // namespace findspace::space

@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "exact/number/margins.h"
 #include "exact/number/real.h"
 #include "space/polytope/polytope.h"
 #include "space/polytope/vector.h"
@@ -54,7 +55,7 @@ struct HalfSpace {
   exact::Real value(const RealVector& x) const { return dot(normal, x) + offset; }
   /// The same over the length of the normal, in doubles; `error` of it.
   double approx_value(const Vector& x) const { return dot(unit, x) + shift; }
-  double error(const Vector& x) const { return 0x1p-48 * (size_of(x) + std::fabs(shift)); }
+  double error(const Vector& x) const { return margin::kRoundings32 * (size_of(x) + std::fabs(shift)); }
   /// The exact sign of value(x); `near` is x rounded.
   int sign(const RealVector& x, const Vector& near) const {
     const double v = approx_value(near), e = error(near);

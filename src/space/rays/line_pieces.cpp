@@ -7,15 +7,15 @@
 #include <cmath>
 #include <map>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 namespace {
 
 using exact::Real;
 
-constexpr double kWiden = 1 + 0x1p-40;
-
 void widen(Vector& low, Vector& high, double by) {
-  const double tolerance = by * kWiden + 0x1p-40 * (size_of(low) + size_of(high)) + 1;
+  const double tolerance = by * (1 + margin::kWiderBox) + margin::kWiderBox * (size_of(low) + size_of(high)) + 1;
   low = low - Vector{tolerance, tolerance, tolerance};
   high = plus(high, {tolerance, tolerance, tolerance});
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 
 using exact::Real;
@@ -29,11 +31,12 @@ ObliqueLine::ObliqueLine(RealVector through, const RealVector& direction) : orig
 bool ObliqueLine::may_meet(const Vector& low, const Vector& high, double scale) const {
   const Vector p = space::scaled(scale, space::rounded(origin)), d = space::rounded(frame[2]);
   double from = -std::numeric_limits<double>::infinity(), to = -from;
-  const double tolerance = 0x1p-40 * (size_of(p) + 1);
+  const double tolerance = margin::kWiderBox * (size_of(p) + 1);
   const auto clip = [&](double at, double slope, double least, double most) {
     // Nearly across this axis: where it crosses says little.
-    if (std::fabs(slope) < 0x1p-30 || !std::isfinite(least) || !std::isfinite(most)) return;
-    const double a = (least - at) / slope, b = (most - at) / slope, blur = 0x1p-40 * (std::fabs(a) + std::fabs(b));
+    if (std::fabs(slope) < margin::kAcrossAxis || !std::isfinite(least) || !std::isfinite(most)) return;
+    const double a = (least - at) / slope, b = (most - at) / slope,
+                 blur = margin::kWiderBox * (std::fabs(a) + std::fabs(b));
     from = std::max(from, std::min(a, b) - blur - tolerance / std::fabs(slope));
     to = std::min(to, std::max(a, b) + blur + tolerance / std::fabs(slope));
   };

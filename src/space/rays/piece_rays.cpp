@@ -3,7 +3,6 @@
 #include "space/rays/piece_rays.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "plane/base/parallel.h"
 
@@ -14,7 +13,6 @@ using exact::Real;
 
 /// The units of parallel work.
 constexpr std::size_t kBlock = 64;
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -111,7 +109,7 @@ std::vector<PieceRays::Stretch> PieceRays::united(std::vector<Stretch> all, bool
 
 std::vector<PieceRays::Stretch> PieceRays::common(const std::vector<Stretch>& all, bool open, int i, int j) const {
   if (all.size() < pieces_.size()) return {};
-  Stretch both{{-kFar, 0, -1, 0}, {kFar, 0, -1, 0}, true};
+  Stretch both{{-exact::kInfinity, 0, -1, 0}, {exact::kInfinity, 0, -1, 0}, true};
   for (const Stretch& s : all) {
     if (open && !s.inside) return {};
     if (compare_ends(s.low, both.low, i, j) > 0) both.low = s.low;

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "exact/number/margins.h"
 #include "space/rays/oblique_line.h"
 #include "space/rays/piece_rays.h"
 
@@ -12,8 +12,6 @@ namespace {
 
 using exact::Approx;
 using exact::Real;
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 const Real& least(const Real& a, const Real& b) { return b < a ? b : a; }
 const Real& most(const Real& a, const Real& b) { return a < b ? b : a; }
@@ -31,10 +29,8 @@ int certain_sign(const Approx& a) { return a.certain() ? a.sign() : 2; }
 
 Approx rounded_number(const Real& r) {
   const double v = r.to_double();
-  return {v, std::fabs(v) * 0x1p-51};
+  return {v, std::fabs(v) * margin::kRoundings4};
 }
-
-double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 }  // namespace
 
@@ -211,7 +207,8 @@ bool PieceRays::stretch(int piece, int i, int j, Stretch& out) const {
   }
   if (span.meets == Meets::kNothing) return false;
   const auto end = [&](const Bound<Approx>& b, std::int8_t which) {
-    return b.bounded ? End{b.at.value, b.at.error, piece, which, b.held} : End{which == 0 ? -kFar : kFar, 0, -1, 0};
+    return b.bounded ? End{b.at.value, b.at.error, piece, which, b.held}
+                     : End{which == 0 ? -exact::kInfinity : exact::kInfinity, 0, -1, 0};
   };
   out = {end(span.low, 0), end(span.high, 1), span.meets == Meets::kInside};
   return true;

@@ -18,8 +18,6 @@ constexpr int kMostLines = 1 << 14;
 /// Cells are even to one part in this.
 constexpr std::int64_t kEven = 1 << 20;
 
-std::int64_t component(const Point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
 }  // namespace
 
 RayGrid ray_grid(const Point& low, const Point& high, int axis, int n) {

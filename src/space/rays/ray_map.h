@@ -86,6 +86,8 @@ class RaySource {
   virtual ~RaySource() = default;
   virtual const RayGrid& grid() const = 0;
   virtual RayRow row(int j) const = 0;
+  /// Whether a search tells the signs, so that 0 means a place near the front as well as on it.
+  virtual bool searched() const { return false; }
 };
 
 /// One sign map from several on the same grid: the sign of `combine` at every place, from the signs of the sources

@@ -9,6 +9,10 @@ namespace {
 
 using Signs = std::span<const std::int8_t>;
 
+bool any_searched(const std::vector<RaySourcePointer>& sources) {
+  return std::any_of(sources.begin(), sources.end(), [](const RaySourcePointer& s) { return s->searched(); });
+}
+
 class Constant : public RaySource {
  public:
   Constant(const RayGrid& grid, int sign) : grid_(grid), sign_(static_cast<std::int8_t>(sign)) {}
@@ -28,6 +32,7 @@ class Combined : public RaySource {
   Combined(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine)
       : sources_(std::move(sources)), combine_(std::move(combine)) {}
   const RayGrid& grid() const override { return sources_[0]->grid(); }
+  bool searched() const override { return any_searched(sources_); }
   RayRow row(int j) const override {
     std::vector<RayRow> rows;
     for (const RaySourcePointer& s : sources_) rows.push_back(s->row(j));
@@ -43,6 +48,7 @@ class Greatest : public RaySource {
  public:
   explicit Greatest(std::vector<RaySourcePointer> sources) : sources_(std::move(sources)) {}
   const RayGrid& grid() const override { return sources_[0]->grid(); }
+  bool searched() const override { return any_searched(sources_); }
   RayRow row(int j) const override {
     std::vector<RayRow> rows;
     for (const RaySourcePointer& s : sources_) {

@@ -12,8 +12,6 @@ namespace {
 
 using exact::Fraction;
 
-std::int64_t component(const Point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
 /// The corners of a cube's six faces, counter-clockwise seen from outside; corner c has x = c & 1, y = c >> 1 & 1, z =
 /// c >> 2.
 constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};

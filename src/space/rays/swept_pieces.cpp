@@ -3,7 +3,8 @@
 #include "space/rays/swept_pieces.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "exact/number/margins.h"
 
 namespace findspace::space {
 namespace {
@@ -86,7 +87,7 @@ void find_box(LinePiece& piece, std::span<const ConvexRegion::Vertex> vertices, 
       size = std::max({size, size_of(v.near), size_of(p)});
     }
   }
-  const double tolerance = 0x1p-40 * size;
+  const double tolerance = margin::kWiderBox * size;
   piece.low = piece.low - Vector{tolerance, tolerance, tolerance};
   piece.high = plus(piece.high, {tolerance, tolerance, tolerance});
 }
@@ -122,9 +123,8 @@ LinePiece swept_piece(const ConvexRegion& set, const Sweep& sweep) {
 LinePiece swept_piece(const HalfSpace& set, const Sweep& sweep) {
   LinePiece piece;
   if (!add_moved(piece, set, sweep)) add(piece, set, true);
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  piece.low = {-kFar, -kFar, -kFar};
-  piece.high = {kFar, kFar, kFar};
+  piece.low = {-exact::kInfinity, -exact::kInfinity, -exact::kInfinity};
+  piece.high = {exact::kInfinity, exact::kInfinity, exact::kInfinity};
   return piece;
 }
 

@@ -97,15 +97,9 @@ RaySourcePointer body_rays(const Body& body, const Placing& placing, const Wante
 RaySourcePointer surface_rays(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
   const Solid::Form form = solid_of(shape)->form;
   if (form != Solid::Form::kMesh && form != Solid::Form::kPrism) return nullptr;
-  std::vector<RaySolid> solids;
-  try {
-    solids = ray_solids(shape);
-  } catch (const Error& e) {
-    // A surface that meets itself in edges or faces may still have convex parts.
-    if (e.code() != ErrorCode::kGeometry && e.code() != ErrorCode::kUnsupported) throw;
-    return nullptr;
-  }
-  const Triangles surface = moved(scaled(std::move(solids[0].surface), placing.factor), placing.by);
+  exact::Tried<std::vector<RaySolid>> solids = try_ray_solids(shape);
+  if (!solids) return nullptr;  // a surface that meets itself in edges or faces may still have convex parts
+  const Triangles surface = moved(scaled(std::move((*solids)[0].surface), placing.factor), placing.by);
   const int sign = wanted.by.sign(), frontier = wanted.interior() ? 1 : -1;
   const auto with_frontier = [=](int s) { return s == 0 ? frontier : s; };
   if (sign == 0) return mapped_rays(std::make_unique<PairRays>(surface, wanted.grid), with_frontier);
@@ -169,7 +163,7 @@ RaySourcePointer difference_rays(const plane::Shape& shape, const Placing& placi
   if (shape.kind == Kind::kOffset && part_by_part(child, false))
     return rays_of(child, placing, wanted.with(Topology::kPlain).grown(shape.amount));
   if (!is_closed(child)) refuse(shape, "what is left of a set that is not closed is not computed on lines");
-  return csg_rays(cut_erosion(shape), placing, wanted);
+  return csg_rays(cut_erosion(shape).or_throw(), placing, wanted);
 }
 
 /// The interior or the closure of the child, and of that what is wanted.

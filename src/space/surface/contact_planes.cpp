@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
 #include "space/polytope/near_features.h"
 
 namespace findspace::space {
 namespace {
 
 using Triple = near::Triple<double>;
-
-Triple triple(const Vector& v) { return {v.x, v.y, v.z}; }
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
@@ -33,7 +32,7 @@ const Point& apex(const RayBody& body, int face, const RayEdge& e) {
 
 /// The sign of n . w for n = u x v in doubles, whose factors are exact; 0 where they do not tell.
 int surely(const Vector& n, double size, const Vector& w) {
-  const double value = dot(n, w), bound = 0x1p-46 * size * size_of(w);
+  const double value = dot(n, w), bound = margin::kRoundings128 * size * size_of(w);
   return (value > bound) - (value < -bound);
 }
 
@@ -61,7 +60,7 @@ class ContactPlanes::Collector {
     const double size = size_of(middle) + size_of(exact::approx(of.a_.body.low)) +
                         size_of(exact::approx(of.a_.body.high)) + size_of(exact::approx(of.b_.body.low)) +
                         size_of(exact::approx(of.b_.body.high));
-    reach_ += 0x1p-44 * size;  // roundings
+    reach_ += margin::kRoundings512 * size;  // roundings
     square_ = reach_ * reach_;
   }
 
@@ -82,8 +81,8 @@ class ContactPlanes::Collector {
 
  private:
   /// Where it stands, its middle position taken.
-  Triple of_a(const Point& p) const { return triple(exact::approx(p)); }
-  Triple of_b(const Point& p) const { return triple(plus(exact::approx(p), middle_)); }
+  Triple of_a(const Point& p) const { return near::triple(exact::approx(p)); }
+  Triple of_b(const Point& p) const { return near::triple(plus(exact::approx(p), middle_)); }
 
   /// Overlap is where normal . (b + p - a) < 0.
   void put(const Wide3& normal, const Point& a, const Point& b) {
@@ -138,7 +137,7 @@ class ContactPlanes::Collector {
     if (exact::is_zero(n)) return;
     const Approx3 approx = exact::approx(n), of_e = exact::approx(a1 - a0), of_d = exact::approx(b1 - b0);
     // Of nearly parallel ones the distance is hard to tell.
-    const bool decided = dot(approx, approx) > 0x1p-36 * dot(of_e, of_e) * dot(of_d, of_d);
+    const bool decided = dot(approx, approx) > margin::kHardToTell * dot(of_e, of_e) * dot(of_d, of_d);
     if (decided && squared_of_segments(of_a(a0), of_a(a1), of_b(b0), of_b(b1)) > square_) return;
     const auto sides = [&](const RayBody& body, const RayEdge& of) {
       const Point& from = body.points[at(of.from)];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "exact/number/margins.h"
 #include "space/polytope/near_features.h"
 
 namespace findspace::space {
@@ -15,11 +16,6 @@ using Sheet = SurfaceSet::Sheet;
 using DoubleTriple = near::Triple<double>;
 
 namespace {
-
-DoubleTriple triple(const Point& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-}
-DoubleTriple triple(const Vector& v) { return {v.x, v.y, v.z}; }
 
 /// Between a box of A and one of B moved by p.
 double box_gap(const GridBox& a, const GridBox& b, const Vector& p) {
@@ -36,7 +32,8 @@ double box_gap(const GridBox& a, const GridBox& b, const Vector& p) {
 class Search {
  public:
   /// `size` of the coordinates, `longest` of the edges: what a distance may be off.
-  Search(const Vector& p, double size, double longest) : p_(p), slack_(0x1p-43 * size + 0x1p-18 * longest) {}
+  Search(const Vector& p, double size, double longest)
+      : p_(p), slack_(margin::kFaceDistance * size + margin::kFaceProjection * longest) {}
 
   void sheets(const Sheet& a, int i, const Sheet& b, int j) {
     run(a.tree, b.tree, p_, [&](int f, int g) { faces(a, i, f, b, j, g); });
@@ -128,8 +125,8 @@ class Search {
   void faces(const Sheet& a, int i, int f, const Sheet& b, int j, int g) {
     std::array<DoubleTriple, 3> s, t;
     for (std::size_t k = 0; k < 3; ++k) {
-      s[k] = triple(a.body.corner(f, static_cast<int>(k)));
-      t[k] = triple(plus(exact::approx(b.body.corner(g, static_cast<int>(k))), p_));
+      s[k] = near::triple(exact::approx(a.body.corner(f, static_cast<int>(k))));
+      t[k] = near::triple(plus(exact::approx(b.body.corner(g, static_cast<int>(k))), p_));
     }
     const auto from = [](const std::array<DoubleTriple, 3>& c, const DoubleTriple& x) {
       return near::squared_of_triangle(near::minus(c[0], x), near::minus(c[1], x), near::minus(c[2], x));
@@ -180,7 +177,7 @@ double farthest_out(const SurfaceSet& set) {
 }  // namespace
 
 double squared_distance(const Sheet& sheet, int face, const Vector& x) {
-  const auto corner = [&](int k) { return triple(exact::approx(sheet.body.corner(face, k)) - x); };
+  const auto corner = [&](int k) { return near::triple(exact::approx(sheet.body.corner(face, k)) - x); };
   return near::squared_of_triangle(corner(0), corner(1), corner(2));
 }
 
@@ -198,7 +195,7 @@ RealVector way_to(const Sheet& sheet, const RealVector& x) {
 }
 
 Vector nearest_place(const Sheet& sheet, int face, const Vector& x) {
-  const auto corner = [&](int k) { return triple(exact::approx(sheet.body.corner(face, k)) - x); };
+  const auto corner = [&](int k) { return near::triple(exact::approx(sheet.body.corner(face, k)) - x); };
   const DoubleTriple way = near::nearest_of_triangle(corner(0), corner(1), corner(2));
   return plus(x, Vector{way[0], way[1], way[2]});
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::space {
 namespace {
 
@@ -14,8 +16,9 @@ using exact::Real;
 int turn(const Point& p, const Point& q, const RealVector& x, const Vector& near) {
   const double ex = static_cast<double>(q.x - p.x), ey = static_cast<double>(q.y - p.y);
   const double a = ex * (near.y - static_cast<double>(p.y)), b = ey * (near.x - static_cast<double>(p.x));
-  const double tolerance = 0x1p-50 * (std::fabs(ex) * (std::fabs(near.y) + std::fabs(static_cast<double>(p.y))) +
-                                      std::fabs(ey) * (std::fabs(near.x) + std::fabs(static_cast<double>(p.x))));
+  const double tolerance =
+      margin::kRoundings8 * (std::fabs(ex) * (std::fabs(near.y) + std::fabs(static_cast<double>(p.y))) +
+                             std::fabs(ey) * (std::fabs(near.x) + std::fabs(static_cast<double>(p.x))));
   if (a - b > tolerance) return 1;
   if (a - b < -tolerance) return -1;
   return (Real(q.x - p.x) * (x[1] - Real(p.y)) - Real(q.y - p.y) * (x[0] - Real(p.x))).sign();

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "exact/number/margins.h"
 #include "plane/base/parallel.h"
 #include "space/rays/piece_rays.h"
 
@@ -18,7 +19,7 @@ using exact::Real;
 using Key = std::array<double, 3>;
 
 /// The units of parallel work.
-constexpr std::size_t kBlock = 64;
+constexpr std::size_t kRaysAtOnce = 64;
 
 Key key(const Vector& v) { return {v.x, v.y, v.z}; }
 
@@ -115,7 +116,7 @@ std::shared_ptr<const TouchSets> sets_of(const TouchPair& pair) {
 
 RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const RayGrid& grid) {
   const Real radius = level * Real(pair.scale);
-  const double tolerance = radius.to_double() * (1 + 0x1p-40) + 2;
+  const double tolerance = radius.to_double() * (1 + margin::kWiderBox) + 2;
   const auto wanted = [&](const Vector& low, const Vector& high) {
     const Vector by{tolerance, tolerance, tolerance};
     return PieceRays::any_line(grid, low - by, plus(high, by), pair.scale);
@@ -123,8 +124,8 @@ RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const R
   const TouchFrontier frontier = touch_frontier(sets_of(pair), wanted);
   const std::vector<About> all = about(frontier.pieces);
   std::vector<LinePiece> pieces(all.size());
-  plane::parallel_for((all.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-    for (std::size_t k = block * kBlock; k < std::min(all.size(), (block + 1) * kBlock); ++k)
+  plane::parallel_for((all.size() + kRaysAtOnce - 1) / kRaysAtOnce, [&](std::size_t block) {
+    for (std::size_t k = block * kRaysAtOnce; k < std::min(all.size(), (block + 1) * kRaysAtOnce); ++k)
       pieces[k] = all[k].made(radius);
   });
   return std::make_unique<PieceRays>(pieces, pair.scale, grid);

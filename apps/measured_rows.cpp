@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "measured_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "formula/language/text.h"
+
+namespace findspace::app {
+namespace {
+
+constexpr std::array<std::string_view, 5> kShown{"gap", "margin", "reach", "protrusion", "hausdorff"};
+
+/// "gap" of "inf gap(B, A)".
+std::string_view word_of(std::string_view text) {
+  const std::string_view before = text.substr(0, text.find('('));
+  const std::size_t blank = before.rfind(' ');
+  return blank == std::string_view::npos ? before : before.substr(blank + 1);
+}
+
+struct Ranked {
+  MeasuredRow row;
+  std::size_t pair = 0, rank = 0;
+};
+
+}  // namespace
+
+std::vector<MeasuredRow> rows_by_text(std::span<const std::string> texts, bool all) {
+  std::vector<Ranked> rows;
+  std::size_t pair = 0;
+  bool in_gap = false;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const formula::PlainText plain = formula::plain(texts[k]);
+    const std::string_view word = word_of(plain.text);
+    const bool directional = plain.text.find('=') != std::string::npos;
+    if (word == kShown[0] && !directional && !in_gap) ++pair;
+    in_gap = word == kShown[0];
+    const auto rank = std::size_t(std::find(kShown.begin(), kShown.end(), word) - kShown.begin());
+    if (rank == kShown.size() && !all && !directional) continue;
+    rows.push_back({{k, plain.text, plain.negated}, directional ? texts.size() : pair, all || directional ? 0 : rank});
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const Ranked& a, const Ranked& b) {
+    return a.pair != b.pair ? a.pair < b.pair : a.rank < b.rank;
+  });
+  std::vector<MeasuredRow> out;
+  for (Ranked& r : rows) out.push_back(std::move(r.row));
+  return out;
+}
+
+std::string said_distance(const formula::Atom& atom) {
+  return atom.predicate == nullptr ? "" : std::string(atom.distance.spelled->name) + " ";
+}
+
+}  // namespace findspace::app
