@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "distance/planar/signed_distance.h"
+#include "exact/number/margins.h"
 #include "formula/language/evaluate.h"
 #include "formula/planar/least_values.h"
 #include "formula/planar/position_functions.h"
@@ -188,7 +189,7 @@ class Near {
   /// By the level and by more than all rounding.
   static PieceBox grown(const PieceBox& b, const Real& level) {
     const double size = std::max({std::abs(b.x0), std::abs(b.y0), std::abs(b.x1), std::abs(b.y1)});
-    const double by = level.interval().hi + 2 + size * 0x1p-40;
+    const double by = level.interval().hi + 2 + size * margin::kOutOfReach;
     return {b.x0 - by, b.y0 - by, b.x1 + by, b.y1 + by};
   }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <queue>
 
+#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
@@ -31,14 +32,13 @@ using plane::Section;
 namespace {
 
 constexpr int kMostLooks = 1000;
-constexpr double kNarrowest = 0x1p-40;  // no sign: of a leg; what is still open then stays between the bounds
 
 /// A part of a leg, and the signs that may occur in it.
 struct Piece {
   std::size_t leg;
   double from, to;
   Mark low = -1, high = 1;
-  bool open() const { return low < high && to - from > kNarrowest; }
+  bool open() const { return low < high && to - from > margin::kNarrowestTime; }
 };
 
 using Look = std::function<void(Piece&)>;

@@ -8,6 +8,7 @@
 
 #include "distance/planar_least/directional_least.h"
 #include "distance/planar_least/level_extremum.h"
+#include "exact/number/margins.h"
 #include "formula/language/text.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/rotation_values.h"
@@ -28,7 +29,6 @@ using plane::Mark;
 namespace {
 
 constexpr std::size_t kBoxes = 600, kBoxesOverTime = 320, kBoxesOfRotationOverTime = 24;
-constexpr double kCloseDegrees = 1e-7, kClosePart = 1e-9;  // no sign: where a search may end
 
 double far(const RealPoint& p) { return std::hypot(distance::near_value(p.x), distance::near_value(p.y)); }
 
@@ -67,7 +67,7 @@ SearchWindow search_window(const PreparedWorld& world, const Roles& r, const pla
   size += way;
   SearchWindow out{{},
                    !rotation && !ends(r.wanted.kind),
-                   rotation ? kCloseDegrees : kClosePart * size,
+                   rotation ? margin::kBestDegrees : margin::kBestPart * size,
                    !world.motion().given() ? kBoxes
                    : rotation              ? kBoxesOfRotationOverTime
                                            : kBoxesOverTime};

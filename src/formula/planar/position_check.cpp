@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/number/margins.h"
 #include "formula/language/evaluate.h"
 #include "formula/planar/measure.h"
 #include "formula/planar/regions.h"
@@ -22,8 +23,6 @@ using exact::RealPoint;
 
 namespace {
 
-constexpr double kClear = 0x1p-34;  // of the sizes; values at a position are right to far less
-
 /// From the value, where it is clearly not the level: no map of all positions is made then.
 std::optional<std::int8_t> clear_sign(const PreparedWorld& world, const SignMap& wanted, const Roles& r,
                                       const RealPoint& p) {
@@ -33,7 +32,7 @@ std::optional<std::int8_t> clear_sign(const PreparedWorld& world, const SignMap&
   if (m->minus_infinity) return std::int8_t(-1);
   const double value = m->value.to_double(), level = (wanted.level / world.step()).to_double();
   const double size = std::abs(value) + std::abs(level) + world.pair(r.names)->scale(p);
-  if (std::abs(value - level) <= size * kClear) return std::nullopt;
+  if (std::abs(value - level) <= size * margin::kClearOfLevel) return std::nullopt;
   return std::int8_t(value > level ? 1 : -1);
 }
 
@@ -59,7 +58,7 @@ std::int8_t sign_at(const PreparedWorld& world, const SignMap& asked, const Real
   const auto v = rotation_value(world, r, p);
   if (!v) return 1;
   const double level = (rotation ? wanted.level : wanted.level / world.step()).to_double();
-  const double tolerance = (std::abs(level) + 1) * 0x1p-50;
+  const double tolerance = (std::abs(level) + 1) * margin::kRangeAtLevel;
   if (v->low > level + tolerance) return 1;
   if (v->high < level - tolerance) return -1;
   const double unit = rotation ? 1 : world.step().to_double();

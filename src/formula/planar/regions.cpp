@@ -9,6 +9,7 @@
 
 #include "distance/rotation/rotation_map.h"
 #include "distance/rotation/rotation_positions.h"
+#include "exact/number/margins.h"
 #include "formula/language/evaluate.h"
 #include "formula/planar/least_values.h"
 #include "formula/planar/position_functions.h"
@@ -46,7 +47,7 @@ BoundedMaps bounded_minimisers(const PreparedWorld& world, const SignMap& wanted
   if (!best.exists) return {CellComplex::uniform(best.proven ? 1 : 0), CellComplex::uniform(1)};
   const bool rotation = wanted.distance.mode == Mode::kRotation;
   const double level = distance::near_value(best.level);
-  const Real above = Real::from_double(level + (std::abs(level) + 1) * 0x1p-40);
+  const Real above = Real::from_double(level + (std::abs(level) + 1) * margin::kAboveLeast);
   const BoundedMaps near = bounded_maps(world, {wanted.distance, rotation ? above : above * world.step()});
   return {map(near.low, [](Mark k) { return k <= 0; }), CellComplex::uniform(1)};
 }

@@ -9,6 +9,7 @@
 
 #include "distance/rotation/rotation_angles.h"
 #include "distance/rotation/rotation_in_time.h"
+#include "exact/number/margins.h"
 #include "formula/language/evaluate.h"
 #include "plane/query/moved.h"
 
@@ -26,8 +27,6 @@ using plane::RotationMap;
 namespace {
 
 const Real kAboutAnEnd = Real::ratio(1, 1000000000);  // degrees: more than an angle in doubles is off
-
-constexpr double kBeyond = 1e-9;  // no sign: more than values are off
 
 double way_of(const plane::RotationInterval& i) {
   const double d = i.to.degrees() - i.from.degrees();
@@ -122,7 +121,8 @@ BestRotation best_rotation(const RotationMaps& maps, const Distance& d, const Ro
     return out;
   }
   out.value = rotation * value;
-  const BoundedRotations near = bounded_map(maps, {d, Real::from_double(rotation * value + rotation * kBeyond)});
+  const BoundedRotations near =
+      bounded_map(maps, {d, Real::from_double(rotation * value + rotation * margin::kBestOfAngles)});
   const RotationMap& bound = rotation > 0 ? near.low : near.high;
   out.possible = plane::overlay(std::array<const RotationMap*, 2>{&bound, &within.outer},
                                 [rotation](std::span<const Mark> m) { return Mark(m[1] > 0 && rotation * m[0] <= 0); });

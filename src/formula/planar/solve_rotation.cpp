@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "distance/rotation/rotation.h"
+#include "exact/number/margins.h"
 #include "exact/number/tried.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
@@ -25,8 +26,6 @@ using plane::operator-;
 using plane::operator==;
 
 namespace {
-
-constexpr double kValueRoom = 1e-9;  // no sign: more than values are off
 
 bool truth(const Node& node, const std::vector<AtomAt>& atoms) {
   const auto holds = [&](const Node& n) { return truth(n, atoms); };
@@ -141,7 +140,7 @@ AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) c
     least_value = found.value.to_double();
   }
   const auto& value = out.distance.value;
-  if (least_value && value && *value <= *least_value + kValueRoom * (1 + std::abs(*least_value)))
+  if (least_value && value && *value <= *least_value + margin::kBestOfAngles * (1 + std::abs(*least_value)))
     refuse(d, "its least value over the angles is no whole number of steps; whether it is taken here is not decided");
   return out;
 }

@@ -62,7 +62,7 @@ class Leg {
 
   /// Parts of the leg that are printed alike stay in their order.
   void stop(double part, Mark at, Mark after) {
-    part_ = std::min(std::max(part, std::nextafter(part_, 1.0)), 1 - 0x1p-53);
+    part_ = std::min(std::max(part, std::nextafter(part_, 1.0)), std::nextafter(1.0, 0.0));
     out_.stops.push_back({start_ + Real::from_double(part_) * (end_ - start_), at, after});
   }
 
