@@ -41,7 +41,7 @@ Outcome run_check(const Options& options, Reporter& reporter) {
   const formula::Formula formula = session.where();
   const formula::Solver solver(session.world());
   reporter.stage("checking");
-  const formula::Solver::Check check = solver.check(formula, at);
+  const formula::Check check = solver.check(formula, at);
   const std::optional<formula::NearestFeasible> nearest =
       check.holds ? std::nullopt : nearest_feasible(solver, formula, at, reporter);
   const formula::NearestFeasible* near = nearest ? &*nearest : nullptr;

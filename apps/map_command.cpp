@@ -95,7 +95,7 @@ Map solve_between_bounds(const Session& session, const formula::Solver& solver, 
   if (!session.options().apply.empty())
     throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn only bounds of the region are known",
                 session.scene().file);
-  formula::Solver::Bounds bounds = solver.feasible_bounds(formula);
+  formula::RegionBounds bounds = solver.feasible_bounds(formula);
   if (!goal) {
     reporter.note(
         "shapes turn, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones");
@@ -181,7 +181,7 @@ Outcome map_of_time(const Session& session, const formula::Solver& solver, const
     session.reporter().note(
         "shapes turn, or distances are in rotation: instants that certainly belong, and in \"outer\" the possible "
         "ones");
-    const formula::Solver::InstantBounds bounds = solver.instant_bounds(formula, at);
+    const formula::InstantBounds bounds = solver.instant_bounds(formula, at);
     intervals = in_time(bounds.inner);
     outer = in_time(bounds.outer);
   } else {

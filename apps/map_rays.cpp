@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "exact/number/margins.h"
+#include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
-#include "formula/planar/certain_cells.h"
 #include "formula/solid/solve_rays.h"
 #include "io/draw/draw_slices.h"
 #include "io/mesh/write_mesh.h"

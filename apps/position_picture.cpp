@@ -55,7 +55,7 @@ void add_dimension(io::Picture& p, const formula::World& world, const formula::D
 }  // namespace
 
 std::string check_picture(const Session& session, const formula::World& world, const formula::Formula& formula,
-                          const exact::RealPoint& at, const formula::Solver::Check& check,
+                          const exact::RealPoint& at, const formula::Check& check,
                           const formula::NearestFeasible* nearest) {
   io::Picture p;
   p.title = check.holds ? "Feasible" : "Not feasible";

@@ -16,7 +16,7 @@ namespace findspace::app {
 /// Distances that fail in red, and the nearest feasible position in dashes (null: not known, or `at` is feasible).
 /// @p world in steps of its grid, @p at in the scene's unit.
 std::string check_picture(const Session& session, const formula::World& world, const formula::Formula& formula,
-                          const exact::RealPoint& at, const formula::Solver::Check& check,
+                          const exact::RealPoint& at, const formula::Check& check,
                           const formula::NearestFeasible* nearest);
 
 /// With gamma1 of every pair.

@@ -121,7 +121,7 @@ std::string intervals_text(std::string_view title, const std::vector<plane::Line
   return out;
 }
 
-std::string check_text(const formula::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+std::string check_text(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, const formula::NearestFeasible* nearest) {
   std::vector<std::string> texts;
   for (const auto& a : check.atoms) texts.push_back(formula::written(a.atom));

@@ -21,7 +21,7 @@ std::string summary_text(std::string_view title, const plane::Summary& summary, 
 std::string intervals_text(std::string_view title, const std::vector<plane::LineInterval>& intervals,
                            const exact::Real& step, std::string_view unit);
 /// `nearest` may be null: the nearest feasible position, where it was asked for.
-std::string check_text(const formula::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+std::string check_text(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, const formula::NearestFeasible* nearest);
 /// The rows of measured_rows.h.
 std::string measure_text(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,

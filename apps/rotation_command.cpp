@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "formula/planar/rotation_bounds.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/draw_rotations.h"
 #include "io/write/write_json.h"
@@ -157,7 +158,7 @@ Outcome check_at_angle(const Session& session) {
   const formula::Solver solver(session.world());
   session.reporter().stage("checking");
   const formula::RotationSolver rotated(solver, pose);
-  const formula::Solver::Check check = rotated.check(formula);
+  const formula::Check check = rotated.check(formula);
   say_rounding(session, rotated.rounding());
   const auto json = [&] {
     return io::check_json(check, pose.at, session.step(), session.unit(), pose.degrees.to_double());
@@ -187,13 +188,13 @@ formula::Formula question_over_angles(const Session& session) {
 namespace {
 
 /// The best angles of the set take its place.
-std::optional<io::ExtremeValue> optimum(const Session& session, const formula::RotationSolver& solver,
+std::optional<io::ExtremeValue> optimum(const Session& session, const formula::RotationMaps& maps,
                                         plane::RotationMap& set) {
   const auto goal = session.goal();
   if (!goal) return std::nullopt;
   const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
   const formula::Distance& d = goal->objective.distance;
-  plane::RotationLeast best = maximum != negated ? solver.greatest(d, set) : solver.least(d, set);
+  plane::RotationLeast best = maximum != negated ? maps.greatest(d, set) : maps.least(d, set);
   set = std::move(best.at);
   if (!best.exists) return io::ExtremeValue{maximum, std::nullopt, false, false, true};
   const double value = best.value.to_double();
@@ -207,15 +208,16 @@ struct AngleMap {
 };
 
 /// The best angles of a set that is known between bounds, or of a distance that is.
-AngleMap solve_between_bounds(const Session& session, const formula::RotationSolver& rotated,
+AngleMap solve_between_bounds(const Session& session, const formula::RotationMaps& maps,
                               const formula::Formula& formula) {
   session.reporter().note("turns about two points: angles that certainly belong, and in \"outer\" the possible ones");
-  formula::RotationSolver::Bounds bounds = rotated.feasible_bounds(formula);
+  formula::RotationBounds bounds = formula::rotation_bounds(maps, formula);
   const auto goal = session.goal();
   if (!goal) return {std::move(bounds.inner), std::move(bounds.outer), std::nullopt};
   const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
-  formula::RotationSolver::Best best = rotated.best(
-      goal->objective.distance, bounds, maximum != negated ? distance::Sense::kMaximum : distance::Sense::kMinimum);
+  formula::BestRotation best =
+      formula::best_rotation(maps, goal->objective.distance, bounds,
+                             maximum != negated ? distance::Sense::kMaximum : distance::Sense::kMinimum);
   const double rotation = negated ? -1 : 1;
   io::ExtremeValue extreme{maximum, std::nullopt, false, false, false};
   if (best.value) extreme.value = rotation * *best.value;
@@ -226,12 +228,12 @@ AngleMap solve_between_bounds(const Session& session, const formula::RotationSol
   return {plane::RotationMap::uniform(0), std::move(best.possible), extreme};
 }
 
-AngleMap solve(const Session& session, const formula::RotationSolver& rotated, const formula::Formula& formula) {
+AngleMap solve(const Session& session, const formula::RotationMaps& maps, const formula::Formula& formula) {
   const auto goal = session.goal();
-  if (rotated.rotations_twice(formula) || (goal && rotated.rotations_twice(goal->objective.distance)))
-    return solve_between_bounds(session, rotated, formula);
-  AngleMap map{rotated.feasible(formula), std::nullopt, std::nullopt};
-  map.best = optimum(session, rotated, map.set);
+  if (maps.rotations_twice(formula) || (goal && maps.rotations_twice(goal->objective.distance)))
+    return solve_between_bounds(session, maps, formula);
+  AngleMap map{maps.feasible(formula), std::nullopt, std::nullopt};
+  map.best = optimum(session, maps, map.set);
   return map;
 }
 
@@ -244,7 +246,7 @@ Outcome map_of_angles(const Session& session) {
   session.reporter().stage("solving");
   const exact::RealPoint at = session.position();
   const formula::RotationSolver rotated(solver, {at, {}, about(session)});
-  AngleMap map = solve(session, rotated, formula);
+  AngleMap map = solve(session, rotated.maps(formula), formula);
   const io::ExtremeValue* extreme = map.best ? &*map.best : nullptr;
   const auto json = [&] {
     std::string text = io::rotations_json(map.set, extreme);

@@ -14,6 +14,8 @@
 #include "io/write/write_json_space.h"
 #include "plane/base/parallel.h"
 #include "ray_outcome.h"
+#include "space/box/box_operations.h"
+#include "space/box/box_topology.h"
 #include "space_outcome.h"
 #include "space_report.h"
 
@@ -33,7 +35,7 @@ std::string picture(const Session& session, const formula::SpaceWorld& world, co
     } else if (!summary.components.empty()) {
       space::RealVector by;
       for (std::size_t k = 0; k < 3; ++k) by[k] = Real::from_double(summary.components[0].sample[k]) / session.step();
-      p.moving.push_back(shape.boxes->translated(by));
+      p.moving.push_back(space::translated(*shape.boxes, by));
     }
   }
   return io::space_svg(p);
@@ -53,11 +55,11 @@ space::ConvexSet applied(const std::string& operation, space::ConvexSet set) {
 }
 
 space::BoxComplex applied(const std::string& operation, space::BoxComplex set) {
-  if (operation == "interior") return set.interior();
-  if (operation == "closure") return set.closure();
-  if (operation == "regularize") return set.regularized();
-  if (operation == "complement") return set.complement();
-  if (operation == "boundary") return set.boundary();
+  if (operation == "interior") return space::interior(set);
+  if (operation == "closure") return space::closure(set);
+  if (operation == "regularize") return space::regularized(set);
+  if (operation == "complement") return space::complement(set);
+  if (operation == "boundary") return space::boundary(set);
   return set;
 }
 

@@ -19,6 +19,7 @@
 #include "distance/planar/at_position.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/parse.h"
+#include "formula/planar/position_functions.h"
 #include "formula/planar/solve.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -149,7 +150,7 @@ void many_atoms(int m, int spread) {
   const std::int64_t size = std::int64_t(1) << 20;
   formula::World world;
   formula::Context context;
-  std::string formula;
+  std::string text;
   const auto shape = [&](unsigned seed) { return spread < 16 ? smooth(m, seed) : star(m, seed); };
   const double ring = double(spread) / 16 * double(size);
   for (int k = 0; k < 10; ++k) {
@@ -158,20 +159,20 @@ void many_atoms(int m, int spread) {
     world.shapes.emplace(name, region(moved(shape(unsigned(k + 1)), std::int64_t(ring * std::cos(t)),
                                             std::int64_t(ring * std::sin(t)))));
     context.shapes.push_back(name);
-    formula += fmt::format("{}(gamma1(B, {}) >= {} and gamma1(B, {}) <= {} or gamma2(B, {}) <= {})",
-                           k > 0 ? " or " : "", name, size / 8, name, size / 2, name, 4 * size);
+    text += fmt::format("{}(gamma1(B, {}) >= {} and gamma1(B, {}) <= {} or gamma2(B, {}) <= {})", k > 0 ? " or " : "",
+                        name, size / 8, name, size / 2, name, 4 * size);
   }
   world.shapes.emplace("B", region(shape(11)));
   context.shapes.push_back("B");
   world.moving = context.moving = {"B"};
   world.step = 1;
-  const formula::Formula parsed = formula::parse_formula(formula, context);
+  const formula::Formula parsed = formula::parse_formula(text, context);
   formula::Solver solver(world);
   std::vector<findspace::plane::SignMap> maps;
   auto made = [&] {
     maps.clear();
     for (const auto& wanted : parsed.sign_maps())
-      maps.push_back(solver.distance(wanted.distance)->sign_map(wanted.level));
+      maps.push_back(objective_distance(solver.prepared(), wanted.distance)->sign_map(wanted.level));
   };
   double maps_ms = median_ms(made);
   std::vector<const findspace::plane::CellComplex*> operands;

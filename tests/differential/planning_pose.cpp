@@ -59,7 +59,7 @@ void compare_at_positions(const char* text) {
   for (int x = 40; x < 900; x += 190) {
     for (int y = 40; y < 700; y += 155) {
       const RealPoint p{x, y};
-      const RotationMap set = formula::RotationSolver(solver, {p, Real(), RealPoint{}}).feasible(f);
+      const RotationMap set = formula::RotationSolver(solver, {p, Real(), RealPoint{}}).maps(f).feasible(f);
       for (const PoseSlice& s : stack.slices) {
         if (!(s.degrees / Real(90)).integer()) continue;
         EXPECT_EQ(testing::sign_at(s.region, p), mark_at(set, Angle::of_degrees(s.degrees)))

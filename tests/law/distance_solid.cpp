@@ -11,6 +11,7 @@
 #include "differential/space_oracle.h"
 #include "distance/solid/box_pair.h"
 #include "distance/solid/solid_pair.h"
+#include "space/box/box_topology.h"
 #include "space/phi/phi_function.h"
 #include "unit/space_bodies.h"
 
@@ -104,7 +105,7 @@ TEST(SolidLaws, BoxUnionsTwoWays) {
     const auto a = space::random_boxes(random, 4, 5), b = space::random_boxes(random, 2, 3);
     const SolidPair bodies(shared(space::box_body(b)), shared(space::box_body(a)));
     const BoxPair boxes(space::box_set(b), space::box_set(a));
-    const BoxPair dual(space::box_set(b), space::box_set(a).complement().closure());
+    const BoxPair dual(space::box_set(b), closure(complement(space::box_set(a))));
     for (int i = 0; i < 4; ++i) {
       const RealVector p = space::place(pick(-8, 12), pick(-8, 12), pick(-8, 12), 2);
       for (const Which w : {Which::kGamma1, Which::kEta1, Which::kDelta1, Which::kEta2, Which::kDelta2,

@@ -8,8 +8,8 @@
 #include <array>
 #include <random>
 
+#include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
-#include "formula/planar/certain_cells.h"
 
 namespace findspace::formula {
 namespace {

@@ -71,7 +71,7 @@ TEST(Swing, LiesBetweenTheBounds) {
     const std::optional<Section> swing = solver.swing(formula, {});
     ASSERT_TRUE(swing);
     for (std::size_t i = 0; i + 1 < swing->stops.size(); ++i) ASSERT_LT(swing->stops[i].t, swing->stops[i + 1].t);
-    const Solver::InstantBounds bounds = solver.instant_bounds(formula, {});
+    const InstantBounds bounds = solver.instant_bounds(formula, {});
     plane::Mark last = 0;
     for (int i = 0; i <= 400; ++i) {
       const Real t = Real::ratio(i, 100);

@@ -10,6 +10,7 @@
 #include "distance/solid/box_pair.h"
 #include "distance/solid/solid_pair.h"
 #include "findspace/error.h"
+#include "space/box/box_topology.h"
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
@@ -165,7 +166,7 @@ TEST(BoxPair, AgreesOnSlitsAndUnboundedShapes) {
   EXPECT_EQ(channel.value(Which::kGamma1, place(1, 2, 1))->value.sign(), 0);
   EXPECT_DOUBLE_EQ(channel.value(Which::kGamma1, place(3, 4, 4, 2))->value.to_double(), -0.5);
   // Everything outside a room of 4: gamma1 is minus eta1 of the room, and minus infinity for what does not fit in.
-  const space::BoxComplex walls = box_set({{{{0, 0, 0}, {4, 4, 4}}}}).complement().closure();
+  const space::BoxComplex walls = closure(complement(box_set({{{{0, 0, 0}, {4, 4, 4}}}})));
   const BoxPair fits(box_set({{{{0, 0, 0}, {1, 1, 1}}}}), walls), large(box_set({{{{0, 0, 0}, {5, 1, 1}}}}), walls);
   EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(1, 1, 1))->value.to_double(), 1);
   EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(-2, 1, 1))->value.to_double(), -2);

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "space/body/open_union.h"
+#include "space/box/box_operations.h"
 #include "space/box/box_summary.h"
+#include "space/box/box_topology.h"
 #include "space/box/convex_set.h"
 #include "space/polytope/min_ball.h"
 #include "unit/space_bodies.h"
@@ -25,8 +27,8 @@ TEST(BoxComplex, KeepsSheetsLinesPointsAndOpenEnds) {
   const BoxComplex set = BoxComplex::of_boxes(boxes);
   EXPECT_EQ(set.mark(place(2, 1, 1)), 0);
   EXPECT_EQ(set.mark(place(0, 1, 1)), 1);
-  EXPECT_EQ(set.closure().mark(place(2, 1, 1)), 1);
-  EXPECT_EQ(set.interior().mark(place(0, 1, 1)), 0);
+  EXPECT_EQ(closure(set).mark(place(2, 1, 1)), 1);
+  EXPECT_EQ(interior(set).mark(place(0, 1, 1)), 0);
   const SpaceSummary s = summarize(set, Real::ratio(1, 2));
   EXPECT_FALSE(s.open || s.closed || s.regular || s.empty);
   EXPECT_DOUBLE_EQ(*s.volume, 1);
@@ -45,7 +47,7 @@ TEST(BoxComplex, CavitiesSlitsAndUnboundedSets) {
   EXPECT_EQ(s.holes, 1);
   EXPECT_DOUBLE_EQ(*s.volume, 208);
   EXPECT_FALSE(s.closed);
-  const SpaceSummary outside = summarize(shell.complement(), Real(1));
+  const SpaceSummary outside = summarize(complement(shell), Real(1));
   EXPECT_FALSE(outside.bounded);
   EXPECT_FALSE(outside.volume);
   EXPECT_EQ(outside.components.size(), 2u);
@@ -55,7 +57,7 @@ TEST(BoxComplex, CavitiesSlitsAndUnboundedSets) {
 
 TEST(BoxComplex, SumOfOpenAndClosedBoxes) {
   const BoxComplex a = box_set({{{{0, 0, 0}, {2, 2, 2}}}}), b = box_set({{{{-1, -1, -1}, {0, 0, 0}}}});
-  const BoxComplex open = sum(a.interior(), b);
+  const BoxComplex open = sum(interior(a), b);
   EXPECT_EQ(open.mark(place(-1, 0, 0)), 0);
   EXPECT_EQ(open.mark(place(-1, 1, 1, 2)), 1);
   EXPECT_EQ(open.mark(place(2, 1, 1)), 0);

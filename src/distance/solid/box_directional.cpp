@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "distance/solid/box_pair.h"
+#include "space/box/box_operations.h"
 
 namespace findspace::distance {
 

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 
+#include "space/box/box_operations.h"
+#include "space/box/box_topology.h"
+
 namespace findspace::distance {
 
 using exact::Real;
@@ -30,14 +33,14 @@ BoxComplex sign_map_of(const BoxComplex& open, const BoxComplex& closed) {
 }
 
 BoxComplex gamma_map(const BoxComplex& b, const BoxComplex& a) {
-  const BoxComplex back = b.mirrored();
-  return sign_map_of(either(sum(a.interior(), back), sum(a, back.interior())), sum(a, back));
+  const BoxComplex back = mirrored(b);
+  return sign_map_of(either(sum(interior(a), back), sum(a, interior(back))), sum(a, back));
 }
 
 /// B + p in A, and in its interior.
 BoxComplex eta_map(const BoxComplex& b, const BoxComplex& a) {
-  const BoxComplex back = b.mirrored(), outside = a.complement();
-  return sign_map_of(sum(outside.closure(), back).complement(), sum(outside, back).complement());
+  const BoxComplex back = mirrored(b), outside = complement(a);
+  return sign_map_of(complement(sum(closure(outside), back)), complement(sum(outside, back)));
 }
 
 /// The box less t on every side; nothing if that is empty. Open if `open`.
@@ -101,7 +104,7 @@ BoxPair::Signs BoxPair::made(Which base) const {
   Signs s;
   s.map = base == Which::kGamma1 ? gamma_map(b_, a_)
           : base == Which::kEta1 ? eta_map(b_, a_)
-                                 : eta_map(a_, b_).mirrored();
+                                 : mirrored(eta_map(a_, b_));
   s.map = s.map.simplified();
   s.closed = s.map.remarked([](Mark m) { return Mark(m <= 0); }).boxes();
   s.rest = s.map.remarked([](Mark m) { return Mark(m >= 0); }).boxes();

@@ -11,7 +11,11 @@
 #include <utility>
 
 #include "distance/planar/signed_distance.h"
+#include "exact/number/margins.h"
 #include "formula/language/evaluate.h"
+#include "formula/planar/least_values.h"
+#include "formula/planar/position_functions.h"
+#include "formula/planar/regions.h"
 #include "plane/base/parallel.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
@@ -42,11 +46,11 @@ bool is_plain(const Distance& d) { return d.mode == Mode::kPlain; }
 
 class Near {
  public:
-  Near(const Solver& solver, const Formula& formula) : solver_(solver), formula_(formula) {}
+  Near(const PreparedWorld& world, const Formula& formula) : world_(world), formula_(formula) {}
 
   Region run() {
     const Node& root = formula_.root();
-    if (root.op != Node::Op::kAnd || solver_.world().instant) return solver_.feasible(formula_);
+    if (root.op != Node::Op::kAnd || world_.world().instant) return feasible(world_, formula_);
     std::vector<Formula> bounding, near;
     std::vector<const Node*> others;
     for (const Node& operand : root.operands) {
@@ -55,10 +59,10 @@ class Near {
       else
         others.push_back(&operand);
     }
-    if (bounding.empty() || others.empty()) return solver_.feasible(formula_);
-    Region tolerance = solver_.feasible(conjunction(bounding));
+    if (bounding.empty() || others.empty()) return feasible(world_, formula_);
+    Region tolerance = feasible(world_, conjunction(bounding));
     if (plane::is_empty(tolerance)) return tolerance;
-    if (!plane::is_bounded(tolerance)) return solver_.feasible(formula_);
+    if (!plane::is_bounded(tolerance)) return feasible(world_, formula_);
     box_ = *plane::extent(tolerance);
     for (const Node* other : others) {
       const std::optional<bool> far = if_far(*other);
@@ -87,7 +91,7 @@ class Near {
   }
 
   bool moves(const std::string& name) const {
-    const auto& moving = solver_.world().moving;
+    const auto& moving = world_.world().moving;
     return std::find(moving.begin(), moving.end(), name) != moving.end();
   }
 
@@ -120,58 +124,54 @@ class Near {
   std::optional<bool> if_far(const Node& node) {
     if (node.op != Node::Op::kAtom) return std::nullopt;
     const Atom& atom = formula_.atoms()[node.atom];
-    const Distance d = moving_first(atom.distance, solver_.world().moving);
+    const Distance d = moving_first(atom.distance, world_.world().moving);
     if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
         atom.level.sign() < 0)
       return std::nullopt;
     auto mover = movers_.find(d.first);
     if (mover == movers_.end()) mover = movers_.emplace(d.first, made(d.first)).first;
     if (!mover->second.box) return std::nullopt;
-    const PieceBox window = reached(*mover->second.box, d, atom.level / solver_.world().step);
+    const PieceBox window = reached(*mover->second.box, d, atom.level / world_.step());
     for (const std::string& name : d.second) {
-      const PieceBox* box = solver_.box(name);
+      const PieceBox* box = world_.box(name);
       if (!box || box->meets(window)) return std::nullopt;
     }
     return holds(atom, 1);
   }
 
   plane::SignMap sign_map(const SignMap& wanted) const {
-    const Real level = wanted.level / solver_.world().step;
-    const Distance d = moving_first(wanted.distance, solver_.world().moving);
-    if (wanted.minimum) {
-      distance::Extremum e = solver_.least(wanted.distance);
-      if (!e.exists) return CellComplex::uniform(1);
-      return plane::remark(std::move(e.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
-    }
+    const Real level = wanted.level / world_.step();
+    const Distance d = moving_first(wanted.distance, world_.world().moving);
+    if (wanted.minimum) return minimiser_map(least(world_, wanted.distance));
     const bool local = is_plain(d) && d.kind == Kind::kGamma1 && level.sign() >= 0 && moves(d.first[0]);
     const bool bounded = local && std::all_of(d.second.begin(), d.second.end(),
-                                              [&](const std::string& name) { return solver_.box(name) != nullptr; });
-    if (!bounded) return solver_.function(wanted.distance)->sign_map(level);
+                                              [&](const std::string& name) { return world_.box(name) != nullptr; });
+    if (!bounded) return position_function(world_, wanted.distance)->sign_map(level);
     const auto known = movers_.find(d.first);
     const Mover b = known == movers_.end() ? made(d.first) : known->second;
-    if (!b.box) return solver_.function(wanted.distance)->sign_map(level);
+    if (!b.box) return position_function(world_, wanted.distance)->sign_map(level);
     const PieceBox window = reached(*b.box, d, level);
     std::vector<Region> parts;
     for (const std::string& name : d.second)
-      if (solver_.box(name)->meets(window)) parts.push_back(part(name, window));
+      if (world_.box(name)->meets(window)) parts.push_back(part(name, window));
     std::vector<const Region*> all;
     for (const Region& p : parts) all.push_back(&p);
     if (all.empty()) return CellComplex::uniform(1);
     const Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
     if (plane::is_empty(a)) return CellComplex::uniform(1);
     const auto pair = std::make_shared<distance::SignedDistance>(distance::SignedDistance::gamma1(b.shape, a));
-    return solver_.over_its_time(d, pair)->sign_map(level);
+    return over_its_time(world_, d, pair)->sign_map(level);
   }
 
   /// A shape as it is within the window.
   Region part(const std::string& name, const PieceBox& window) const {
-    const Region& whole = solver_.world().shapes.at(name);
-    const plane::BoundaryComponents* boundary_components = solver_.boundary_components(name);
+    const Region& whole = world_.world().shapes.at(name);
+    const plane::BoundaryComponents* boundary_components = world_.boundary_components(name);
     return plane::within(boundary_components ? boundary_components->near(whole, window) : whole, window);
   }
 
   Mover made(const Names& names) const {
-    Region shape = solver_.shape(names);
+    Region shape = world_.shape(names);
     auto box = plane::extent(shape);
     return {std::move(shape), box};
   }
@@ -179,7 +179,7 @@ class Near {
   /// What a shape with this box comes within the level of, from the positions in question, at any time.
   PieceBox reached(const PieceBox& shape, const Distance& d, const Real& level) const {
     std::optional<PieceBox> all;
-    for (const exact::RealPoint& at : solver_.way(d)) {
+    for (const exact::RealPoint& at : way(world_, d)) {
       const PieceBox here = plane::moved(shape, at);
       all = all ? plane::joined(*all, here) : here;
     }
@@ -189,11 +189,11 @@ class Near {
   /// By the level and by more than all rounding.
   static PieceBox grown(const PieceBox& b, const Real& level) {
     const double size = std::max({std::abs(b.x0), std::abs(b.y0), std::abs(b.x1), std::abs(b.y1)});
-    const double by = level.interval().hi + 2 + size * 0x1p-40;
+    const double by = level.interval().hi + 2 + size * margin::kOutOfReach;
     return {b.x0 - by, b.y0 - by, b.x1 + by, b.y1 + by};
   }
 
-  const Solver& solver_;
+  const PreparedWorld& world_;
   const Formula& formula_;
   PieceBox box_{};                 // of the positions in question
   std::map<Names, Mover> movers_;  // known so far
@@ -201,6 +201,6 @@ class Near {
 
 }  // namespace
 
-Region feasible_near(const Solver& solver, const Formula& formula) { return Near(solver, formula).run(); }
+Region feasible_near(const Solver& solver, const Formula& formula) { return Near(solver.prepared(), formula).run(); }
 
 }  // namespace findspace::formula

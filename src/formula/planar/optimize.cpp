@@ -9,6 +9,9 @@
 #include "distance/planar_least/coordinate.h"
 #include "distance/planar_least/level_extremum.h"
 #include "findspace/error.h"
+#include "formula/planar/least_values.h"
+#include "formula/planar/position_functions.h"
+#include "formula/planar/rotation_values.h"
 
 namespace findspace::formula {
 
@@ -59,16 +62,16 @@ Optimum between(Optimum certain, const Optimum& possible, Sense sense) {
 }  // namespace
 
 bool is_bounded(const Objective& objective, const Solver& solver) {
-  return objective.kind == Objective::Kind::kDistance && solver.is_bounded(objective.distance);
+  return objective.kind == Objective::Kind::kDistance && is_bounded(solver.prepared(), objective.distance);
 }
 
-Optimum optimize(const Solver::Bounds& regions, const Objective& objective, Sense sense, const Solver& solver) {
+Optimum optimize(const RegionBounds& regions, const Objective& objective, Sense sense, const Solver& solver) {
   if (!is_bounded(objective, solver)) {
     return between(optimize(regions.inner, objective, sense, solver), optimize(regions.outer, objective, sense, solver),
                    sense);
   }
   const Sense of_distance = objective.negated ? opposite(sense) : sense;
-  return optimum(solver.best_position(objective.distance, {regions.inner, regions.outer}, of_distance),
+  return optimum(best_position(solver.prepared(), objective.distance, {regions.inner, regions.outer}, of_distance),
                  solver.world().step, objective.negated, unit_of(objective.distance, solver));
 }
 
@@ -91,15 +94,18 @@ Optimum optimize(const plane::Region& region, const Objective& objective, Sense 
   const Sense of_distance = objective.negated ? opposite(sense) : sense;
   if (solver.world().motion.given() || objective.distance.mode != Mode::kPlain) {
     const bool continuous = objective.distance.mode == Mode::kPlain;
-    return optimum(level_extremum(*solver.function(objective.distance), region, of_distance, continuous), step,
-                   objective.negated);
+    return optimum(
+        level_extremum(*position_function(solver.prepared(), objective.distance), region, of_distance, continuous),
+        step, objective.negated);
   }
-  return optimum(extremum(*solver.distance(objective.distance), region, of_distance), step, objective.negated);
+  return optimum(extremum(*objective_distance(solver.prepared(), objective.distance), region, of_distance), step,
+                 objective.negated);
 }
 
 std::optional<Optimum> minimum_of(const Formula& formula, const Solver& solver) {
   for (const SignMap& m : formula.sign_maps())
-    if (m.minimum) return optimum(solver.least(m.distance), solver.world().step, false, unit_of(m.distance, solver));
+    if (m.minimum)
+      return optimum(least(solver.prepared(), m.distance), solver.world().step, false, unit_of(m.distance, solver));
   return std::nullopt;
 }
 

@@ -30,12 +30,11 @@ struct Optimum {
 
 Optimum optimize(const plane::Region& region, const Objective& objective, distance::Sense sense, const Solver& solver);
 
-/// The values of the objective, too, are known between bounds only (Solver::is_bounded).
+/// The values of the objective, too, are known between bounds only (rotation_values.h).
 bool is_bounded(const Objective& objective, const Solver& solver);
 /// Where the region is known between bounds, or the values: a value that a certain position has, and `bound`, which no
 /// possible one passes.
-Optimum optimize(const Solver::Bounds& regions, const Objective& objective, distance::Sense sense,
-                 const Solver& solver);
+Optimum optimize(const RegionBounds& regions, const Objective& objective, distance::Sense sense, const Solver& solver);
 
 /// The global minimum of the first `distance -> min` of a formula; nothing if it has none.
 std::optional<Optimum> minimum_of(const Formula& formula, const Solver& solver);

@@ -4,6 +4,8 @@
 // The extreme coordinate, or the least distance to a point, over a region of boxes, and where it is taken; exact.
 #include "findspace/error.h"
 #include "formula/solid/solve_space.h"
+#include "space/box/box_operations.h"
+#include "space/box/box_topology.h"
 
 namespace findspace::formula {
 
@@ -83,7 +85,7 @@ SpaceOptimum SpaceSolver::optimize(const BoxComplex& region, const Objective& ob
   };
   out.at = within(region);
   out.attained = !out.at.empty();
-  if (!out.attained) out.at = within(region.closure());
+  if (!out.attained) out.at = within(closure(region));
   return out;
 }
 

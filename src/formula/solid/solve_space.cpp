@@ -17,6 +17,7 @@
 #include "formula/solid/solve_rays.h"
 #include "formula/solid/space_pair.h"
 #include "plane/base/parallel.h"
+#include "space/box/box_operations.h"
 
 namespace findspace::formula {
 

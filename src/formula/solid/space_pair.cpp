@@ -7,6 +7,8 @@
 #include <numeric>
 
 #include "findspace/error.h"
+#include "space/box/box_operations.h"
+#include "space/box/box_topology.h"
 #include "space/shape/box_shape.h"
 
 namespace findspace::formula {
@@ -31,11 +33,9 @@ std::optional<BoxComplex> united_boxes(const std::vector<SpaceShape>& shapes) {
     if (!s.boxes) return std::nullopt;
     sets.push_back(&*s.boxes);
   }
-  return overlay(sets,
-                 [](std::span<const Mark> m) {
-                   return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x != 0; }));
-                 })
-      .closure();
+  return closure(overlay(sets, [](std::span<const Mark> m) {
+    return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x != 0; }));
+  }));
 }
 
 /// The union as a body; `boxes`: the same set as boxes, where it is made of them.

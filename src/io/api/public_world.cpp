@@ -12,6 +12,7 @@
 #include "formula/language/parse.h"
 #include "formula/planar/feasible_near.h"
 #include "formula/planar/optimize.h"
+#include "formula/planar/position_functions.h"
 #include "formula/planar/solve_rotation.h"
 #include "io/scene/scene.h"
 #include "io/write/write_json.h"
@@ -49,7 +50,7 @@ struct World::Data {
     return wanted;
   }
   /// At p, in the scene's unit, the shapes rotated as they are given.
-  formula::Solver::Check check(const formula::Formula& f, const exact::RealPoint& p) const {
+  formula::Check check(const formula::Formula& f, const exact::RealPoint& p) const {
     const bool rotating = std::any_of(f.atoms().begin(), f.atoms().end(), [](const formula::Atom& a) {
       return a.distance.mode == formula::Mode::kRotation;
     });
@@ -155,7 +156,8 @@ DistanceValue World::distance(std::string_view distance, const Point& p) const {
 SignMap World::sign_map(std::string_view distance, const Number& level) const {
   const formula::Objective wanted = data_->distance(distance);
   const exact::Real at = exact::Real::parse_decimal(level.text()) / data_->scene.grid.step();
-  plane::SignMap map = data_->solver.distance(wanted.distance)->sign_map(wanted.negated ? -at : at);
+  plane::SignMap map =
+      formula::objective_distance(data_->solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);
   if (wanted.negated) map = plane::remark(std::move(map), [](plane::Mark m) { return plane::Mark(-m); });
   return SignMap(
       std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->scene.grid.step(), data_->unit()}));

@@ -12,6 +12,7 @@
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_view.h"
+#include "space/box/box_topology.h"
 
 namespace findspace::io {
 namespace {
@@ -36,7 +37,7 @@ struct Polygon {
 /// What a set gives to draw, in the scene's unit.
 class Parts {
  public:
-  Parts(const BoxComplex& set, const exact::Real& step) : set_(set), solid_(set.interior().closure()), step_(step) {}
+  Parts(const BoxComplex& set, const exact::Real& step) : set_(set), solid_(closure(interior(set))), step_(step) {}
 
   /// Faces between a solid cell and an empty one, and sheets.
   void add_faces(std::vector<Polygon>& out) const {

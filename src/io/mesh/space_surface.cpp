@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "space/box/box_topology.h"
+
 namespace findspace::io {
 namespace {
 
@@ -73,7 +75,7 @@ class BoxSurface {
 }  // namespace
 
 Surface box_surface(const space::BoxComplex& set, const Real& step) {
-  const space::BoxComplex solid = set.interior();
+  const space::BoxComplex solid = interior(set);
   return BoxSurface(solid, step).take();
 }
 

@@ -140,7 +140,7 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
                      best, list(intervals, text));
 }
 
-std::string check_json(const formula::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+std::string check_json(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, std::optional<double> angle, const formula::NearestFeasible* nearest) {
   const Twofold factor(step);
   std::string out = fmt::format("{{{}\"at\": {}, {}\"true\": {},\n", unit_key(unit), pair(place(at)),

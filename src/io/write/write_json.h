@@ -40,7 +40,7 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
                            std::string_view unit, const ExtremeValue* extreme = nullptr, std::string_view side = {});
 
 /// The results of `check` and `measure` at a position in the scene's unit. `nearest` may be null.
-std::string check_json(const formula::Solver::Check& check, const exact::RealPoint& at, const exact::Real& step,
+std::string check_json(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
                        std::string_view unit, std::optional<double> angle = std::nullopt,
                        const formula::NearestFeasible* nearest = nullptr);
 std::string measure_json(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,

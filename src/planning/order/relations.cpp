@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "formula/language/evaluate.h"
+#include "formula/planar/least_values.h"
+#include "formula/planar/position_functions.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate.h"
@@ -78,10 +80,9 @@ Relations::Bound Relations::bind(const Distance& distance, const Roles& roles, c
 }
 
 plane::SignMap Relations::sign_map(const Distance& distance, const formula::SignMap& wanted) const {
-  if (!wanted.minimum) return solver_.function(distance)->sign_map(wanted.level / problem_.world.step);
-  const auto least = solver_.least(distance);
-  if (!least.exists) return CellComplex::uniform(1);
-  return plane::remark(least.at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });
+  if (!wanted.minimum)
+    return position_function(solver_.prepared(), distance)->sign_map(wanted.level / problem_.world.step);
+  return formula::minimiser_map(formula::least(solver_.prepared(), distance));
 }
 
 BoxedPointer Relations::set(const Condition& condition, const Poses& angles) const {

@@ -76,7 +76,7 @@ class Stand {
       slice.region = solver.feasible(formula);
       return;
     }
-    Solver::Bounds bounds = solver.feasible_bounds(formula);
+    formula::RegionBounds bounds = solver.feasible_bounds(formula);
     slice.region = std::move(bounds.inner);
     slice.outer = std::move(bounds.outer);
   }

@@ -5,6 +5,7 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace findspace::space {
 
@@ -21,6 +22,11 @@ BoxComplex::BoxComplex(Axes at, Mark mark) : at_(std::move(at)) {
   if (count > static_cast<double>(kMostCells))
     throw Error(ErrorCode::kUnsupported, "the boxes have too many different coordinates for an exact map");
   marks_.assign(static_cast<std::size_t>(count), mark);
+}
+
+BoxComplex::BoxComplex(Axes at, std::vector<Mark> marks) : at_(std::move(at)), marks_(std::move(marks)) {
+  assert(marks_.size() ==
+         static_cast<std::size_t>(cells(0)) * static_cast<std::size_t>(cells(1)) * static_cast<std::size_t>(cells(2)));
 }
 
 BoxComplex BoxComplex::of_boxes(std::span<const IntervalBox> boxes) {
@@ -60,36 +66,6 @@ void BoxComplex::paint(const IntervalBox& box, Mark mark) {
       std::fill(first, first + (x[1] - x[0] + 1), mark);
     }
   }
-}
-
-BoxComplex BoxComplex::refined(const Axes& more) const {
-  Axes at = at_;
-  std::array<std::vector<int>, 3> old;
-  for (int k = 0; k < 3; ++k) {
-    at[k].insert(at[k].end(), more[k].begin(), more[k].end());
-    sort_axis(at[k]);
-  }
-  BoxComplex out(at);
-  for (int k = 0; k < 3; ++k) {
-    // A new coordinate lies in some old cell; an open interval lies where the coordinate before it does, or beyond
-    // that.
-    int last = 0;
-    for (int c = 0; c < out.cells(k); ++c) {
-      if (c % 2 == 1) {
-        last = cell_of(k, out.at_[k][static_cast<std::size_t>(c / 2)]);
-        old[k].push_back(last);
-      } else {
-        old[k].push_back(last % 2 == 1 ? last + 1 : last);
-      }
-    }
-  }
-  for (int z = 0; z < out.cells(2); ++z) {
-    for (int y = 0; y < out.cells(1); ++y) {
-      for (int x = 0; x < out.cells(0); ++x)
-        out.marks_[out.index(x, y, z)] = mark(old[0][std::size_t(x)], old[1][std::size_t(y)], old[2][std::size_t(z)]);
-    }
-  }
-  return out;
 }
 
 /// A coordinate goes where the slabs on both its sides and itself agree.
@@ -186,62 +162,6 @@ std::vector<IntervalBox> BoxComplex::boxes() const {
 
 bool BoxComplex::empty() const {
   return std::all_of(marks_.begin(), marks_.end(), [](Mark m) { return m == 0; });
-}
-
-/// Visits the cells whose closure holds the cell, itself included; true as soon as `visit` is.
-template <class Visit>
-bool BoxComplex::star(int x, int y, int z, Visit visit) const {
-  const int rx = x % 2, ry = y % 2, rz = z % 2;
-  for (int k = z - rz; k <= z + rz; ++k) {
-    for (int j = y - ry; j <= y + ry; ++j) {
-      for (int i = x - rx; i <= x + rx; ++i) {
-        if (visit(marks_[index(i, j, k)])) return true;
-      }
-    }
-  }
-  return false;
-}
-
-BoxComplex BoxComplex::closure() const {
-  BoxComplex out = *this;
-  for (int z = 0; z < cells(2); ++z) {
-    for (int y = 0; y < cells(1); ++y) {
-      for (int x = 0; x < cells(0); ++x) out.marks_[index(x, y, z)] = star(x, y, z, [](Mark m) { return m != 0; });
-    }
-  }
-  return out;
-}
-
-BoxComplex BoxComplex::complement() const {
-  return remarked([](Mark m) { return Mark(m == 0); });
-}
-
-BoxComplex BoxComplex::interior() const { return complement().closure().complement(); }
-
-BoxComplex BoxComplex::boundary() const {
-  const BoxComplex closed = closure(), open = interior();
-  return overlay(std::array<const BoxComplex*, 2>{&closed, &open},
-                 [](std::span<const Mark> m) { return Mark(m[0] && !m[1]); });
-}
-
-BoxComplex BoxComplex::regularized() const { return interior().closure(); }
-
-BoxComplex BoxComplex::mirrored() const {
-  Axes at;
-  for (int k = 0; k < 3; ++k) {
-    for (auto it = at_[k].rbegin(); it != at_[k].rend(); ++it) at[k].push_back(-*it);
-  }
-  BoxComplex out(std::move(at));
-  std::reverse_copy(marks_.begin(), marks_.end(), out.marks_.begin());
-  return out;
-}
-
-BoxComplex BoxComplex::translated(const RealVector& by) const {
-  BoxComplex out = *this;
-  for (int k = 0; k < 3; ++k) {
-    for (Real& c : out.at_[k]) c += by[k];
-  }
-  return out;
 }
 
 }  // namespace findspace::space

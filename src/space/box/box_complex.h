@@ -37,6 +37,8 @@ class BoxComplex {
 
   /// Everywhere `mark`.
   explicit BoxComplex(Axes at = {}, Mark mark = 0);
+  /// With a mark for every cell, in the order of index().
+  BoxComplex(Axes at, std::vector<Mark> marks);
   /// The union of the boxes (which may be flat), marked 1.
   static BoxComplex of_boxes(std::span<const IntervalBox> boxes);
 
@@ -50,11 +52,16 @@ class BoxComplex {
   }
   Mark mark(int x, int y, int z) const { return marks_[index(x, y, z)]; }
   Mark mark(const RealVector& p) const;
+  std::span<const Mark> marks() const { return marks_; }
+  /// The cell along axis k that holds the coordinate.
+  int cell_of(int k, const exact::Real& c) const;
+  /// The cells from `from` to `to` along axis k, as an interval.
+  Interval interval(int k, int from, int to) const;
+
   void paint(const IntervalBox& box, Mark mark);
   void set_mark(int x, int y, int z, Mark mark) { marks_[index(x, y, z)] = mark; }
 
-  /// The same marks on a grid with more coordinates; and with no more than they need.
-  BoxComplex refined(const Axes& more) const;
+  /// The same marks on a grid with no more coordinates than they need.
   BoxComplex simplified() const;
   /// Each mark replaced.
   BoxComplex remarked(const std::function<Mark(Mark)>& to) const;
@@ -63,37 +70,12 @@ class BoxComplex {
   std::vector<IntervalBox> boxes() const;
   bool empty() const;
 
-  /// Topological operations on a set of marks 0 and 1.
-  BoxComplex closure() const;
-  BoxComplex interior() const;
-  BoxComplex complement() const;
-  BoxComplex boundary() const;     // closure without interior
-  BoxComplex regularized() const;  // closure of the interior
-
-  BoxComplex mirrored() const;
-  BoxComplex translated(const RealVector& by) const;
-
-  /// The box in axis k that cell c is: an open interval or a coordinate.
-  Interval interval(int k, int from, int to) const;
-
  private:
-  template <class Visit>
-  bool star(int x, int y, int z, Visit visit) const;
-  int cell_of(int k, const exact::Real& c) const;
   std::array<int, 2> range(int k, const Interval& i) const;
 
   Axes at_;
   std::vector<Mark> marks_;
 };
-
-/// Marks computed from those of several complexes over their common grid.
-BoxComplex overlay(std::span<const BoxComplex* const> sets, const std::function<Mark(std::span<const Mark>)>& combine);
-/// {a + b}; sets.
-BoxComplex sum(const BoxComplex& a, const BoxComplex& b);
-
-/// The point of the closed set nearest to p; the squared distance of the farthest one. Nothing if empty (or unbounded).
-std::optional<RealVector> nearest(std::span<const IntervalBox> boxes, const RealVector& p);
-std::optional<RealVector> farthest(std::span<const IntervalBox> boxes, const RealVector& p);
 
 /// Ascending, each number once.
 void sort_axis(Axis& axis);

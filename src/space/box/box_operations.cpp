@@ -1,14 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-//
-// What several sets of boxes make: overlays, sums, the points nearest to and farthest from a place.
-#include <algorithm>
 
-#include "space/box/box_complex.h"
+#include "space/box/box_operations.h"
+
+#include <algorithm>
 
 namespace findspace::space {
 
 using exact::Real;
+
+namespace {
+
+/// The same marks on a grid with more coordinates.
+BoxComplex refined(const BoxComplex& set, const Axes& more) {
+  Axes at = set.at();
+  std::array<std::vector<int>, 3> old;
+  for (int k = 0; k < 3; ++k) {
+    at[k].insert(at[k].end(), more[k].begin(), more[k].end());
+    sort_axis(at[k]);
+  }
+  BoxComplex out(at);
+  for (int k = 0; k < 3; ++k) {
+    // A new coordinate lies in some old cell; an open interval lies where the coordinate before it does, or beyond
+    // that.
+    int last = 0;
+    for (int c = 0; c < out.cells(k); ++c) {
+      if (c % 2 == 1) {
+        last = set.cell_of(k, out.at()[k][static_cast<std::size_t>(c / 2)]);
+        old[k].push_back(last);
+      } else {
+        old[k].push_back(last % 2 == 1 ? last + 1 : last);
+      }
+    }
+  }
+  for (int z = 0; z < out.cells(2); ++z) {
+    for (int y = 0; y < out.cells(1); ++y) {
+      for (int x = 0; x < out.cells(0); ++x)
+        out.set_mark(x, y, z, set.mark(old[0][std::size_t(x)], old[1][std::size_t(y)], old[2][std::size_t(z)]));
+    }
+  }
+  return out;
+}
+
+}  // namespace
 
 BoxComplex overlay(std::span<const BoxComplex* const> sets, const std::function<Mark(std::span<const Mark>)>& combine) {
   Axes all;
@@ -16,7 +50,7 @@ BoxComplex overlay(std::span<const BoxComplex* const> sets, const std::function<
     for (int k = 0; k < 3; ++k) all[k].insert(all[k].end(), s->at()[k].begin(), s->at()[k].end());
   }
   std::vector<BoxComplex> fine;
-  for (const BoxComplex* s : sets) fine.push_back(s->refined(all));
+  for (const BoxComplex* s : sets) fine.push_back(refined(*s, all));
   if (fine.empty()) return BoxComplex({}, combine({}));
   BoxComplex out = fine[0];
   std::vector<Mark> marks(fine.size());
@@ -29,6 +63,22 @@ BoxComplex overlay(std::span<const BoxComplex* const> sets, const std::function<
     for (std::size_t i = 0; i < fine.size(); ++i) marks[i] = fine[i].mark(x, y, z);
     return combine(marks);
   });
+}
+
+BoxComplex mirrored(const BoxComplex& set) {
+  Axes at;
+  for (int k = 0; k < 3; ++k) {
+    for (auto it = set.at()[k].rbegin(); it != set.at()[k].rend(); ++it) at[k].push_back(-*it);
+  }
+  return {std::move(at), std::vector<Mark>(set.marks().rbegin(), set.marks().rend())};
+}
+
+BoxComplex translated(const BoxComplex& set, const RealVector& by) {
+  Axes at = set.at();
+  for (int k = 0; k < 3; ++k) {
+    for (Real& c : at[k]) c += by[k];
+  }
+  return {std::move(at), std::vector<Mark>(set.marks().begin(), set.marks().end())};
 }
 
 BoxComplex sum(const BoxComplex& a, const BoxComplex& b) {

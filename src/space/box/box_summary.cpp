@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "space/box/box_topology.h"
+
 namespace findspace::space {
 
 using exact::Real;
@@ -155,10 +157,10 @@ class BoxSummarizer {
   BoxSummarizer(const BoxComplex& set, const Real& step)
       : set_(set),
         step_(step),
-        open_(set.interior()),
-        solid_(open_.closure()),
-        closed_(set.closure()),
-        full_(closed_.interior()),
+        open_(interior(set)),
+        solid_(closure(open_)),
+        closed_(closure(set)),
+        full_(interior(closed_)),
         parts_(set, true),
         each_(std::size_t(parts_.count())) {
     out_.whole = true;

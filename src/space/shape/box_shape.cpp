@@ -9,6 +9,8 @@
 #include <map>
 #include <span>
 
+#include "space/box/box_operations.h"
+#include "space/box/box_topology.h"
 #include "space/mesh/mesh.h"
 #include "space/polytope/convex_polygon.h"
 
@@ -145,7 +147,7 @@ std::optional<BoxComplex> filled(const Faces& faces) {
 
 /// The set as one closed box, if its closure is one.
 std::optional<IntervalBox> one_box(const BoxComplex& set) {
-  std::vector<IntervalBox> boxes = set.closure().simplified().boxes();
+  std::vector<IntervalBox> boxes = closure(set).simplified().boxes();
   if (boxes.size() != 1) return std::nullopt;
   return boxes[0];
 }
@@ -160,7 +162,7 @@ std::optional<BoxComplex> hull_of(const BoxComplex& set) {
       all[k].from_in = all[k].to_in = true;
     }
   }
-  const BoxComplex closed = set.closure();
+  const BoxComplex closed = closure(set);
   for (int i = 0; i < 8; ++i) {
     RealVector corner;
     for (int k = 0; k < 3; ++k) corner[k] = (i >> k & 1) != 0 ? *all[k].to : *all[k].from;
@@ -204,23 +206,23 @@ std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxC
     case Kind::kDifference:
       return overlaid(c, in_first_alone);
     case Kind::kComplement:
-      return c[0].complement();
+      return complement(c[0]);
     case Kind::kInterior:
-      return c[0].interior();
+      return interior(c[0]);
     case Kind::kClosure:
-      return c[0].closure();
+      return closure(c[0]);
     case Kind::kRegularize:
-      return c[0].regularized();
+      return regularized(c[0]);
     case Kind::kBoundary:
-      return c[0].boundary();
+      return boundary(c[0]);
     case Kind::kTranslate:
-      return c[0].translated({Real(shape.points[0].x), Real(shape.points[0].y), Real(shape.lift)});
+      return translated(c[0], {Real(shape.points[0].x), Real(shape.points[0].y), Real(shape.lift)});
     case Kind::kMirror:
-      return c[0].mirrored();
+      return mirrored(c[0]);
     case Kind::kMinkowskiSum:
       return sum(c[0], c[1]);
     case Kind::kMinkowskiDifference:
-      return sum(c[0].complement(), c[1]).complement();
+      return complement(sum(complement(c[0]), c[1]));
     case Kind::kHull:
       return hull_of(overlaid(c, in_any));
     case Kind::kOffset:
@@ -253,7 +255,7 @@ std::optional<BoxComplex> box_complex(const plane::Shape& shape) {
 }
 
 std::optional<Body> body_of(const BoxComplex& set) {
-  const BoxComplex open = set.interior(), closed = set.closure(), whole = open.closure();
+  const BoxComplex open = interior(set), closed = closure(set), whole = closure(open);
   const BoxComplex differ = overlay(std::array<const BoxComplex*, 2>{&closed, &whole},
                                     [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
   if (!differ.empty() || open.empty()) return std::nullopt;

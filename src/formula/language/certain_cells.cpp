@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "formula/planar/certain_cells.h"
+#include "formula/language/certain_cells.h"
 
 #include <array>
 

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-//
-// Instants of a shape that swings: Solver::swing, and what inf and sup over them are: Solver::swing_sign. While it only
-// rotates, its instants are the angles it passes, and those are known exactly (solve_rotation.h). Guarantee: which
-// instants begin and end what, single ones and grazing ones, is exact; their times are the exact angles rounded to
-// about 1e-13 of a turn. Cost: a map over all angles for each place where it rotates. Keywords: door leaf, rotational
-// sweep.
+
+#include "formula/planar/swing.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "formula/language/which.h"
-#include "formula/planar/solve.h"
-#include "formula/planar/solve_rotation.h"
+#include "formula/planar/rotation_maps.h"
 #include "plane/rotation/rotation_map.h"
 
 namespace findspace::formula {
@@ -67,7 +62,7 @@ class Leg {
 
   /// Parts of the leg that are printed alike stay in their order.
   void stop(double part, Mark at, Mark after) {
-    part_ = std::min(std::max(part, std::nextafter(part_, 1.0)), 1 - 0x1p-53);
+    part_ = std::min(std::max(part, std::nextafter(part_, 1.0)), std::nextafter(1.0, 0.0));
     out_.stops.push_back({start_ + Real::from_double(part_) * (end_ - start_), at, after});
   }
 
@@ -82,15 +77,14 @@ bool is_instant_of_plain(const SignMap& m) {
   return !m.minimum && m.distance.prefix == Extremum::kNone && plain_level(m).distance.mode == Mode::kPlain;
 }
 
-}  // namespace
-
-std::optional<Trajectory> Solver::swinging(const Formula& formula) const {
+/// The rotation of the moving shapes, where that is all that moves and the formula asks for instants.
+std::optional<Trajectory> swinging(const World& world, const Formula& formula) {
   const std::vector<SignMap>& maps = formula.sign_maps();
   if (!std::all_of(maps.begin(), maps.end(), is_instant_of_plain)) return std::nullopt;
-  const auto of = [&](const std::string& name) { return world_.motion.of.find(name); };
-  const auto first = of(world_.moving.at(0)), none = world_.motion.of.end();
-  if (first == none || world_.motion.of.size() != world_.moving.size()) return std::nullopt;
-  for (const std::string& name : world_.moving)
+  const auto of = [&](const std::string& name) { return world.motion.of.find(name); };
+  const auto first = of(world.moving.at(0)), none = world.motion.of.end();
+  if (first == none || world.motion.of.size() != world.moving.size()) return std::nullopt;
+  for (const std::string& name : world.moving)
     if (of(name) == none || !(of(name)->second == first->second)) return std::nullopt;
   const std::vector<RealPoint>& path = first->second.path;
   const bool stays =
@@ -98,27 +92,29 @@ std::optional<Trajectory> Solver::swinging(const Formula& formula) const {
   return stays ? std::optional(first->second) : std::nullopt;
 }
 
-std::optional<Section> Solver::swing(const Formula& formula, const RealPoint& p) const {
-  const std::optional<Trajectory> way = swinging(formula);
+}  // namespace
+
+std::optional<Section> swing_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
+  const std::optional<Trajectory> way = swinging(world.world(), formula);
   if (!way) return std::nullopt;
-  World still = world_;
+  World still = world.world();
   still.motion = {};
-  const Solver solver(std::move(still));
-  const RealPoint at{p.x + way->path[0].x * world_.step, p.y + way->path[0].y * world_.step};
-  const RotationMap map = RotationSolver(solver, {at, Real(), RealPoint{}}).feasible(formula);
-  const std::vector<Real> times = common_times(world_.motion, *way, *way);
+  const PreparedWorld prepared(std::move(still));
+  const RealPoint at{p.x + way->path[0].x, p.y + way->path[0].y};
+  const RotationMap map = RotationMaps(prepared, RealPoint{}, at).feasible(formula);
+  const std::vector<Real> times = common_times(world.motion(), *way, *way);
   Section out;
   for (std::size_t k = 0; k + 1 < times.size(); ++k)
     Leg(out, times[k], times[k + 1]).rotation(map, angle_at(*way, times[k]), angle_at(*way, times[k + 1]));
   return out;
 }
 
-std::optional<std::int8_t> Solver::swing_sign(const SignMap& wanted, const RealPoint& p) const {
+std::optional<std::int8_t> swing_sign(const PreparedWorld& world, const SignMap& wanted, const RealPoint& p) {
   Distance instant = wanted.distance;
   const bool least = natural_extremum(instant) == Extremum::kInf;
   instant.prefix = Extremum::kNone;
   const auto occurs = [&](Relation relation) -> std::optional<bool> {
-    const auto line = swing(Formula(compare(instant, relation, wanted.level)), p);
+    const auto line = swing_at(world, Formula(compare(instant, relation, wanted.level)), p);
     if (!line) return std::nullopt;
     return std::any_of(line->stops.begin(), line->stops.end(),
                        [](const Section::Stop& s) { return s.at != 0 || s.after != 0; });

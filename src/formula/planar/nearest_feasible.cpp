@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-//
-// Solver: the nearest feasible position, min {|q - p| : the formula holds at q}, or of the closure of those. Where all
-// atoms must hold and those that fail compare gamma1, eta1 or delta1 with a number, no map is made if their contacts
-// decide. Such a distance f changes no faster than the position, so no position with the level is nearer to p than
-// |f(p) - level|; one that is as near lies on the line through p and the nearest contact, and it is the answer if f has
-// the level there (beyond it, too, for `<` and `>`, which it bounds) and the other atoms hold. Else the whole region is
-// made. Guarantee: exact. Keywords: closest feasible configuration, minimum translation.
+
+#include "formula/planar/nearest_feasible.h"
 
 #include <algorithm>
 
 #include "formula/language/evaluate.h"
-#include "formula/language/which.h"
-#include "formula/planar/solve.h"
+#include "formula/planar/position_check.h"
+#include "formula/planar/regions.h"
 #include "plane/base/real_vector.h"
 #include "plane/query/nearest.h"
 #include "plane/query/topology.h"
@@ -35,20 +30,18 @@ bool is_conjunction(const Node& node) {
 
 bool is_signed(Kind kind) { return kind == Kind::kGamma1 || kind == Kind::kEta1 || kind == Kind::kDelta1; }
 
-}  // namespace
-
 /// The nearest position at which the atom holds, or which `<` or `>` has as its limit, and its distance in grid steps.
-std::optional<plane::Nearest> Solver::contact(const Atom& atom, const RealPoint& p) const {
-  const Roles r = roles(atom.distance);
+std::optional<plane::Nearest> contact(const PreparedWorld& world, const Atom& atom, const RealPoint& p) {
+  const Roles r = world.roles(atom.distance);
   const bool simple = !atom.minimum && !r.rotating && r.wanted.mode == Mode::kPlain && is_signed(r.wanted.kind);
   if (!simple || atom.relation == Relation::kNotEqual) return std::nullopt;
-  const auto pair = this->pair(r.names);
-  const distance::Which which = formula::which(r.wanted.kind, r.second_moves);
+  const auto pair = world.pair(r.names);
+  const distance::Which which = r.which();
   const auto m = pair->measure(which, p);
   if (!m || m->minus_infinity || !m->nearest) return std::nullopt;
   // From p in this direction the value grows as fast as it can, to the nearest contact at least.
   const RealPoint unit = (Real(1) / m->value) * (p - *m->nearest);
-  const Real fall = m->value - atom.level / world_.step;
+  const Real fall = m->value - atom.level / world.step();
   const auto falls_by = [&](const Real& by) {
     const auto there = pair->measure(which, p - by * unit);
     return there && !there->minus_infinity && there->value == m->value - by;
@@ -58,22 +51,23 @@ std::optional<plane::Nearest> Solver::contact(const Atom& atom, const RealPoint&
   return plane::Nearest{abs(fall), p - fall * unit, {}};
 }
 
-std::optional<NearestFeasible> Solver::nearest_by_contact(const Formula& formula, const RealPoint& p) const {
-  if (world_.motion.given() || !is_conjunction(formula.root())) return std::nullopt;
+std::optional<NearestFeasible> nearest_by_contact(const PreparedWorld& world, const Formula& formula,
+                                                  const RealPoint& p) {
+  if (world.motion().given() || !is_conjunction(formula.root())) return std::nullopt;
   const auto holds_at = [&](std::size_t atom, const RealPoint& q) {
-    return holds(formula.atoms()[atom], sign(formula.sign_maps()[formula.sign_map_of(atom)], q));
+    return holds(formula.atoms()[atom], sign_at(world, formula.sign_maps()[formula.sign_map_of(atom)], q));
   };
   // By continuity all around then, too.
   const auto is_off_its_level = [&](std::size_t atom, const RealPoint& q) {
     const Atom& a = formula.atoms()[atom];
     return !a.minimum && a.distance.mode == Mode::kPlain &&
-           sign(formula.sign_maps()[formula.sign_map_of(atom)], q) != 0;
+           sign_at(world, formula.sign_maps()[formula.sign_map_of(atom)], q) != 0;
   };
   std::optional<plane::Nearest> farthest;
   std::size_t decides = 0;
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     if (holds_at(k, p)) continue;
-    auto c = contact(formula.atoms()[k], p);
+    auto c = contact(world, formula.atoms()[k], p);
     if (!c) return std::nullopt;
     if (!farthest || c->distance > farthest->distance) {
       farthest = std::move(c);
@@ -87,18 +81,20 @@ std::optional<NearestFeasible> Solver::nearest_by_contact(const Formula& formula
     if (!holds_at(k, farthest->at)) return std::nullopt;
     if (!attained && !is_off_its_level(k, farthest->at)) return std::nullopt;
   }
-  return NearestFeasible{farthest->at, farthest->distance * world_.step, attained};
+  return NearestFeasible{farthest->at, farthest->distance * world.step(), attained};
 }
 
-std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, const RealPoint& position) const {
-  const RealPoint p = steps(position);
-  if (auto found = nearest_by_contact(formula, p)) return found;
-  plane::Region region = feasible(formula), closed = plane::closure(region);
+}  // namespace
+
+std::optional<NearestFeasible> nearest_feasible_to(const PreparedWorld& world, const Formula& formula,
+                                                   const RealPoint& p) {
+  if (auto found = nearest_by_contact(world, formula, p)) return found;
+  plane::Region region = feasible(world, formula), closed = plane::closure(region);
   auto in = [](Mark m) { return m > 0; };
   auto here = mark_of(closed, locate(closed, p)) > 0;
   auto n = here ? std::optional(plane::Nearest{Real(), p, {}}) : plane::nearest(closed, in, p);
   if (!n) return std::nullopt;
-  return NearestFeasible{n->at, n->distance * world_.step, mark_of(region, locate(region, n->at)) > 0};
+  return NearestFeasible{n->at, n->distance * world.step(), mark_of(region, locate(region, n->at)) > 0};
 }
 
 }  // namespace findspace::formula

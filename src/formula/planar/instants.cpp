@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-//
-// Instants of shapes that turn in time: Solver::instant_bounds. A distance changes at most at a known rate
-// (rotation_motion.h), so its value in the middle of a piece of time tells its sign in all of it, or the piece is
-// halved.
+
+#include "formula/planar/instants.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <queue>
 
+#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
-#include "formula/language/which.h"
-#include "formula/planar/solve.h"
+#include "formula/planar/least_values.h"
+#include "formula/planar/position_check.h"
+#include "formula/planar/position_functions.h"
+#include "formula/planar/regions.h"
+#include "formula/planar/rotation_values.h"
+#include "plane/base/parallel.h"
 
 namespace findspace::formula {
 
@@ -28,14 +32,13 @@ using plane::Section;
 namespace {
 
 constexpr int kMostLooks = 1000;
-constexpr double kNarrowest = 0x1p-40;  // no sign: of a leg; what is still open then stays between the bounds
 
 /// A part of a leg, and the signs that may occur in it.
 struct Piece {
   std::size_t leg;
   double from, to;
   Mark low = -1, high = 1;
-  bool open() const { return low < high && to - from > kNarrowest; }
+  bool open() const { return low < high && to - from > margin::kNarrowestTime; }
 };
 
 using Look = std::function<void(Piece&)>;
@@ -103,28 +106,46 @@ Section line_of(const std::vector<Piece>& pieces, const std::vector<Real>& times
   return out;
 }
 
-}  // namespace
-
-std::array<Section, 2> Solver::rotation_instants(const SignMap& wanted, const Roles& r, const RealPoint& p) const {
-  const std::vector<Real> times = common_times(world_.motion, common_trajectory(world_.motion, r.names.first),
-                                               common_trajectory(world_.motion, r.names.second));
-  if (in_rotation(wanted) && !wanted.minimum) {
-    const distance::RotationInTime f = rotation_in_time(r, p, false);
-    const std::vector<Piece> pieces = looked_through(times.size() - 1, kMostLooks / 4, by_circles(f, wanted.level));
-    return {line_of(pieces, times, true), line_of(pieces, times, false)};
+/// The signs of one map.
+Section signs_in_time(const PreparedWorld& world, const SignMap& asked, const RealPoint& p) {
+  const SignMap wanted = plain_level(asked);
+  const Motion& motion = world.motion();
+  const bool whole_time = wanted.distance.prefix != Extremum::kNone;
+  const Roles r = world.roles(wanted.distance);
+  if (r.rotating) refuse(wanted.distance, "the instants of shapes that turn are known between bounds only");
+  if (whole_time) {
+    const plane::SignMap map = sign_map(world, wanted);
+    return Section::constant(motion.start, motion.end, mark_of(map, locate(map, p)));
   }
+  const plane::SignMap map = wanted.minimum ? minimiser_map(least_at_rest(world, r))
+                                            : function_at_rest(world, r)->sign_map(wanted.level / world.step());
+  return plane::section_of_path(map, p, r.path.path, r.path.times);
+}
+
+/// The lower and the upper signs of a distance in rotation.
+std::array<Section, 2> signs_in_rotation(const PreparedWorld& world, const SignMap& wanted, const Roles& r,
+                                         const RealPoint& p, const std::vector<Real>& times) {
+  const distance::RotationInTime f = rotation_in_time(world, r, p, false);
+  const std::vector<Piece> pieces = looked_through(times.size() - 1, kMostLooks / 4, by_circles(f, wanted.level));
+  return {line_of(pieces, times, true), line_of(pieces, times, false)};
+}
+
+/// The lower and the upper signs of a plain distance of shapes that turn.
+std::array<Section, 2> signs_of_turning(const PreparedWorld& world, const SignMap& wanted, const Roles& r,
+                                        const RealPoint& p, const std::vector<Real>& times) {
   if (wanted.minimum || r.wanted.mode != Mode::kPlain)
     throw Error(ErrorCode::kUnsupported,
                 text(r.wanted) + ": only distances in all directions are computed of shapes that turn in time");
-  Which which = formula::which(r.wanted.kind, r.second_moves);
+  Which which = r.which();
   const bool eta = which == Which::kEta1 || which == Which::kEta2;
   const bool first = which == Which::kEta1 || which == Which::kDelta1,
              second = which == Which::kEta2 || which == Which::kDelta2;
   // Containment up to level 0 is mu; above, mu is less, and where it is not above 0 nor are eta1 and delta1.
   if (first || second) which = eta ? Which::kMu : Which::kMuBack;
   const bool least_only = second || (first && wanted.level.sign() > 0);
-  const RotatingMotion f(shape(r.names.first), shape(r.names.second), which, rotation_poses(r, false));
-  const double level = (wanted.level / world_.step).to_double();
+  const RotatingMotion f(world.shape(r.names.first), world.shape(r.names.second), which,
+                         rotation_poses(world, r, false));
+  const double level = (wanted.level / world.step()).to_double();
   std::vector<Piece> pieces =
       looked_through(times.size() - 1, least_only ? kMostLooks / 4 : kMostLooks, by_value(f, p, level, least_only));
   if (second) {
@@ -133,19 +154,39 @@ std::array<Section, 2> Solver::rotation_instants(const SignMap& wanted, const Ro
   return {line_of(pieces, times, true), line_of(pieces, times, false)};
 }
 
-Solver::InstantBounds Solver::instant_bounds(const Formula& formula, const RealPoint& position) const {
-  const RealPoint p = steps(position);
+std::array<Section, 2> sign_bounds_in_time(const PreparedWorld& world, const SignMap& wanted, const Roles& r,
+                                           const RealPoint& p) {
+  const std::vector<Real> times = common_times(world.motion(), common_trajectory(world.motion(), r.names.first),
+                                               common_trajectory(world.motion(), r.names.second));
+  return in_rotation(wanted) && !wanted.minimum ? signs_in_rotation(world, wanted, r, p, times)
+                                                : signs_of_turning(world, wanted, r, p, times);
+}
+
+}  // namespace
+
+Section instants_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
+  std::vector<Section> lines(formula.sign_maps().size());
+  plane::parallel_for(lines.size(), [&](std::size_t k) { lines[k] = signs_in_time(world, formula.sign_maps()[k], p); });
+  // Also where there are no atoms.
+  lines.push_back(Section::constant(world.motion().start, world.motion().end, 0));
+  Section line = overlay_sections(lines, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+  line.before = line.stops.back().after = 0;  // there is no time outside the motion
+  return line;
+}
+
+InstantBounds instant_bounds_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
   std::vector<Section> lines;
   for (const SignMap& map : formula.sign_maps()) {
     const SignMap m = plain_level(map);
-    const Roles r = roles(m.distance);
+    const Roles r = world.roles(m.distance);
     const bool between_bounds = r.rotating || in_rotation(m);
     if (between_bounds && m.distance.prefix == Extremum::kNone) {
-      for (Section& s : rotation_instants(m, r, p)) lines.push_back(std::move(s));
+      for (Section& s : sign_bounds_in_time(world, m, r, p)) lines.push_back(std::move(s));
       continue;
     }
-    const Section line =
-        between_bounds ? Section::constant(world_.motion.start, world_.motion.end, sign(m, p)) : instants(m, p);
+    const Section line = between_bounds
+                             ? Section::constant(world.motion().start, world.motion().end, sign_at(world, m, p))
+                             : signs_in_time(world, m, p);
     lines.insert(lines.end(), 2, line);
   }
   const auto limited = [&](Mark wanted) {

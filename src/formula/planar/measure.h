@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Distances at a position: one with its witnesses, and all of the moving shapes. Keywords: measurement, closest
+// features, distance table.
+#pragma once
+
+#include <vector>
+
+#include "formula/planar/position_answers.h"
+#include "formula/planar/prepared_world.h"
+
+namespace findspace::formula {
+
+/// One distance at p, in grid steps.
+DistanceAt distance_at(const PreparedWorld& world, const Distance& wanted, const exact::RealPoint& p);
+
+/// All distances of the moving shapes to every other shape at p, in grid steps, with a motion their inf and sup; and
+/// those that the formula names besides.
+std::vector<DistanceAt> measure_at(const PreparedWorld& world, const exact::RealPoint& p, const Formula& formula);
+
+}  // namespace findspace::formula

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A world made ready for questions: its shapes closed, with their boxes, and what several questions share made once:
+// pairs of shapes and least values. Everything that answers formulas in the plane reads it. Threads: safe. Keywords:
+// context, cache, workspace.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "distance/planar/at_position.h"
+#include "distance/planar_least/extremum.h"
+#include "formula/language/which.h"
+#include "formula/planar/world.h"
+#include "plane/complex/extent.h"
+#include "plane/query/boundary_components.h"
+
+namespace findspace::formula {
+
+using ShapeNames = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
+
+/// Who moves in a distance, and along which relative path.
+struct Roles {
+  Distance wanted;  // with the moving shape first, where the distance allows it
+  ShapeNames names;
+  bool second_moves = false;
+  Trajectory path;        // empty without a motion
+  bool rotating = false;  // one of the shapes rotates in time
+  distance::Which which() const { return formula::which(wanted.kind, second_moves); }
+};
+
+/// Least values over all positions, by the distance's text.
+class LeastValues {
+ public:
+  std::optional<distance::Extremum> find(const std::string& text) const;
+  /// The first that was kept under this text.
+  distance::Extremum keep(const std::string& text, distance::Extremum value);
+
+ private:
+  mutable std::mutex guard_;
+  std::map<std::string, distance::Extremum> known_;
+};
+
+class PreparedWorld {
+ public:
+  explicit PreparedWorld(World world);
+
+  const World& world() const { return world_; }
+  const exact::Real& step() const { return world_.step; }
+  const Motion& motion() const { return world_.motion; }
+  /// The union of the named shapes, closed.
+  plane::Region shape(const std::vector<std::string>& names) const;
+  /// A box around a shape; none for one that is unbounded or empty.
+  const plane::PieceBox* box(const std::string& name) const;
+  /// A bounded shape's boundary_components; none where it has not several.
+  const plane::BoundaryComponents* boundary_components(const std::string& name) const;
+
+  Roles roles(const Distance& wanted) const;
+  /// Which distance of a pair a formula means, the moving shape being the first of the pair.
+  distance::Which which(const Distance& moving_first) const;
+  std::shared_ptr<const distance::AtPosition> pair(const ShapeNames& names) const;
+  LeastValues& least_values() const { return least_values_; }
+
+  /// A position of the scene in grid steps.
+  exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
+
+ private:
+  World world_;
+  std::map<std::string, plane::PieceBox> boxes_;                          // of the bounded shapes
+  std::map<std::string, plane::BoundaryComponents> boundary_components_;  // of those that have several
+  mutable std::mutex guard_;
+  mutable std::map<ShapeNames, std::shared_ptr<const distance::AtPosition>> pairs_;
+  mutable LeastValues least_values_;
+};
+
+}  // namespace findspace::formula

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "formula/planar/regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "distance/rotation/rotation_map.h"
+#include "distance/rotation/rotation_positions.h"
+#include "exact/number/margins.h"
+#include "formula/language/evaluate.h"
+#include "formula/planar/least_values.h"
+#include "formula/planar/position_functions.h"
+#include "formula/planar/rotation_values.h"
+#include "plane/base/parallel.h"
+#include "plane/complex/overlay.h"
+
+namespace findspace::formula {
+
+using distance::BoundedMaps;
+using distance::Which;
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Mark;
+
+namespace {
+
+const Real kAllRotations(-180);  // below it a rotational distance is -infinity
+
+BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked);
+
+/// The least value lies between bounds, and so do the positions: those where the lower bound of the distance is not
+/// above the least value's upper one.
+BoundedMaps bounded_minimisers(const PreparedWorld& world, const SignMap& wanted) {
+  const distance::Extremum best = least(world, wanted.distance);
+  const auto map = [](plane::SignMap m, auto belongs) {
+    return plane::remark(std::move(m), [belongs](Mark k) { return Mark(belongs(k) ? 0 : 1); });
+  };
+  if (best.unbounded && wanted.distance.mode == Mode::kRotation) {
+    const BoundedMaps all = bounded_maps(world, {wanted.distance, kAllRotations});
+    const auto below = [](Mark k) { return k < 0; };
+    return {map(all.low, below), map(all.high, below)};
+  }
+  if (!best.exists) return {CellComplex::uniform(best.proven ? 1 : 0), CellComplex::uniform(1)};
+  const bool rotation = wanted.distance.mode == Mode::kRotation;
+  const double level = distance::near_value(best.level);
+  const Real above = Real::from_double(level + (std::abs(level) + 1) * margin::kAboveLeast);
+  const BoundedMaps near = bounded_maps(world, {wanted.distance, rotation ? above : above * world.step()});
+  return {map(near.low, [](Mark k) { return k <= 0; }), CellComplex::uniform(1)};
+}
+
+/// The lowest and the highest sign that may be at each position.
+BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked) {
+  const SignMap wanted = plain_level(asked);
+  const Roles r = world.roles(wanted.distance);
+  if (!r.rotating && !in_rotation(wanted)) {
+    plane::SignMap exact = sign_map(world, wanted);
+    return {exact, exact};
+  }
+  if (wanted.minimum) return bounded_minimisers(world, wanted);
+  const distance::Sense sense = sense_over_time(r.wanted);
+  if (in_rotation(wanted)) {
+    const RealPoint centre = world.steps({r.wanted.vector.at(0), r.wanted.vector.at(1)});
+    const Which kind = r.which();
+    const plane::Region b = world.shape(r.names.first), a = world.shape(r.names.second);
+    if (!world.motion().given()) return distance::rotation_position_maps(b, a, kind, centre, wanted.level);
+    return distance::rotation_position_maps(b, a, kind, centre, wanted.level, rotation_poses(world, r, false), sense);
+  }
+  if (r.wanted.mode != Mode::kPlain)
+    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+  Which kind = r.which();
+  // Containment down from level 0 is the directed Hausdorff distance, which changes no faster than the shapes do.
+  if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
+    kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
+  const auto bounds = [&](Which of, const Real& level) {
+    return distance::rotation_maps(world.shape(r.names.first), world.shape(r.names.second), of,
+                                   rotation_poses(world, r, false), sense, level / world.step());
+  };
+  const bool eta = kind == Which::kEta1 || kind == Which::kEta2, first = kind == Which::kEta1 || kind == Which::kDelta1;
+  if (!eta && !first && kind != Which::kDelta2) return bounds(kind, wanted.level);
+  // The places where a shape fits come and go with its angle. But eta is at least mu, and eta1 not above 0 where mu is
+  // not.
+  const Which mu = eta ? Which::kMu : Which::kMuBack;
+  BoundedMaps out{bounds(mu, wanted.level).low, plane::SignMap::uniform(1)};
+  if (first) out.high = plane::remark(bounds(mu, Real()).high, [](Mark k) { return Mark(k <= 0 ? -1 : 1); });
+  return out;
+}
+
+std::vector<plane::SignMap> sign_maps(const PreparedWorld& world, const Formula& formula) {
+  std::vector<plane::SignMap> maps(formula.sign_maps().size());
+  plane::parallel_for(maps.size(), [&](std::size_t k) { maps[k] = sign_map(world, formula.sign_maps()[k]); });
+  return maps;
+}
+
+}  // namespace
+
+plane::SignMap sign_map(const PreparedWorld& world, const SignMap& asked) {
+  const SignMap wanted = plain_level(asked);
+  if (wanted.minimum) return minimiser_map(least(world, wanted.distance));
+  return position_function(world, wanted.distance)->sign_map(wanted.level / world.step());
+}
+
+plane::Region feasible(const PreparedWorld& world, const Formula& formula) {
+  std::vector<plane::SignMap> maps = sign_maps(world, formula);
+  std::vector<const CellComplex*> operands;
+  for (const auto& m : maps) operands.push_back(&m);
+  if (operands.empty()) return CellComplex::uniform(evaluate(formula, {}));
+  return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+}
+
+RegionBounds feasible_bounds(const PreparedWorld& world, const Formula& formula) {
+  const std::size_t n = formula.sign_maps().size();
+  std::vector<BoundedMaps> maps(n);
+  for (std::size_t k = 0; k < n; ++k) maps[k] = bounded_maps(world, formula.sign_maps()[k]);
+  std::vector<const CellComplex*> operands;
+  for (const auto& m : maps) operands.insert(operands.end(), {&m.low, &m.high});
+  // 2 where every choice of signs between the bounds satisfies the formula, 1 where some does.
+  const CellComplex both =
+      plane::overlay(operands, [&](std::span<const Mark> marks) { return certainty(formula, marks); });
+  return {plane::remark(both, [](Mark m) { return Mark(m == 2); }),
+          plane::remark(both, [](Mark m) { return Mark(m > 0); })};
+}
+
+}  // namespace findspace::formula

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The feasible region of a formula. All sign maps of the formula are laid over each other once; every vertex, edge and
+// face of the overlay gets the truth of the formula (decision 1). Guarantee: the exact set, slots, points, open and
+// closed boundaries included; where distances are known between bounds only, an inner and an outer set. Cost: one
+// convolution a pair of shapes, one more for each level other than 0, one overlay. Keywords: feasible region,
+// configuration space, formula.
+#pragma once
+
+#include "formula/planar/position_answers.h"
+#include "formula/planar/prepared_world.h"
+
+namespace findspace::formula {
+
+/// In grid steps. Throws Error(kUnsupported) where it is known between bounds only.
+plane::SignMap sign_map(const PreparedWorld& world, const SignMap& wanted);
+
+/// {p : the formula holds at p}. Throws Error(kUnsupported) for distances this version does not compute.
+plane::Region feasible(const PreparedWorld& world, const Formula& formula);
+/// For shapes that turn in time and distances in rotation, over the time of a motion too: positions that certainly
+/// and that possibly belong to feasible(formula).
+RegionBounds feasible_bounds(const PreparedWorld& world, const Formula& formula);
+
+}  // namespace findspace::formula

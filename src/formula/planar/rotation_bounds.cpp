@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "formula/planar/rotation_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "distance/rotation/rotation_angles.h"
+#include "distance/rotation/rotation_in_time.h"
+#include "exact/number/margins.h"
+#include "formula/language/evaluate.h"
+#include "plane/query/moved.h"
+
+namespace findspace::formula {
+
+using distance::BoundedRotations;
+using distance::Sense;
+using distance::ValueRange;
+using exact::kInfinity;
+using exact::Real;
+using exact::RealPoint;
+using plane::Mark;
+using plane::RotationMap;
+
+namespace {
+
+const Real kAboutAnEnd = Real::ratio(1, 1000000000);  // degrees: more than an angle in doubles is off
+
+double way_of(const plane::RotationInterval& i) {
+  const double d = i.to.degrees() - i.from.degrees();
+  return d < 0 ? d + 360 : d;
+}
+
+bool is_exact(const RotationBounds& set) {
+  const RotationMap open = plane::overlay(std::array<const RotationMap*, 2>{&set.inner, &set.outer},
+                                          [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
+  return plane::intervals(open).empty();
+}
+
+/// The values over an interval of angles, negated for a maximum: the better end is taken by an angle of it.
+ValueRange values_over(const RotationMaps& maps, const Distance& wanted, const plane::RotationInterval& angles,
+                       Sense sense) {
+  const PreparedWorld& world = maps.world();
+  const RealPoint& about = maps.about();
+  const Distance d = moving_first(wanted, world.world().moving);
+  const double first = angles.from.degrees(), way = angles.round ? 360 : way_of(angles);
+  const Real from = Real::from_double(first), to = Real::from_double(first + way);
+  // The ends are known to rounding: a little of the circle about each stands for it.
+  const std::vector<Real> stops{from - kAboutAnEnd, from + kAboutAnEnd, to - kAboutAnEnd, to + kAboutAnEnd};
+  const auto over = [&](std::size_t first_stop, std::size_t last_stop) {
+    std::vector<distance::RotatingPose> poses(2);
+    poses[0].moving = stops[first_stop];
+    poses[1].moving = stops[last_stop];
+    return distance::RotationInTime(plane::moved(world.shape(d.first), {-about.x, -about.y}), world.shape(d.second),
+                                    world.which(d), centre_of(world, d), maps.centre(), poses);
+  };
+  const int rotation = sense == Sense::kMinimum ? 1 : -1;
+  const auto better = [rotation](ValueRange v) { return rotation > 0 ? v : ValueRange{-v.high, -v.low}; };
+  ValueRange all{kInfinity, kInfinity};
+  const auto join = [&](const ValueRange& v, bool taken) {
+    all.low = std::min(all.low, v.low);
+    if (taken) all.high = std::min(all.high, v.high);
+  };
+  const distance::PartOfLeg whole{0, Real(0), Real(1)};
+  join(better(over(0, 1).values(whole)), angles.from_in);
+  if (way > 0) join(better(over(2, 3).values(whole)), angles.to_in);
+  if (stops[1] < stops[2]) join(better(over(1, 2).extremum(sense)), true);
+  return all;
+}
+
+/// The same over a set of angles.
+ValueRange values_over(const RotationMaps& maps, const Distance& d, const RotationMap& within, Sense sense) {
+  ValueRange all{kInfinity, kInfinity};
+  for (const plane::RotationInterval& i : plane::intervals(within)) {
+    const ValueRange v = values_over(maps, d, i, sense);
+    all = {std::min(all.low, v.low), std::min(all.high, v.high)};
+  }
+  return all;
+}
+
+BoundedRotations bounded_map(const RotationMaps& maps, const SignMap& wanted) {
+  if (!maps.rotations_twice(wanted)) {
+    RotationMap exact = maps.sign_map(wanted);
+    return {exact, exact};
+  }
+  if (wanted.minimum) {
+    const RotationMap all = RotationMap::uniform(1);
+    const BestRotation least = best_rotation(maps, wanted.distance, {all, all}, Sense::kMinimum);
+    const auto there = plane::remark(least.possible, [](Mark m) { return Mark(m > 0 ? 0 : 1); });
+    return {there, RotationMap::uniform(1)};
+  }
+  const PreparedWorld& world = maps.world();
+  const Distance d = moving_first(wanted.distance, world.world().moving);
+  return distance::rotation_angle_maps({world.shape(d.first), world.shape(d.second), maps.about(), maps.centre()},
+                                       world.which(d), centre_of(world, d), wanted.level);
+}
+
+}  // namespace
+
+BestRotation best_rotation(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense) {
+  const int rotation = sense == Sense::kMinimum ? 1 : -1;
+  BestRotation out{std::nullopt, 0, false, RotationMap::uniform(0)};
+  double value = kInfinity;
+  if (maps.rotations_twice(d)) {
+    const ValueRange outer = values_over(maps, d, within.outer, sense);
+    value = is_exact(within) ? outer.high : values_over(maps, d, within.inner, sense).high;
+    out.bound = rotation * outer.low;
+  } else {
+    const auto exact = [&](const RotationMap& set) {
+      return rotation > 0 ? maps.least(d, set) : maps.greatest(d, set);
+    };
+    const plane::RotationLeast inner = exact(within.inner), outer = exact(within.outer);
+    if (inner.exists) value = rotation * inner.value.to_double();
+    out.bound = outer.exists ? outer.value.to_double() : rotation * kInfinity;
+  }
+  if (std::isinf(value)) {
+    out.none = value < 0 || rotation * out.bound == kInfinity;
+    out.possible = within.outer;
+    return out;
+  }
+  out.value = rotation * value;
+  const BoundedRotations near =
+      bounded_map(maps, {d, Real::from_double(rotation * value + rotation * margin::kBestOfAngles)});
+  const RotationMap& bound = rotation > 0 ? near.low : near.high;
+  out.possible = plane::overlay(std::array<const RotationMap*, 2>{&bound, &within.outer},
+                                [rotation](std::span<const Mark> m) { return Mark(m[1] > 0 && rotation * m[0] <= 0); });
+  return out;
+}
+
+RotationBounds rotation_bounds(const RotationMaps& rotation, const Formula& formula) {
+  std::vector<BoundedRotations> maps;
+  for (const SignMap& m : formula.sign_maps()) maps.push_back(bounded_map(rotation, m));
+  std::vector<const RotationMap*> operands;
+  for (const auto& m : maps) operands.insert(operands.end(), {&m.low, &m.high});
+  const RotationMap both =
+      plane::overlay(operands, [&](std::span<const Mark> marks) { return certainty(formula, marks); });
+  return {plane::remark(both, [](Mark m) { return Mark(m == 2); }),
+          plane::remark(both, [](Mark m) { return Mark(m > 0); })};
+}
+
+}  // namespace findspace::formula

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Angles where they are known between bounds only: distances in rotation about another point than the moving shape
+// rotates about, at levels other than 0 (rotation_angles.h). Keywords: interval, orientation, branch and bound.
+#pragma once
+
+#include <optional>
+
+#include "distance/planar_least/extremum.h"
+#include "formula/planar/rotation_maps.h"
+
+namespace findspace::formula {
+
+/// Angles that certainly and that possibly belong.
+struct RotationBounds {
+  plane::RotationMap inner, outer;
+};
+RotationBounds rotation_bounds(const RotationMaps& maps, const Formula& formula);
+
+/// The least or greatest value over a set of angles that is known between bounds, or of a distance that is.
+struct BestRotation {
+  std::optional<double> value;  // in the scene's unit, or in degrees: of an angle of within.inner; or none
+  double bound = 0;             // no angle of within.outer has a better one
+  bool none = false;            // proven: there are no values, or none is the last
+  plane::RotationMap possible;  // all best angles are among these
+};
+BestRotation best_rotation(const RotationMaps& maps, const Distance& distance, const RotationBounds& within,
+                           distance::Sense sense);
+
+}  // namespace findspace::formula

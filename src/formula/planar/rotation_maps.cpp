@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "formula/planar/rotation_maps.h"
+
+#include <algorithm>
+
+#include "distance/rotation/rotated_directional.h"
+#include "distance/rotation/rotated_pair.h"
+#include "distance/rotation/rotation.h"
+#include "exact/number/tried.h"
+#include "formula/language/evaluate.h"
+#include "plane/base/real_vector.h"
+
+namespace findspace::formula {
+
+using distance::RotatedPair;
+using distance::Which;
+using exact::Real;
+using exact::RealPoint;
+using plane::Mark;
+using plane::RotationMap;
+using plane::operator+;
+using plane::operator==;
+
+namespace {
+
+/// Gamma, eta and delta each have a second kind, which takes the greatest angle.
+Which base_of(Which which, bool& farthest) {
+  farthest = which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2;
+  if (which == Which::kGamma2) return Which::kGamma1;
+  if (which == Which::kEta2) return Which::kEta1;
+  if (which == Which::kDelta2) return Which::kDelta1;
+  return which;
+}
+
+struct PairAndDistance {
+  RotatedPair pair;
+  Which which;
+};
+
+/// The pair of a distance over the angles of the moving shape, its centre brought to `centre`.
+PairAndDistance rotated_pair(const RotationMaps& maps, const Distance& wanted) {
+  const PreparedWorld& world = maps.world();
+  Distance d = moving_first(wanted, world.world().moving);
+  const Which which = world.which(d);
+  if (second_is_moving(d, world.world().moving)) std::swap(d.first, d.second);
+  return {RotatedPair(world.shape(d.first), world.shape(d.second), maps.about(), maps.centre()), which};
+}
+
+/// The least step of values that a search of extrema tells apart.
+Real step_of_values(const PreparedWorld& world, const Distance& d) {
+  return d.mode == Mode::kRotation ? Real::ratio(1, 1000000) : world.step();
+}
+
+}  // namespace
+
+RealPoint centre_of(const PreparedWorld& world, const Distance& rotating) {
+  return world.steps({rotating.vector.at(0), rotating.vector.at(1)});
+}
+
+void require_static(const Distance& d) {
+  if (d.prefix != Extremum::kNone) refuse(d, "a distance over time is not computed over all angles, nor at an angle");
+}
+
+RealPoint RotationMaps::centre() const { return about_ + at_; }
+
+bool RotationMaps::rotations_twice(const SignMap& wanted) const {
+  const Distance& d = wanted.distance;
+  if (d.mode != Mode::kRotation || (is_plain_level(wanted) && !wanted.minimum)) return false;
+  return !(centre_of(world_, d) == centre());
+}
+
+bool RotationMaps::rotations_twice(const Distance& distance) const {
+  return rotations_twice(SignMap{distance, Real(1)});
+}
+
+bool RotationMaps::rotations_twice(const Formula& formula) const {
+  const auto& maps = formula.sign_maps();
+  return std::any_of(maps.begin(), maps.end(), [&](const SignMap& m) { return rotations_twice(m); });
+}
+
+RotationMaps::Contacts RotationMaps::contacts(const Distance& rotating) const {
+  Contacts out;
+  const PairAndDistance t = rotated_pair(*this, rotating);
+  const Which base = base_of(t.which, out.farthest);
+  out.base = t.pair.sign_map(base, Real());
+  return out;
+}
+
+RotationMap RotationMaps::directional_map(const Distance& wanted, const Real& level) const {
+  const Distance d = moving_first(wanted, world_.world().moving);
+  const Which which = world_.which(d);
+  bool farthest = false;
+  const Which base = base_of(which, farthest);
+  if (level.sign() == 0 && !farthest) return rotated_pair(*this, d).pair.sign_map(base, level);
+  return distance::rotated_directional({world_.shape(d.first), world_.shape(d.second), about_, centre()}, which,
+                                       direction(d), level);
+}
+
+RotationMap RotationMaps::sign_map(const SignMap& wanted) const {
+  const Distance& d = wanted.distance;
+  require_static(d);
+  if (wanted.minimum) {
+    const plane::RotationLeast best = least(d, RotationMap::uniform(1));
+    return plane::remark(best.at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });
+  }
+  if (d.mode == Mode::kRotation && !is_plain_level(wanted)) {
+    if (rotations_twice(wanted)) refuse(d, "about another point than \"about\" names it is known between bounds only");
+    const Contacts c = contacts(d);
+    return c.farthest ? distance::farthest_rotation_sign_map(c.base, wanted.level)
+                      : distance::rotation_sign_map(c.base, wanted.level);
+  }
+  if (is_directional(d)) return directional_map(d, wanted.level / world_.step());
+  const PairAndDistance t = rotated_pair(*this, d);
+  auto map = exact::tried([&] { return t.pair.sign_map(t.which, wanted.level / world_.step()); });
+  if (!map) refuse(d, map.refusal().error.message());
+  return *std::move(map);
+}
+
+RotationMap RotationMaps::feasible(const Formula& formula) const {
+  std::vector<RotationMap> maps;
+  for (const SignMap& wanted : formula.sign_maps()) maps.push_back(sign_map(wanted));
+  std::vector<const RotationMap*> operands;
+  for (const RotationMap& m : maps) operands.push_back(&m);
+  return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+}
+
+plane::RotationLeast RotationMaps::least(const Distance& d, const RotationMap& within) const {
+  return plane::least_rotation(
+      [&](const Real& level) {
+        return sign_map({d, level});
+      },
+      within, step_of_values(world_, d));
+}
+
+plane::RotationLeast RotationMaps::greatest(const Distance& d, const RotationMap& within) const {
+  plane::RotationLeast best = plane::least_rotation(
+      [&](const Real& level) {
+        return plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
+      },
+      within, step_of_values(world_, d));
+  best.value = -best.value;
+  return best;
+}
+
+}  // namespace findspace::formula
