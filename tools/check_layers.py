@@ -28,7 +28,7 @@ SPDX = ("SPDX-License-Identifier: Apache-2.0", "SPDX-FileCopyrightText: findspac
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 SMALL = re.compile(r"(?<![\w.])\d*\.?\d*[eE]-\d+")
 POWER = re.compile(r"(?<![\w.])0[xX][\da-fA-F.']+[pP][+-]?\d+")
-NOT_YET = ("src/distance", "src/formula", "src/planning", "apps")  # folders whose powers of two are still to be moved
+NOT_YET = ()
 
 
 def files(root, folder):

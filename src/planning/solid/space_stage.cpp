@@ -8,6 +8,7 @@
 
 #include "findspace/error.h"
 #include "planning/order/relations.h"
+#include "space/box/box_operations.h"
 
 namespace findspace::planning {
 
@@ -43,7 +44,7 @@ SpaceShape moved(const SpaceShape& shape, const RealVector& by) {
   SpaceShape out;
   out.refused = shape.refused;
   out.convex = shape.convex;
-  if (shape.boxes) out.boxes = shape.boxes->translated(by);
+  if (shape.boxes) out.boxes = space::translated(*shape.boxes, by);
   const auto whole = on_grid(by);
   if (shape.body && whole) {
     const auto make = [body = shape.body, whole]() -> exact::Tried<formula::LazyBody::Pointer> {
