@@ -172,6 +172,7 @@ Some cells need more words:
 | `eta2` in a ball | more than 40 corners or balls are refused |
 | fits of zero clearance, round | refused where other than flat faces hold the shape, or no single part holds it |
 | containment in "round" along a direction, other lines | level 0 only |
+| least `protrusion`, round | in unions of round parts the search takes minutes or ends at its limit |
 | "exact or none" | given where the region is one convex polytope, or one grown by a ball |
 
 ### Kinds of refusal
