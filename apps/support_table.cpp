@@ -76,10 +76,10 @@ formulas of [commands](commands.md#exact-maps) | exact · quick | exact, one dis
 `margin`, `cover` from 0 up | exact · quick | exact · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | exact · quick | exact · quick
 `margin`, `cover` below 0 | exact · quick | exact · quick | enclosed 2^-30 · fast | exact · fast | enclosed 2^-30 · slow | enclosed 2^-30 · quick | exact · slow
 `eta2`, `delta2` | exact · quick | exact · quick | enclosed 2^-30 · quick | exact · fast | enclosed 2^-30 · slow | enclosed 2^-30 · quick | exact · quick
-`reach` | exact · quick
+`reach` | exact · quick | exact · quick | exact · quick | exact · quick | exact · quick | enclosed 2^-30 · quick | exact · quick
 `protrusion` up to 0 | exact · quick | exact · quick | exact · quick | exact · quick | enclosed 2^-30 · fast | exact · quick | exact · quick
 `protrusion` above 0, `h` | enclosed 2^-30 · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | enclosed 2^-30 · slow | refused: not computed | enclosed 2^-30 · slow
-`hausdorff` | enclosed 2^-30 · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | enclosed 2^-30 · slow | enclosed 2^-30 · slow | enclosed 2^-30 · quick
+`hausdorff` | enclosed 2^-30 · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | enclosed 2^-30 · slow | enclosed 2^-30 · slow | exact · quick
 along a direction, lines that way | exact · quick | exact · quick | exact · quick | exact · quick | enclosed 2^-30 · quick | enclosed 2^-30 · slow | exact · fast
 along a direction, other lines | exact · quick | exact · quick | exact or enclosed 2^-30 · quick | exact · slow | enclosed 2^-30 · quick | refused: no convex parts | exact · slow
 a line of any direction (`"free": {"line": ..}`) | exact · quick | exact · quick | exact · quick | exact · slow | exact · quick | enclosed 2^-30 · fast | exact · quick

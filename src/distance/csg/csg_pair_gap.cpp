@@ -12,7 +12,6 @@
 #include "distance/search/answer.h"
 #include "distance/search/boundary_slack.h"
 #include "distance/search/solid_protrusion.h"
-#include "distance/search/answer.h"
 #include "exact/number/margins.h"
 
 namespace findspace::distance {

@@ -113,7 +113,8 @@ class Search {
 
 }  // namespace
 
-Between greatest_of_least(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way, double size) {
+Between greatest_of_least(std::span<const ConvexDistance> functions, const Vector& p, const PathStretch& way,
+                          double size) {
   return Search(functions, p, way, size).run();
 }
 

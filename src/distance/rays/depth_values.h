@@ -28,6 +28,7 @@ Between greatest_of_least(std::span<const ConvexDistance> functions, const space
 /// min over the stretch.
 Between least_on(const ConvexDistance& function, const space::Vector& p, const PathStretch& way, double size);
 /// min over the stretch and the functions.
-Between least_on(std::span<const ConvexDistance> functions, const space::Vector& p, const PathStretch& way, double size);
+Between least_on(std::span<const ConvexDistance> functions, const space::Vector& p, const PathStretch& way,
+                 double size);
 
 }  // namespace findspace::distance

@@ -85,7 +85,7 @@ class BoxSearch {
 }  // namespace
 
 Answer least_in_box(const std::function<Real(const RealVector&)>& value, const Vector& low, const Vector& high,
-                        double floor) {
+                    double floor) {
   return BoxSearch(value, floor).run(low, high);
 }
 

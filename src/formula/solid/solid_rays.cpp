@@ -139,15 +139,17 @@ SurfaceRays solid_rays(Which which, const TouchingSolid& b, const TouchingSolid&
   if (which == Which::kDiameter) return {};
   const bool protrudes = which == Which::kMu || which == Which::kMuBack;
   if (protrudes && level.sign() > 0) {
-    if (auto rays = protrusion_of_convex(which, b.solids, a.solids, level, grid)) return SurfaceRays::of(std::move(rays));
-    return SurfaceRays::of(which == Which::kMu ? protrusion(b, a.solids, level, grid) : protrusion_back(b, a, level, grid));
+    if (auto rays = protrusion_of_convex(which, b.solids, a.solids, level, grid))
+      return SurfaceRays::of(std::move(rays));
+    return SurfaceRays::of(which == Which::kMu ? protrusion(b, a.solids, level, grid)
+                                               : protrusion_back(b, a, level, grid));
   }
   if (which == Which::kMuBack) which = Which::kDelta1;
   SurfaceRays rays;
   if (which != Which::kEta2 && which != Which::kDelta2) rays = surface_rays(which, b.solids, a.solids, level, grid);
   if (!rays.sources.empty()) return rays;
-  return SurfaceRays::of(touching_rays(which, b, a, level, grid,
-                           [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
+  return SurfaceRays::of(touching_rays(
+      which, b, a, level, grid, [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
 }
 
 Source as_source(SurfaceRays rays) {
