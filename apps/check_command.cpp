@@ -5,9 +5,10 @@
 
 #include "commands.h"
 #include "exact/number/tried.h"
-#include "io/write/write_json.h"
+#include "io/write/write_position.h"
+#include "io/write/write_witness.h"
 #include "position_picture.h"
-#include "report.h"
+#include "position_report.h"
 #include "rotation_command.h"
 #include "session.h"
 #include "space_commands.h"
@@ -15,7 +16,7 @@
 namespace findspace::app {
 namespace {
 
-/// Nothing also where the region is not computed, as of shapes that turn in time.
+/// Nothing also where the region is not computed, as of shapes that rotate in time.
 std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& solver, const formula::Formula& formula,
                                                          const exact::RealPoint& at, Reporter& reporter) {
   reporter.stage("looking for the nearest feasible position");
@@ -45,10 +46,14 @@ Outcome run_check(const Options& options, Reporter& reporter) {
   const std::optional<formula::NearestFeasible> nearest =
       check.holds ? std::nullopt : nearest_feasible(solver, formula, at, reporter);
   const formula::NearestFeasible* near = nearest ? &*nearest : nullptr;
-  const auto json = [&] { return io::check_json(check, at, session.step(), session.unit(), std::nullopt, near); };
+  const auto json = [&] {
+    return io::check_json(check, distance::coordinates(at), session.unit(), std::nullopt, near, options.explain);
+  };
   const auto svg = [&] { return check_picture(session, solver.world(), formula, at, check, near); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : check_text(check, at, session.step(), session.unit(), near),
+  return {options.json
+              ? json()
+              : check_text(check, io::shown_point(distance::coordinates(at)), session.unit(), near, options.explain),
           check.holds ? kDone : kEmpty};
 }
 
@@ -66,10 +71,13 @@ Outcome run_measure(const Options& options, Reporter& reporter) {
   const formula::Solver solver(session.world());
   reporter.stage("measuring");
   const std::vector<formula::DistanceAt> distances = solver.measure(at, formula);
-  const auto json = [&] { return io::measure_json(distances, at, session.step(), session.unit()); };
+  const auto json = [&] { return io::measure_json(distances, distance::coordinates(at), session.unit()); };
   const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : measure_text(distances, at, session.step(), session.unit(), options.all), kDone};
+  return {options.json
+              ? json()
+              : measure_text(distances, io::shown_point(distance::coordinates(at)), session.unit(), options.all),
+          kDone};
 }
 
 }  // namespace findspace::app

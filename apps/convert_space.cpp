@@ -54,7 +54,7 @@ io::Surface box_surface(const Session& session, const plane::Shape& shape, const
 }  // namespace
 
 io::Surface boundary_of(const Session& session, const plane::Shape& shape) {
-  const Real step = session.step();
+  const Real& step = session.step();
   const formula::ShapeBoundary found = formula::shape_boundary(shape);
   if (const auto* triangles = std::get_if<space::Triangles>(&found)) return surface(*triangles, step);
   if (const auto* boxes = std::get_if<space::BoxComplex>(&found)) return box_surface(session, shape, *boxes);

@@ -254,10 +254,27 @@ docs/scene.md is the manual. With "$schema" editors complete the keys.
       lines(kSceneKeys), lines(kPlaneShapes), lines(kSpaceShapes), lines(kMadeShapes));
 }
 
+std::string debugging_page() {
+  return R"page(Where an answer is not what you expected:
+
+  findspace check scene.json --at X,Y --explain
+
+says beside each condition which way decided it, and how many milliseconds it took.
+
+  FINDSPACE_DUMP=DIR findspace map scene.json
+
+writes the geometry of each stage into the folder DIR, numbered in the order of the computation:
+SVG in the plane, OBJ in space, in grid steps or in steps that divide them. Stages are parts,
+convolution, sum, signs, overlay, region, cells, search. The answer stays the same; it takes one
+thread. docs/architecture.md says what each file shows.
+)page";
+}
+
 constexpr HelpTopic kTopics[] = {
     {"formula", "how conditions are written: distances, predicates, units", formula_page},
     {"scene", "the keys of a scene, and all kinds of shapes", scene_page},
     {"support", "which question is answered exactly for which shapes, and at what cost", support_page},
+    {"debugging", "which way answered, and pictures of the stages of an answer", debugging_page},
 };
 
 }  // namespace

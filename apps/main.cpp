@@ -23,6 +23,7 @@
 #include "formula/language/names.h"
 #include "help_pages.h"
 #include "plane/base/parallel.h"
+#include "stage_dump.h"
 #include "support_table.h"
 
 namespace findspace::app {
@@ -167,6 +168,9 @@ void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
     command.add_option("--time", o.time, "an instant of the motion, in its own time (default: over all its time)")
         ->type_name("T")
         ->group(kPlane);
+    if (is(verb, "check"))
+      command.add_flag("--explain", o.explain, "which way decided each condition, and how many milliseconds it took")
+          ->group(kCommon);
     if (is(verb, "measure"))
       command.add_flag("--all", o.all, "all distances, not only gap, margin, reach, protrusion and hausdorff")
           ->group(kCommon);
@@ -229,7 +233,11 @@ Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   const plane::ThreadLimit threads(options.threads);
   // A placement minds its limit itself and gives the best result so far.
   const Deadline deadline(is(verb, "place") ? 0 : options.time_limit);
-  return verb.run(options, reporter);
+  const auto dump = StageDump::from_environment();
+  const plane::ObserveStages observe(dump.get());
+  Outcome outcome = verb.run(options, reporter);
+  if (dump) dump->finish(reporter);
+  return outcome;
 }
 
 /// What went wrong, as an exit status; said on standard error.

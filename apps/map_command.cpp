@@ -47,7 +47,7 @@ constexpr const char* kNoRoots =
     "the optimum is no number that square roots express: given to 13 digits, with one position each";
 constexpr const char* kBetweenBounds = "the optimum is known between the value, which some position has, and \"bound\"";
 
-/// `bounded`: where shapes turn.
+/// `bounded`: where shapes rotate.
 io::ExtremeValue value_of(const formula::Optimum& optimum, bool maximum, Reporter& reporter, bool bounded = false) {
   if (optimum.value && !optimum.proven) reporter.note(bounded ? kBetweenBounds : kNoRoots);
   io::ExtremeValue out{maximum, optimum.value ? std::optional(optimum.value->to_double()) : std::nullopt,
@@ -88,17 +88,18 @@ formula::Optimum within_line(formula::Optimum best, const io::Free& free) {
   return best;
 }
 
-/// Of shapes that turn: regions, and what is best in them, between bounds.
+/// Of shapes that rotate: regions, and what is best in them, between bounds.
 Map solve_between_bounds(const Session& session, const formula::Solver& solver, const formula::Formula& formula) {
   Reporter& reporter = session.reporter();
   const std::optional<Session::Goal> goal = session.goal();
   if (!session.options().apply.empty())
-    throw Error(ErrorCode::kUnsupported, "--apply: of shapes that turn only bounds of the region are known",
+    throw Error(ErrorCode::kUnsupported, "--apply: of shapes that rotate only bounds of the region are known",
                 session.scene().file);
   formula::RegionBounds bounds = solver.feasible_bounds(formula);
   if (!goal) {
     reporter.note(
-        "shapes turn, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones");
+        "shapes rotate, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible "
+        "ones");
     std::optional<io::ExtremeValue> extreme;
     if (const auto least = formula::minimum_of(formula, solver)) extreme = value_of(*least, false, reporter, true);
     return {plane::in_order(bounds.inner), std::nullopt, extreme, plane::in_order(bounds.outer)};
@@ -179,7 +180,7 @@ Outcome map_of_time(const Session& session, const formula::Solver& solver, const
   const bool bounded = rotating && !swing;
   if (bounded) {
     session.reporter().note(
-        "shapes turn, or distances are in rotation: instants that certainly belong, and in \"outer\" the possible "
+        "shapes rotate, or distances are in rotation: instants that certainly belong, and in \"outer\" the possible "
         "ones");
     const formula::InstantBounds bounds = solver.instant_bounds(formula, at);
     intervals = in_time(bounds.inner);

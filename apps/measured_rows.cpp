@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "measured_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -27,19 +29,20 @@ struct Ranked {
 
 }  // namespace
 
-std::vector<MeasuredRow> rows_by_text(std::span<const std::string> texts, bool all) {
+std::vector<MeasuredRow> measured_rows(const std::vector<formula::DistanceAt>& distances, bool all) {
   std::vector<Ranked> rows;
   std::size_t pair = 0;
   bool in_gap = false;
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    const formula::PlainText plain = formula::plain(texts[k]);
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    const formula::PlainText plain = formula::plain(distances[k].text);
     const std::string_view word = word_of(plain.text);
     const bool directional = plain.text.find('=') != std::string::npos;
     if (word == kShown[0] && !directional && !in_gap) ++pair;
     in_gap = word == kShown[0];
     const auto rank = std::size_t(std::find(kShown.begin(), kShown.end(), word) - kShown.begin());
     if (rank == kShown.size() && !all && !directional) continue;
-    rows.push_back({{k, plain.text, plain.negated}, directional ? texts.size() : pair, all || directional ? 0 : rank});
+    rows.push_back(
+        {{k, plain.text, plain.negated}, directional ? distances.size() : pair, all || directional ? 0 : rank});
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Ranked& a, const Ranked& b) {
     return a.pair != b.pair ? a.pair < b.pair : a.rank < b.rank;
@@ -51,6 +54,11 @@ std::vector<MeasuredRow> rows_by_text(std::span<const std::string> texts, bool a
 
 std::string said_distance(const formula::Atom& atom) {
   return atom.predicate == nullptr ? "" : std::string(atom.distance.spelled->name) + " ";
+}
+
+std::string explained(distance::Way way, double milliseconds) {
+  const std::string by = way == distance::Way::kNone ? "" : fmt::format(" by {}", distance::name(way));
+  return fmt::format(",{} in {:.3f} ms", by, milliseconds);
 }
 
 }  // namespace findspace::app

@@ -10,7 +10,6 @@
 
 namespace findspace::app {
 
-using exact::Real;
 using exact::RealPoint;
 using io::Arrow;
 using plane::Place;

@@ -28,6 +28,7 @@ struct Options {
   bool exact = false;         // of map, describe: the exact cells in the JSON
   bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
   bool all = false;           // of measure: all distances
+  bool explain = false;       // of check: which way decided each atom, and how long it took
   bool json = false, quiet = false;
   std::string side;       // of map and describe in 3D: inner or outer cells about lines, or nothing
   bool axes = false;      // of these: lines along all three axes, or

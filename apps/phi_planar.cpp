@@ -114,7 +114,7 @@ struct CurveValue {
 CurveValue curve_value(const Session& session, const Overlap& overlap) {
   const RealPoint at = session.position(), p{at.x / session.step(), at.y / session.step()};
   const distance::AtPosition pair(std::make_shared<distance::ShapePair>(overlap.second, overlap.first));
-  const distance::Measured m = *pair.measure(distance::Which::kGamma1, p);
+  const distance::PlanarAnswer m = *pair.measure(distance::Which::kGamma1, p);
   CurveValue value{at, (m.value * session.step()).to_double(), m.value.sign(), std::nullopt, {}};
   if (m.nearest && value.sign != 0) {
     const double x = (p.x - m.nearest->x).to_double(), y = (p.y - m.nearest->y).to_double();

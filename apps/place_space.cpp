@@ -158,13 +158,13 @@ std::vector<std::string> placed_lines(const io::PlacementResult& result, const S
     }
     std::string line = p.copy > 0 ? fmt::format("{} {}", p.shape, p.copy) : p.shape;
     if (p.at.empty()) {
-      lines.push_back(line + ": no room");
+      lines.push_back(line + ": no free position");
       continue;
     }
     std::vector<std::string> at;
     for (const Real& x : p.at) at.push_back(io::shown((x * session.step()).to_double()));
     line += fmt::format(" at ({})", fmt::join(at, ", "));
-    if (p.angle && p.angle->sign() != 0) line += fmt::format(", turned by {}°", io::shown(p.angle->to_double()));
+    if (p.angle && p.angle->sign() != 0) line += fmt::format(", rotated by {}°", io::shown(p.angle->to_double()));
     lines.push_back(std::move(line));
   }
   return lines;

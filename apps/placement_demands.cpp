@@ -15,8 +15,6 @@ namespace findspace::app {
 namespace {
 
 using planning::Body;
-using planning::Condition;
-using planning::Role;
 using planning::Roles;
 
 class Maker {
@@ -51,7 +49,7 @@ class Maker {
     for (const std::string& shape : body.shapes) {
       names.push_back(shape);
       if (angle.sign() == 0) continue;
-      std::string name = fmt::format("{} turned by {}", shape, formula::decimal_text(angle));
+      std::string name = fmt::format("{} rotated by {}", shape, formula::decimal_text(angle));
       while (!taken_.insert(name).second) name += "'";
       out_.rotated.push_back({name, shape, angle});
       names.back() = name;

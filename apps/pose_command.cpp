@@ -78,7 +78,7 @@ void say_rounding(const Session& session, const PoseStack& stack) {
   }
   if (all.points == 0) return;
   session.reporter().note(
-      fmt::format("{} turned vertices were put on the grid, moved by at most {:.2g} {}; the sectors allow for it",
+      fmt::format("{} rotated vertices were put on the grid, moved by at most {:.2g} {}; the sectors allow for it",
                   all.points, all.largest * session.scene().grid.step_size(), session.unit()));
 }
 

@@ -28,8 +28,8 @@ formula::World at_instant(formula::World world) {
   return world;
 }
 
-plane::Place place(const exact::RealPoint& p, const plane::Twofold& step = plane::Twofold(1.0)) {
-  return {(plane::Twofold(p.x) * step).value(), (plane::Twofold(p.y) * step).value()};
+plane::Place place(const distance::Coordinates& p) {
+  return {plane::Twofold(p[0]).value(), plane::Twofold(p[1]).value()};
 }
 
 /// The scene with the moving shape at the position, without a region: of what is in `p`, in words and numbers.
@@ -37,7 +37,7 @@ std::string picture(const Session& session, const formula::World& world, const f
                     const exact::RealPoint& at, io::Picture p) {
   const formula::World shown = at_instant(world);
   if (world.instant) p.title += fmt::format(", at time {}", io::shown(world.instant->to_double()));
-  p.position = place(at);
+  p.position = place(distance::coordinates(at));
   session.add_scenery(p, shown, formula);
   p.dimensions = io::without_repetition(std::move(p.dimensions));
   return io::picture_svg(p);
@@ -45,11 +45,10 @@ std::string picture(const Session& session, const formula::World& world, const f
 
 /// Nothing where no two places attain the distance, and in motions, whose places are those of some instant.
 void add_dimension(io::Picture& p, const formula::World& world, const formula::DistanceAt& d, bool fails) {
-  if (d.witness.size() != 2 || !d.value || !world.motion.of.empty()) return;
-  const plane::Twofold step(world.step);
+  if (!d.answer || d.answer->witness.size() != 2 || !world.motion.of.empty()) return;
+  const auto& points = d.answer->witness;
   const char* unit = d.in_degrees ? "°" : "";
-  p.dimensions.push_back(
-      {place(d.witness[0].at, step), place(d.witness[1].at, step), io::shown(*d.value) + unit, fails});
+  p.dimensions.push_back({place(points[0].at), place(points[1].at), io::shown(*d.value()) + unit, fails});
 }
 
 }  // namespace
@@ -62,7 +61,7 @@ std::string check_picture(const Session& session, const formula::World& world, c
   p.subtitle = session.scene().where.text;
   for (const formula::AtomAt& a : check.atoms) add_dimension(p, world, a.distance, !a.holds);
   if (nearest != nullptr) {
-    p.nearest = place(nearest->at, plane::Twofold(world.step));
+    p.nearest = place(nearest->at);
     p.nearest_text = fmt::format("nearest feasible position{}, {} away",
                                  nearest->attained ? "" : " (not feasible itself: open there)",
                                  io::shown(nearest->distance.to_double()));

@@ -70,7 +70,7 @@ io::RayOptimum least_of(const formula::LeastOf& found) {
   if (!found.least) return out;
   out.attained = true;
   out.value = found.least->value.to_double();
-  if (!found.least->proven) out.bound = found.least->bound.to_double();
+  if (!found.least->proven) out.bound = found.least->bounds().lower->to_double();
   for (std::size_t k = 0; k < 3; ++k) out.at[k] = found.least->at[k].to_double();
   return out;
 }
@@ -88,7 +88,7 @@ RayObjective objective_of(const formula::SpaceSolver& solver, const Session::Goa
   if (!at({})) throw Error(ErrorCode::kUnsupported, "the objective is undefined for these shapes: " + goal.text);
   out.value = [at](const std::array<double, 3>& place) {
     const auto v = at(place);
-    return v->lowest ? -exact::kInfinity : v->value.to_double();
+    return v->minus_infinity ? -exact::kInfinity : v->value.to_double();
   };
   return out;
 }

@@ -8,10 +8,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "formula/language/text.h"
 #include "io/draw/draw_layout.h"
-#include "io/write/write_witness.h"
-#include "measured_rows.h"
 #include "plane/query/measure_cells_twofold.h"
 
 namespace findspace::app {
@@ -29,7 +26,6 @@ void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
 }
 
 std::string point(const Place& p) { return fmt::format("({}, {})", shown(p[0]), shown(p[1])); }
-std::string point(const exact::RealPoint& p) { return point(Place{Twofold(p.x).value(), Twofold(p.y).value()}); }
 std::string box(const plane::Bounds& b) { return fmt::format("{} to {}", point(b.low), point(b.high)); }
 
 std::string length(double value, std::string_view unit, const char* power = "") {
@@ -71,21 +67,6 @@ std::string extreme_text(const io::ExtremeValue& e, std::string_view unit) {
                      e.attained ? "" : ", not attained: these are the positions on the closure");
 }
 
-/// A length, or a number of degrees.
-std::string amount_text(const formula::DistanceAt& d, double amount, std::string_view unit) {
-  return d.in_degrees ? fmt::format("{}°", shown(amount)) : length(amount, unit);
-}
-
-std::string value_text(const formula::DistanceAt& d, std::string_view unit) {
-  return d.value ? amount_text(d, *d.value, unit) : "undefined";
-}
-
-std::size_t widest(const std::vector<std::string>& texts) {
-  std::size_t width = 0;
-  for (const std::string& t : texts) width = std::max(width, t.size());
-  return width;
-}
-
 }  // namespace
 
 std::string summary_text(std::string_view title, const plane::Summary& s, std::string_view unit,
@@ -118,49 +99,6 @@ std::string intervals_text(std::string_view title, const std::vector<plane::Line
     put(out, "  {}{}, {}{}\n", i.from_in ? '[' : '(', end(i.from, "-∞"), end(i.to, "∞"), i.to_in ? ']' : ')');
   }
   if (!unit.empty()) put(out, "in {} along the line from the point it goes through\n", unit);
-  return out;
-}
-
-std::string check_text(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, const formula::NearestFeasible* nearest) {
-  std::vector<std::string> texts;
-  for (const auto& a : check.atoms) texts.push_back(formula::written(a.atom));
-  const std::size_t width = widest(texts);
-  const Twofold factor(step);
-  std::string out = fmt::format("{} {}\n", point(at), check.holds ? "is feasible" : "is not feasible");
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const formula::AtomAt& a = check.atoms[i];
-    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", texts[i], width,
-        said_distance(a.atom) + value_text(as_said(a.distance, formula::negated(a.atom.distance)), unit));
-    if (a.lacks)
-      put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", amount_text(a.distance, *a.lacks, unit));
-    const std::string where = io::witness_words(a.distance, factor);
-    out += where.empty() ? "\n" : fmt::format("\n       {:<{}}  between {}\n", "", width, where);
-  }
-  if (nearest != nullptr) {
-    put(out, "nearest feasible position {}, {} away{}\n",
-        point(Place{(Twofold(nearest->at.x) * factor).value(), (Twofold(nearest->at.y) * factor).value()}),
-        length(nearest->distance.to_double(), unit),
-        nearest->attained ? "" : ", not feasible itself: the region is open there");
-  }
-  return out;
-}
-
-std::string measure_text(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
-                         const exact::Real& step, std::string_view unit, bool all) {
-  const std::vector<MeasuredRow> rows = measured_rows(distances, all);
-  std::vector<std::string> texts, values;
-  for (const MeasuredRow& row : rows) {
-    texts.push_back(row.text);
-    values.push_back(value_text(as_said(distances[row.of], row.negated), unit));
-  }
-  const std::size_t width = widest(texts), room = widest(values);
-  std::string out = fmt::format("at {}\n", point(at));
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const std::string where = io::witness_words(distances[rows[i].of], Twofold(step));
-    put(out, "  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : room,
-        where.empty() ? "" : "  " + where);
-  }
   return out;
 }
 

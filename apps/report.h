@@ -20,12 +20,6 @@ std::string summary_text(std::string_view title, const plane::Summary& summary, 
                          const io::ExtremeValue* extreme = nullptr);
 std::string intervals_text(std::string_view title, const std::vector<plane::LineInterval>& intervals,
                            const exact::Real& step, std::string_view unit);
-/// `nearest` may be null: the nearest feasible position, where it was asked for.
-std::string check_text(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, const formula::NearestFeasible* nearest);
-/// The rows of measured_rows.h.
-std::string measure_text(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
-                         const exact::Real& step, std::string_view unit, bool all);
 /// A certified bound from either side: the inner set's JSON, with the outer one in it.
 std::string bounded_json(std::string inner, const std::string& outer);
 

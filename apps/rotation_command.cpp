@@ -11,9 +11,12 @@
 #include "io/draw/draw_layout.h"
 #include "io/write/draw_rotations.h"
 #include "io/write/write_json.h"
+#include "io/write/write_position.h"
 #include "io/write/write_rotations.h"
+#include "io/write/write_witness.h"
 #include "plane/query/measure_cells_twofold.h"
 #include "position_picture.h"
+#include "position_report.h"
 #include "report.h"
 
 namespace findspace::app {
@@ -31,7 +34,7 @@ exact::RealPoint about(const Session& session) {
 void require_plane(const Session& session) {
   const io::Scene& scene = session.scene();
   if (scene.dimension != 2)
-    throw Error(ErrorCode::kUnsupported, "turning shapes in space is not computed by this version", scene.file);
+    throw Error(ErrorCode::kUnsupported, "rotations of shapes in space are not computed by this version", scene.file);
   if (scene.motion.given())
     throw Error(ErrorCode::kUnsupported, "an angle in a scene with \"motion\" is not computed", scene.file);
   if (scene.moving.empty())
@@ -41,7 +44,7 @@ void require_plane(const Session& session) {
 void say_rounding(const Session& session, const plane::Rounding& rounding) {
   if (rounding.points == 0) return;
   session.reporter().note(
-      fmt::format("{} vertices of the turned shape were put on the grid, moved by at most {:.2g} {}", rounding.points,
+      fmt::format("{} vertices of the rotated shape were put on the grid, moved by at most {:.2g} {}", rounding.points,
                   rounding.largest * session.scene().grid.step_size(), session.unit()));
 }
 
@@ -142,12 +145,14 @@ Outcome measure_at_angle(const Session& session) {
   const std::vector<formula::DistanceAt> distances = rotated.measure(session.where());
   say_rounding(session, rotated.rounding());
   const double degrees = pose.degrees.to_double();
-  const auto json = [&] { return io::measure_json(distances, pose.at, session.step(), session.unit(), degrees); };
+  const auto json = [&] {
+    return io::measure_json(distances, distance::coordinates(pose.at), session.unit(), degrees);
+  };
   const auto svg = [&] { return measure_picture(session, shown_world(solver, rotated, pose), pose.at, distances); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  return {session.options().json
-              ? json()
-              : measure_text(distances, pose.at, session.step(), session.unit(), session.options().all),
+  return {session.options().json ? json()
+                                 : measure_text(distances, io::shown_point(distance::coordinates(pose.at)),
+                                                session.unit(), session.options().all),
           kDone};
 }
 
@@ -161,13 +166,16 @@ Outcome check_at_angle(const Session& session) {
   const formula::Check check = rotated.check(formula);
   say_rounding(session, rotated.rounding());
   const auto json = [&] {
-    return io::check_json(check, pose.at, session.step(), session.unit(), pose.degrees.to_double());
+    return io::check_json(check, distance::coordinates(pose.at), session.unit(), pose.degrees.to_double(), nullptr,
+                          session.options().explain);
   };
   const auto svg = [&] {
     return check_picture(session, shown_world(solver, rotated, pose), formula, pose.at, check, nullptr);
   };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  return {session.options().json ? json() : check_text(check, pose.at, session.step(), session.unit(), nullptr),
+  return {session.options().json ? json()
+                                 : check_text(check, io::shown_point(distance::coordinates(pose.at)), session.unit(),
+                                              nullptr, session.options().explain),
           check.holds ? kDone : kEmpty};
 }
 
@@ -210,7 +218,8 @@ struct AngleMap {
 /// The best angles of a set that is known between bounds, or of a distance that is.
 AngleMap solve_between_bounds(const Session& session, const formula::RotationMaps& maps,
                               const formula::Formula& formula) {
-  session.reporter().note("turns about two points: angles that certainly belong, and in \"outer\" the possible ones");
+  session.reporter().note(
+      "rotations about two points: angles that certainly belong, and in \"outer\" the possible ones");
   formula::RotationBounds bounds = formula::rotation_bounds(maps, formula);
   const auto goal = session.goal();
   if (!goal) return {std::move(bounds.inner), std::move(bounds.outer), std::nullopt};

@@ -28,7 +28,7 @@ Outcome map_space_line(const Session& session) {
   const formula::SpaceSolver::OnLine found = solver.feasible_on(formula, line);
   const formula::Side side = found.side;
   if (side != formula::Side::kExact)
-    session.reporter().note("how far a shape sticks out is found by search: ends may be off by 2^-30 of the sizes");
+    session.reporter().note("protrusions are found by search: ends may be off by 2^-30 of the sizes");
   auto set = plane::intervals(found.marks, exact::Real(1));
   std::optional<io::ExtremeValue> extreme;
   std::string title = fmt::format("Positions of {} on the line", fmt::join(session.scene().moving, ", "));

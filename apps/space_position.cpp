@@ -8,10 +8,10 @@
 
 #include "formula/language/text.h"
 #include "io/draw/draw_bodies.h"
-#include "io/write/write_json_space.h"
+#include "io/write/write_position.h"
+#include "position_report.h"
 #include "space_commands.h"
 #include "space_outcome.h"
-#include "space_report.h"
 
 namespace findspace::app {
 
@@ -26,6 +26,10 @@ void note_late_rounding(const Session& session, const formula::SpaceSolver& solv
 
 std::string where_text(const space::RealVector& at) {
   return fmt::format("({}, {}, {})", at[0].to_double(), at[1].to_double(), at[2].to_double());
+}
+
+std::array<double, 3> place(const distance::Coordinates& p) {
+  return {p[0].to_double(), p[1].to_double(), p[2].to_double()};
 }
 
 /// What is drawn of a shape: its body, or all sets that a cut solid is made of and that are cut out of it.
@@ -43,7 +47,7 @@ std::shared_ptr<const space::Body> drawn_body(const formula::SpaceShape& shape) 
 /// The bodies with the moving ones at `at`, and pairs of points that take a distance.
 std::string picture_at(const Session& session, const formula::SpaceSolver& solver, const space::RealVector& at,
                        std::string title, std::vector<std::string> lines,
-                       const std::vector<formula::SpaceDistanceAt>& distances) {
+                       const std::vector<formula::DistanceAt>& distances) {
   const formula::SpaceWorld& world = solver.world();
   io::BodiesPicture picture{std::move(title), session.unit(), std::move(lines), {}, {}, world.step.to_double()};
   std::vector<std::shared_ptr<const space::Body>> drawn;
@@ -57,8 +61,10 @@ std::string picture_at(const Session& session, const formula::SpaceSolver& solve
     }
   }
   for (const auto& d : distances) {
-    if (d.points) picture.pairs.push_back(*d.points);
-    if (d.nearest) picture.pairs.push_back({{{at[0].to_double(), at[1].to_double(), at[2].to_double()}, *d.nearest}});
+    if (!d.answer) continue;
+    const auto& points = d.answer->witness;
+    if (points.size() == 2) picture.pairs.push_back({place(points[0].at), place(points[1].at)});
+    if (d.answer->nearest) picture.pairs.push_back({place(distance::coordinates(at)), place(*d.answer->nearest)});
   }
   return io::bodies_svg(picture);
 }
@@ -72,15 +78,17 @@ Outcome check_space(const Session& session) {
   const formula::Formula formula = session.where();
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("checking");
-  const formula::SpaceSolver::Check check = solver.check(formula, at);
-  const auto nearest = check.holds ? std::nullopt : solver.nearest_feasible(formula, at);
+  const formula::Check check = solver.check(formula, at);
+  const auto nearest = check.holds ? std::nullopt : formula::nearest_feasible(solver, formula, at);
   note_late_rounding(session, solver);
-  const formula::SpaceNearest* near = nearest ? &*nearest : nullptr;
-  const auto json = [&] { return io::space_check_json(check, at, session.unit(), near); };
+  const formula::NearestFeasible* near = nearest ? &*nearest : nullptr;
+  const auto json = [&] {
+    return io::check_json(check, distance::coordinates(at), session.unit(), std::nullopt, near, options.explain);
+  };
   const auto svg = [&] {
     std::vector<std::string> lines;
-    std::vector<formula::SpaceDistanceAt> distances;
-    for (const formula::SpaceAtomAt& a : check.atoms) {
+    std::vector<formula::DistanceAt> distances;
+    for (const formula::AtomAt& a : check.atoms) {
       lines.push_back(fmt::format("{}: {}", formula::written(a.atom), a.holds ? "true" : "false"));
       distances.push_back(a.distance);
     }
@@ -90,14 +98,14 @@ Outcome check_space(const Session& session) {
                       std::move(lines), distances);
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : space_check_text(check, where_text(at), session.unit(), near),
+  return {options.json ? json() : check_text(check, where_text(at), session.unit(), near, options.explain),
           check.holds ? kDone : kEmpty};
 }
 
 namespace {
 
 /// A line for each reason, with the distances that it is the reason for.
-void note_refused(const Session& session, const std::vector<formula::SpaceDistanceAt>& distances) {
+void note_refused(const Session& session, const std::vector<formula::DistanceAt>& distances) {
   std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
   for (const auto& d : distances) {
     if (d.refused.empty()) continue;
@@ -118,16 +126,16 @@ Outcome measure_space(const Session& session) {
   const space::RealVector at = session.position_in_space();
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("measuring");
-  const std::vector<formula::SpaceDistanceAt> distances = solver.measure(at);
+  const std::vector<formula::DistanceAt> distances = solver.measure(at);
   note_late_rounding(session, solver);
   note_refused(session, distances);
-  const auto json = [&] { return io::space_measure_json(distances, at, session.unit()); };
+  const auto json = [&] { return io::measure_json(distances, distance::coordinates(at), session.unit()); };
   const auto svg = [&] {
     return picture_at(session, solver, at,
                       fmt::format("{} at {}", fmt::join(session.scene().moving, ", "), where_text(at)), {}, {});
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : space_measure_text(distances, where_text(at), session.unit(), options.all), kDone};
+  return {options.json ? json() : measure_text(distances, where_text(at), session.unit(), options.all), kDone};
 }
 
 }  // namespace findspace::app

@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "formula/language/text.h"
 #include "io/draw/draw_layout.h"
-#include "measured_rows.h"
 
 namespace findspace::app {
 namespace {
@@ -47,11 +45,6 @@ std::string component_text(const space::SpaceComponent& c, std::string_view unit
   return out;
 }
 
-std::string value_text(const formula::SpaceDistanceAt& d, std::string_view unit) {
-  if (!d.refused.empty()) return "not computed";
-  return d.value ? size(*d.value, unit) : "undefined";
-}
-
 }  // namespace
 
 std::string space_summary_text(std::string_view title, const space::SpaceSummary& s, std::string_view unit,
@@ -80,37 +73,6 @@ std::string space_summary_text(std::string_view title, const space::SpaceSummary
   const std::size_t n = std::min(s.components.size(), kMostListed);
   for (std::size_t i = 0; i < n; ++i) put(out, "  {:>3}  {}\n", i + 1, component_text(s.components[i], unit));
   if (n < s.components.size()) put(out, "  and {} more (--json lists all)\n", s.components.size() - n);
-  return out;
-}
-
-std::string space_check_text(const formula::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
-                             const formula::SpaceNearest* nearest) {
-  std::size_t width = 0;
-  for (const auto& a : check.atoms) width = std::max(width, formula::written(a.atom).size());
-  std::string out = fmt::format("{} {}\n", at, check.holds ? "is feasible" : "is not feasible");
-  for (const auto& a : check.atoms) {
-    put(out, "  {}  {:<{}}  {}", a.holds ? "yes" : "no ", formula::written(a.atom), width,
-        said_distance(a.atom) + value_text(as_said(a.distance, formula::negated(a.atom.distance)), unit));
-    if (a.lacks) put(out, ", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by", size(*a.lacks, unit));
-    out += "\n";
-  }
-  if (nearest != nullptr) {
-    const auto& at = nearest->at;
-    put(out, "nearest feasible position {}, {} away{}\n",
-        point({at[0].to_double(), at[1].to_double(), at[2].to_double()}), size(nearest->distance.to_double(), unit),
-        nearest->attained ? "" : ", not feasible itself: the region is open there");
-  }
-  return out;
-}
-
-std::string space_measure_text(const std::vector<formula::SpaceDistanceAt>& distances, std::string_view at,
-                               std::string_view unit, bool all) {
-  const std::vector<MeasuredRow> rows = measured_rows(distances, all);
-  std::size_t width = 0;
-  for (const MeasuredRow& row : rows) width = std::max(width, row.text.size());
-  std::string out = fmt::format("at {}\n", at);
-  for (const MeasuredRow& row : rows)
-    put(out, "  {:<{}}  {}\n", row.text, width, value_text(as_said(distances[row.of], row.negated), unit));
   return out;
 }
 

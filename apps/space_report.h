@@ -17,9 +17,5 @@ namespace findspace::app {
 /// `extreme` may be null.
 std::string space_summary_text(std::string_view title, const space::SpaceSummary& summary, std::string_view unit,
                                const io::ExtremeValue* extreme);
-std::string space_check_text(const formula::SpaceSolver::Check& check, std::string_view at, std::string_view unit,
-                             const formula::SpaceNearest* nearest);
-std::string space_measure_text(const std::vector<formula::SpaceDistanceAt>& distances, std::string_view at,
-                               std::string_view unit, bool all);
 
 }  // namespace findspace::app

@@ -37,7 +37,7 @@ coordinates, `distance to` | exact · fast
 # Rotation
 angles at which a formula holds (`"free": "angle"`) | exact · slow
 least values over angles | exact or 13 digits · slow | exact or 13 digits · long | exact or 13 digits · slow | exact or 13 digits · long
-`turning`: `check`, angles about the same point | exact · quick
+`turning`: `check`, angles about the same point | exact or enclosed 1e-12 · quick
 `turning`: elsewhere, level 0 | exact · fast
 `turning`: elsewhere, other levels | inner, outer · fast
 poses: each angle, rotated vertices on the grid | exact · fast
@@ -60,7 +60,7 @@ constexpr std::string_view kSpace = R"(# Values at a position
 `margin`, `cover` from 0 up | exact · quick | exact · quick | exact · quick | exact · fast | enclosed 2^-40 · slow | enclosed · slow | exact · fast
 `margin`, `cover` below 0 | exact · quick | exact · quick | enclosed 2^-40 · quick | exact · slow | enclosed 2^-36 · long | enclosed · slow | exact · fast
 `reach` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick
-`eta2`, `delta2` | exact · quick | exact · quick | exact to 40 corners · quick | exact · slow | enclosed 2^-36 · slow | enclosed · slow | exact · quick
+`eta2`, `delta2` | exact · quick | exact · quick | exact or enclosed 2^-36 · quick | exact · slow | enclosed 2^-36 · slow | enclosed · slow | exact · quick
 `protrusion`, `hausdorff`, `h` | enclosed 1e-12 · quick | exact · quick | exact · quick | enclosed 1e-12 · fast | enclosed 1e-12 · fast | enclosed up to 0 · fast | enclosed 1e-12 · fast
 `diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | refused: not computed | exact · quick
 along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact · fast | `gap` enclosed, others refused · slow | exact · slow

@@ -4,6 +4,7 @@
 # `cmake --build build/release --target package` makes findspace_VERSION_ARCH.deb there: program, library, headers, CMake
 # package, documentation. dpkg-shlibdeps finds what the program depends on. A user of the library needs the libraries
 # that tools/packages.txt lists for the build, too; the package suggests these.
+include(GNUInstallDirs)  # documentation in share/doc/findspace
 install(FILES README.md LICENSE cmake/copyright TYPE DOC)
 install(DIRECTORY docs examples TYPE DOC PATTERN "*.html" EXCLUDE)
 

@@ -124,11 +124,11 @@ def pages(root, patterns):
     return [os.path.relpath(path, root) for pattern in patterns for path in sorted(glob.glob(os.path.join(root, pattern)))]
 
 
-def main():
+def main(argv):
     parser = argparse.ArgumentParser(description="Checks sentences and links of the documentation.")
     parser.add_argument("--table", action="store_true", help="print words a sentence of every page")
     parser.add_argument("root", nargs="?", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-    options = parser.parse_args()
+    options = parser.parse_args(argv)
     limited = set(pages(options.root, LIMITED))
     wrong = []
     for page in pages(options.root, READ):
@@ -151,4 +151,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

@@ -15,13 +15,14 @@ methods a class    functions that a class or struct of src, include or apps decl
 words a sentence   of README.md and docs/*.md, without headings, code blocks and cells of tables of at most twelve
                    words. Code in a sentence is one word.
 margins            hexadecimal literals of 2^-10 and less (0x1p-40) outside src/exact.
-catches            `catch` blocks that ask for ErrorCode::kUnsupported: they try another way, or leave something out.
-                   Beside them those that take any Error and throw none.
+catches            `catch` blocks that ask for ErrorCode::kUnsupported, and calls of exact::tried, which catches it for
+                   its caller: they try another way, or leave something out. Beside them the blocks that take any
+                   Error and throw none.
 lines a file       after the preprocessor, of the median of at most 60 source files of src, with the flags of
-                   the build folder, empty lines left out; then without what the precompiled header brings, where there is one.
+                   the build folder, empty lines left out; then what comes after the precompiled header, which is all that
+                   the compiler reads of it, where there is one.
 equal names        of anonymous namespaces, in several files of a street: they hinder unity builds."""
 import argparse
-import bisect
 import glob
 import json
 import os
@@ -40,6 +41,8 @@ LEAST_EXPONENT = 10
 SAMPLE = 60
 LONG_CELL = 12  # words
 PRECOMPILED = "cmake_pch.hxx"
+WITH_VALUE = ("-o", "-c", "-include", "-include-pch", "-MF", "-MT", "-MQ", "-x")  # options left out, with their value
+ALONE = ("-MD", "-MMD", "-Winvalid-pch", "-fpch-preprocess", "-fno-pch-timestamp")  # and those that have none
 
 
 # --- C++ as text ---------------------------------------------------------------------------------------------------
@@ -195,10 +198,29 @@ def margin_figures(code):
     yield "hexadecimal margins outside src/exact", f"{sum(count.values())} in {sum(n > 0 for n in count.values())} files"
 
 
+def closing_parenthesis(text, opening):
+    """Where the parenthesis that opens at `opening` closes."""
+    depth = 0
+    for match in re.compile(r"[()]").finditer(text, opening):
+        depth += 1 if match.group() == "(" else -1
+        if depth == 0:
+            return match.start()
+    return len(text)
+
+
+def tried(text):
+    """How many calls of exact::tried catch kUnsupported: those that name no other code."""
+    calls = (text[m.start():closing_parenthesis(text, m.end() - 1)] for m in re.finditer(r"\bexact::tried\s*\(", text))
+    return sum(not re.search(r",\s*ErrorCode::k(?!Unsupported)\w+\s*$", call) for call in calls)
+
+
 def catch_figures(code):
-    asking = taking = 0
+    asking = trying = taking = 0
     where = set()
     for path, text in code.text.items():
+        calls = tried(text)
+        trying += calls
+        where.update([path] if calls else [])
         for match in re.finditer(r"\bcatch\s*\(\s*const Error\s*&\s*\w*\s*\)\s*\{", text):
             body = text[match.end():closing(text, match.end() - 1)]
             if re.search(r"code\(\)\s*[!=]=\s*(ErrorCode::)?kUnsupported", body):
@@ -206,7 +228,7 @@ def catch_figures(code):
                 where.add(path)
             elif not re.search(r"\bthrow\b|\bfail\w*\(", body):
                 taking += 1
-    yield "catches of `kUnsupported`", f"{asking} in {len(where)} files"
+    yield "catches of `kUnsupported`", f"{asking + trying} in {len(where)} files ({trying} by `exact::tried`)"
     yield "catches of any `Error` that throw none", str(taking)
 
 
@@ -246,31 +268,27 @@ def compile_commands(root, build):
 
 
 def flags(commands, layer):
-    """Compiler and flags of the layer's library, without output, input and precompiled header; and that header."""
+    """Compiler and flags of the layer's library, without output, input and precompiled header; that header; where to run."""
     entry = next(c for c in commands if f"findspace_{layer}.dir" in c["command"] and c["file"].endswith((".cpp", "_cxx.cxx")))
-    kept, header, words = [], None, iter(shlex.split(entry["command"]))
+    # clang is given what its driver does not know word by word, each after -Xclang: the precompiled header as well.
+    words = iter(word for word in shlex.split(entry["command"]) if word != "-Xclang")
+    kept, header = [], None
     for word in words:
         if os.path.basename(word).startswith("ccache"):
             continue
-        if word in ("-o", "-c", "-include", "-MF", "-MT", "-MQ", "-x"):
+        if word in WITH_VALUE:
             value = next(words)
             header = value if word == "-include" and value.endswith(PRECOMPILED) else header
-        elif word not in ("-MD", "-MMD", "-Winvalid-pch", "-fpch-preprocess"):
+        elif word not in ALONE:
             kept.append(word)
     return kept, header, entry["directory"]
 
 
-def lines_by_file(command, source, folder):
-    """{file: lines that are not empty} of what the preprocessor makes of a source."""
-    done = subprocess.run([*command, "-E", "-x", "c++", source], cwd=folder, capture_output=True, text=True, check=True)
-    count, current = {}, source
-    for line in done.stdout.splitlines():
-        marker = re.match(r'# \d+ "([^"]*)"', line)
-        if marker:
-            current = marker.group(1)
-        elif line.strip():
-            count[current] = count.get(current, 0) + 1
-    return count
+def lines(command, folder, *included):
+    """How many lines that are not empty the preprocessor makes of these files, one after the other."""
+    text = "".join(f'#include "{path}"\n' for path in included)
+    done = subprocess.run([*command, "-E", "-P", "-x", "c++", "-"], input=text, cwd=folder, capture_output=True, text=True, check=True)
+    return sum(bool(line.strip()) for line in done.stdout.splitlines())
 
 
 def preprocessor_figures(root, build):
@@ -284,14 +302,13 @@ def preprocessor_figures(root, build):
     whole, rest, brought = [], [], {}
     for source in sample:
         command, header, folder = flags(commands, source.split(os.sep)[1])
-        count = lines_by_file(command, os.path.abspath(os.path.join(root, source)), folder)
+        path = os.path.abspath(os.path.join(root, source))
+        whole.append(lines(command, folder, path))
         if header and header not in brought:
-            brought[header] = set(lines_by_file(command, header, folder))
-        known = brought.get(header, set())
-        bisect.insort(whole, sum(count.values()))
-        bisect.insort(rest, sum(lines for path, lines in count.items() if path not in known))
-    yield "lines of the median file after the preprocessor", f"{whole[len(whole) // 2]:,}"
-    yield "… of these not from the precompiled header", f"{rest[len(rest) // 2]:,}"
+            brought[header] = lines(command, folder, header)
+        rest.append(lines(command, folder, header, path) - brought[header] if header else whole[-1])
+    yield "lines of the median file after the preprocessor", f"{statistics.median_high(whole):,}"
+    yield "… of these after the precompiled header", f"{statistics.median_high(rest):,}"
 
 
 # --- the table -----------------------------------------------------------------------------------------------------

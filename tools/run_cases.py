@@ -33,6 +33,7 @@ DISTANCES = {"gamma1", "gamma2", "eta1", "eta2", "delta1", "delta2", "mu", "haus
 STANDS_FOR = {"overlaps": "gamma1", "touches": "gamma1", "disjoint": "gamma1", "clear": "gamma1", "within": "gamma1",
               "gap": "gamma1", "inside": "eta1", "margin": "eta1", "covers": "delta1", "reach": "gamma2",
               "distance": "d1"}
+EXPECTED = {"attained", "distances", "encloses", "exit", "intervals", "phi", "positions", "region", "regions", "says", "true"}
 SOLIDS = {"polytope", "ball", "prism", "mesh"}
 
 
@@ -255,6 +256,8 @@ def refusal_faults(want, status, said):
 
 def faults(exe, case, scope):
     want = case["expect"]
+    if not want or want.keys() - EXPECTED:
+        yield f"expect: {', '.join(sorted(want.keys() - EXPECTED)) or 'nothing'} is no key that this runner knows"
     if set(want) == {"phi"} and set(want["phi"]) == {"queries"}:
         yield from phi_faults(exe, case, {}, want["phi"])
         return
@@ -278,8 +281,9 @@ def faults(exe, case, scope):
         yield from interval_faults(case, got.get("intervals", []), want["intervals"])
     if "positions" in want:
         yield from position_faults(case, got.get("positions", []), want["positions"])
-    if "attained" in want and got.get("attained") != want["attained"]:
-        yield f"attained: expected {want['attained']}, got {got.get('attained')}"
+    for key in ("attained", "true"):
+        if key in want and got.get(key) != want[key]:
+            yield f"{key}: expected {want[key]}, got {got.get(key)}"
     for name, region in want.get("regions", {}).items():
         yield from region_faults(exe, case, got.get("regions", {}).get(name, {}), region, shape=name)
     yield from phi_faults(exe, case, got, want.get("phi", {}))

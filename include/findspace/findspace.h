@@ -3,13 +3,18 @@
 //
 // findspace: the exact set of all positions of a part. Everything a user of the library needs; no third-party header is
 // included.
-//   shape.h   what there is: polygons, discs, arcs, and what operations make of them
-//   world.h   which of it moves, and the questions: distances, sign maps, formulas, optima
-//   region.h  the answers: exact point sets
-//   error.h   what is thrown for bad input
+//   number.h, contour.h   exact numbers and points; rings with arcs
+//   shape.h     what there is: polygons, discs, solids, and what operations make of them
+//   formula.h   what is asked: distances compared with levels, as objects or as text
+//   world.h     which shape moves, and the questions: distances, sign maps, formulas, optima, queries
+//   region.h    the answers: exact point sets
+//   error.h     what is thrown for bad input
 #pragma once
 
+#include "findspace/contour.h"
 #include "findspace/error.h"
+#include "findspace/formula.h"
+#include "findspace/number.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
 #include "findspace/world.h"

@@ -1,20 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Results as values. Region: an exact plane set, every vertex, edge and face marked as belonging or not
-// (docs/results.md). SignMap: the sign of a distance minus a level at every position. Both are immutable and cheap to
-// copy; reading them from many threads is safe. Numbers are in the unit of the world that made them. Guarantee: which
-// cells belong, and what is counted, is exact; areas are right to rounding. Cost: a query at a point is linear in the
-// edges, all else is read off what was made with the region. Keywords: marked subdivision, level set, sublevel set.
+// Exact sets of the plane as values: every vertex, edge and face says whether it belongs. A Region can be asked, walked
+// along its boundary, and combined. A SignMap holds the sign of a distance minus its level at every position. Both are
+// immutable and cheap to copy; reading them from many threads is safe. Numbers are in the unit of the world or shape
+// they come from. Guarantee: which cells belong, and what is counted, is exact; coordinates, lengths and areas in
+// doubles are right to the last place or two. Cost: one pass over the edges when a kind of question is first asked; a
+// position then costs about the logarithm of their number, many positions at once 10 to 100 ns each. Keywords: marked
+// subdivision, level set, sublevel set, Nef polygon.
 #pragma once
 
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
-#include "findspace/shape.h"
+#include "findspace/number.h"
 
 namespace findspace {
+
+/// An exact real number of a result: a fraction, or made of square roots.
+class Exact {
+ public:
+  /// The nearest double but for an ulp.
+  double value() const;
+  /// "3", "-5/3", "(1+2*sqrt(5))/3"; of numbers that are more nested the nearest decimal, with a leading "~".
+  std::string text() const;
+  friend bool operator==(const Exact& a, const Exact& b);
+  friend std::weak_ordering operator<=>(const Exact& a, const Exact& b);
+
+  struct Data;
+  explicit Exact(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+struct ExactPoint {
+  Exact x, y;
+};
+
+/// A box whose closure holds a set, and the least such.
+struct Bounds {
+  Position low{}, high{};
+};
 
 class Region {
  public:
@@ -28,20 +62,110 @@ class Region {
   bool bounded() const;
   /// Nothing where the region is unbounded.
   std::optional<double> area() const;
-  /// Connected components of the point set: faces that share only a vertex of it are one.
-  std::size_t components() const;
+  /// Nothing where the region is empty or unbounded.
+  std::optional<Bounds> bounds() const;
   /// Bounded components of the complement.
   std::size_t holes() const;
+
   /// Exact, on boundaries too; p need not lie on the grid. Error(kSyntax) for what is no decimal.
   bool contains(const Point& p) const;
+  template <std::same_as<Position> P>
+  bool contains(const P& p) const {
+    return contains_position(p);
+  }
+  /// Of many positions, with all threads; `inside` is as long as `positions`.
+  void contains(std::span<const Position> positions, std::span<bool> inside) const;
+
+  /// A vertex of the boundary, or an isolated point of the set or of its complement.
+  struct Vertex {
+    Position at;
+    bool belongs = false;
+  };
+  /// A segment or an arc of the boundary without its ends.
+  struct Edge {
+    std::size_t start = 0, end = 0;  // in vertices(); equal for a whole circle
+    bool belongs = false;
+    bool left_belongs = false, right_belongs = false;  // what lies beside it
+    bool arc = false;                                  // counter-clockwise from start to end
+    Position center{};                                 // of an arc
+    double radius = 0;
+    double angle = 0;  // it spans, in radians
+  };
+  /// An edge as a part of a ring: which, and whether it is gone along from start to end.
+  struct Side {
+    std::size_t edge = 0;
+    bool forward = true;
+  };
+  using Ring = std::vector<Side>;
+  /// A connected part of the point set.
+  struct Component {
+    int dimension = 0;           // 2: it has an area; 1: curves alone; 0: a point
+    std::optional<double> area;  // nothing where it is unbounded
+    std::size_t holes = 0;
+    Position sample{};  // a point of it, inside where it has an inside
+    std::optional<Bounds> bounds;
+    /// The boundaries of its faces, the face on the left: the outer one of a face counter-clockwise, then its holes.
+    std::vector<Ring> rings;
+    std::vector<std::size_t> curves;    // edges without area beside them
+    std::vector<std::size_t> isolated;  // vertices
+  };
+  /// Numbered from left to right.
+  const std::vector<Vertex>& vertices() const;
+  const std::vector<Edge>& edges() const;
+  /// Faces that share only a vertex of the set are one. Unbounded first, then by dimension, then from left to right.
+  const std::vector<Component>& components() const;
+  /// A vertex, exactly.
+  ExactPoint exact(std::size_t vertex) const;
+
+  /// The nearest point of the closure, and whether it belongs to the set. Nothing of the empty set.
+  struct Nearest {
+    Position at{};
+    double distance = 0;
+    bool attained = false;
+  };
+  std::optional<Nearest> nearest(const Position& to) const;
+  /// Points of the inside, evenly spread by a seed; fewer than `count` never. Error(kUnsupported) where the region has
+  /// no area, or an unbounded one.
+  std::vector<Position> sample(std::size_t count, std::uint64_t seed = 0) const;
+
+  /// Plain operations of point sets; of regions of one grid. Error(kBadValue) otherwise.
+  friend Region operator|(const Region& a, const Region& b);
+  friend Region operator&(const Region& a, const Region& b);
+  friend Region operator-(const Region& a, const Region& b);
+  Region complement() const;
+  Region interior() const;
+  Region closure() const;
+  Region boundary() const;
+  /// The closure of the interior.
+  Region regularized() const;
+  /// Grown by the closed disc of that radius, eroded if negative.
+  Region offset(const Number& radius) const;
+  /// The same set, whatever it is made of.
+  friend bool operator==(const Region& a, const Region& b);
+
+  /// Rings as points, arcs cut so finely that no chord is farther from its arc than `bound`: within the set, around it,
+  /// or to whatever side is nearer. Of faces alone, a component's rings one after the other.
+  enum class Towards { kInside, kOutside };
+  std::vector<std::vector<Position>> flattened(double bound, Towards side) const;
+
   /// As `findspace map --json` writes it (docs/results.md): cells with marks, arcs as arcs.
   std::string json() const;
+  /// The set by its exact boundary, as the shape kind "cells" of a scene has it (docs/scene.md): Shape::json brings the
+  /// same set back.
+  std::string exact_json() const;
+  /// Closed sets only: what is open is lost. Error(kUnsupported) where unbounded.
+  std::string wkt() const;
+  /// A drawing in true size. Error(kUnsupported) where unbounded.
+  std::string svg() const;
 
   struct Data;
   explicit Region(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
   const Data& data() const { return *data_; }
+  const std::shared_ptr<const Data>& shared_data() const { return data_; }
 
  private:
+  bool contains_position(const Position& p) const;
+
   std::shared_ptr<const Data> data_;
 };
 

@@ -1,83 +1,130 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Shapes as values: what a scene file can say, said in C++. A shape is a plane set given by exact decimal numbers in
-// the unit of the World it will stand in; the primitive ones are closed, operations are the plain ones of point sets,
-// not regularised (docs/scene.md). Guarantee: a shape is the text it is made from; numbers keep every digit. Cost: that
-// of copying text, nothing is computed here. Errors in a shape (a ring that crosses itself, a negative radius) are
-// thrown by World, with the shape's name. Keywords: polygon with holes, disc, path, Boolean operation, Minkowski sum,
-// offset.
+// Shapes of the plane and of space as values: point sets given by exact decimal numbers on a grid. Primitive ones are
+// closed. Operations are the plain ones of point sets, not regularised: what they make may lack parts of its boundary,
+// or be a curve or a point. Guarantee: exact, but for points that are off the grid, which are rounded to it once, and
+// for rotations by other angles than multiples of 90 degrees, which round each vertex once. Cost: primitives are
+// checked where they are made; constructions are computed once, when they are first looked at. Copies are cheap, and
+// reading one from many threads is safe. Errors: findspace::Error that names ring, vertex and edge: kGeometry,
+// kBadValue, kOutOfRange, kSyntax, kUnsupported. Source: docs/scene.md. Keywords: polygon with holes, disc, path,
+// polytope, mesh, Boolean operation, Minkowski sum, offset.
 #pragma once
 
-#include <concepts>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "findspace/contour.h"
+#include "findspace/number.h"
+
 namespace findspace {
 
-/// A decimal number, exactly as written: Number("1.1") is 11/10. A double counts as the shortest decimal that reads
-/// back as it; Error(kBadValue) for one that is not finite. Text that is no number is refused where it is used.
-class Number {
- public:
-  template <std::integral T>
-  Number(T value) : text_(std::to_string(value)) {}           // NOLINT: implicit on purpose
-  Number(double value);                                       // NOLINT
-  Number(const char* decimal) : text_(decimal) {}             // NOLINT
-  Number(std::string decimal) : text_(std::move(decimal)) {}  // NOLINT
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
-struct Point {
-  Number x, y;
-};
-using Ring = std::vector<Point>;
+class Region;
 
 class Shape {
  public:
+  // ---- the plane
   /// The closed set within the ring and outside the holes: their interiors are left out. Rings are simple and run
   /// either way; holes lie inside the ring and touch neither it nor each other.
-  static Shape polygon(const Ring& ring, const std::vector<Ring>& holes = {});
+  static Shape polygon(const Ring& ring, const std::vector<Ring>& holes = {}, const Grid& grid = {});
+  static Shape polygon(std::span<const Position> ring, const std::vector<std::span<const Position>>& holes = {},
+                       const Grid& grid = {});
+  /// The same of rings that may have arcs.
+  static Shape polygon(const Contour& ring, const std::vector<Contour>& holes = {}, const Grid& grid = {});
   /// Closed; the radius is more than 0.
-  static Shape disc(const Point& center, const Number& radius);
+  static Shape disc(const Point& center, const Number& radius, const Grid& grid = {});
   /// Closed, with sides along the axes and an area.
-  static Shape box(const Point& min, const Point& max);
+  static Shape box(const Point& min, const Point& max, const Grid& grid = {});
   /// SVG path data of M L H V A Z, circular arcs only; y points upwards. Rings nest by the even-odd rule, open parts
   /// are chains (docs/scene.md, "Paths").
-  static Shape path(std::string_view data);
+  static Shape path(std::string_view data, const Grid& grid = {});
   /// Isolated points.
-  static Shape points(const std::vector<Point>& points);
-  /// A chain of closed segments, a set without interior; it may cross itself.
-  static Shape polyline(const std::vector<Point>& points);
-  /// What a scene file would say, e.g. R"({"file": "part.svg"})" or a region's "cells".
-  static Shape json(std::string text) { return Shape(std::move(text)); }
+  static Shape points(const std::vector<Point>& points, const Grid& grid = {});
+  static Shape points(std::span<const Position> points, const Grid& grid = {});
+  /// A chain of closed segments and arcs, a set without interior; it may cross itself.
+  static Shape polyline(const std::vector<Point>& points, const Grid& grid = {});
+  static Shape polyline(std::span<const Position> points, const Grid& grid = {});
+  static Shape polyline(const Contour& chain, const Grid& grid = {});
 
-  /// Plain set operations: what they make may lack parts of its boundary, or be a curve or a point.
+  // ---- space
+  /// The convex hull of the points, which have a volume.
+  static Shape polytope(std::span<const Position3> points, const Grid& grid = {});
+  static Shape box(const Point3& min, const Point3& max, const Grid& grid = {});
+  static Shape ball(const Point3& center, const Number& radius, const Grid& grid = {});
+  /// A polygon of the plane, without arcs or with, between two heights.
+  static Shape prism(const Shape& polygon, const Number& low, const Number& high);
+  /// What a closed surface encloses; faces are circuits of vertices, counted from 0.
+  static Shape mesh(std::span<const Position3> vertices, std::span<const std::array<std::int32_t, 3>> triangles,
+                    const Grid& grid = {});
+  static Shape mesh(std::span<const Position3> vertices, const std::vector<std::vector<std::int32_t>>& faces,
+                    const Grid& grid = {});
+
+  // ---- from elsewhere
+  /// What a scene file would say, e.g. R"({"file": "part.svg"})" or a region's "cells". Files are looked for in the
+  /// current folder. Error(kSyntax) with line and column.
+  static Shape json(std::string_view text, const Grid& grid = {});
+  /// A drawing or a mesh (docs/scene.md, "Files"), in its own unit. Error(kFile) where it cannot be read.
+  static Shape file(const std::string& path, const Grid& grid = {});
+  /// A region is a shape again, with all its open and closed ends.
+  Shape(const Region& region);  // NOLINT: implicit on purpose
+
+  // ---- made of others; of shapes on different grids on one that holds both
   static Shape unite(const std::vector<Shape>& shapes);
   static Shape intersect(const std::vector<Shape>& shapes);
   /// The first without the others; of closed sets it is not closed.
   static Shape subtract(const std::vector<Shape>& shapes);
   static Shape complement(const Shape& shape);
+  static Shape interior(const Shape& shape);
+  static Shape closure(const Shape& shape);
+  static Shape boundary(const Shape& shape);
+  /// The closure of the interior.
+  static Shape regularize(const Shape& shape);
   /// {a + b}: no reflection. The positions in which B + p meets A are A + (-B).
   static Shape minkowski_sum(const Shape& a, const Shape& b);
-  /// Grown by the closed disc of that radius, with true arcs; eroded if negative: {p : the disc about p lies in it}.
+  /// {p : b + p lies in a} of a reflected b: the intersection of all a + q, q in b.
+  static Shape minkowski_difference(const Shape& a, const Shape& b);
+  /// Grown by the closed disc or ball of that radius, with true arcs; eroded if negative: {p : the disc about p lies in
+  /// it}.
   static Shape offset(const Shape& shape, const Number& radius);
   /// The convex hull; of arcs of different radii only where common tangents have directions in ratios of integers.
   static Shape hull(const Shape& shape);
+  /// Reflected through the origin.
+  static Shape reflect(const Shape& shape);
   Shape translated(const Point& by) const;
-  /// Counter-clockwise about the origin. Exact for multiples of 90 degrees; other angles round each vertex once to the
+  Shape translated(const Point3& by) const;
+  /// Counter-clockwise about a point. Exact for multiples of 90 degrees; other angles round each vertex once to the
   /// nearest grid point.
-  Shape rotated(const Number& degrees) const;
+  Shape rotated(const Number& degrees, const Point& about = {0, 0}) const;
+  /// Of space: about an axis through a point, counter-clockwise seen from its positive end.
+  enum class Axis { kX, kY, kZ };
+  Shape rotated(const Number& degrees, Axis axis, const Point3& about = {0, 0, 0}) const;
 
-  /// The shape as a scene would have it.
-  const std::string& text() const { return json_; }
+  // ---- what it is
+  /// 2 or 3.
+  int dimension() const;
+  /// The grid of its coordinates.
+  Grid grid() const;
+  /// How many of the points given were off the grid, and the farthest that one was moved, in the shape's unit.
+  struct Rounded {
+    std::size_t points = 0;
+    double largest = 0;
+  };
+  Rounded rounded() const;
+  /// The set itself, of the plane only (Error(kUnsupported)); made when first asked for.
+  const Region& region() const;
+
+  struct Data;
+  explicit Shape(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  const Data& data() const { return *data_; }
 
  private:
-  explicit Shape(std::string json) : json_(std::move(json)) {}
-  std::string json_;
+  std::shared_ptr<const Data> data_;
 };
 
 }  // namespace findspace

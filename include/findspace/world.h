@@ -11,21 +11,23 @@
 // not computed. Source: Pustylnik, arXiv:0808.2931. Keywords: configuration space, feasible region, solver.
 #pragma once
 
+#include <concepts>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "findspace/error.h"
+#include "findspace/formula.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
 
 namespace findspace {
 
 struct WorldOptions {
-  std::string unit;          // um mm cm m in mil, or empty
-  Number grid = "0.000001";  // coordinates are rounded to this grid once, in the unit; at most 2^40 steps
+  std::string unit;  // um mm cm m in mil, or empty
 };
 
 /// The value of a distance, in the unit, and where it is attained.
@@ -40,6 +42,8 @@ struct Optimum {
   Region at;                    // all that do; else those of the region's closure
 };
 
+class Query;
+
 class World {
  public:
   /// `moving` is one of the names. Distances are those of the shapes' closures. Throws what is wrong with a shape:
@@ -52,16 +56,52 @@ class World {
   /// The sign of the distance minus the level, in the unit, at every position. kUnsupported for those in rotation.
   SignMap sign_map(std::string_view distance, const Number& level) const;
   /// {p : the formula holds at p} (docs/formula.md). kUnsupported for formulas with distances in rotation.
-  Region solve(std::string_view formula) const;
+  Region solve(const Formula& formula) const;
   /// Whether p is in that set, without making it.
-  bool holds(std::string_view formula, const Point& p) const;
+  bool holds(const Formula& formula, const Point& p) const;
   /// The least value of an objective (a distance, x, y, "distance to [1, 2]") where the formula holds.
-  Optimum minimize(std::string_view objective, std::string_view formula = "true") const;
+  Optimum minimize(std::string_view objective, const Formula& formula = "true") const;
+  /// The formula, ready for many positions.
+  Query query(const Formula& formula) const;
+  /// What it was made of.
+  const std::map<std::string, Shape>& shapes() const;
+  const std::string& moving() const;
+  std::string unit() const;
   /// A shape as a point set, open ends and all. kUnknownName for none of that name.
   Region shape(const std::string& name) const;
 
- private:
   struct Data;
+  const Data& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// A formula over a world, to be asked at many positions. Immutable, cheap to copy; asking from many threads is safe.
+/// Guarantee: exact, as World::holds. Cost: the first question about many positions makes the region of the formula,
+/// after that a position costs 10 to 100 ns; a single position makes no region.
+class Query {
+ public:
+  bool holds(const Point& p) const;
+  template <std::same_as<Position> P>
+  bool holds(const P& p) const {
+    return holds_at(p);
+  }
+  /// Of each position, with all threads; `out` is as long as `positions`.
+  void holds(std::span<const Position> positions, std::span<bool> out) const;
+  /// {p : the formula holds at p}.
+  const Region& region() const;
+  const World& world() const;
+  const Formula& formula() const;
+  /// The nearest feasible position, or of the closure of those; nothing where the formula holds nowhere.
+  std::optional<Region::Nearest> nearest(const Position& from) const;
+
+  struct Data;
+  explicit Query(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  bool holds_at(const Position& p) const;
+
   std::shared_ptr<const Data> data_;
 };
 

@@ -82,9 +82,9 @@ TEST(CutValues, AreThoseOfSamples) {
         EXPECT_LT(pair.between(Which::kGamma1, Real(), p)->high, 0) << c.name;
         continue;
       }
-      if (!d1.points || d1.value.sign() == 0) continue;
+      if (d1.witness.empty() || d1.value.sign() == 0) continue;
       ++apart;
-      const Vector b = space::rounded((*d1.points)[0]), a = space::rounded((*d1.points)[1]);
+      const Vector b = space::rounded(d1.witness[0].at), a = space::rounded(d1.witness[1].at);
       EXPECT_NEAR(space::length(a - b), d1.value.to_double(), 1e-9) << c.name;
       EXPECT_LT(c.level(a), 1e-9) << c.name;
       EXPECT_LT(to_cube(b, near), 1e-9) << c.name;
@@ -246,7 +246,7 @@ TEST(CutValues, AreNamed) {
   const Answer above = *pair_of(all[0]).value(Which::kGamma1, space::place(0, 0, 33));
   EXPECT_TRUE(above.proven);
   EXPECT_EQ(above.value, sqrt(Real(100) + (Real(15) - sqrt(Real(18))) * (Real(15) - sqrt(Real(18)))));
-  // It is too large for the cube, and sticks out of it by its lower corners.
+  // It is too large for the cube, and protrudes from it by its lower corners.
   EXPECT_FALSE(pair_of(all[0]).value(Which::kDelta1, space::place(0, 0, 17)));
   EXPECT_FALSE(pair_of(all[0]).value(Which::kDelta2, space::place(0, 0, 17)));
   EXPECT_EQ(pair_of(all[0]).value(Which::kHausdorff, space::place(0, 0, 17))->value, sqrt(Real(17 * 17 * 2 + 34 * 34)));

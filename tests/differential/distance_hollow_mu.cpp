@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How far a shape sticks out of a complement: the depth of its deepest point in what the complement leaves, against
+// How far a shape protrudes from a complement: the depth of its deepest point in what the complement leaves, against
 // formulas for that depth at samples of the shape, and its signs on lines against the values.
 #include <findspace/error.h>
 #include <gtest/gtest.h>

@@ -65,7 +65,7 @@ void compare(const char* name, const Body& b, const Body& a, Which which, const 
       return;
     }
     ++(event ? counts.events : counts.places);
-    const int truth = v ? (v->lowest ? -1 : exact::compare(v->value, level)) : 1;
+    const int truth = v ? (v->minus_infinity ? -1 : exact::compare(v->value, level)) : 1;
     if (truth == sign || ++counts.wrong > 5) return;
     ADD_FAILURE() << name << " " << static_cast<int>(which) << " at level " << level.text() << ", " << p[0].text()
                   << " " << p[1].text() << " " << p[2].text() << ": " << sign << ", should be " << truth << ", value "

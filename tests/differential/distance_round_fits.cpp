@@ -229,7 +229,7 @@ TEST(RoundFits, DepthInUnions) {
   expect_nearest(mixed, Which::kGamma1, -1, off, 7, 60, 11);
 }
 
-/// How deep a rounded box lies in two balls, and how far it sticks out of boxes, against samples of all of it.
+/// How deep a rounded box lies in two balls, and how far it protrudes from boxes, against samples of all of it.
 TEST(RoundFits, RoundedBoxAndUnions) {
   Samples samples(12);
   Body balls;

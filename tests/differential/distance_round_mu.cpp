@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How far a ball sticks out of a union of boxes and balls, against samples of the whole ball: the greatest distance of
+// How far a ball protrudes from a union of boxes and balls, against samples of the whole ball: the greatest distance of
 // samples is at most the value, and less by no more than the samples are apart.
 #include <gtest/gtest.h>
 

@@ -81,9 +81,9 @@ TEST(SolidLattice, SignsByTheDefinition) {
       contacts += gamma1 == 0;
       fits += eta1 <= 0;
       ASSERT_EQ(sign_of(bodies.value(Which::kGamma1, p)), gamma1);
-      ASSERT_EQ(boxes.sign_map(Which::kGamma1, 0).mark(p), gamma1);
-      ASSERT_EQ(boxes.sign_map(Which::kEta1, 0).mark(p), eta1);
-      ASSERT_EQ(boxes.sign_map(Which::kDelta1, 0).mark(p), delta1);
+      ASSERT_EQ(boxes.sign_map(Which::kGamma1, 0)->mark(p), gamma1);
+      ASSERT_EQ(boxes.sign_map(Which::kEta1, 0)->mark(p), eta1);
+      ASSERT_EQ(boxes.sign_map(Which::kDelta1, 0)->mark(p), delta1);
       ASSERT_EQ(sign_of(bodies.value(Which::kEta1, p)), eta1);
       ASSERT_EQ(sign_of(bodies.value(Which::kDelta1, p)), delta1);
     }

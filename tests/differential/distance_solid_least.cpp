@@ -39,8 +39,8 @@ TEST(SolidLeast, BoxesHaveTheirExactLeastValues) {
       ++defined;
       EXPECT_EQ(found->value, truth->value) << k << " " << static_cast<int>(which);
       EXPECT_EQ(truth->at.mark(found->at), 1);
-      EXPECT_LE(found->bound, truth->value);
-      EXPECT_NEAR(found->bound.to_double(), truth->value.to_double(), 1e-10);
+      EXPECT_LE(*found->bounds().lower, truth->value);
+      EXPECT_NEAR(found->bounds().lower->to_double(), truth->value.to_double(), 1e-10);
     }
   }
   EXPECT_GT(defined, 100);
@@ -52,15 +52,15 @@ void compare(const char* name, const Body& b, const Body& a, Which which, double
   ASSERT_TRUE(found) << name;
   const SolidPair pair(space::shared(b), space::shared(a));
   EXPECT_EQ(pair.value(which, found->at)->value, found->value) << name;
-  EXPECT_LE(found->bound, found->value) << name;
-  EXPECT_LE((found->value - found->bound).to_double(), room) << name << " " << static_cast<int>(which);
+  EXPECT_LE(*found->bounds().lower, found->value) << name;
+  EXPECT_LE((found->value - *found->bounds().lower).to_double(), room) << name << " " << static_cast<int>(which);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> near(-0.5, 0.5), far(-6, 6);
   for (int k = 0; k < 60; ++k) {
     RealVector p;
     for (std::size_t c = 0; c < 3; ++c)
       p[c] = k % 2 == 0 ? found->at[c] + Real::from_double(near(random)) : Real::from_double(far(random));
-    EXPECT_GE(pair.value(which, p)->value, found->bound) << name << " " << static_cast<int>(which);
+    EXPECT_GE(pair.value(which, p)->value, *found->bounds().lower) << name << " " << static_cast<int>(which);
   }
 }
 

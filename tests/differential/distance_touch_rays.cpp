@@ -3,8 +3,8 @@
 //
 // Depths, how far a shape is from fitting and the farthest fit from the positions at which solids touch
 // (space/surface/touch_rays.h) against those from the convex parts of both (ray_signs.h): the same sign everywhere on
-// every line, in general position and along walls and edges, in slits and exact fits. And how far one sticks out of the
-// other by the triangles of its surface.
+// every line, in general position and along walls and edges, in slits and exact fits. And how far one protrudes from
+// the other by the triangles of its surface.
 #include <gtest/gtest.h>
 
 #include "differential/space_voxels.h"

@@ -28,12 +28,12 @@ RealPoint at_home(const Feature& f, const RealPoint& p) {
 void expect_on_its_cell(const Feature& f, const ShapePair& pair, const RealPoint& p) {
   const Region& r = f.of_moving ? pair.moving() : pair.fixed();
   RealPoint at = at_home(f, p);
-  if (f.cell.dimension == 2) {
+  if (f.cell->dimension == 2) {
     EXPECT_GT(sign_at(r, at), 0);
-  } else if (f.cell.dimension == 0) {
-    EXPECT_LT(apart(r.geometry.exact(r.vertices[f.cell.index].point), at), kTolerance);
+  } else if (f.cell->dimension == 0) {
+    EXPECT_LT(apart(r.geometry.exact(r.vertices[f.cell->index].point), at), kTolerance);
   } else {
-    EXPECT_LT(edge_feature(r, f.cell.index).distance(number(at.x), number(at.y)), kTolerance);
+    EXPECT_LT(edge_feature(r, f.cell->index).distance(number(at.x), number(at.y)), kTolerance);
   }
 }
 
@@ -43,7 +43,7 @@ bool is_cut_off(Which which, double value) {
                         which == Which::kDstarBack || which == Which::kPenetration || which == Which::kDiameter);
 }
 
-void expect_witness(const Measured& m, Which which, const AtPosition& at, const RealPoint& p) {
+void expect_witness(const PlanarAnswer& m, Which which, const AtPosition& at, const RealPoint& p) {
   double value = number(m.value);
   if (is_cut_off(which, value)) return;
   ASSERT_EQ(m.witness.size(), 2u) << int(which);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The best positions of distances in rotation, and of shapes that turn in time, enclose what a lattice of positions
+// The best positions of distances in rotation, and of shapes that rotate in time, enclose what a lattice of positions
 // finds.
 
 #include <gtest/gtest.h>

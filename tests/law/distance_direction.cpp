@@ -64,7 +64,7 @@ PositionFunctionPointer directional(const ShapePair& pair, Which which, const Tr
   return std::make_shared<DirectionalSigned>(base_of(pair, which), direction);
 }
 
-int sign_against(const std::optional<Value>& v, const Real& level) {
+int sign_against(const std::optional<PlanarAnswer>& v, const Real& level) {
   if (!v) return 1;
   return v->minus_infinity ? -1 : compare(v->value, level);
 }
@@ -153,7 +153,7 @@ TEST(Directional, BothWaysIsTheBetterOfTheTwo) {
     const auto both = value(1, true)->value(p), there = value(1, false)->value(p), back = value(-1, false)->value(p);
     ASSERT_EQ(both.has_value(), there.has_value() || back.has_value()) << "seed " << seed;
     if (!both) continue;
-    auto size = [](const Value& v) {
+    auto size = [](const PlanarAnswer& v) {
       return v.minus_infinity ? std::optional<Real>() : std::optional<Real>(abs(v.value));
     };
     std::optional<Real> best;

@@ -25,7 +25,9 @@ using space::RealVector;
 
 constexpr double kNear = 0x1p-36;
 
-double number(const std::optional<Answer>& v) { return !v ? INFINITY : v->lowest ? -INFINITY : v->value.to_double(); }
+double number(const std::optional<Answer>& v) {
+  return !v ? INFINITY : v->minus_infinity ? -INFINITY : v->value.to_double();
+}
 
 void expect_near(double a, double b) {
   if (std::isinf(a) || std::isinf(b)) {

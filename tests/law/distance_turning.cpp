@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Shapes that turn in time, against a closed form: a disc that is off its own origin by R goes along an arc of radius
+// Shapes that rotate in time, against a closed form: a disc that is off its own origin by R goes along an arc of radius
 // R, and its distance to a disc about the origin is that of a point to an arc. Values, their bounds, and both bounds of
 // the regions.
 #include <gtest/gtest.h>

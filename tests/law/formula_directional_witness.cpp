@@ -29,9 +29,10 @@ Region shape(std::mt19937& random, int size) {
 }
 
 /// Whether the point lies on the feature, with its shape moved by p.
-void expect_on(const FeatureAt& f, const RealPoint& p, const std::string& what) {
-  const double x = (f.at.x - p.x).to_double(), y = (f.at.y - p.y).to_double();
-  const auto place = [&](std::size_t i) { return std::array{f.points[i].x.to_double(), f.points[i].y.to_double()}; };
+void expect_on(const FeatureAt& f, const findspace::distance::Coordinates& at, const RealPoint& p,
+               const std::string& what) {
+  const double x = (at[0] - p.x).to_double(), y = (at[1] - p.y).to_double();
+  const auto place = [&](std::size_t i) { return std::array{f.points[i][0].to_double(), f.points[i][1].to_double()}; };
   const auto [ax, ay] = place(0);
   if (f.kind == FeatureAt::Kind::kEdge) {
     const auto [bx, by] = place(1);
@@ -69,16 +70,19 @@ TEST(DirectionalWitness, LiesThatFarApartInThatDirection) {
     const RealPoint p{Real(std::int64_t(random() % 61) - 30), Real(std::int64_t(random() % 61) - 30)};
     const auto check = Solver(world).check(parse_formula(formulas[k], context), p);
     const DistanceAt& d = check.atoms.at(0).distance;
-    if (d.witness.empty()) continue;
+    if (d.features.empty()) continue;
     ++met;
-    ASSERT_EQ(d.witness.size(), 2u);
+    const auto& points = d.answer->witness;
+    ASSERT_EQ(d.features.size(), 2u);
+    ASSERT_EQ(points.size(), 2u);
     const std::string what = std::string(formulas[k]) + " " + std::to_string(round);
-    const double dx = (d.witness[1].at.x - d.witness[0].at.x).to_double();
-    const double dy = (d.witness[1].at.y - d.witness[0].at.y).to_double();
+    const double dx = (points[1].at[0] - points[0].at[0]).to_double();
+    const double dy = (points[1].at[1] - points[0].at[1]).to_double();
     const double length = std::hypot(directions[k][0], directions[k][1]);
-    EXPECT_NEAR(std::hypot(dx, dy), std::abs(*d.value), 1e-9) << what;
+    EXPECT_NEAR(std::hypot(dx, dy), std::abs(*d.value()), 1e-9) << what;
     EXPECT_NEAR((dx * directions[k][1] - dy * directions[k][0]) / length, 0, 1e-9) << what;
-    for (const FeatureAt& f : d.witness) expect_on(f, f.shape == "B" ? p : RealPoint{Real(), Real()}, what);
+    for (std::size_t i = 0; i < 2; ++i)
+      expect_on(d.features[i], points[i].at, d.features[i].shape == "B" ? p : RealPoint{Real(), Real()}, what);
   }
   EXPECT_GT(met, 50);
 }

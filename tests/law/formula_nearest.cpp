@@ -82,8 +82,9 @@ TEST(NearestFeasible, IsThatOfTheWholeRegion) {
     const auto expected = plane::nearest(
         closed, [](plane::Mark m) { return m > 0; }, p);
     EXPECT_NEAR(found->distance.to_double(), here ? 0 : expected->distance.to_double(), 1e-12) << round;
-    EXPECT_GT(mark_of(closed, locate(closed, found->at)), 0) << round;
-    EXPECT_EQ(found->attained, mark_of(region, locate(region, found->at)) > 0) << round;
+    const RealPoint at{found->at.at(0), found->at.at(1)};
+    EXPECT_GT(mark_of(closed, locate(closed, at)), 0) << round;
+    EXPECT_EQ(found->attained, mark_of(region, locate(region, at)) > 0) << round;
     without_map += !here;
   }
   EXPECT_GT(without_map, 60);

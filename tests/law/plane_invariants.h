@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::plane {
@@ -20,12 +21,12 @@ inline std::string edge_fault(const CellComplex& c, Index e) {
   const Edge& d = c.edges[e];
   const auto& g = c.geometry;
   Index p = c.vertices[d.v0].point, q = c.vertices[d.v1].point;
-  if (g.compare_xy(p, q) >= 0) return at("ends out of order at edge", e);
-  if (!g.lies_on(p, d.supporting_curve) || !g.lies_on(q, d.supporting_curve))
+  if (compare_xy(g, p, q) >= 0) return at("ends out of order at edge", e);
+  if (!lies_on(g, p, d.supporting_curve) || !lies_on(g, q, d.supporting_curve))
     return at("an end off its carrier at edge", e);
   if (g.supporting_curves[d.supporting_curve].circle != (d.half != 0)) return at("half of a line at edge", e);
   if (d.half != 0 &&
-      (g.above_center(p, d.supporting_curve) * d.half < 0 || g.above_center(q, d.supporting_curve) * d.half < 0))
+      (above_center(g, p, d.supporting_curve) * d.half < 0 || above_center(g, q, d.supporting_curve) * d.half < 0))
     return at("an end on the other half of the circle at edge", e);
   if (d.mark == c.faces[c.face(2 * e)].mark && d.mark == c.faces[c.face(2 * e + 1)].mark) return at("needless edge", e);
   return {};
@@ -86,7 +87,7 @@ inline std::string vertex_fault(const CellComplex& c, Index v, Index degree) {
   for (Index k = w.out, before = c.clockwise(k); before != w.out; k = before, before = c.clockwise(k)) {
     if (k == w.out) continue;
     bool later =
-        (before & 1u) != (k & 1u) ? (before & 1u) : c.geometry.turn(w.point, c.heading(before), c.heading(k)) < 0;
+        (before & 1u) != (k & 1u) ? (before & 1u) : turn(c.geometry, w.point, c.heading(before), c.heading(k)) < 0;
     if (later) return at("out is not the first at vertex", v);
   }
   return {};

@@ -10,7 +10,7 @@
 #include "exact/number/polynomial_root.h"
 #include "exact/number/real_node.h"
 #include "exact/number/wide_int.h"
-#include "exact/planar/geometry.h"
+#include "exact/planar/geometry_signs.h"
 #include "formula/language/parse.h"
 #include "plane/complex/cell_complex.h"
 #include "plane/complex/primitives.h"
@@ -59,7 +59,7 @@ void plane_values() {
   geometry.add_displaced(exact::SupportingCurve::line(3, -1, 5), Real::ratio(1, 2));
   geometry.add_grid_point(2, 1);
   geometry.add_real_point(sqrt(Real(2)), 1);
-  geometry.add_crossing(line, circle, geometry.meet(line, circle).root[0]);
+  geometry.add_crossing(line, circle, meet(geometry, line, circle).root[0]);
   /// geometry = 3 supporting_curves, 3 points, 1 of them real
   /// geometry.supporting_curves._M_impl._M_start[0] = line 3*x - y = 5
   /// geometry.supporting_curves._M_impl._M_start[1] = circle about (1, 0), radius sqrt(2)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
-"""What .ci/run leans on: tools/turn, tools/check_subjects, tools/same_cases.py, and the parts of tools/same_bytes.py."""
+"""What .ci/run leans on: tools/turn, tools/check_subjects, tools/same_cases.py, tools/same_bytes.py, tools/run_cases.py."""
 import json
 import os
 import shutil
@@ -108,11 +108,48 @@ class SameCases(TreeTest):
         self.assertNotEqual(same_cases.number("0.1"), same_cases.number("0.1000000000000000055"))
 
 
-class Parts(unittest.TestCase):
+class Programs(TreeTest):
+    """Tests that run a program, here one of the shell's that answers what a test wants."""
+
+    def program(self, script):
+        path = self.write("program", "#!/bin/sh\n" + script)
+        os.chmod(path, 0o755)
+        return path
+
+    def test_bytes_that_change_with_the_threads_are_found(self):
+        def outcome(script):
+            return said(same_bytes, self.program(script), "--part", "1/50")
+
+        self.assertEqual(outcome("echo same")[0], 0)
+        self.assertIn("one thread and two write different bytes", outcome('for last; do :; done; echo "$last"')[1])
+        self.assertEqual(outcome('for last; do :; done; exit "$last"')[0], 1)
+
+    def test_bytes_that_change_with_the_order_of_shapes_are_found(self):
+        status, text = said(same_bytes, self.program('case "$2" in *-back.json) echo back;; *) echo forth;; esac'), "--part", "1/50")
+        self.assertEqual(status, 1)
+        self.assertIn("the order of the shapes changes the bytes", text)
+        self.assertNotIn("one thread", text)
+
+    def test_nothing_compared_is_no_success(self):
+        self.assertEqual(said(same_bytes, self.program("echo same"), "--part", "100000/100000")[0], 1)
+
     def test_a_part_is_named_or_todays(self):
         self.assertEqual(same_bytes.part_of("2/3"), (2, 3))
         first, step = same_bytes.part_of("day/3")
         self.assertTrue(1 <= first <= step == 3)
+
+    def test_a_case_fails_by_a_wrong_answer_a_crash_a_race_or_a_key_that_nothing_reads(self):
+        def outcome(script, **expect):
+            case = {"id": "x", "scene": {}, "run": ["map"], "expect": expect}
+            return said(run_cases, self.program(script), self.write("x.case.json", json.dumps(case)))[0]
+
+        answer = "echo '{\"attained\": true}'; "
+        self.assertEqual(outcome(answer, attained=True), 0)
+        self.assertEqual(outcome(answer, attained=False), 1)
+        self.assertEqual(outcome(answer + "kill -SEGV $$", attained=True), 1)
+        self.assertEqual(outcome(answer + "exit 66", attained=True), 1)  # what ThreadSanitizer makes of a race
+        self.assertEqual(outcome(answer, attained=True, atained=True), 1)
+        self.assertEqual(outcome(answer), 1)
 
 
 if __name__ == "__main__":

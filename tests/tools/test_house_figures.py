@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
 """What tools/house_figures.py counts, and what it does not."""
+import shutil
 import unittest
 
 from small_tree import TreeTest, said
@@ -85,9 +86,19 @@ class HouseFigures(TreeTest):
         self.assertEqual(rows["methods a class, largest 2"], "1 (`Inner`, 0 private, 1 files)")
         self.assertEqual(rows["words a sentence, docs/a.md"], "3.7 (longest 5)")
         self.assertEqual(rows["hexadecimal margins outside src/exact"], "1 in 1 files")
-        self.assertEqual(rows["catches of `kUnsupported`"], "1 in 1 files")
+        self.assertEqual(rows["catches of `kUnsupported`"], "1 in 1 files (0 by `exact::tried`)")
         self.assertEqual(rows["catches of any `Error` that throw none"], "1")
         self.assertEqual(rows["equal names in anonymous namespaces of a folder"], "1 (most: 1, `src/plane/sum`)")
+
+    def test_calls_that_catch_for_their_caller(self):
+        self.write("src/plane/sum/other.cpp", """
+void f() {
+  auto a = exact::tried([&] { return g(h(1)); });
+  return exact::tried([&] { return fail(1, ErrorCode::kSyntax); }, ErrorCode::kUnsupported);
+  auto geometry = exact::tried([&] { return g(2); }, ErrorCode::kGeometry);
+  tried_so_far(3);  // exact::tried([&] { return 1; })
+}""")
+        self.assertEqual(self.rows()["catches of `kUnsupported`"], "3 in 2 files (2 by `exact::tried`)")
 
     def test_flat_layers_and_comparison(self):
         status, text = said(house_figures, self.root, "--no-preprocessing", "--compare", self.root)
@@ -95,6 +106,31 @@ class HouseFigures(TreeTest):
         self.assertIn("| | before | now |", text)
         self.write("src/plane/flat.cpp", "")
         self.assertEqual(self.rows()["folders of src with files"], "3")
+
+    def preprocessed(self, compiler, *options):
+        """The figures of the preprocessor for a file of one line that includes two of 200, one of them precompiled."""
+        for name in ("common", "own"):
+            self.write(f"src/{name}.h", "#pragma once\n" + "".join(f"extern int {name}_{k};\n" for k in range(200)))
+        for name in ("big.cpp", "other.cpp"):
+            self.write(f"src/plane/sum/{name}", '#include "common.h"\n#include "own.h"\nint one;\n')
+        self.write("src/exact/number/real.cpp", '#include "common.h"\n')
+        header = self.write("build/findspace_exact.dir/cmake_pch.hxx", '#include "common.h"\n')
+        self.write("build/findspace_exact.dir/cmake_pch.hxx.pch", "never read\n")
+        command = " ".join([compiler, f"-I{self.root}/src", *options, "-MD -MT $layer/x.o -MF x.d -o x.o -c x.cpp"]).replace("HEADER", header)
+        self.write("build/build.ninja", "rule cxx\n command = " + command + "\n" +
+                   "".join(f"build {layer}.o: cxx {layer}.cpp\n layer = findspace_{layer}.dir\n" for layer in ("exact", "plane")))
+        return [row[1] for row in house_figures.preprocessor_figures(self.root, "build")]
+
+    def test_lines_after_the_precompiled_header_of_gcc(self):
+        self.assertEqual(self.preprocessed("c++", "-Winvalid-pch -include HEADER"), ["401", "201"])
+
+    @unittest.skipUnless(shutil.which("clang++"), "clang is not installed (tools/setup check)")
+    def test_lines_after_the_precompiled_header_of_clang(self):
+        options = "-Xclang -include-pch -Xclang HEADER.pch -Xclang -include -Xclang HEADER"
+        self.assertEqual(self.preprocessed("clang++", options), ["401", "201"])
+
+    def test_lines_without_a_precompiled_header(self):
+        self.assertEqual(self.preprocessed("c++"), ["401", "401"])
 
     def test_methods(self):
         body = CLASS[CLASS.index("Base<int> {") + 11:CLASS.rindex("}")]

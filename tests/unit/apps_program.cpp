@@ -96,7 +96,7 @@ TEST_F(Program, HelpOfVerbsIsGroupedAndFitsTheTerminal) {
 TEST_F(Program, HelpHasPages) {
   const Result topics = run("help");
   EXPECT_EQ(topics.status, 0);
-  for (const std::string topic : {"formula", "scene", "support"}) {
+  for (const std::string topic : {"formula", "scene", "support", "debugging"}) {
     EXPECT_TRUE(contains(topics.out, "  " + topic + " ")) << topic;
     const Result page = run("help " + topic);
     EXPECT_EQ(page.status, 0) << topic;
@@ -226,6 +226,26 @@ TEST_F(Program, Check) {
   EXPECT_TRUE(contains(run("check scene.json --at -3,4").out, "is not feasible"));
 }
 
+TEST_F(Program, CheckExplainsItself) {
+  const std::string scene = scene_where("gap(B, A) >= 1 and inside(B, A)");
+  const json with = json::parse(run("check scene.json --at 20,3 --json --explain", scene).out);
+  // Far from its level the value decides; on it the map does.
+  EXPECT_EQ(with["atoms"][0]["way"], "features");
+  EXPECT_GT(with["atoms"][0]["milliseconds"], 0);
+  EXPECT_EQ(json::parse(run("check scene.json --at 1,3 --json --explain", scene).out)["atoms"][1]["way"], "map");
+  const json without = json::parse(run("check scene.json --at 20,3 --json", scene).out);
+  EXPECT_FALSE(without["atoms"][0].contains("way") || without["atoms"][0].contains("milliseconds"));
+  EXPECT_TRUE(contains(run("check scene.json --at 20,3 --explain", scene).out, ", by features in "));
+  EXPECT_FALSE(contains(run("check scene.json --at 20,3", scene).out, " ms"));
+  EXPECT_EQ(run("measure scene.json --at 20,3 --explain").status, 2);
+
+  const std::string solids = R"json({"findspace": 1, "shapes": {
+    "A": {"box": {"min": [0, 0, 0], "max": [4, 4, 4]}}, "ball": {"ball": {"center": [0, 0, 0], "radius": 1}}},
+    "moving": "ball", "where": "gap(ball, A) >= 1"})json";
+  EXPECT_EQ(json::parse(run("check scene.json --at 9,2,2 --json --explain", solids).out)["atoms"][0]["way"], "parts");
+  EXPECT_TRUE(contains(run("check scene.json --at 9,2,2 --explain", solids).out, ", by parts in "));
+}
+
 TEST_F(Program, Measure) {
   json r = json::parse(run("measure scene.json --at 5,3 --json").out);
   EXPECT_EQ(r["at"], json::parse("[5, 3]"));
@@ -324,7 +344,7 @@ TEST_F(Program, PlacementInSpaceIsDrawn) {
   EXPECT_LE(r.status, 4) << r.err;
   const std::string svg = read("placed.svg");
   EXPECT_TRUE(contains(svg, ">ball at (1, 1, 1)<")) << svg.substr(0, 600);
-  EXPECT_TRUE(contains(svg, ">slab: no room<"));
+  EXPECT_TRUE(contains(svg, ">slab: no free position<"));
   EXPECT_TRUE(contains(svg, "stroke=\"#555\""));  // the bin's edges
 }
 

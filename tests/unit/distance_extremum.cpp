@@ -68,7 +68,7 @@ class Nameless : public TDistance {
 
   bool defined() const override { return true; }
   plane::SignMap sign_map(const Real& level) const override { return f_->sign_map(level); }
-  std::optional<Value> value(const exact::RealPoint& p) const override { return f_->value(p); }
+  std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override { return f_->value(p); }
   exact::RealPoint seed() const override { return at(5, 5); }
   std::vector<NearLevelCurve> fronts(const exact::RealPoint&, double) const override { return {}; }
 

@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "exact/planar/geometry_signs.h"
 #include "exact/planar/offset_points.h"
 
 namespace findspace::exact {
@@ -55,7 +56,7 @@ TEST(LineFilter, HoldsTheUnitNormalAndTheDistance) {
     const std::int64_t x = some.number(std::int64_t(1) << (k % 55)), y = some.number(std::int64_t(1) << (k % 55));
     Geometry g;
     const std::uint32_t line = g.add_line(w.a, w.b, int128(w.a) * x + int128(w.b) * y);
-    const std::uint32_t parallel = g.add_parallel(SupportingCurve(g.supporting_curves[line]), y, x);
+    const std::uint32_t parallel = g.add_parallel(g.supporting_curves[line], y, x);
     const Real n = length(w.a, w.b);
     for (std::uint32_t l : {line, parallel}) {
       EXPECT_TRUE(holds(g.supporting_curves[l].x, Real(w.a) / n));
@@ -76,8 +77,8 @@ TEST(OffsetPoints, TheErrorsHoldAndThePointsAreThoseOfTheSupportingCurves) {
     Geometry g;
     const std::uint32_t p = g.add_line(v.a, v.b, int128(v.a) * x + int128(v.b) * y);
     const std::uint32_t q = g.add_line(w.a, w.b, int128(w.a) * x + int128(w.b) * y);
-    const std::uint32_t i = g.add_displaced(SupportingCurve(g.supporting_curves[p]), sum);
-    const std::uint32_t j = g.add_displaced(SupportingCurve(g.supporting_curves[q]), other);
+    const std::uint32_t i = g.add_displaced(g.supporting_curves[p], sum);
+    const std::uint32_t j = g.add_displaced(g.supporting_curves[q], other);
     const std::uint32_t circle = g.add(SupportingCurve::circle_at(x, y, r));
     const std::uint32_t crossing = add_shifted_crossing(g, {i, approx(sum)}, {j, approx(other)}, x, y);
     const std::uint32_t touch = add_shifted_touch(g, {i, approx(sum)}, circle, x, y);
@@ -85,9 +86,9 @@ TEST(OffsetPoints, TheErrorsHoldAndThePointsAreThoseOfTheSupportingCurves) {
       const exact::Point& at = g.points[c];
       EXPECT_TRUE(holds({at.x, at.error}, g.exact_x(c)) && holds({at.y, at.error}, g.exact_y(c))) << k;
     }
-    EXPECT_EQ(g.compare_xy(crossing, g.add_crossing(i, j, 0)), 0) << k;
-    EXPECT_EQ(g.compare_xy(touch, g.add_crossing(i, circle, 0)), 0) << k;
-    EXPECT_EQ(g.side(touch, circle), 0) << k;
+    EXPECT_EQ(compare_xy(g, crossing, g.add_crossing(i, j, 0)), 0) << k;
+    EXPECT_EQ(compare_xy(g, touch, g.add_crossing(i, circle, 0)), 0) << k;
+    EXPECT_EQ(side(g, touch, circle), 0) << k;
     flat += g.points[g.add_crossing(i, j, 0)].error > 16 * g.points[crossing].error;
   }
   EXPECT_GT(flat, 20) << "flat corners, whose crossings of two lines are less near, were among them";

@@ -63,7 +63,7 @@ TEST(FormulaErrors, Dimensions) {
   EXPECT_EQ(first_line(message("gamma1(chip, key, along=(1, 0)) > 1", solid)),
             "1:26: 2 coordinates where the scene has 3 dimensions");
   EXPECT_EQ(first_line(message("gamma1(chip, key, turning=(1, 0, 0)) > 1", solid)),
-            "1:19: turning is about a point of the plane; the scene has 3 dimensions");
+            "1:19: a rotation is about a point of the plane; the scene has 3 dimensions");
 }
 
 TEST(FormulaErrors, DepthIsBounded) {

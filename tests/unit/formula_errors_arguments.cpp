@@ -120,7 +120,7 @@ TEST(FormulaErrors, Numbers) {
          "  gamma1(chip, board) >= 10deg\n"
          "                           ^~~");
   expect("gamma1(chip, board, turning=(0,0)) >= 10mm",
-         "1:41: a turning distance is an angle in degrees, not a length\n"
+         "1:41: a distance in rotation is an angle in degrees, not a length\n"
          "  gamma1(chip, board, turning=(0,0)) >= 10mm\n"
          "                                          ^~");
   expect("gamma1(chip, board, along=(1mm,0)) >= 1",

@@ -189,7 +189,7 @@ TEST(ReadDxf, Refuses) {
   expect_refused([] { dxf("0 LINE|10 x|20 0|11 5|21 0|"); }, "'x' is not a number");
   expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 -1|"); }, "radius");
   expect_refused([] { dxf("0 SPLINE|8 0|"); }, "SPLINE is not read");
-  expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 5|230 -1|"); }, "plane is turned");
+  expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 5|230 -1|"); }, "plane is rotated");
   expect_refused([] { dxf("0 INSERT|2 none|10 0|20 0|"); }, "unknown block");
   expect_refused([] { dxf("0 POLYLINE|70 1|0 VERTEX|10 0|20 0|"); }, "without SEQEND");
   expect_refused([] { dxf(kSquare, {}, "7"); }, "$INSUNITS 7");

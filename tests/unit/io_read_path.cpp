@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "findspace/error.h"
-#include "io/text/read_outline.h"
+#include "io/text/outline_shapes.h"
 #include "io/text/svg_path.h"
 
 namespace findspace::io {
@@ -110,7 +110,7 @@ struct Drawn {
       void close() override { out.close(); }
     } sink(outline);
     read_svg_path(data, sink);
-    shape = outline.shape("here");
+    shape = shape_of(outline.take(), context, "here");
   }
 };
 
@@ -192,10 +192,11 @@ TEST(Outline, JoinsLinesEndToEnd) {
   outline.finish();
   line(20, 0, 30, 0);
   line(20, 5, 20, 0);
-  outline.join_open_chains();
-  EXPECT_EQ(outline.chains(), 2);
-  EXPECT_EQ(outline.open_chains(), 1);
-  std::vector<ShapePtr> parts = outline.parts("here");
+  Drawing drawing = outline.take();
+  join_open_chains(drawing, 1);
+  EXPECT_EQ(drawing.chains.size(), 2u);
+  EXPECT_EQ(open_chains(drawing), 1);
+  std::vector<ShapePtr> parts = parts_of(std::move(drawing), context, "here");
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0]->kind, Shape::Kind::kRings);
   EXPECT_EQ(parts[0]->contours[0].size(), 4u);
@@ -207,7 +208,8 @@ TEST(Outline, JoinsLinesEndToEnd) {
     fork.line_to(5, i);
     fork.finish();
   }
-  EXPECT_THROW(fork.join_open_chains(), Error);
+  Drawing forked = fork.take();
+  EXPECT_THROW(join_open_chains(forked, 1), Error);
 }
 
 }  // namespace

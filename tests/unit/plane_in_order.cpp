@@ -7,6 +7,7 @@
 #include <array>
 #include <tuple>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/query/in_order.h"
 #include "plane_topology_sets.h"
 
@@ -41,7 +42,7 @@ TEST(InOrder, PointsAreSortedAndKeepTheirFaces) {
   const Region s = in_order((box(0, 0, 10, 10) - point(5, 7) - point(5, 2)) + point(20, 0) + point(-3, 0));
   ASSERT_EQ(s.vertices.size(), 8u);
   for (std::size_t v = 1; v < s.vertices.size(); ++v)
-    EXPECT_LT(s.geometry.compare_xy(s.vertices[v - 1].point, s.vertices[v].point), 0);
+    EXPECT_LT(compare_xy(s.geometry, s.vertices[v - 1].point, s.vertices[v].point), 0);
   EXPECT_TRUE(same_set(s, (box(0, 0, 10, 10) - point(5, 7) - point(5, 2)) + point(20, 0) + point(-3, 0)));
 }
 

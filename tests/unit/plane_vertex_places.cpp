@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/query/measure_cells_places.h"
 
 namespace findspace::plane {
@@ -36,7 +37,7 @@ Geometry crossings(std::mt19937& random, std::int64_t reach, int count) {
   for (Index i = 0; i < g.supporting_curves.size(); ++i) {
     for (Index j = i + 1; j < g.supporting_curves.size(); ++j) {
       if (same_supporting_curve(g.supporting_curves[i], g.supporting_curves[j])) continue;
-      const Geometry::Meeting m = g.meet(i, j);
+      const exact::Meeting m = meet(g, i, j);
       for (int k = 0; k < m.count; ++k) g.add_crossing(i, j, m.root[std::size_t(k)]);
     }
   }
@@ -70,7 +71,7 @@ TEST(VertexPlaces, OfTangencies) {
   const auto line = g.add_line(3, 4, 2'500'000);
   const auto inside = g.add(SupportingCurve::circle_at(1, 0, Real(499'999)));
   for (const auto other : {line, inside}) {
-    const Geometry::Meeting m = g.meet(big, other);
+    const exact::Meeting m = meet(g, big, other);
     ASSERT_EQ(m.count, 1);
     g.add_crossing(big, other, m.root[0]);
   }
@@ -91,7 +92,7 @@ TEST(VertexPlaces, OfCrossingsUnderSmallAngles) {
   const auto near =
       g.add(SupportingCurve::circle_at(Real(), Real(14) - Real::ratio(1, std::int64_t(1) << 40), Real(7)));
   for (const auto other : {grazing, near}) {
-    const Geometry::Meeting m = g.meet(circle, other);
+    const exact::Meeting m = meet(g, circle, other);
     ASSERT_EQ(m.count, 2);
     for (const int root : m.root) g.add_crossing(circle, other, root);
   }

@@ -107,7 +107,7 @@ TEST(Mesh, TurnsFacesOutward) {
   Mesh m = cube(2);
   std::reverse(m.faces[0].begin(), m.faces[0].end());
   std::reverse(m.faces[3].begin(), m.faces[3].end());
-  EXPECT_EQ(clean(m, 1), std::vector<std::string>{"2 faces were turned to point outward"});
+  EXPECT_EQ(clean(m, 1), std::vector<std::string>{"2 faces were reversed to point outward"});
   EXPECT_TRUE(six_volumes(m) == exact::Real(48));
   EXPECT_TRUE(is_convex(m));
   for (auto& face : m.faces) std::reverse(face.begin(), face.end());

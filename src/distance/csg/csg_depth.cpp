@@ -241,30 +241,38 @@ class CsgConstraints : public LazyConstraints {
   mutable Vector at_;       // of B, for the rules of common_
 };
 
-CsgDepth::CsgDepth(const space::Body& b, const std::vector<CutSearch>& parts, double size) : size_(size) {
-  low_ = {exact::kInfinity, exact::kInfinity, exact::kInfinity};
-  high_ = space::scaled(-1, low_);
+exact::Tried<std::shared_ptr<const CsgDepth>> CsgDepth::make(const space::Body& b, const std::vector<CutSearch>& parts,
+                                                             double size) {
+  auto out = std::make_shared<CsgDepth>();
+  out->size_ = size;
+  out->low_ = {exact::kInfinity, exact::kInfinity, exact::kInfinity};
+  out->high_ = space::scaled(-1, out->low_);
   for (const BodyPart& s : b.parts) {
     space::Body one;
     one.parts.push_back(s);
     const space::Bounds3 box = bounds(one);
+    auto moving = meet_sets(s);
+    if (!moving) return moving.refusal();
     for (const CutSearch& part : parts) {
-      Pair& pair = pairs_.emplace_back();
+      Pair& pair = out->pairs_.emplace_back();
       pair.low = space::rounded(box.low);
       pair.high = space::rounded(box.high);
       pair.about = about_box(pair.low, pair.high);
-      pair.moving = meet_sets(s);
+      pair.moving = *moving;
       for (const BodyPart& set : part.sets->within) {
-        for (const MeetSet& m : meet_sets(set)) pair.fixed.push_back(m);
+        const auto fixed = meet_sets(set);
+        if (!fixed) return fixed.refusal();
+        pair.fixed.insert(pair.fixed.end(), fixed->begin(), fixed->end());
       }
       for (const BodyPart& set : part.sets->without) pair.out.push_back(gap_to(set, {}));
       pair.in = keep_in(s, {});
       pair.part = &part;
       const Vector low = part.low - pair.high, high = part.high - pair.low;
-      low_ = {std::min(low_.x, low.x), std::min(low_.y, low.y), std::min(low_.z, low.z)};
-      high_ = {std::max(high_.x, high.x), std::max(high_.y, high.y), std::max(high_.z, high.z)};
+      out->low_ = {std::min(out->low_.x, low.x), std::min(out->low_.y, low.y), std::min(out->low_.z, low.z)};
+      out->high_ = {std::max(out->high_.x, high.x), std::max(out->high_.y, high.y), std::max(out->high_.z, high.z)};
     }
   }
+  return std::shared_ptr<const CsgDepth>(std::move(out));
 }
 
 BoundaryPlace CsgDepth::nearest(const Vector& p, const Incumbent& known, const Until* until) const {

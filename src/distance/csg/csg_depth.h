@@ -13,6 +13,7 @@
 // dozen slacks. Keywords: penetration depth, reverse convex programming, cutting planes.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "distance/csg/csg_part.h"
@@ -21,8 +22,9 @@ namespace findspace::distance {
 
 class CsgDepth {
  public:
-  /// The parts have to outlive it. Throws Error(kUnsupported) for round polyhedra and for what has no interior.
-  CsgDepth(const space::Body& b, const std::vector<CutSearch>& parts, double size);
+  /// The parts have to outlive it. Refused for round polyhedra and for what has no interior.
+  static exact::Tried<std::shared_ptr<const CsgDepth>> make(const space::Body& b, const std::vector<CutSearch>& parts,
+                                                            double size);
 
   /// Of all positions, or of those in the box. `known`: as of boundary_search.h.
   BoundaryPlace nearest(const space::Vector& p, const Incumbent& known, const Until* until = nullptr) const;

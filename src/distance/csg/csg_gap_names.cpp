@@ -53,7 +53,7 @@ class Names {
     v.value = d - s_.radius;
     if (d.sign() > 0) {
       const RealVector from = space::along(b, s_.radius / d, way);
-      v.points = {from, place};
+      v.witness = point_pair(from, place);
       if (v.value.sign() > 0) v.nearest = space::plus(p_, space::minus(place, from));
     }
     found_.push_back(std::move(v));

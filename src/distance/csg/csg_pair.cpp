@@ -2,17 +2,17 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/csg/csg_pair.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 
+#include "distance/answer/answer.h"
 #include "distance/csg/csg_part.h"
-#include "distance/search/answer.h"
 #include "exact/number/margins.h"
 
 namespace findspace::distance {
 
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 using space::Body;
 using space::BodyPart;
 using space::CsgPart;
@@ -21,9 +21,15 @@ using space::RealVector;
 
 namespace {
 
-Answer turned(Answer v) {
-  v.value = -v.value;
-  return v;
+/// max(0, v), or max(0, -v) if `negated`.
+TriedAnswer not_below_zero(exact::Tried<Answer> v, bool negated) {
+  if (!v) return v.refusal();
+  return cut_off(*std::move(v), negated);
+}
+
+TriedAnswer defined(exact::Tried<Answer> v) {
+  if (!v) return v.refusal();
+  return std::optional(*std::move(v));
 }
 
 Which exchanged(Which which) {
@@ -72,45 +78,57 @@ CsgPair::CsgPair(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> 
 
 /// How B + p fits, by each tolerance and obstacle alone: the worst of them, which is no more than what it is by all
 /// together; nothing where one tolerance is too small.
-std::optional<Answer> CsgPair::worst_fit(const RealVector& p) const {
+TriedAnswer CsgPair::worst_fit(const RealVector& p) const {
   std::optional<Answer> worst;
   const auto take = [&](Answer v) {
     if (!worst || worst->value < v.value) worst = std::move(v);
   };
   for (const auto& tolerance : containers_) {
-    auto v = tolerance->value(Which::kEta1, p);
-    if (!v) return std::nullopt;
-    take(*std::move(v));
+    TriedAnswer v = tolerance->try_value(Which::kEta1, p);
+    if (!v || !*v) return v;
+    take(**std::move(v));
   }
-  for (const auto& obstacle : obstacles_) take(turned(*obstacle->value(Which::kGamma1, p)));
+  for (const auto& obstacle : obstacles_) {
+    TriedAnswer v = obstacle->try_value(Which::kGamma1, p);
+    if (!v) return v;
+    take(minus(**std::move(v)));
+  }
   return worst;
 }
 
 /// Whether the worst fit is the true one: B fits already, or where it next fits by that alone.
-bool CsgPair::is_whole(const Answer& worst) const {
+Tried<bool> CsgPair::is_whole(const Answer& worst) const {
   if (worst.value.sign() <= 0) return true;
   if (!worst.proven || !worst.nearest) return false;
-  const auto there = worst_fit(*worst.nearest);
-  return there && there->proven && there->value.sign() <= 0;
+  const TriedAnswer there = worst_fit(*worst.nearest);
+  if (!there) return there.refusal();
+  return *there && (*there)->proven && (*there)->value.sign() <= 0;
 }
 
-std::optional<Answer> CsgPair::contained(const RealVector& p) const {
+TriedAnswer CsgPair::contained(const RealVector& p) const {
   if (containers_.empty()) return contained_in_union(p);
-  auto worst = worst_fit(p);
-  if (!worst || is_whole(*worst)) return worst;
-  const FreeSpace* fits = this->fits();
-  return fits ? fits->nearest(p, false) : std::nullopt;
+  TriedAnswer worst = worst_fit(p);
+  if (!worst || !*worst) return worst;
+  const Tried<bool> whole = is_whole(**worst);
+  if (!whole) return whole.refusal();
+  if (*whole) return worst;
+  const Tried<const FreeSpace*> fits = this->fits();
+  if (!fits) return fits.refusal();
+  if (!*fits) return std::nullopt;
+  return (*fits)->nearest(p, false);
 }
 
 /// Null: nothing fits.
-const FreeSpace* CsgPair::fits() const {
+Tried<const FreeSpace*> CsgPair::fits() const {
   std::call_once(fits_made_, [&] {
     std::optional<space::Bounds3> box;
     std::vector<FreeSpace> all;
     const space::Bounds3 inner = bounds(*b_);
     for (const Body& tolerance : a_->containers) {
-      if (!tolerance.convex())
-        not_computed("how far a shape is from fitting into such a shape is computed where its rooms are convex");
+      if (!tolerance.convex()) {
+        no_fits_.emplace("how far a shape is from fitting into such a shape is computed where its rooms are convex");
+        return;
+      }
       const space::Bounds3 outer = bounds(tolerance);
       space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
       if (!box) box = one;
@@ -134,32 +152,37 @@ const FreeSpace* CsgPair::fits() const {
     all.push_back(FreeSpace::outside(std::move(sets), box->low, box->high));
     fits_ = FreeSpace::common(all, box->low, box->high);
   });
+  if (no_fits_) return *no_fits_;
   return fits_ ? &*fits_ : nullptr;
 }
 
-std::optional<Answer> CsgPair::farthest_fit(const RealVector& p) const {
+TriedAnswer CsgPair::farthest_fit(const RealVector& p) const {
   if (containers_.empty()) return farthest_in_union(p);
-  const FreeSpace* fits = this->fits();
-  auto v = fits ? fits->farthest(p) : std::nullopt;
-  if (v) v->nearest.reset();
+  const Tried<const FreeSpace*> fits = this->fits();
+  if (!fits) return fits.refusal();
+  if (!*fits) return std::nullopt;
+  TriedAnswer v = (*fits)->farthest(p);
+  if (v && *v) (*v)->nearest.reset();
   return v;
 }
 
-Answer CsgPair::protrusion(const RealVector& p) const {
-  auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
-  // B that fits nowhere sticks out everywhere.
-  if (!worst || worst->value.sign() > 0)
-    not_computed("how far a shape sticks out of one that round ones are cut out of is not computed");
-  return *std::move(worst);
+Tried<Answer> CsgPair::protrusion(const RealVector& p) const {
+  TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
+  if (!worst) return worst.refusal();
+  // B that fits nowhere protrudes everywhere.
+  if (!*worst || (*worst)->value.sign() > 0)
+    return Refusal("the protrusion from a shape that round ones are cut out of is not computed");
+  return **std::move(worst);
 }
 
-Answer CsgPair::hausdorff(const RealVector& p) const {
-  Answer back = protrusion_back(p);
+Tried<Answer> CsgPair::hausdorff(const RealVector& p) const {
+  Tried<Answer> back = protrusion_back(p);
+  if (!back) return back;
   // No point of B is farther from A than the gap and B's own width.
   const double most = apart(p).value.to_double() + diameter(*b_).to_double();
-  if (most < back.value.to_double() - back.error) return back;
-  Answer forth = protrusion(p);
-  return forth.value < back.value ? back : forth;
+  if (most < back->value.to_double() - back->error) return back;
+  Tried<Answer> forth = protrusion(p);
+  return forth && forth->value < back->value ? back : forth;
 }
 
 /// Whether A is wider than B along an axis, and so never in it.
@@ -184,78 +207,81 @@ bool CsgPair::too_large() const {
 }
 
 /// max(0, -eta1), and max(0, mu) where it is 0.
-Answer CsgPair::clearance(const RealVector& p) const {
-  const auto worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
-  return worst ? *cut_off(worst, true) : Answer{};
+Tried<Answer> CsgPair::clearance(const RealVector& p) const {
+  TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
+  if (!worst) return worst.refusal();
+  return *worst ? *cut_off(**std::move(worst), true) : Answer{};
 }
 
-std::optional<Answer> CsgPair::covered(const RealVector& p) const {
+TriedAnswer CsgPair::covered(const RealVector& p) const {
   if (too_large()) return std::nullopt;
-  Answer v = protrusion_back(p);
-  if (v.value.to_double() > v.error)
-    not_computed("how far a shape that round ones are cut out of is from fitting into another is not computed");
-  return v;
+  Tried<Answer> v = protrusion_back(p);
+  if (v && v->value.to_double() > v->error)
+    return Refusal("how far a shape that round ones are cut out of is from fitting into another is not computed");
+  return defined(std::move(v));
 }
 
-Answer CsgPair::apart_or_deep(const RealVector& p) const {
+Tried<Answer> CsgPair::apart_or_deep(const RealVector& p) const {
   Gap found = gap(p);
-  return found.depth > 0 ? overlapping(p) : std::move(found.value);
+  if (found.depth > 0) return overlapping(p);
+  return std::move(found.value);
 }
 
-std::optional<Answer> CsgPair::value_at(Which which, const RealVector& p) const {
+TriedAnswer CsgPair::value_at(Which which, const RealVector& p) const {
   switch (which) {
     case Which::kGamma1:
-      return apart_or_deep(p);
+      return defined(apart_or_deep(p));
     case Which::kD1:
       return cut_off(gap(p).value, false);
     case Which::kPenetration:
-      return cut_off(apart_or_deep(p), true);
+      return not_below_zero(apart_or_deep(p), true);
     case Which::kGamma2:
-      return reach(p);
+      return std::optional(reach(p));
     case Which::kEta1:
       return contained(p);
     case Which::kEta2:
       return farthest_fit(p);
     case Which::kMu:
-      return protrusion(p);
+      return defined(protrusion(p));
     case Which::kH:
-      return cut_off(protrusion(p), false);
+      return not_below_zero(protrusion(p), false);
     case Which::kDstarBack:
-      return clearance(p);
+      return defined(clearance(p));
     case Which::kMuBack:
-      return protrusion_back(p);
+      return defined(protrusion_back(p));
     case Which::kHBack:
-      return cut_off(protrusion_back(p), false);
+      return not_below_zero(protrusion_back(p), false);
     case Which::kDelta1:
       return covered(p);
     case Which::kDelta2:
       if (too_large()) return std::nullopt;
-      not_computed("the farthest fit of a shape that round ones are cut out of is not computed");
+      return Refusal("the farthest fit of a shape that round ones are cut out of is not computed");
     case Which::kHausdorff:
-      return hausdorff(p);
+      return defined(hausdorff(p));
     case Which::kDstar:
-      return cut_off(protrusion_back(p), true);
+      return not_below_zero(protrusion_back(p), true);
     default:
-      not_computed("this distance to a shape that round ones are cut out of is not computed");
+      return Refusal("this distance to a shape that round ones are cut out of is not computed");
   }
 }
 
-std::optional<Answer> CsgPair::value(Which which, const RealVector& p) const {
+TriedAnswer CsgPair::try_value(Which which, const RealVector& p) const {
   if (!cut_moves_) return value_at(which, p);
-  auto v = value_at(exchanged(which), space::negated(p));
-  if (v && v->nearest) v->nearest = space::negated(*v->nearest);
-  if (v && v->points) v->points = {space::plus((*v->points)[1], p), space::plus((*v->points)[0], p)};
+  TriedAnswer v = value_at(exchanged(which), space::negated(p));
+  if (!v || !*v) return v;
+  if ((*v)->nearest) (*v)->nearest = space::negated(*(*v)->nearest);
+  exchange_roles(**v, p);
   return v;
 }
 
 /// How far B + p is from fitting, less a level above 0.
 std::optional<Between> CsgPair::nearly_fits(const RealVector& p, double level) const {
-  const FreeSpace* fits = this->fits();
+  const FreeSpace* fits = this->fits().or_throw();
   if (!fits) return std::nullopt;
   const double least = fits->beyond(space::rounded(p)), error = margin::kFoundError * size_;
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
   if (least + error < 0) return Between{-exact::kInfinity, least + error - level};
-  if (const auto worst = worst_fit(p); worst && is_whole(*worst)) {
+  if (const auto worst = worst_fit(p).or_throw(); worst && is_whole(*worst).or_throw()) {
     const double v = worst->value.to_double();
     return Between{v - error - level, v + error - level};
   }

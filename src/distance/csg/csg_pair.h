@@ -6,14 +6,14 @@
 //                   the depth by search (csg_depth.h), of B and parts of A without round polyhedra;
 //   gamma2
 //   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every tolerance and meets no
-//   obstacle; mu, h           of B to A where B + p lies in A; hausdorff where A sticks out of B by more than B could
+//   obstacle; mu, h           of B to A where B + p lies in A; hausdorff where A protrudes from B by more than B could
 //   of A; eta2            where all containers are convex;
 //                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of
 //                   that;
 //   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A.
 // Guarantee: distances from and to places on one sphere or on the polyhedra are exact, others found by search
 // (boundary_search.h; `proven` false, `error`). Whether B + p lies in A is decided exactly. What is not computed is
-// refused with Error(kUnsupported). Threads: safe. Keywords: bowl, spherical cavity, dome, lens, containment.
+// refused. Threads: safe. Keywords: bowl, spherical cavity, dome, lens, containment.
 #pragma once
 
 #include <memory>
@@ -37,8 +37,9 @@ class CsgPair {
   /// are those of A + p to B.
   CsgPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::CsgSolid> a, bool cut_moves);
 
-  /// Nothing where the distance is undefined: +infinity.
-  std::optional<Answer> value(Which which, const space::RealVector& p) const;
+  TriedAnswer try_value(Which which, const space::RealVector& p) const;
+  /// The same; Error(kUnsupported) instead of a refusal.
+  std::optional<Answer> value(Which which, const space::RealVector& p) const { return try_value(which, p).or_throw(); }
   const space::Body& complete() const { return *b_; }
   const space::CsgSolid& cut() const { return *a_; }
   bool cut_moves() const { return cut_moves_; }
@@ -59,38 +60,38 @@ class CsgPair {
     double depth = 0;
   };
 
-  std::optional<Answer> value_at(Which which, const space::RealVector& p) const;
+  TriedAnswer value_at(Which which, const space::RealVector& p) const;
   Gap gap(const space::RealVector& p) const;
   /// The slack of what the two have in common; 0 where it is at most `enough` of the sizes.
   double common_depth(const space::RealVector& p, double enough) const;
   Answer apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
-  Answer apart_or_deep(const space::RealVector& p) const;
-  const CsgDepth& depths() const;
-  Answer overlapping(const space::RealVector& p) const;
-  std::optional<Answer> free_of_sets(const space::RealVector& p) const;
+  exact::Tried<Answer> apart_or_deep(const space::RealVector& p) const;
+  exact::Tried<const CsgDepth*> depths() const;
+  exact::Tried<Answer> overlapping(const space::RealVector& p) const;
+  TriedAnswer free_of_sets(const space::RealVector& p) const;
   Answer reach(const space::RealVector& p) const;
   Answer named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
-  std::optional<Answer> worst_fit(const space::RealVector& p) const;
-  bool is_whole(const Answer& worst) const;
-  std::optional<Answer> contained(const space::RealVector& p) const;
+  TriedAnswer worst_fit(const space::RealVector& p) const;
+  exact::Tried<bool> is_whole(const Answer& worst) const;
+  TriedAnswer contained(const space::RealVector& p) const;
   /// Without containers: by what A leaves of a box.
   struct Among;
-  const Among* among() const;
+  exact::Tried<const Among*> among() const;
   bool in_union(const Among& all, const space::RealVector& p, Answer& depth) const;
-  std::optional<Answer> contained_in_union(const space::RealVector& p) const;
-  std::optional<Answer> farthest_in_union(const space::RealVector& p) const;
+  TriedAnswer contained_in_union(const space::RealVector& p) const;
+  TriedAnswer farthest_in_union(const space::RealVector& p) const;
   std::optional<Between> nearly_in_union(const space::RealVector& p, double level) const;
-  std::optional<Answer> farthest_fit(const space::RealVector& p) const;
+  TriedAnswer farthest_fit(const space::RealVector& p) const;
   std::optional<Between> nearly_fits(const space::RealVector& p, double level) const;
-  const FreeSpace* fits() const;
-  Answer protrusion(const space::RealVector& p) const;
-  Answer hausdorff(const space::RealVector& p) const;
+  exact::Tried<const FreeSpace*> fits() const;
+  exact::Tried<Answer> protrusion(const space::RealVector& p) const;
+  exact::Tried<Answer> hausdorff(const space::RealVector& p) const;
   bool too_large() const;
-  Answer clearance(const space::RealVector& p) const;
+  exact::Tried<Answer> clearance(const space::RealVector& p) const;
   /// Of A out of B + p.
-  Answer protrusion_back(const space::RealVector& p) const;
-  std::optional<Answer> covered(const space::RealVector& p) const;
+  exact::Tried<Answer> protrusion_back(const space::RealVector& p) const;
+  TriedAnswer covered(const space::RealVector& p) const;
 
   std::shared_ptr<const space::Body> b_;
   std::shared_ptr<const space::CsgSolid> a_;
@@ -100,6 +101,7 @@ class CsgPair {
   double size_ = 1;
   mutable std::once_flag fits_made_;
   mutable std::optional<FreeSpace> fits_;
+  mutable std::optional<exact::Refusal> no_fits_, no_among_, no_depths_;
   mutable std::once_flag among_made_;
   mutable std::shared_ptr<const Among> among_;
   mutable std::once_flag depths_made_;

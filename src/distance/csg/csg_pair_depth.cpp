@@ -3,8 +3,6 @@
 //
 // How deep B of a CsgPair is in A.
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,13 +16,20 @@ using exact::Real;
 using space::RealVector;
 using space::Vector;
 
-const CsgDepth& CsgPair::depths() const {
-  std::call_once(depths_made_, [this] { depths_ = std::make_shared<const CsgDepth>(*b_, parts_, size_); });
-  return *depths_;
+exact::Tried<const CsgDepth*> CsgPair::depths() const {
+  std::call_once(depths_made_, [this] {
+    auto made = CsgDepth::make(*b_, parts_, size_);
+    if (made)
+      depths_ = *std::move(made);
+    else
+      no_depths_ = made.refusal();
+  });
+  if (no_depths_) return *no_depths_;
+  return depths_.get();
 }
 
 /// Minus the distance to the nearest position at which B is free of a tolerance, or in a obstacle, and so free of A.
-std::optional<Answer> CsgPair::free_of_sets(const RealVector& p) const {
+TriedAnswer CsgPair::free_of_sets(const RealVector& p) const {
   std::optional<Answer> best;
   const auto take = [&](std::optional<Answer> v, bool negated) {
     if (!v || !v->proven) return;
@@ -32,26 +37,36 @@ std::optional<Answer> CsgPair::free_of_sets(const RealVector& p) const {
     if (!best || best->value < v->value) best = std::move(v);
   };
   for (std::size_t k = 0; k < containers_.size(); ++k) {
-    if (a_->containers[k].convex()) take(containers_[k]->value(Which::kGamma1, p), false);
+    if (!a_->containers[k].convex()) continue;
+    TriedAnswer v = containers_[k]->try_value(Which::kGamma1, p);
+    if (!v) return v;
+    take(*std::move(v), false);
   }
   for (std::size_t k = 0; k < obstacles_.size(); ++k) {
-    if (a_->obstacles[k].convex()) take(obstacles_[k]->value(Which::kEta1, p), true);
+    if (!a_->obstacles[k].convex()) continue;
+    TriedAnswer v = obstacles_[k]->try_value(Which::kEta1, p);
+    if (!v) return v;
+    take(*std::move(v), true);
   }
   return best;
 }
 
-Answer CsgPair::overlapping(const RealVector& p) const {
-  std::optional<Answer> known = free_of_sets(p);
+exact::Tried<Answer> CsgPair::overlapping(const RealVector& p) const {
+  const exact::Tried<const CsgDepth*> depths = this->depths();
+  if (!depths) return depths.refusal();
+  TriedAnswer free = free_of_sets(p);
+  if (!free) return free.refusal();
+  std::optional<Answer> known = *std::move(free);
   const Incumbent ask = [&]() -> std::optional<double> {
     if (!known) return std::nullopt;
     return -known->value.to_double();
   };
-  const BoundaryPlace found = depths().nearest(space::rounded(p), ask);
+  const BoundaryPlace found = (*depths)->nearest(space::rounded(p), ask);
   const double off = std::fabs(found.value - found.bound);
   if ((!found.found && !found.known) || off > margin::kMostFoundError * size_)
-    throw Error(ErrorCode::kUnsupported,
-                "how deep a shape is in one that round ones are cut out of was not found within the limit of the "
-                "search");
+    return exact::Refusal(
+        "how deep a shape is in one that round ones are cut out of was not found within the limit of the "
+        "search");
   Answer out;
   out.value = -Real::from_double(found.value);
   out.nearest = space::real(found.place);

@@ -4,8 +4,6 @@
 // Where B of a CsgPair fits into a union of solids that balls are cut out of: it is in the union where it is free of
 // what that leaves of a box about both.
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,10 +20,10 @@ using space::Vector;
 
 namespace {
 
-[[noreturn]] void no_fit_found() {
-  throw Error(ErrorCode::kUnsupported,
-              "how far a shape is from fitting into a union of shapes that round ones are cut out of was not found "
-              "within the limit of the search");
+exact::Refusal no_fit_found() {
+  return exact::Refusal(
+      "how far a shape is from fitting into a union of shapes that round ones are cut out of was not found "
+      "within the limit of the search");
 }
 
 bool inside(const RealVector& p, const space::Bounds3& box) {
@@ -43,7 +41,7 @@ double beyond(const Vector& p, const Vector& low, const Vector& high) {
 }  // namespace
 
 struct CsgPair::Among {
-  space::Bounds3 places;  // beyond this B sticks out of the box about A
+  space::Bounds3 places;  // beyond this B protrudes from the box about A
   std::unique_ptr<const CsgPair> left;
 
   Vector low() const { return space::rounded(places.low); }
@@ -51,7 +49,7 @@ struct CsgPair::Among {
 };
 
 /// Null: B is larger than the box about A.
-const CsgPair::Among* CsgPair::among() const {
+exact::Tried<const CsgPair::Among*> CsgPair::among() const {
   std::call_once(among_made_, [this] {
     const space::Bounds3 outer = bounds(*a_), inner = bounds(*b_);
     auto out = std::make_shared<Among>();
@@ -63,11 +61,15 @@ const CsgPair::Among* CsgPair::among() const {
       low[k] = static_cast<std::int64_t>(std::floor(from - tolerance));
       high[k] = static_cast<std::int64_t>(std::ceil(to + tolerance));
     }
-    auto left = std::make_shared<const space::CsgSolid>(
-        left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]}).or_throw());
-    out->left = std::make_unique<const CsgPair>(b_, std::move(left), false);
+    auto left = left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]});
+    if (!left) {
+      no_among_ = left.refusal();
+      return;
+    }
+    out->left = std::make_unique<const CsgPair>(b_, std::make_shared<const space::CsgSolid>(*std::move(left)), false);
     among_ = std::move(out);
   });
+  if (no_among_) return *no_among_;
   return among_.get();
 }
 
@@ -81,39 +83,47 @@ bool CsgPair::in_union(const Among& all, const RealVector& p, Answer& depth) con
   return true;
 }
 
-std::optional<Answer> CsgPair::contained_in_union(const RealVector& p) const {
-  const Among* all = among();
+TriedAnswer CsgPair::contained_in_union(const RealVector& p) const {
+  const exact::Tried<const Among*> made = among();
+  if (!made) return made.refusal();
+  const Among* all = *made;
   if (!all) return std::nullopt;
   Answer out;
-  if (in_union(*all, p, out)) return out;
-  const BoundaryPlace found = all->left->depths().nearest_in(all->low(), all->high(), space::rounded(p), {});
+  if (in_union(*all, p, out)) return std::optional(std::move(out));
+  const exact::Tried<const CsgDepth*> depths = all->left->depths();
+  if (!depths) return depths.refusal();
+  const BoundaryPlace found = (*depths)->nearest_in(all->low(), all->high(), space::rounded(p), {});
   const double off = std::fabs(found.value - found.bound);
   if (!found.found && !found.unresolved && found.complete) return std::nullopt;
-  if (!found.found || off > margin::kMostFoundError * size_) no_fit_found();
+  if (!found.found || off > margin::kMostFoundError * size_) return no_fit_found();
   out.value = Real::from_double(found.value);
   out.nearest = space::real(found.place);
   out.proven = false;
   out.error = margin::kFoundError * size_ + off;
-  return out;
+  return std::optional(std::move(out));
 }
 
-std::optional<Answer> CsgPair::farthest_in_union(const RealVector& p) const {
-  const Among* all = among();
+TriedAnswer CsgPair::farthest_in_union(const RealVector& p) const {
+  const exact::Tried<const Among*> made = among();
+  if (!made) return made.refusal();
+  const Among* all = *made;
   if (!all) return std::nullopt;
-  const BoundaryPlace found = all->left->depths().farthest_in(all->low(), all->high(), space::rounded(p));
+  const exact::Tried<const CsgDepth*> depths = all->left->depths();
+  if (!depths) return depths.refusal();
+  const BoundaryPlace found = (*depths)->farthest_in(all->low(), all->high(), space::rounded(p));
   const double off = std::fabs(found.value - found.bound);
   if (!found.found && !found.unresolved && found.complete) return std::nullopt;
-  if (!found.found || off > margin::kMostFoundError * size_) no_fit_found();
+  if (!found.found || off > margin::kMostFoundError * size_) return no_fit_found();
   Answer out;
   out.value = Real::from_double(found.value);
   out.proven = false;
   out.error = margin::kFoundError * size_ + off;
-  return out;
+  return std::optional(std::move(out));
 }
 
-/// eta1 less the level; for levels up to 0 the slack of what sticks out takes the place of how far that is from none.
+/// eta1 less the level; for levels up to 0 the slack of what protrudes takes the place of how far that is from none.
 std::optional<Between> CsgPair::nearly_in_union(const RealVector& p, double level) const {
-  const Among* all = among();
+  const Among* all = among().or_throw();
   if (!all) return std::nullopt;
   const double error = margin::kFoundError * size_, least = beyond(space::rounded(p), all->low(), all->high());
   if (level <= 0 && least > 0) return Between{least - error - level, exact::kInfinity};
@@ -127,7 +137,8 @@ std::optional<Between> CsgPair::nearly_in_union(const RealVector& p, double leve
     if (level <= 0) return Between{slack - level, exact::kInfinity};
   }
   const Until until{level, 0.5};
-  const BoundaryPlace found = all->left->depths().nearest_in(all->low(), all->high(), space::rounded(p), {}, &until);
+  const BoundaryPlace found =
+      all->left->depths().or_throw()->nearest_in(all->low(), all->high(), space::rounded(p), {}, &until);
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{found.bound - error - level, found.value + error - level};
 }

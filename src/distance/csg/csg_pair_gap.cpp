@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The distances of CsgPair between places: the nearest and the farthest of B and A, and how far A sticks out of B.
+// The distances of CsgPair between places: the nearest and the farthest of B and A, and how far A protrudes from B.
 
 #include <findspace/error.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "distance/answer/answer.h"
 #include "distance/csg/csg_pair.h"
-#include "distance/search/answer.h"
 #include "distance/search/boundary_slack.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/number/margins.h"
@@ -76,8 +76,8 @@ Answer CsgPair::apart(const RealVector& p) const {
       const double near = found.value, error = v.error;
       if (near < error) v.value = Real();
       const Touching at = to(found.place);
-      v.points = {space::real(found.place - space::scaled(at.value, at.slope)), space::real(found.place)};
-      if (near > error) v.nearest = space::plus(p, space::minus((*v.points)[1], (*v.points)[0]));
+      v.witness = point_pair(space::real(found.place - space::scaled(at.value, at.slope)), space::real(found.place));
+      if (near > error) v.nearest = space::plus(p, space::minus(v.witness[1].at, v.witness[0].at));
       if (best && best->value.to_double() < near - error) continue;
       for (Answer& named : named_gaps(*part.sets, s, p, found.place, size_)) {
         if (std::fabs(named.value.to_double() - near) <= error) v = std::move(named);  // no sign: the same value
@@ -181,11 +181,11 @@ Answer CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, 
   return out;
 }
 
-Answer CsgPair::protrusion_back(const RealVector& p) const {
+exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
   if (!b_->convex())
-    throw Error(ErrorCode::kUnsupported,
-                "how far a shape that round ones are cut out of sticks out of another is computed "
-                "where that is convex");
+    return exact::Refusal(
+        "the protrusion of a shape that round ones are cut out of is computed "
+        "where that is convex");
   const Vector by = space::rounded(p);
   const ConvexDistance beyond = keep_out(b_->parts[0], by);
   std::optional<Answer> best;
@@ -193,15 +193,15 @@ Answer CsgPair::protrusion_back(const RealVector& p) const {
     const BoundaryPlace found = farthest_allowed(part.cells, part.rules, beyond, size_);
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
     Answer v = searched(found, size_);
-    // A set of A sticks out by no less than A; where it does so at a place of A, by as much.
+    // A set of A protrudes by no less than A; where it does so at a place of A, by as much.
     for (const BodyPart& set : part.sets->within) {
       const Answer complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));
       const bool same = std::fabs(complete.value.to_double() - found.value) <= v.error;  // no sign: the same value
-      if (!same || !complete.points) continue;
-      const RealVector place = space::plus((*complete.points)[0], p);
+      if (!same || complete.witness.empty()) continue;
+      const RealVector place = space::plus(complete.witness[0].at, p);
       if (!holds(*part.sets, place)) continue;
       v = complete;
-      v.points = {space::plus((*complete.points)[1], p), place};
+      v.witness = point_pair(space::plus(complete.witness[1].at, p), place);
       v.nearest.reset();
       break;
     }

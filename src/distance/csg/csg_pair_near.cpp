@@ -13,7 +13,6 @@
 
 namespace findspace::distance {
 
-using exact::Real;
 using space::BodyPart;
 using space::RealVector;
 using space::Vector;
@@ -129,7 +128,7 @@ class CsgPair::FreeNear : public NearRule {
     const Incumbent ask = [&] { return out_of_set(p, q, out_of_one); };
     const Until wanted{depth_, until.share, until.blur};
     const BoundaryPlace found =
-        pair_->depths().nearest_to(distance_to_segment(start, unit, from, to), low, high, ask, &wanted);
+        pair_->depths().or_throw()->nearest_to(distance_to_segment(start, unit, from, to), low, high, ask, &wanted);
     Least out{found.bound - error - depth_, exact::kInfinity, {}};
     if (!found.found && !(found.known && out_of_one)) return out;
     out.high = found.value + error - depth_;
@@ -147,7 +146,7 @@ class CsgPair::FreeNear : public NearRule {
     std::optional<double> best;
     for (const Vector& from : {p, q}) {
       const RealVector at = space::real(from);
-      const auto free = pair_->free_of_sets(at);
+      const auto free = pair_->free_of_sets(at).or_throw();
       if (!free || !free->nearest || free->value.sign() >= 0) continue;
       const Vector there = space::rounded(*free->nearest);
       const double d = space::length(there - from);

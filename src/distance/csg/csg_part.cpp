@@ -14,7 +14,6 @@
 
 namespace findspace::distance {
 
-using exact::Real;
 using space::Body;
 using space::BodyPart;
 using space::CsgPart;
@@ -94,12 +93,13 @@ CutSearch cut_search(const CsgPart& part, double size) {
   return out;
 }
 
-std::vector<MeetSet> meet_sets(const BodyPart& part) {
-  if (part.point() && part.radius.sign() > 0) return {{true, exact::approx(part.center), part.radius.to_double()}};
+exact::Tried<std::vector<MeetSet>> meet_sets(const BodyPart& part) {
+  if (part.point() && part.radius.sign() > 0)
+    return std::vector<MeetSet>{{true, exact::approx(part.center), part.radius.to_double()}};
   if (!part.core || part.radius.sign() != 0)
-    throw Error(ErrorCode::kUnsupported,
-                "how deep round polyhedra, or shapes without interior, are in one that round ones are cut out of is "
-                "not computed");
+    return exact::Refusal(
+        "how deep round polyhedra, or shapes without interior, are in one that round ones are cut out of is "
+        "not computed");
   std::vector<MeetSet> out;
   for (const space::HalfSpace& h : part.planes()) out.push_back({false, h.unit, h.shift});
   return out;

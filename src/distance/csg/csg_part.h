@@ -30,8 +30,8 @@ double cut_size(const space::Body& b, const space::CsgSolid& a);
 bool is_empty(const space::CsgSolid& body);
 /// The part has to outlive it.
 CutSearch cut_search(const space::CsgPart& part, double size);
-/// A polytope by its planes, or a ball. Throws Error(kUnsupported) for other sets.
-std::vector<MeetSet> meet_sets(const space::BodyPart& part);
+/// A polytope by its planes, or a ball. Refused for other sets.
+exact::Tried<std::vector<MeetSet>> meet_sets(const space::BodyPart& part);
 /// As rules of a place: in the convex set moved by p, with how deep; outside it.
 TouchingRule keep_in(const space::BodyPart& set, const space::Vector& p);
 /// The distance to the set moved by p; inside it minus how deep, so that what is flat on both sides is decided at once.

@@ -44,10 +44,10 @@ class CutOff : public TDistance {
     return plane::remark(std::move(m), [=](Mark k) { return Mark(above > 0 ? rotation * k : rotation * k > 0); });
   }
 
-  std::optional<Value> value(const RealPoint& p) const override {
+  std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     auto v = f_->value(p);
-    if (!v) return negated_ ? std::optional(Value{floor_, std::nullopt}) : std::nullopt;
-    if (v->minus_infinity) return negated_ ? std::nullopt : std::optional(Value{floor_, std::nullopt});
+    if (!v) return negated_ ? std::optional(exact_answer(floor_, Way::kMap)) : std::nullopt;
+    if (v->minus_infinity) return negated_ ? std::nullopt : std::optional(exact_answer(floor_, Way::kMap));
     if (negated_) v->value = -v->value;
     if (v->value < floor_) v->value = floor_;
     return v;
@@ -94,7 +94,7 @@ class Greater : public TDistance {
     return plane::overlay(both, [](std::span<const Mark> m) { return std::max(m[0], m[1]); });
   }
 
-  std::optional<Value> value(const RealPoint& p) const override {
+  std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     auto f = f_->value(p), g = g_->value(p);
     if (!f || !g) return std::nullopt;
     if (f->minus_infinity || g->minus_infinity) return f->minus_infinity ? g : f;
@@ -126,7 +126,7 @@ class Reflected : public TDistance {
   bool defined() const override { return f_->defined(); }
   SignMap sign_map(const Real& level) const override { return mirrored(f_->sign_map(level)); }
 
-  std::optional<Value> value(const RealPoint& p) const override {
+  std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     auto v = f_->value({-p.x, -p.y});
     if (v && v->nearest) v->nearest = RealPoint{-v->nearest->x, -v->nearest->y};
     return v;
@@ -162,7 +162,7 @@ class Displaced : public TDistance {
   bool defined() const override { return f_->defined(); }
   SignMap sign_map(const Real& level) const override { return plane::moved(f_->sign_map(level), -by_); }
 
-  std::optional<Value> value(const RealPoint& p) const override {
+  std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     auto v = f_->value(p + by_);
     if (v && v->nearest) v->nearest = *v->nearest - by_;
     return v;

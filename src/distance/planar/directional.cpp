@@ -30,9 +30,10 @@ Section track_section(const SignMap& map, const TranslationDirection& direction,
 }
 
 /// A distance along the direction from a section's parameter.
-Value at_parameter(const Real& t, const TranslationDirection& direction, const RealPoint& p, int sign) {
+PlanarAnswer at_parameter(const Real& t, const TranslationDirection& direction, const RealPoint& p, int sign) {
   const Real dx(direction.dx), dy(direction.dy);
-  return {Real(sign) * abs(t) * sqrt(dx * dx + dy * dy), RealPoint{p.x + t * dx, p.y + t * dy}};
+  return exact_answer(Real(sign) * abs(t) * sqrt(dx * dx + dy * dy), Way::kMap,
+                      std::optional(RealPoint{p.x + t * dx, p.y + t * dy}));
 }
 
 /// Greater than the extent of the map's curves in any direction, in grid steps.
@@ -74,15 +75,13 @@ SignMap DirectionalSigned::sign_map(const Real& level) const {
   });
 }
 
-std::optional<Value> DirectionalSigned::value(const RealPoint& p) const {
+std::optional<PlanarAnswer> DirectionalSigned::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
-  if (mark_of(base_, locate(base_, p)) == 0) return Value{Real(), std::nullopt};
+  if (mark_of(base_, locate(base_, p)) == 0) return exact_answer(Real(), Way::kMap);
   const auto found = nearest_change(track_section(base_, direction_, p), direction_.both_ways);
   if (!found) return std::nullopt;
   if (!found->lowest) return at_parameter(found->t, direction_, p, found->sign);
-  Value least;
-  least.minus_infinity = true;
-  return least;
+  return lowest_answer(Way::kMap);
 }
 
 DirectionalFarthest::DirectionalFarthest(SignMap base, const TranslationDirection& direction)
@@ -126,11 +125,11 @@ SignMap DirectionalFarthest::sign_map(const Real& level) const {
   return overlay(all, [](std::span<const Mark> m) { return *std::max_element(m.begin(), m.end()); });
 }
 
-std::optional<Value> DirectionalFarthest::value(const RealPoint& p) const {
+std::optional<PlanarAnswer> DirectionalFarthest::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
   const auto found = farthest_place(track_section(base_, direction_, p), direction_.both_ways);
   if (!found) return std::nullopt;
-  return Value{at_parameter(found->t, direction_, p, 1).value, std::nullopt};
+  return exact_answer(at_parameter(found->t, direction_, p, 1).value, Way::kMap);
 }
 
 }  // namespace findspace::distance

@@ -31,7 +31,7 @@ class DirectionalSigned : public PositionFunction {
 
   bool defined() const override { return defined_; }
   plane::SignMap sign_map(const exact::Real& level) const override;
-  std::optional<Value> value(const exact::RealPoint& p) const override;
+  std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
 
  private:
   plane::SignMap base_;
@@ -46,7 +46,7 @@ class DirectionalFarthest : public PositionFunction {
 
   bool defined() const override { return defined_; }
   plane::SignMap sign_map(const exact::Real& level) const override;
-  std::optional<Value> value(const exact::RealPoint& p) const override;
+  std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   /// Maps of which sign_map() is the greatest: - where C is met nearer than the level, 0 where at it; then for each way
   /// + where it is met farther off, 0 where at the level. The level is not negative.
   std::vector<plane::SignMap> parts(const exact::Real& level) const;

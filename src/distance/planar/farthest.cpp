@@ -83,9 +83,9 @@ Farthest::Best Farthest::best(const RealPoint& p) const {
   return *best;
 }
 
-std::optional<Value> Farthest::value(const RealPoint& p) const {
+std::optional<PlanarAnswer> Farthest::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
-  return Value{best(p).distance, std::nullopt};
+  return exact_answer(best(p).distance, Way::kMap);
 }
 
 RealPoint Farthest::farthest_point(const RealPoint& p) const { return best(p).at; }

@@ -24,7 +24,7 @@ class Farthest : public TDistance {
 
   bool defined() const override { return defined_; }
   plane::SignMap sign_map(const exact::Real& level) const override;
-  std::optional<Value> value(const exact::RealPoint& p) const override;
+  std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
   std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
   std::optional<Lowest> lowest() const override;

@@ -45,15 +45,15 @@ SignMap DirectedHausdorff::sign_map(const Real& level) const {
   return plane::overlay(both, [](std::span<const Mark> m) { return Mark(m[1] > 0 ? -1 : m[0] <= 0 ? 0 : 1); });
 }
 
-std::optional<Value> DirectedHausdorff::value(const RealPoint& p) const {
+std::optional<PlanarAnswer> DirectedHausdorff::value(const RealPoint& p) const {
   if (!defined()) return std::nullopt;
   double scale = search_.scale(near_value(p.x), near_value(p.y));
-  if (auto h = search_.greatest(p, scale * margin::kClearlyOut)) return Value{h->value, std::nullopt};
+  if (auto h = search_.greatest(p, scale * margin::kClearlyOut)) return exact_answer(h->value, Way::kFeatures);
   // B+p lies in A, or all but: containment decides.
   auto margin = containment().value(p);
   if (margin && (margin->minus_infinity || margin->value.sign() <= 0)) return margin;
   auto h = search_.greatest(p, scale * margin::kHardlyOut);
-  return Value{h ? h->value : Real(), std::nullopt};
+  return exact_answer(h ? h->value : Real(), Way::kFeatures);
 }
 
 RealPoint DirectedHausdorff::seed() const {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The signed directed Hausdorff distance mu(B+p, A) = max over b in B of gamma1(b+p, A) (distances.md 3.3, 3.5): how
-// far B + p sticks out of A at most, or minus the margin it has inside. With V = A (+) level * int K and its closed
+// far B + p protrudes from A at most, or minus the margin it has inside. With V = A (+) level * int K and its closed
 // companion:
 //   level > 0: - where B+p lies in V, 0 where it lies in A (+) level * K but not in V, + elsewhere; the zero set may be
 //   fat; level <= 0: as eta1.
@@ -27,7 +27,7 @@ class DirectedHausdorff : public TDistance {
 
   bool defined() const override { return b_.faces[0].mark <= 0; }
   plane::SignMap sign_map(const exact::Real& level) const override;
-  std::optional<Value> value(const exact::RealPoint& p) const override;
+  std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
   std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
   std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }

@@ -233,6 +233,7 @@ SearchRange MaxMinSearch::root() const {
 
 void MaxMinSearch::look(SearchRange& r) {
   if (r.edge >= 0) return split_edge(r);
+  if (seen_) seen_.add_box({r.x0, r.y0, 0}, {r.x1, r.y1, 0});
   visit_vertices(r);
   const bool small = std::max(r.x1 - r.x0, r.y1 - r.y0) < query_.scale * margin::kMaxMinBox;
   if (r.a.size() <= kFewFeatures || small)

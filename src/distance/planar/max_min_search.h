@@ -17,6 +17,7 @@
 #include "distance/planar/farthest_from_set.h"
 #include "distance/planar_features/search_range.h"
 #include "distance/planar_features/voronoi_cells.h"
+#include "plane/base/stage_observer.h"
 #include "plane/query/locate.h"
 
 namespace findspace::distance {
@@ -77,6 +78,7 @@ class MaxMinSearch {
   std::vector<SearchRange> places_;  // parts of edges that were too short for more
   double best_ = 0;
   std::vector<MaxMinPlace> peaks_;
+  plane::ObservedCells seen_{"boxes of the farthest place of a set from another", true};
 };
 
 }  // namespace findspace::distance

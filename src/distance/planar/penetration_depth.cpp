@@ -10,6 +10,7 @@
 
 #include "distance/planar_features/feature_pair_search.h"
 #include "exact/number/margins.h"
+#include "plane/base/stage_observer.h"
 
 namespace findspace::distance {
 
@@ -205,21 +206,22 @@ bool PenetrationDepth::certainly_holds(const GridBox& w) const {
                          std::hypot(double(w.x1 - w.x0), double(w.y1 - w.y0)) / 2);
 }
 
-PenetrationDepth::Answer PenetrationDepth::search(const RealPoint& p, bool far) const {
+PenetrationDepth::Found PenetrationDepth::search(const RealPoint& p, bool far) const {
   if (const auto* grid = std::get_if<Grid>(&sum_)) return search(GridPlaces(**grid, p), (*grid)->bounds(), p, far);
   const Places& places = std::get<Places>(sum_);
   return search(CurvePlaces(*places, p), places->bounds(), p, far);
 }
 
 template <class Boundary>
-PenetrationDepth::Answer PenetrationDepth::search(const Boundary& boundary, const std::optional<GridBox>& bounds,
-                                                  const RealPoint& p, bool far) const {
+PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const std::optional<GridBox>& bounds,
+                                                 const RealPoint& p, bool far) const {
   using Curves = typename Boundary::Curves;
   const plane::FreePlaces::Certain certain{
       [&](double qx, double qy, double error) { return certainly_holds(qx, qy, error); },
       [&](double qx, double qy, double margin) { return certainly_free(qx, qy, margin); }};
   const double x = near_value(p.x), y = near_value(p.y);
   std::optional<Nearest> best;
+  plane::ObservedCells seen("boxes of the nearest position on the boundary of a sum", true);
   std::priority_queue<Box<Curves>> boxes;
   if (bounds) boxes.push({*bounds, bound(*bounds, x, y, far), kManyCurves});
   while (!boxes.empty()) {
@@ -231,6 +233,7 @@ PenetrationDepth::Answer PenetrationDepth::search(const Boundary& boundary, cons
     }
     if (--boxes_left_ < 0) return {false, std::nullopt};
     const GridBox& w = box.window;
+    if (seen) seen.add_box({double(w.x0), double(w.y0), 0}, {double(w.x1), double(w.y1), 0});
     if (certainly_holds(w)) continue;
     const bool small = std::max(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest;
     const std::size_t most = small ? SIZE_MAX : kManyCurves;

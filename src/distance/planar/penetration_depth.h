@@ -41,14 +41,14 @@ class PenetrationDepth {
   /// Whether more questions cost less than the map.
   bool pays() const { return boxes_left_ > 0; }
 
-  struct Answer {
+  struct Found {
     bool known = true;                      // false where the map would have cost less
     std::optional<plane::Nearest> nearest;  // nothing if O is everything
   };
   /// The nearest position outside O, for p in O.
-  Answer nearest(const exact::RealPoint& p) const { return search(p, false); }
+  Found nearest(const exact::RealPoint& p) const { return search(p, false); }
   /// The farthest position outside O, of containment: eta2.
-  Answer farthest(const exact::RealPoint& p) const { return search(p, true); }
+  Found farthest(const exact::RealPoint& p) const { return search(p, true); }
 
  private:
   using Grid = std::shared_ptr<const plane::LocalSum>;
@@ -56,10 +56,10 @@ class PenetrationDepth {
   using Sum = std::variant<Grid, Places>;
 
   PenetrationDepth(const FeatureTree& moving, const FeatureTree& fixed, Of of, Sum sum, std::int64_t boxes);
-  Answer search(const exact::RealPoint& p, bool far) const;
+  Found search(const exact::RealPoint& p, bool far) const;
   template <class Boundary>
-  Answer search(const Boundary& boundary, const std::optional<plane::GridBox>& bounds, const exact::RealPoint& p,
-                bool far) const;
+  Found search(const Boundary& boundary, const std::optional<plane::GridBox>& bounds, const exact::RealPoint& p,
+               bool far) const;
   /// At a place the shapes overlap (or B leaves A) by more than `reach`: so they do wherever that leads.
   bool certainly_holds(double x, double y, double reach) const;
   bool certainly_holds(const plane::GridBox& w) const;

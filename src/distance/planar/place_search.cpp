@@ -10,6 +10,7 @@
 
 #include "distance/planar_features/feature_pair_search.h"
 #include "exact/number/margins.h"
+#include "plane/base/stage_observer.h"
 
 namespace findspace::distance {
 
@@ -172,6 +173,7 @@ void PlaceSearch::search_inside() {
     MaxMinBoxes::Part part;
     Index guess;
   };
+  plane::ObservedCells seen_cells("squares of the farthest place inside a set", true);
   std::vector<Entry> stack{{{}, kNone}};
   while (!stack.empty()) {
     const Entry e = stack.back();
@@ -179,6 +181,7 @@ void PlaceSearch::search_inside() {
     const Spot middle = boxes_.middle(e.part);
     const double half = boxes_.half(e.part), radius = half * std::sqrt(2.0);
     const FeatureBox box{middle.x - half, middle.y - half, middle.x + half, middle.y + half};
+    if (seen_cells) seen_cells.add_box({box.x0, box.y0, 0}, {box.x1, box.y1, 0});
     if (box.x0 >= reach.x1 || box.x1 <= reach.x0 || box.y0 >= reach.y1 || box.y1 <= reach.y0) continue;
     if (e.guess != kNone && most(box, e.guess) <= best_ + slack_) continue;
     const auto look = boxes_.look(e.part, e.guess);

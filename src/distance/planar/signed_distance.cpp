@@ -37,16 +37,16 @@ SignMap SignedDistance::sign_map(const exact::Real& level) const {
   return defined_ ? level_map(base_, level) : CellComplex::uniform(1);
 }
 
-std::optional<Value> SignedDistance::value(const exact::RealPoint& p) const {
+std::optional<PlanarAnswer> SignedDistance::value(const exact::RealPoint& p) const {
   if (!defined_) return std::nullopt;
   Mark sign = mark_of(base_, locate(base_, p));
-  if (sign == 0) return Value{exact::Real(), std::nullopt};
+  if (sign == 0) return exact_answer(exact::Real(), Way::kMap);
   auto n = sign > 0 ? nearest(
                           base_, [](Mark m) { return m <= 0; }, p)
                     : nearest(
                           base_, [](Mark m) { return m >= 0; }, p);
-  if (!n) return Value{exact::Real(), std::nullopt, true};  // inside everywhere
-  return Value{sign > 0 ? n->distance : -n->distance, n->at};
+  if (!n) return lowest_answer(Way::kMap);  // inside everywhere
+  return exact_answer(sign > 0 ? n->distance : -n->distance, Way::kMap, std::optional(n->at));
 }
 
 RealPoint SignedDistance::seed() const {

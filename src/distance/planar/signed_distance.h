@@ -36,7 +36,7 @@ class SignedDistance : public TDistance {
   const plane::SignMap& base() const { return base_; }
 
   /// f at a position; nothing if undefined.
-  std::optional<Value> value(const exact::RealPoint& p) const override;
+  std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
   std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
   /// 0: the least level of sets without interior.

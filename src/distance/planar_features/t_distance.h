@@ -14,16 +14,11 @@
 #include <optional>
 #include <vector>
 
+#include "distance/answer/answer.h"
 #include "distance/planar_features/level_curve.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::distance {
-
-struct Value {
-  exact::Real value;                        // f(p)
-  std::optional<exact::RealPoint> nearest;  // signed distances: the nearest position where f = 0, if f(p) is not 0
-  bool minus_infinity = false;              // f(p) is -infinity, and `value` means nothing
-};
 
 class PositionFunction {
  public:
@@ -34,7 +29,7 @@ class PositionFunction {
   /// The sign of f - level at every position; + everywhere if undefined.
   virtual plane::SignMap sign_map(const exact::Real& level) const = 0;
   /// f at a position; nothing if undefined.
-  virtual std::optional<Value> value(const exact::RealPoint& p) const = 0;
+  virtual std::optional<PlanarAnswer> value(const exact::RealPoint& p) const = 0;
 };
 
 using PositionFunctionPointer = std::shared_ptr<const PositionFunction>;

@@ -14,6 +14,7 @@
 #include "distance/planar_features/point_set.h"
 #include "exact/number/margins.h"
 #include "plane/base/parallel.h"
+#include "plane/base/stage_observer.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/query/locate.h"
@@ -183,8 +184,11 @@ class PositionSearch {
     count_ += halves.size();
     std::vector<Node> kept(std::make_move_iterator(open_.begin() + std::ptrdiff_t(n)),
                            std::make_move_iterator(open_.end()));
-    for (std::size_t k = 0; k < n; ++k)
-      if (is_cell(outward(open_[k].box))) done_.push_back(std::move(open_[k]));
+    for (std::size_t k = 0; k < n; ++k) {
+      const PieceBox& box = open_[k].box;
+      if (seen_) seen_.add_box({box.x0, box.y0, 0}, {box.x1, box.y1, 0});
+      if (is_cell(outward(box))) done_.push_back(std::move(open_[k]));
+    }
     for (Node& h : halves)
       if (!plane::is_empty(h.part)) kept.push_back(std::move(h));
     open_ = std::move(kept);
@@ -242,6 +246,7 @@ class PositionSearch {
   double outside_ = kInfinity;
   std::size_t count_ = 0;
   std::vector<Node> open_, done_;  // done: no box of the grid can be halved
+  plane::ObservedCells seen_{"boxes of positions halved for the best one", true};
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The least or greatest value over a set S of positions of a function that is known through its range over discs alone:
-// distances in rotation, which jump, and those of shapes that turn in time (extremum.h serves the distances that have
+// distances in rotation, which jump, and those of shapes that rotate in time (extremum.h serves the distances that have
 // exact sign maps). S itself may be known between two sets. Method: branch and bound over boxes of positions; a box
 // keeps the part of S in it, exactly; the disc about it bounds the function from one side, its value at a position of
 // the part from the other. Guarantee: certified, to the rounding of the ranges: a position of S has `level`, none is

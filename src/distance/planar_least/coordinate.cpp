@@ -11,6 +11,7 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "exact/number/margins.h"
+#include "exact/planar/geometry_signs.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/piece_builder.h"
@@ -20,7 +21,6 @@ namespace findspace::distance {
 
 using exact::Real;
 using exact::RealPoint;
-using plane::CellComplex;
 using plane::Index;
 using plane::Region;
 
@@ -93,7 +93,7 @@ Region line_across(const Region& s, const LinearForm& form, const Real& value) {
   const RealPoint from = point(-reach), to = point(reach);
   Index line = b.geometry.add(exact::SupportingCurve::line(form.a, form.b, value));
   Index p = b.geometry.add_real_point(from.x, from.y), q = b.geometry.add_real_point(to.x, to.y);
-  b.segment(line, p, q, b.geometry.compare_xy(p, q) < 0);
+  b.segment(line, p, q, compare_xy(b.geometry, p, q) < 0);
   plane::Arrangement a = plane::arrange(std::move(b.geometry), std::move(b.pieces));
   plane::Marks m;
   m.faces.assign(a.face_count, 0);

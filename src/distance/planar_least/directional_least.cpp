@@ -13,7 +13,6 @@
 namespace findspace::distance {
 
 using exact::Real;
-using plane::CellComplex;
 using plane::Index;
 using plane::Mark;
 using plane::RealVector;

@@ -23,7 +23,7 @@ using space::RayPosition;
 using space::RayRow;
 using space::Vector;
 
-/// What the point found may lack of how far B sticks out. The nearer it is, the fewer cuts until an end; but the last
+/// What the point found may lack of how far B protrudes. The nearer it is, the fewer cuts until an end; but the last
 /// eighths of a search among many triangles cost more than a cut.
 constexpr double kProvenShare = 0.875;
 /// Stretches that a line is cut into, at most; kCertain is reached long before.
@@ -184,7 +184,7 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::cuts(const Side& side, cons
     left.pop_back();
     const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kProvenShare);
     if (!max_min.complete || ++count > kMostCuts)
-      throw Error(ErrorCode::kUnsupported, "how far the shape sticks out was not found within the limit of the search");
+      throw Error(ErrorCode::kUnsupported, "the protrusion of the shape was not found within the limit of the search");
     if (max_min.value <= side.enough) continue;
     Stretch cut = outside(side, line, max_min.place, s);
     cut.from = std::max(cut.from, s.from);

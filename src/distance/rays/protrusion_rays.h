@@ -5,7 +5,7 @@
 // <= level} on rays, A not convex. V has creases and pockets, so a position can be lost at an edge or in a face of B
 // between vertices that are all in V. On each line the places that all vertices allow are found exactly. A
 // branch-and-bound search (solid_max_min.h) through what B sweeps over a stretch of them then proves that nothing
-// sticks out, or gives a point of B outside V; all places at which that point is outside are cut away, and the search
+// protrudes, or gives a point of B outside V; all places at which that point is outside are cut away, and the search
 // goes on with the rest. Guarantee: the sign is - or + only where that is certain; 0 where the distance is within
 // kCertain of the shapes' size and the level of the level. Ends of {<= level} that a vertex decides are exact. Cost: a
 // search a stretch, and some for an end that no vertex decides. Keywords: directed Hausdorff distance, cutting planes,
@@ -50,7 +50,7 @@ class ProtrusionRays : public space::RaySource {
   struct Side {
     space::RaySourcePointer vertices;
     double cut;     // beyond this distance from A a point of B is outside
-    double enough;  // up to this nothing sticks out
+    double enough;  // up to this nothing protrudes
   };
 
   /// A polyhedron or, with a radius, a ball.

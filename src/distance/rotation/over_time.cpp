@@ -20,7 +20,6 @@ namespace findspace::distance {
 
 using exact::Real;
 using exact::RealPoint;
-using plane::CellComplex;
 using plane::Mark;
 using plane::SignMap;
 using plane::operator+;
@@ -142,13 +141,14 @@ class OverTime : public PositionFunction {
 
   SignMap sign_map(const Real& level) const override { return extreme_along(f_->sign_map(level), path_, sense_); }
 
-  std::optional<Value> value(const RealPoint& p) const override {
+  std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     if (!defined()) return std::nullopt;
     RelativePath moved = path_;
     for (RealPoint& w : moved) w = w + p;
     const Extremum e = extremum(*f_, plane::region_of_path(moved), sense_, bracket(moved));
     if (!e.exists) return std::nullopt;
-    return Value{e.level, std::nullopt};
+    if (e.proven) return exact_answer(e.level, Way::kMap);
+    return enclosed_answer(e.level, e.level, Real::from_double(e.bound));
   }
 
  private:
@@ -170,10 +170,10 @@ class JumpingOverTime : public PositionFunction {
 
   SignMap sign_map(const Real& level) const override { return extreme_along(f_->sign_map(level), path_, sense_); }
 
-  std::optional<Value> value(const RealPoint& p) const override {
+  std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     if (!defined()) return std::nullopt;
-    if (sign(p, Real()) == 0) return Value{Real(), std::nullopt};
-    if (sign(p, Real::from_double(-margin::kBeyondAll)) <= 0) return Value{Real(), std::nullopt, true};
+    if (sign(p, Real()) == 0) return exact_answer(Real(), Way::kMap);
+    if (sign(p, Real::from_double(-margin::kBeyondAll)) <= 0) return lowest_answer(Way::kMap);
     if (sign(p, Real::from_double(margin::kBeyondAll)) > 0) return std::nullopt;
     double low = -margin::kBeyondAll, high = margin::kBeyondAll;  // f is above the one, not above the other
     for (int k = 0; k < 110; ++k) {
@@ -182,7 +182,8 @@ class JumpingOverTime : public PositionFunction {
       (sign(p, Real::from_double(middle)) > 0 ? low : high) = middle;
     }
     const Real whole = exact::round(Real::from_double(high));
-    return Value{sign(p, whole) == 0 ? whole : Real::from_double(high), std::nullopt};
+    if (sign(p, whole) == 0) return exact_answer(whole, Way::kMap);
+    return enclosed_answer(Real::from_double(high), Real::from_double(low), Real::from_double(high));
   }
 
  private:
@@ -212,7 +213,7 @@ class AtInstant : public PositionFunction {
   bool defined() const override { return f_->defined(); }
   SignMap sign_map(const Real& level) const override { return plane::moved(f_->sign_map(level), -by_); }
 
-  std::optional<Value> value(const RealPoint& p) const override {
+  std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     auto v = f_->value(p + by_);
     if (v && v->nearest) v->nearest = *v->nearest - by_;
     return v;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "distance/search/solid_max_min.h"
+#include "plane/base/stage_observer.h"
 
 namespace findspace::distance {
 
@@ -22,5 +23,12 @@ space::Vector centre(const Tetrahedron& t);
 
 /// Whether x is on the same side of each face as the corner that is not on it; numbers.
 bool holds(const Tetrahedron& t, const space::Vector& x);
+
+/// Given to the observer of the search.
+inline void observe(plane::ObservedCells& cells, const Tetrahedron& t) {
+  if (!cells) return;
+  const auto corner = [](const space::Vector& v) { return plane::StageDrawing::Corner{v.x, v.y, v.z}; };
+  cells.add_tetrahedron({corner(t[0]), corner(t[1]), corner(t[2]), corner(t[3])});
+}
 
 }  // namespace findspace::distance

@@ -68,6 +68,7 @@ class BoundarySearch {
         break;
       }
       queue_.pop();
+      observe(seen_, top.corner);
       std::size_t a = 0, b = 1;
       if (longest_edge(top.corner, a, b) < margin::kSmallestCell * size_) {
         if (top.key < left) {
@@ -292,6 +293,7 @@ class BoundarySearch {
   const Until* until_ = nullptr;
   bool asked_ = false;
   std::priority_queue<BoundaryCell> queue_;
+  plane::ObservedCells seen_{"tetrahedra of the nearest or farthest allowed place"};
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <queue>
 
+#include "distance/search/boundary_cells.h"
 #include "distance/search/boundary_columns.h"
 #include "exact/number/interval.h"
 #include "exact/number/margins.h"
@@ -66,6 +67,7 @@ Slack highest_slack(const std::vector<Column>& columns, const Tetrahedron& corne
 Slack most_slack(std::span<const Tetrahedron> tolerance, const Constraints& rules, const SlackEnd& end) {
   Slack best{-exact::kInfinity, exact::kInfinity, {}, 0};
   std::priority_queue<SlackCell> queue;
+  plane::ObservedCells seen("tetrahedra of the place with the most slack");
   const auto add = [&](const Tetrahedron& corner) {
     std::vector<Column> columns = chords(rules, corner);
     touch(rules, corner, centre(corner), columns);
@@ -89,6 +91,7 @@ Slack most_slack(std::span<const Tetrahedron> tolerance, const Constraints& rule
     if (top.bound <= end.enough || top.bound - best.value <= end.blur) break;
     if (best.value > std::max(0.0, end.enough) && best.value >= end.share * top.bound) break;
     queue.pop();
+    observe(seen, top.corner);
     std::size_t a = 0, b = 1;
     longest_edge(top.corner, a, b);
     const Vector middle = space::scaled(0.5, space::plus(top.corner[a], top.corner[b]));

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/search/free_space.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -207,8 +205,8 @@ Incumbent FreeSpace::known_at(std::function<std::optional<RealVector>()> find, c
   };
 }
 
-std::optional<Answer> FreeSpace::settled(const BoundaryPlace& found, const RealVector& p,
-                                         const std::optional<RealVector>& known) const {
+TriedAnswer FreeSpace::settled(const BoundaryPlace& found, const RealVector& p,
+                               const std::optional<RealVector>& known) const {
   Answer out;
   const double slack = margin::kFoundError * (size_ + std::fabs(found.bound)),
                off = std::fabs(found.value - found.bound);
@@ -231,9 +229,8 @@ std::optional<Answer> FreeSpace::settled(const BoundaryPlace& found, const RealV
     return out;
   }
   if (found.found && !found.unresolved && allows_(place))
-    throw Error(ErrorCode::kUnsupported,
-                "how far a round shape is from fitting was not found within the limit of the search");
-  throw Error(ErrorCode::kUnsupported, "whether a round shape fits where it has no room to spare is not decided");
+    return exact::Refusal("how far a round shape is from fitting was not found within the limit of the search");
+  return exact::Refusal("whether a round shape fits with zero clearance is not decided");
 }
 
 double FreeSpace::deepest_at(const Vector& near) const {
@@ -274,7 +271,7 @@ BoundaryPlace FreeSpace::nearly(const RealVector& p, const Until& until) const {
   return searched(space::rounded(p), false, {}, &until);
 }
 
-std::optional<Answer> FreeSpace::nearest(const RealVector& p, bool open) const {
+TriedAnswer FreeSpace::nearest(const RealVector& p, bool open) const {
   // The front of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the place.
   const Vector near = space::rounded(p);
   const double deepest = deepest_at(near);
@@ -290,15 +287,15 @@ std::optional<Answer> FreeSpace::nearest(const RealVector& p, bool open) const {
   return settled(searched(near, open, ask, nullptr), p, known);
 }
 
-Answer FreeSpace::nearest_to(const TouchingRule& to) const {
+exact::Tried<Answer> FreeSpace::nearest_to(const TouchingRule& to) const {
   const double tolerance = margin::kAroundBox * size_;
   const BoundaryPlace found =
       nearest_allowed(tetrahedra_of_box(box_low_ - Vector{tolerance, tolerance, tolerance},
                                         space::plus(box_high_, {tolerance, tolerance, tolerance})),
                       rules_, to, size_, -exact::kInfinity);
   const double off = std::fabs(found.value - found.bound);
-  if (!found.found || off > margin::kMostFoundError * size_)
-    throw Error(ErrorCode::kUnsupported, "the depth of the shape was not found within the limit of the search");
+  if (!found.found || off > margin::kMostFoundError * size_ || !allows_(space::real(found.place)))
+    return exact::Refusal("the depth of the shape was not found within the limit of the search");
   Answer out;
   out.value = Real::from_double(found.value);
   out.proven = false;
@@ -306,7 +303,7 @@ Answer FreeSpace::nearest_to(const TouchingRule& to) const {
   return out;
 }
 
-std::optional<Answer> FreeSpace::farthest(const RealVector& p) const {
+TriedAnswer FreeSpace::farthest(const RealVector& p) const {
   const double tolerance = margin::kAroundBox * size_;
   std::optional<RealVector> known;
   const Incumbent ask = known_at(

@@ -10,7 +10,7 @@
 // Guarantee: places are found by search (boundary_search.h), mostly to 2^-40 of the sizes; `proven` is false and
 // `error` says how far values may be off; whether a place belongs is decided exactly. A passage or fit of no tolerance,
 // which numbers cannot tell from none, is found among the planes along the faces of the sets, exactly; one between
-// other fronts (an edge and a face, two edges) that would change the answer is refused with Error(kUnsupported), not
+// other fronts (an edge and a face, two edges) that would change the answer is refused, not
 // passed over. Keywords: penetration depth, rounded polyhedra, containment.
 #pragma once
 
@@ -20,7 +20,7 @@
 #include <span>
 #include <vector>
 
-#include "distance/search/answer.h"
+#include "distance/answer/answer.h"
 #include "distance/search/boundary_search.h"
 #include "space/body/body.h"
 #include "space/body/open_union.h"
@@ -51,20 +51,20 @@ class FreeSpace {
   bool holds(const space::RealVector& p) const { return allows_(p); }
   /// How far the nearest place is from p, which does not belong; nothing where there is none. Beyond the box all
   /// belongs if `open`.
-  std::optional<Answer> nearest(const space::RealVector& p, bool open) const;
+  TriedAnswer nearest(const space::RealVector& p, bool open) const;
   /// At least how far p is from the set, if more than 0; else so far, negated, p may go without leaving it. Numbers.
   double beyond(const space::Vector& p) const;
   /// The search for the nearest place, as far as `until` wants it; nothing is beyond the box.
   BoundaryPlace nearly(const space::RealVector& p, const Until& until) const;
   /// The least distance of a place that belongs to a set; the value is that of `to` there.
-  Answer nearest_to(const TouchingRule& to) const;
-  std::optional<Answer> farthest(const space::RealVector& p) const;
+  exact::Tried<Answer> nearest_to(const TouchingRule& to) const;
+  TriedAnswer farthest(const space::RealVector& p) const;
 
  private:
   double deepest_at(const space::Vector& near) const;
   BoundaryPlace searched(const space::Vector& near, bool open, const Incumbent& ask, const Until* until) const;
-  std::optional<Answer> settled(const BoundaryPlace& found, const space::RealVector& p,
-                                const std::optional<space::RealVector>& known) const;
+  TriedAnswer settled(const BoundaryPlace& found, const space::RealVector& p,
+                      const std::optional<space::RealVector>& known) const;
   Incumbent known_at(std::function<std::optional<space::RealVector>()> find, const space::RealVector& p, int sense,
                      std::optional<space::RealVector>& known) const;
   std::optional<space::RealVector> even_place(const BoundaryPlace& found) const;

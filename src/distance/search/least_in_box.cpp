@@ -7,6 +7,7 @@
 
 #include "exact/number/margins.h"
 #include "plane/base/parallel.h"
+#include "plane/base/stage_observer.h"
 
 namespace findspace::distance {
 
@@ -36,6 +37,7 @@ class BoxSearch {
     while (count_ < kMostValues && !queue_.empty() && least_ - queue_.top().bound > tolerance_ && least_ > floor_) {
       std::vector<Box> parts;
       for (std::size_t k = 0; k < kAtOnce && !queue_.empty(); ++k) {
+        observe(queue_.top());
         divide(queue_.top(), parts);
         queue_.pop();
       }
@@ -43,14 +45,18 @@ class BoxSearch {
     }
     const double bound = std::max(floor_, queue_.empty() ? least_ : std::min(queue_.top().bound, least_));
     // Roundings: of the centres and of the values.
-    out_.bound =
-        std::min(out_.value, Real::from_double(bound - margin::kPlaceNoise * (std::fabs(bound) + space::length(half))));
-    if (floor_ >= bound) out_.bound = std::min(out_.value, Real::from_double(floor_));
-    out_.proven = out_.bound == out_.value;
-    return out_;
+    const double noise = floor_ >= bound ? 0 : margin::kPlaceNoise * (std::fabs(bound) + space::length(half));
+    const Real least = std::min(value_at_best_, Real::from_double((floor_ >= bound ? floor_ : bound) - noise));
+    return least_answer(value_at_best_, least, least == value_at_best_, best_);
   }
 
  private:
+  void observe(const Box& box) {
+    if (!seen_) return;
+    const Vector low = box.center - box.half, high = space::plus(box.center, box.half);
+    seen_.add_box({low.x, low.y, low.z}, {high.x, high.y, high.z});
+  }
+
   static void divide(const Box& box, std::vector<Box>& parts) {
     const Vector h = space::scaled(0.5, box.half);
     for (int k = 0; k < 8; ++k) {
@@ -67,8 +73,8 @@ class BoxSearch {
       const double value = values[k].to_double();
       if (value < least_ || count_ == 1) {
         least_ = value;
-        out_.value = std::move(values[k]);
-        out_.at = space::real(boxes[k].center);
+        value_at_best_ = std::move(values[k]);
+        best_ = space::real(boxes[k].center);
       }
       boxes[k].bound = value - space::length(boxes[k].half);
       queue_.push(boxes[k]);
@@ -79,7 +85,9 @@ class BoxSearch {
   double floor_, tolerance_ = 0, least_ = exact::kInfinity;
   int count_ = 0;
   std::priority_queue<Box> queue_;
-  Answer out_ = least_answer({}, {}, false, {});
+  Real value_at_best_;
+  RealVector best_{};
+  plane::ObservedCells seen_{"boxes of the position with the least value"};
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include <functional>
 
-#include "distance/search/answer.h"
+#include "distance/answer/answer.h"
 
 namespace findspace::distance {
 

@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <queue>
 
-#include "distance/search/solid_max_min.h"
+#include "distance/search/boundary_cells.h"
 #include "exact/number/margins.h"
 
 namespace findspace::distance {
 
-/// Cells have a `bound`, and are ordered by it. `slack` and `share`: as solid_max_min().
+/// Cells have a `corner` and a `bound`, and are ordered by it. `slack` and `share`: as solid_max_min().
 template <class Cell>
 class MaxMinQueue {
  public:
@@ -48,6 +48,7 @@ class MaxMinQueue {
         return best_;
       }
       cells_.pop();
+      observe(seen_, top.corner);
       split(top);
     }
     best_.bound = std::max(best_.value * (1 + margin::kMaxMinNear), slack_);
@@ -57,6 +58,7 @@ class MaxMinQueue {
  private:
   double slack_, share_;
   std::priority_queue<Cell> cells_;
+  plane::ObservedCells seen_{"tetrahedra of the farthest place of a solid from a set"};
   SolidMaxMin best_;
 };
 

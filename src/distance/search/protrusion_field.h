@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The body that another sticks out of, as protrusion_rays.h asks for it: by its convex parts, or by the triangles of
+// The body that another protrudes from, as protrusion_rays.h asks for it: by its convex parts, or by the triangles of
 // its surface, where a cell is bounded by the distance of its middle and its size, as no distance grows faster than a
 // step, and where few triangles can be nearest in it by the linear program of their distances, which are convex
 // (solid_max_min.h). What lies surely within is passed over by an octree that all searches share (field_boxes.h).

@@ -138,7 +138,8 @@ Answer protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& 
     best->value = value;
     if (core.sign() > 0) {
       const RealVector away = space::minus(c.at, projection);
-      best->points = {space::along(c.at, c.part->radius / core, away), space::along(projection, a.radius / core, away)};
+      best->witness =
+          point_pair(space::along(c.at, c.part->radius / core, away), space::along(projection, a.radius / core, away));
     }
   }
   return *best;
@@ -190,7 +191,7 @@ std::optional<Answer> at_vertex(const Body& b, std::span<const Target> targets, 
         best = Answer{};
         best->value = d;
         if (core.sign() > 0)
-          best->points = {at, space::along(projection, t.radius / core, space::minus(at, projection))};
+          best->witness = point_pair(at, space::along(projection, t.radius / core, space::minus(at, projection)));
       }
       return best;
     }

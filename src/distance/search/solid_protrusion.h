@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-#include "distance/search/answer.h"
+#include "distance/answer/answer.h"
 #include "distance/search/round_solid.h"
 #include "distance/search/solid_max_min.h"
 #include "space/body/body.h"

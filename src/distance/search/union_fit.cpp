@@ -7,6 +7,7 @@
 #include <memory>
 #include <queue>
 
+#include "distance/search/boundary_cells.h"
 #include "distance/search/lp_bound.h"
 #include "exact/number/margins.h"
 
@@ -20,7 +21,7 @@ using Witness = UnionProtrusion::Witness;
 namespace {
 
 constexpr int kMostCells = 6000;
-/// Cells of the search for what sticks out, at a corner and at a place that may be in E.
+/// Cells of the search for what protrudes, at a corner and at a place that may be in E.
 constexpr int kRough = 1500, kFine = 20000;
 constexpr std::size_t kMostWitnesses = 6;
 /// Choices of parts that are tried for a cell; with more it is divided.
@@ -120,6 +121,7 @@ class FitSearch {
       const FitCell top = queue_.top();
       if (!(top.key < wanted())) break;
       queue_.pop();
+      observe(seen_, corners(top));
       std::size_t a = 0, b = 1;
       const double edge = longest_edge(corners(top), a, b);
       if (edge <= margin::kSmallestFitCell * size_ || count >= kMostCells) {
@@ -170,7 +172,7 @@ class FitSearch {
     }
   }
 
-  /// Whether B fits at a place, by more than rounding; if not, about how far it sticks out. One of the witnesses often
+  /// Whether B fits at a place, by more than rounding; if not, about how far it protrudes. One of the witnesses often
   /// says so.
   bool fits(const Vector& x, const FitCell& cell, double edge, double& out) const {
     const double tolerance = margin::kFits * size_;
@@ -203,7 +205,7 @@ class FitSearch {
     std::vector<Witness> kept, all;
     for (const CornerPointer& c : cell.corner) {
       all.push_back({c->protrusion.point, c->at, c->protrusion.piece});
-      // As it is, too: where B has no tolerance to spare, many points stick out, each on its own side.
+      // As it is, too: where B has no tolerance to spare, many points protrude, each on its own side.
       if (!add_columns(protrusion_.holders(all.back(), t), out)) return false;
     }
     all.insert(all.end(), cell.witnesses.begin(), cell.witnesses.end());
@@ -273,6 +275,7 @@ class FitSearch {
   double size_;
   BoundaryPlace best_;
   std::priority_queue<FitCell> queue_;
+  plane::ObservedCells seen_{"tetrahedra of the best fit into a union"};
 };
 
 }  // namespace

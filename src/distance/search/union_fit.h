@@ -3,8 +3,8 @@
 //
 // The place nearest to a position, or farthest from it, among those at which a body B lies in A, a union of convex
 // parts with radii: E of such bodies, which no convex functions describe, as B may lie partly in one part and partly in
-// others. Branch and bound over tetrahedra of positions: how far B sticks out at a corner says what of a cell is not in
-// E, as no step changes it by more than its length; points of B that stick out (union_protrusion.h) say so to the
+// others. Branch and bound over tetrahedra of positions: how far B protrudes at a corner says what of a cell is not in
+// E, as no step changes it by more than its length; points of B that protrude (union_protrusion.h) say so to the
 // square of a cell's size: each has to be in one of few parts of A, of which all choices are tried, each a matrix
 // bound_of_lp with the distance. Guarantee: doubles; `place` belongs by more than rounding, and no place of E is better
 // than `bound`. Where E has no interior, that differs from `value`, or nothing is found, unless such a place is

@@ -19,7 +19,7 @@ using space::Vector;
 
 namespace {
 
-/// To the nearest place that sticks out farthest; a place before is as good.
+/// To the nearest place that protrudes farthest; a place before is as good.
 constexpr int kMostFarSteps = 12;
 
 Vector mixed(const std::array<double, 4>& weights, const Tetrahedron& t) {
@@ -136,7 +136,7 @@ std::vector<Touching> UnionProtrusion::touching(const Vector& y) const {
   return out;
 }
 
-/// The point of a tetrahedron of B that sticks out farthest at x, by what touches the distances at `at`.
+/// The point of a tetrahedron of B that protrudes farthest at x, by what touches the distances at `at`.
 Vector UnionProtrusion::farthest_out(const Tetrahedron& among, const Vector& x, std::span<const Touching> touching,
                                      const Vector& at) const {
   std::vector<Column> columns;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How far a body B, drawn at a position x, sticks out of the union of the parts of A, each a convex core grown by a
+// How far a body B, drawn at a position x, protrudes from the union of the parts of A, each a convex core grown by a
 // radius: the greatest, over B's points, of the least signed distance to a part; B + x lies in A where it is at most 0.
 // And why nothing of a cell of positions, or only a half of it, can be such: a point of B that moves linearly with the
-// position, along a crease of A where it sticks out of two parts at once, so that the tangents of the distances there
+// position, along a crease of A where it protrudes from two parts at once, so that the tangents of the distances there
 // are off by the square of the cell's size only. Guarantee: doubles; bounds hold but for rounding. Cost: a
 // branch-and-bound search (solid_max_min.h) for each position, some tens of microseconds for each point and cell.
 // Keywords: directed Hausdorff distance, containment, witness, reverse convex constraint.
@@ -28,8 +28,8 @@ class UnionProtrusion {
   UnionProtrusion(const space::Body& b, const space::Body& a);
 
   struct Farthest {
-    double value = 0, bound = 0;  // nothing sticks out farther than the bound
-    space::Vector point;          // that sticks out by the value, of B drawn at 0
+    double value = 0, bound = 0;  // nothing protrudes farther than the bound
+    space::Vector point;          // that protrudes by the value, of B drawn at 0
     std::size_t piece = 0;        // of B, that holds it
   };
   /// Until value and bound are so near, or with so many cells.
@@ -38,16 +38,16 @@ class UnionProtrusion {
   /// How far a point is out of A.
   double beyond(const space::Vector& y) const;
 
-  /// A point of B that sticks out at a position.
+  /// A point of B that protrudes at a position.
   struct Witness {
     space::Vector point, at;
     std::size_t piece = 0;
   };
-  /// To another position, and the point to where it sticks out farther there, nearby.
+  /// To another position, and the point to where it protrudes farther there, nearby.
   void follow(Witness& witness, const space::Vector& to, double reach) const;
   /// For each part of A that can hold the point at some position of the cell: at most its signed distance there, linear
   /// between the cell's corners. No part: B lies in A nowhere in the cell. The point may go so far from corner to
-  /// corner, to stick out farther.
+  /// corner, to protrude farther.
   std::vector<Column> holders(const Witness& witness, const Tetrahedron& cell, double reach = 0) const;
 
   /// Of the coordinates of both.

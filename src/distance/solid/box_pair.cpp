@@ -116,15 +116,17 @@ BoxPair::Signs BoxPair::made(Which base) const {
   return s;
 }
 
-BoxComplex BoxPair::base_map(Which base, const Real& level) const {
+exact::Tried<BoxComplex> BoxPair::base_map(Which base, const Real& level) const {
   const Signs& s = signs(base);
   if (!s.defined) return BoxComplex({}, 1);
   if (level.sign() == 0) return s.map;
   if (level.sign() > 0)
-    not_computed("at a level above 0 the positions have round edges, which the exact map of boxes does not hold");
+    return exact::Refusal(
+        "at a level above 0 the positions have round edges, which the exact map of boxes does not hold");
   if (!s.has_negative) return BoxComplex({}, 1);
   if (s.negative.empty())
-    not_computed("at a level below 0 the positions have round edges, which the exact map of boxes does not hold");
+    return exact::Refusal(
+        "at a level below 0 the positions have round edges, which the exact map of boxes does not hold");
   std::optional<BoxComplex> map;
   for (const IntervalBox& box : s.negative) {
     const auto open = shrunk(box, -level, true), closed = shrunk(box, -level, false);
@@ -137,16 +139,16 @@ BoxComplex BoxPair::base_map(Which base, const Real& level) const {
   return map ? *map : BoxComplex({}, 1);
 }
 
-BoxComplex BoxPair::sign_map(Which which, const Real& level) const {
+exact::Tried<BoxComplex> BoxPair::sign_map(Which which, const Real& level) const {
   if (const auto d = derived(which)) {
     if (level.sign() < 0) return BoxComplex({}, 1);
     const bool defined = d->base == Which::kMu || d->base == Which::kMuBack || signs(d->base).defined;
     if (!defined) return BoxComplex({}, d->negated ? Mark(-level.sign()) : Mark(1));
     const int turn = d->negated ? -1 : 1;
     const bool above = level.sign() > 0;
-    return sign_map(d->base, d->negated ? -level : level).remarked([=](Mark m) {
-      return Mark(above ? turn * m : turn * m > 0);
-    });
+    const exact::Tried<BoxComplex> map = sign_map(d->base, d->negated ? -level : level);
+    if (!map) return map;
+    return map->remarked([=](Mark m) { return Mark(above ? turn * m : turn * m > 0); });
   }
   switch (which) {
     case Which::kGamma1:
@@ -160,14 +162,15 @@ BoxComplex BoxPair::sign_map(Which which, const Real& level) const {
     case Which::kHausdorff: {
       if (level.sign() < 0) return BoxComplex({}, 1);
       if (level.sign() > 0) break;
-      const BoxComplex forth = base_map(Which::kEta1, level), back = base_map(Which::kDelta1, level);
-      return overlay(std::array<const BoxComplex*, 2>{&forth, &back},
+      const exact::Tried<BoxComplex> forth = base_map(Which::kEta1, level), back = base_map(Which::kDelta1, level);
+      if (!forth || !back) return (forth ? back : forth).refusal();
+      return overlay(std::array<const BoxComplex*, 2>{&*forth, &*back},
                      [](std::span<const Mark> m) { return std::max(m[0], m[1]); });
     }
     default:
       break;
   }
-  not_computed("the positions have round edges, which the exact map of boxes does not hold");
+  return exact::Refusal("the positions have round edges, which the exact map of boxes does not hold");
 }
 
 bool BoxPair::has_value(Which which) {
@@ -187,7 +190,7 @@ std::optional<Answer> BoxPair::signed_value(Which base, const RealVector& p) con
   if (sign == 0) return out;
   const auto q = nearest(sign < 0 ? s.rest : s.closed, p);
   if (!q) {
-    out.lowest = true;
+    out.minus_infinity = true;
     return out;
   }
   const RealVector off = space::minus(*q, p);
@@ -222,8 +225,8 @@ std::optional<Answer> BoxPair::value(Which which, const RealVector& p) const {
   if (!d) return signed_value(which, p);
   auto v = signed_value(d->base, p);
   if (!v) return d->negated ? std::optional<Answer>(Answer{}) : std::nullopt;
-  if (v->lowest && d->negated) return std::nullopt;
-  v->lowest = false;
+  if (v->minus_infinity && d->negated) return std::nullopt;
+  v->minus_infinity = false;
   if (d->negated) v->value = -v->value;
   if (v->value.sign() < 0) v->value = Real();
   return v;

@@ -25,8 +25,8 @@ class BoxPair {
   /// Closed sets; B bounded.
   BoxPair(space::BoxComplex b, space::BoxComplex a);
 
-  /// The sign of distance - level at every position; Error(kUnsupported) where that has no axis-parallel form.
-  space::BoxComplex sign_map(Which which, const exact::Real& level) const;
+  /// The sign of distance - level at every position; refused where that has no axis-parallel form.
+  exact::Tried<space::BoxComplex> sign_map(Which which, const exact::Real& level) const;
   /// The same of one of the six distances along an axis, both ways (`way` 0) or up or down it (1, -1), at any level.
   space::BoxComplex directional_map(Which which, const exact::Real& level, int axis, int way) const;
   /// Whether value() answers for it; for these two as well, which bodies tell faster.
@@ -54,7 +54,7 @@ class BoxPair {
   };
   const Signs& signs(Which base) const;
   Signs made(Which base) const;
-  space::BoxComplex base_map(Which base, const exact::Real& level) const;
+  exact::Tried<space::BoxComplex> base_map(Which base, const exact::Real& level) const;
   std::optional<Answer> signed_value(Which base, const space::RealVector& p) const;
   std::optional<Answer> farthest_value(Which base, const space::RealVector& p) const;
 

@@ -18,8 +18,8 @@ namespace {
 
 /// The unit vector along which the distance grows.
 std::optional<Vector> direction(const Answer& v) {
-  if (!v.points) return std::nullopt;
-  const Vector w = space::rounded(space::minus((*v.points)[0], (*v.points)[1]));
+  if (v.witness.empty()) return std::nullopt;
+  const Vector w = space::rounded(space::minus(v.witness[0].at, v.witness[1].at));
   const double length = space::length(w), value = v.value.to_double();
   // The points of a signed value may be others.
   if (!(length > 0) || std::fabs(length - std::fabs(value)) > margin::kWitnessAgrees * length) return std::nullopt;
@@ -49,8 +49,7 @@ class Search {
     }
     if (least_ - bound > margin::kTangentsApart * size_) return std::nullopt;
     offer_near();
-    out_.bound = std::min(out_.value, Real::from_double(bound));
-    return out_;
+    return least_answer(out_.value, std::min(out_.value, Real::from_double(bound)), false, out_.at);
   }
 
  private:

@@ -196,7 +196,7 @@ class Least {
     auto found = deepest_place(all, radius, *somewhere, [&](const RealVector& p) -> std::optional<Answer> {
       if (radius.sign() == 0) return pair_.value(Which::kEta1, p);
       // A round shape that does not fit there has no value.
-      auto v = exact::tried([&] { return pair_.value(Which::kEta1, p); });
+      TriedAnswer v = pair_.try_value(Which::kEta1, p);
       return v ? *std::move(v) : std::nullopt;
     });
     // Where it fits nowhere with its radius the value says so, or that this is not decided.
@@ -236,7 +236,7 @@ class Least {
 
   static std::optional<Answer> at_least(std::optional<Answer> v, const Real& floor) {
     if (v && v->value <= floor) return least_answer(floor, floor, true, v->at);
-    if (v && v->bound < floor) v->bound = floor;
+    if (v && v->enclosed && *v->enclosed->lower < floor) v->enclosed->lower = floor;
     return v;
   }
 

@@ -2,17 +2,17 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/solid/solid_pair.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 
-#include "distance/search/answer.h"
+#include "distance/answer/answer.h"
 #include "distance/search/free_space.h"
 #include "distance/search/solid_protrusion.h"
 
 namespace findspace::distance {
 
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 using space::Body;
 using space::BodyPart;
 using space::real;
@@ -33,9 +33,19 @@ Answer with_radius(const RealVector& p, const RealVector& q, bool inside, const 
   return out;
 }
 
-Answer turned(Answer v) {
-  v.value = -v.value;
-  return v;
+/// max(0, v), or max(0, -v) if `negated`.
+TriedAnswer cut(TriedAnswer v, bool negated) {
+  if (!v) return v;
+  return cut_off(*std::move(v), negated);
+}
+TriedAnswer cut(Tried<Answer> v, bool negated) {
+  if (!v) return v.refusal();
+  return cut_off(*std::move(v), negated);
+}
+
+TriedAnswer defined(Tried<Answer> v) {
+  if (!v) return v.refusal();
+  return std::optional(*std::move(v));
 }
 
 }  // namespace
@@ -53,14 +63,14 @@ SolidPair::SolidPair(std::shared_ptr<const Body> b, std::shared_ptr<const Body> 
   back_.fixed = b_.get();
 }
 
-Answer SolidPair::gap(const RealVector& p, bool depth) const {
+Tried<Answer> SolidPair::gap(const RealVector& p, bool depth) const {
   if (a_->round() || b_->round()) return round_gap(p, depth);
   std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenUnion>(overlap_cover(*b_, *a_)); });
   if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_in_complement(p), -1);
   return signed_value(p, *overlap_->nearest_touching(p), 1);
 }
 
-Answer SolidPair::round_gap(const RealVector& p, bool depth) const {
+Tried<Answer> SolidPair::round_gap(const RealVector& p, bool depth) const {
   std::optional<Answer> best;
   for (const BodyPart& t : a_->parts) {
     for (const BodyPart& s : b_->parts) {
@@ -88,7 +98,9 @@ Answer SolidPair::round_gap(const RealVector& p, bool depth) const {
     for (const BodyPart& t : a_->parts) {
       for (const BodyPart& s : b_->parts) balls.push_back({real(t.center - s.center), t.radius + s.radius});
     }
-    return signed_value(p, nearest_outside(balls, p), -1);
+    const auto out = nearest_outside(balls, p);
+    if (!out) return Refusal("the nearest free position of the balls is not found");
+    return signed_value(p, *out, -1);
   }
   std::call_once(round_overlap_made_, [&] {
     const space::Bounds3 of_a = bounds(*a_), of_b = bounds(*b_);
@@ -100,36 +112,41 @@ Answer SolidPair::round_gap(const RealVector& p, bool depth) const {
     round_overlap_ = std::make_shared<const FreeSpace>(
         FreeSpace::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
   });
-  return turned(*round_overlap_->nearest(p, true));
+  TriedAnswer out = round_overlap_->nearest(p, true);
+  if (!out) return out.refusal();
+  return minus(**std::move(out));
 }
 
-Answer SolidPair::protrusion(const Side& side, const RealVector& p, bool depth) const {
+Tried<Answer> SolidPair::protrusion(const Side& side, const RealVector& p, bool depth) const {
   if (side.fixed->convex()) return protrusion_of_convex(*side.moving, side.fixed->parts[0], p);
   if (!side.fixed->round()) {
     if (auto inside = inside_polyhedra(side, p)) return *inside;
   }
   Answer out = protrusion_of_union(*side.moving, *side.fixed, p);
   const bool inside = side.fixed->round() && out.value.sign() <= 0;
-  return depth && inside ? depth_inside(side, p) : out;
+  if (depth && inside) return depth_inside(side, p);
+  return out;
 }
 
-std::optional<Answer> SolidPair::bounded(Which which, const RealVector& p) const {
+TriedAnswer SolidPair::bounded(Which which, const RealVector& p) const {
   const RealVector q = space::negated(p);
   // Exchanged roles see the position from the other side.
-  const auto seen_back = [](std::optional<Answer> v) {
-    if (v && v->nearest) v->nearest = space::negated(*v->nearest);
+  const auto seen_back = [](TriedAnswer v) {
+    if (v && *v && (*v)->nearest) (*v)->nearest = space::negated(*(*v)->nearest);
     return v;
   };
-  const auto points_back = [&](Answer v) {
-    if (v.points) v.points = {space::plus((*v.points)[1], p), space::plus((*v.points)[0], p)};
-    if (v.nearest) v.nearest = space::negated(*v.nearest);
+  const auto protrusion_back = [&](bool depth) {
+    Tried<Answer> v = protrusion(back_, q, depth);
+    if (!v) return v;
+    exchange_roles(*v, p);
+    if (v->nearest) v->nearest = space::negated(*v->nearest);
     return v;
   };
   switch (which) {
     case Which::kGamma1:
-      return gap(p);
+      return defined(gap(p));
     case Which::kGamma2:
-      return reach(p);
+      return std::optional(reach(p));
     case Which::kEta1:
       return contained(forth_, p);
     case Which::kEta2:
@@ -139,95 +156,102 @@ std::optional<Answer> SolidPair::bounded(Which which, const RealVector& p) const
     case Which::kDelta2:
       return seen_back(farthest_fit(back_, q));
     case Which::kMu:
-      return protrusion(forth_, p);
+      return defined(protrusion(forth_, p));
     case Which::kMuBack:
-      return points_back(protrusion(back_, q));
+      return defined(protrusion_back(true));
     case Which::kHausdorff: {
-      const Answer forth = protrusion(forth_, p, false), back = points_back(protrusion(back_, q, false));
-      return forth.value < back.value ? back : forth;
+      const Tried<Answer> forth = protrusion(forth_, p, false), back = protrusion_back(false);
+      if (!forth || !back) return (forth ? back : forth).refusal();
+      return std::optional(forth->value < back->value ? *back : *forth);
     }
     case Which::kD1:
-      return cut_off(gap(p, false), false);
+      return cut(gap(p, false), false);
     case Which::kH:
-      return cut_off(protrusion(forth_, p, false), false);
+      return cut(protrusion(forth_, p, false), false);
     case Which::kHBack:
-      return cut_off(points_back(protrusion(back_, q, false)), false);
+      return cut(protrusion_back(false), false);
     case Which::kDstar:
       return seen_back(clearance_inside(back_, q));
     case Which::kDstarBack:
       return clearance_inside(forth_, p);
     case Which::kPenetration:
-      return cut_off(gap(p), true);
+      return cut(gap(p), true);
     case Which::kDiameter: {
       Answer most = reach(p);
       for (const Body* body : {a_.get(), b_.get()}) {
         const Real own = diameter(*body);
-        if (most.value < own) most = Answer{own, true, false, {}, {}};
+        if (most.value < own) most = exact_answer<RealVector>(own, Way::kParts);
       }
-      return most;
+      return std::optional(std::move(most));
     }
   }
   return std::nullopt;
 }
 
 /// The depth of the deepest point of B + p, which lies in the interior of A's parts.
-Answer SolidPair::reach_into_parts(const RealVector& p) const {
+Tried<Answer> SolidPair::reach_into_parts(const RealVector& p) const {
   if (!a_->round()) return protrusion_of_cells(*b_, fit(forth_).cells, p);
-  if (!a_->convex())
-    not_computed("how far a shape sticks out of the complement of a union of round parts is not computed");
+  if (!a_->convex()) return Refusal("the protrusion from the complement of a union of round parts is not computed");
   // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
   const BodyPart& part = a_->parts[0];
   Answer out;
   if (!part.core) {
-    out.value = std::min(-gap(p, false).value, part.radius);
+    const Tried<Answer> apart = gap(p, false);
+    if (!apart) return apart;
+    out.value = std::min(-apart->value, part.radius);
     return out;
   }
   Body core = *a_;
   core.parts[0].radius = Real();
   core.outside = true;
-  const Answer v = *SolidPair(b_, std::make_shared<const Body>(std::move(core))).value(Which::kMu, p);
-  out.value = v.value + part.radius;
-  out.proven = v.proven;
-  out.error = v.error;
+  const TriedAnswer v = SolidPair(b_, std::make_shared<const Body>(std::move(core))).try_value(Which::kMu, p);
+  if (!v) return v.refusal();
+  out.value = (*v)->value + part.radius;
+  out.proven = (*v)->proven;
+  out.error = (*v)->error;
   return out;
 }
 
 /// A is the closure of the complement of its parts: the dual distances of the parts (distances.md 3.1).
-std::optional<Answer> SolidPair::unbounded(Which which, const RealVector& p) const {
-  const auto gamma1 = [&]() -> std::optional<Answer> {
-    auto v = contained(forth_, p);
-    if (!v) return Answer{Real(), true, true, {}, {}};
-    return turned(*v);
+TriedAnswer SolidPair::unbounded(Which which, const RealVector& p) const {
+  const auto gamma1 = [&]() -> TriedAnswer {
+    TriedAnswer v = contained(forth_, p);
+    if (!v) return v;
+    return std::optional(*v ? minus(**std::move(v)) : lowest_answer<RealVector>(Way::kParts));
   };
-  const auto eta1 = [&] { return turned(gap(p)); };
-  const auto mu = [&]() -> Answer {
-    const Answer v = turned(gap(p, false));
-    if (v.value.sign() <= 0) return v;
+  const auto eta1 = [&](bool depth) -> Tried<Answer> {
+    Tried<Answer> v = gap(p, depth);
+    if (!v) return v;
+    return minus(*std::move(v));
+  };
+  const auto mu = [&]() -> Tried<Answer> {
+    Tried<Answer> v = eta1(false);
+    if (!v || v->value.sign() <= 0) return v;
     return reach_into_parts(p);
   };
   switch (which) {
     case Which::kGamma1:
       return gamma1();
     case Which::kEta1:
-      return eta1();
+      return defined(eta1(true));
     case Which::kMu:
-      return mu();
+      return defined(mu());
     case Which::kH:
-      return cut_off(mu(), false);
+      return cut(mu(), false);
     case Which::kD1:
-      return cut_off(gamma1(), false);
+      return cut(gamma1(), false);
     case Which::kPenetration:
-      return cut_off(gamma1(), true);
+      return cut(gamma1(), true);
     case Which::kDstarBack:
-      return cut_off(eta1(), true);
+      return cut(eta1(true), true);
     case Which::kDstar:
-      return Answer{};
+      return std::optional(Answer{});
     default:
       return std::nullopt;
   }
 }
 
-std::optional<Answer> SolidPair::value(Which which, const RealVector& p) const {
+TriedAnswer SolidPair::try_value(Which which, const RealVector& p) const {
   return outside_ ? unbounded(which, p) : bounded(which, p);
 }
 

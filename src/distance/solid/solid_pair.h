@@ -11,7 +11,7 @@
 //   mu       the greatest signed distance to A of a point of B: at a vertex where A is convex, else by search
 //   (solid_protrusion.h); of a complement the depth of the deepest point of B in what that leaves.
 // Guarantee: signs exact, values right to 2^-40 relative, most of them exact numbers (`proven`). Where a distance is
-// not computed for a kind of body (see not_computed in the .cpp) Error(kUnsupported) says so. Lengths in the bodies'
+// not computed for a kind of body it is refused. Lengths in the bodies'
 // common steps. Threads: safe. Keywords: signed distance, penetration depth, containment, Hausdorff distance, GJK, EPA.
 #pragma once
 
@@ -20,8 +20,8 @@
 #include <optional>
 #include <vector>
 
+#include "distance/answer/answer.h"
 #include "distance/planar/shape_pair.h"
-#include "distance/search/answer.h"
 #include "space/body/ball_meet.h"
 #include "space/body/body.h"
 #include "space/body/position_covers.h"
@@ -36,8 +36,9 @@ class SolidPair {
   /// Both of one scale; B is not `outside`.
   SolidPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a);
 
-  /// Nothing where the distance is undefined: +infinity.
-  std::optional<Answer> value(Which which, const space::RealVector& p) const;
+  TriedAnswer try_value(Which which, const space::RealVector& p) const;
+  /// The same; Error(kUnsupported) instead of a refusal.
+  std::optional<Answer> value(Which which, const space::RealVector& p) const { return try_value(which, p).or_throw(); }
 
  private:
   /// "moving in fixed": E of a body in another, made when first needed.
@@ -67,29 +68,28 @@ class SolidPair {
   const Fit& fit(const Side& side) const;
   static std::unique_ptr<Fit> made_fit(const Side& side);
   static const FreeSpace& front(const Side& side, const Fit& fit);
-  std::optional<Answer> contained(const Side& side, const space::RealVector& p) const;
+  TriedAnswer contained(const Side& side, const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
   std::optional<Answer> inside_polyhedra(const Side& side, const space::RealVector& p) const;
-  std::optional<Answer> farthest_fit(const Side& side, const space::RealVector& p) const;
+  TriedAnswer farthest_fit(const Side& side, const space::RealVector& p) const;
   /// The box holds E.
   static std::shared_ptr<const UnionContainers> union_containers(const space::Body& b, const space::Body& a,
                                                                  const space::Bounds3& box);
   /// `outside`: the protrusion of the moving body at p.
-  std::optional<Answer> into_union(const Side& side, const Fit& fit, const space::RealVector& p,
-                                   const Answer& outside) const;
-  static std::optional<Answer> farthest_in_union(const Fit& fit, const space::RealVector& p);
+  TriedAnswer into_union(const Side& side, const Fit& fit, const space::RealVector& p, const Answer& outside) const;
+  static TriedAnswer farthest_in_union(const Fit& fit, const space::RealVector& p);
   /// max(0, -eta1), also where eta1 is not computed.
-  std::optional<Answer> clearance_inside(const Side& side, const space::RealVector& p) const;
+  TriedAnswer clearance_inside(const Side& side, const space::RealVector& p) const;
   /// Minus the distance of the moving body, which lies in the fixed one, to what is outside that.
-  static Answer depth_inside(const Side& side, const space::RealVector& p);
+  static exact::Tried<Answer> depth_inside(const Side& side, const space::RealVector& p);
   /// Without `depth` a value below 0 need only be below 0; so also below.
-  Answer gap(const space::RealVector& p, bool depth = true) const;
-  Answer round_gap(const space::RealVector& p, bool depth) const;
+  exact::Tried<Answer> gap(const space::RealVector& p, bool depth = true) const;
+  exact::Tried<Answer> round_gap(const space::RealVector& p, bool depth) const;
   Answer reach(const space::RealVector& p) const;
-  Answer protrusion(const Side& side, const space::RealVector& p, bool depth = true) const;
-  Answer reach_into_parts(const space::RealVector& p) const;
-  std::optional<Answer> bounded(Which which, const space::RealVector& p) const;
-  std::optional<Answer> unbounded(Which which, const space::RealVector& p) const;
+  exact::Tried<Answer> protrusion(const Side& side, const space::RealVector& p, bool depth = true) const;
+  exact::Tried<Answer> reach_into_parts(const space::RealVector& p) const;
+  TriedAnswer bounded(Which which, const space::RealVector& p) const;
+  TriedAnswer unbounded(Which which, const space::RealVector& p) const;
 
   std::shared_ptr<const space::Body> b_, a_;  // a_ without its `outside`
   bool outside_ = false;

@@ -11,12 +11,10 @@
 // Guarantee: as solid_pair.h; fronts that are round are searched (free_space.h). Keywords: erosion, Minkowski
 // difference, containment.
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/answer.h"
+#include "distance/answer/answer.h"
 #include "distance/search/free_space.h"
 #include "distance/search/solid_protrusion.h"
 #include "distance/solid/solid_pair.h"
@@ -115,11 +113,13 @@ const SolidPair::Fit& SolidPair::fit(const Side& side) const {
   return *side.fit;
 }
 
-std::optional<Answer> SolidPair::contained(const Side& side, const RealVector& p) const {
+TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
   const bool in_round = side.fixed->round() && !(side.fixed->convex() && side.fixed->parts[0].point());
   if (in_round) {
-    const Answer v = protrusion(side, p);
-    if (v.value.sign() <= 0) return v;  // inside both distances agree
+    const exact::Tried<Answer> tried = protrusion(side, p);
+    if (!tried) return tried.refusal();
+    const Answer& v = *tried;
+    if (v.value.sign() <= 0) return std::optional(v);  // inside both distances agree
     const Fit& f = fit(side);
     if (f.none) return std::nullopt;
     if (f.in_union) return into_union(side, f, p, v);
@@ -127,10 +127,10 @@ std::optional<Answer> SolidPair::contained(const Side& side, const RealVector& p
       const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_in_complement(p);
       return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
     }
-    // Moved by as much, the way that B sticks out by, it often fits.
-    if (v.points) {
-      const RealVector q = space::minus(p, space::minus((*v.points)[0], (*v.points)[1]));
-      if (front(side, f).holds(q)) return signed_value(p, q, 1);
+    // Moved by as much, the way that B protrudes by, it often fits.
+    if (!v.witness.empty()) {
+      const RealVector q = space::minus(p, space::minus(v.witness[0].at, v.witness[1].at));
+      if (front(side, f).holds(q)) return std::optional(signed_value(p, q, 1));
     }
     return front(side, f).nearest(p, false);
   }
@@ -138,8 +138,10 @@ std::optional<Answer> SolidPair::contained(const Side& side, const RealVector& p
   if (f.balls) {
     const auto q = f.balls->nearest(p);
     if (!q) return std::nullopt;
-    if (*q != p) return signed_value(p, *q, 1);
-    return protrusion(side, p);  // inside E both distances agree
+    if (*q != p) return std::optional(signed_value(p, *q, 1));
+    exact::Tried<Answer> inside = protrusion(side, p);  // inside E both distances agree
+    if (!inside) return inside.refusal();
+    return std::optional(*std::move(inside));
   }
   if (auto v = inside_polyhedra(side, p)) return v;
   if (f.none) return std::nullopt;
@@ -167,17 +169,20 @@ std::optional<Answer> SolidPair::inside_polyhedra(const Side& side, const RealVe
   return least;
 }
 
-std::optional<Answer> SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
+TriedAnswer SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
   const Fit& f = fit(side);
   if (f.none) return std::nullopt;
   if (f.in_union) return farthest_in_union(f, p);
   if (f.round) {
-    auto v = front(side, f).farthest(p);
-    if (v) v->nearest.reset();
+    TriedAnswer v = front(side, f).farthest(p);
+    if (v && *v) (*v)->nearest.reset();
     return v;
   }
   std::optional<RealVector> q;
   if (f.balls) {
+    if (!f.balls->few())
+      return exact::Refusal("more than " + std::to_string(space::BallMeet::kMostBalls) +
+                            " balls (or vertices of a polytope in a ball) are not computed");
     q = f.balls->farthest(p);
   } else {
     const auto box = fit_box(*side.moving, *side.fixed);
@@ -187,27 +192,33 @@ std::optional<Answer> SolidPair::farthest_fit(const Side& side, const RealVector
   if (!q) return std::nullopt;
   Answer out;
   out.value = sqrt(space::dot(space::minus(*q, p), space::minus(*q, p)));
-  return out;
+  return std::optional(std::move(out));
 }
 
-std::optional<Answer> SolidPair::clearance_inside(const Side& side, const RealVector& p) const {
+TriedAnswer SolidPair::clearance_inside(const Side& side, const RealVector& p) const {
   const bool in_rounds = side.fixed->round() && !side.fixed->convex();
-  if (in_rounds && protrusion(side, p, false).value.sign() > 0) return Answer{};
-  return cut_off(contained(side, p), true);
+  if (in_rounds) {
+    const exact::Tried<Answer> out = protrusion(side, p, false);
+    if (!out) return out.refusal();
+    if (out->value.sign() > 0) return std::optional(Answer{});
+  }
+  TriedAnswer inside = contained(side, p);
+  if (!inside) return inside;
+  return cut_off(*std::move(inside), true);
 }
 
-Answer SolidPair::depth_inside(const Side& side, const RealVector& p) {
+exact::Tried<Answer> SolidPair::depth_inside(const Side& side, const RealVector& p) {
   const space::Bounds3 box = bounds(*side.fixed);
   std::vector<GrownSet> sets;
   for (const BodyPart& part : side.fixed->parts) sets.push_back({part.planes(), real(part.center), part.radius});
   const FreeSpace tolerance = FreeSpace::outside(std::move(sets), box.low, box.high);
   std::optional<Answer> least;
   for (const BodyPart& part : side.moving->parts) {
-    Answer v = tolerance.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
-    if (!least || v.value < least->value) least = std::move(v);
+    exact::Tried<Answer> v = tolerance.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
+    if (!v) return v;
+    if (!least || v->value < least->value) least = *std::move(v);
   }
-  least->value = -least->value;
-  return *least;
+  return minus(*std::move(least));
 }
 
 }  // namespace findspace::distance

@@ -70,7 +70,7 @@ Answer SolidPair::reach(const RealVector& p) const {
     best = Answer{};
     best->value = value;
     if (core.sign() == 0) return;
-    best->points = {space::along(b, -(s.radius / core), e), space::along(a, t.radius / core, e)};
+    best->witness = point_pair(space::along(b, -(s.radius / core), e), space::along(a, t.radius / core, e));
   });
   return *best;
 }

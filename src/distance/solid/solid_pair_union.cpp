@@ -4,14 +4,12 @@
 // How far a body is from fitting into a union of round parts, and the farthest place where it does (solid_pair.h). The
 // places at which it lies in a single part are those of a convex A, exactly; one is decided where the search through
 // all others (union_fit.h) finds none that is better. Guarantee: else found by search, to 2^-36 of the sizes; where a
-// fit that has no tolerance to spare, and is none in a single part, may be nearer, Error(kUnsupported) says so.
+// fit that has no tolerance to spare, and is none in a single part, may be nearer, it is refused.
 // Keywords: erosion, containment.
-
-#include <findspace/error.h>
 
 #include <cmath>
 
-#include "distance/search/answer.h"
+#include "distance/answer/answer.h"
 #include "distance/search/union_fit.h"
 #include "distance/solid/solid_pair.h"
 #include "exact/number/margins.h"
@@ -34,7 +32,7 @@ namespace {
 std::optional<Answer> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
   std::optional<Answer> best;
   for (const auto& pair : containers.alone) {
-    auto tried = exact::tried([&] { return pair->value(farthest ? Which::kEta2 : Which::kEta1, p); });
+    TriedAnswer tried = pair->try_value(farthest ? Which::kEta2 : Which::kEta1, p);
     if (!tried || !*tried) continue;  // the search will tell
     Answer& v = **tried;
     if (!best || (farthest ? best->value < v.value : v.value < best->value)) best = std::move(v);
@@ -42,7 +40,7 @@ std::optional<Answer> in_one_part(const UnionContainers& containers, const RealV
   return best;
 }
 
-std::optional<Answer> settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size, int sense) {
+TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size, int sense) {
   const double slack = margin::kUnionFitError * size;
   if (found.known && found.value - found.bound <= slack) return known;
   if (found.found && found.value - found.bound <= slack) {
@@ -52,16 +50,15 @@ std::optional<Answer> settled(const BoundaryPlace& found, const std::optional<An
                              Real::from_double(found.place.z)};
     out.proven = false;
     out.error = slack;
-    return out;
+    return std::optional(std::move(out));
   }
   if (!found.complete)
-    throw Error(
-        ErrorCode::kUnsupported,
+    return exact::Refusal(
         "how far a shape is from fitting into a union of round parts was not found within the limit of the search");
   if (!found.unresolved) return std::nullopt;
-  throw Error(ErrorCode::kUnsupported,
-              "whether a shape fits into a union of round parts where it has no room to spare "
-              "is not decided");
+  return exact::Refusal(
+      "whether a shape fits into a union of round parts with zero clearance "
+      "is not decided");
 }
 
 }  // namespace
@@ -80,12 +77,13 @@ std::shared_ptr<const UnionContainers> SolidPair::union_containers(const space::
   return out;
 }
 
-std::optional<Answer> SolidPair::into_union(const Side& side, const Fit& fit, const RealVector& p,
-                                            const Answer& outside) const {
-  // Moved by as much, the way that B sticks out by, it often fits, and no shorter way leads to where it does.
-  if (outside.points && outside.proven) {
-    const RealVector q = space::minus(p, space::minus((*outside.points)[0], (*outside.points)[1]));
-    if (protrusion(side, q, false).value.sign() <= 0) return signed_value(p, q, 1);
+TriedAnswer SolidPair::into_union(const Side& side, const Fit& fit, const RealVector& p, const Answer& outside) const {
+  // Moved by as much, the way that B protrudes by, it often fits, and no shorter way leads to where it does.
+  if (!outside.witness.empty() && outside.proven) {
+    const RealVector q = space::minus(p, space::minus(outside.witness[0].at, outside.witness[1].at));
+    const exact::Tried<Answer> there = protrusion(side, q, false);
+    if (!there) return there.refusal();
+    if (there->value.sign() <= 0) return std::optional(signed_value(p, q, 1));
   }
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, false);
@@ -96,14 +94,14 @@ std::optional<Answer> SolidPair::into_union(const Side& side, const Fit& fit, co
                  containers.protrusion.size(), 1);
 }
 
-std::optional<Answer> SolidPair::farthest_in_union(const Fit& fit, const RealVector& p) {
+TriedAnswer SolidPair::farthest_in_union(const Fit& fit, const RealVector& p) {
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, true);
   FitQuery query{space::rounded(p), true};
   if (known) query.known = -known->value.to_double();
   auto out = settled(best_fit(containers.protrusion, containers.low, containers.high, query), known,
                      containers.protrusion.size(), -1);
-  if (out) out->nearest.reset();
+  if (out && *out) (*out)->nearest.reset();
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "distance/surface/surface_ball_name.h"
 #include "distance/surface/surface_max_min.h"
 #include "exact/number/margins.h"
+#include "plane/base/stage_observer.h"
 #include "space/polytope/extent.h"
 
 namespace findspace::distance {
@@ -54,6 +55,8 @@ class BallSearch {
       if (count == kMostBallBoxes) return {};
       const BallBox top = queue_.top();
       queue_.pop();
+      const Vector &low = top.of.low, &high = top.of.high;
+      if (seen_) seen_.add_box({low.x, low.y, low.z}, {high.x, high.y, high.z});
       if (!settled(top)) divide(top);
       if (lost_) return {};
     }
@@ -175,6 +178,7 @@ class BallSearch {
   SurfaceField field_;
   double size_ = 0;
   std::priority_queue<BallBox> queue_;
+  plane::ObservedCells seen_{"boxes of the nearest or farthest place of a ball"};
   bool found_ = false, lost_ = false;
   double best_ = exact::kInfinity, bound_ = exact::kInfinity;
   Vector place_;

@@ -12,7 +12,6 @@
 namespace findspace::distance {
 
 using exact::Real;
-using space::HalfSpace;
 using space::RealVector;
 using space::SurfaceSet;
 using space::TouchSide;

@@ -3,8 +3,10 @@
 #include "distance/surface/surface_max_min.h"
 
 #include <algorithm>
+#include <cassert>
 #include <queue>
 
+#include "distance/search/boundary_cells.h"
 #include "distance/search/lp_bound.h"
 #include "exact/number/margins.h"
 
@@ -52,6 +54,7 @@ class DistanceMaxMin {
         return best_;
       }
       queue_.pop();
+      observe(seen_, top.corner);
       split(top);
     }
     best_.bound = best_.value + slack();
@@ -103,6 +106,7 @@ class DistanceMaxMin {
         most = &h;
       }
     }
+    assert(most != nullptr);  // a hull has planes
     std::array<double, 4> out{};
     for (std::size_t v = 0; v < 4; ++v) out[v] = most->approx_value(corners[v] - room_.within->by());
     return out;
@@ -210,6 +214,7 @@ class DistanceMaxMin {
   const SurfaceField& a_;
   double size_ = 0;
   std::priority_queue<DistanceCell> queue_;
+  plane::ObservedCells seen_{"tetrahedra of the farthest place of a solid from a surface"};
   SurfaceMaxMin best_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The greatest signed distance of a point of B + p to A, which are given by their surfaces: how far B sticks out of A,
+// The greatest signed distance of a point of B + p to A, which are given by their surfaces: how far B protrudes from A,
 // where it does. A cell that a tetrahedron fills is bounded by the signed distance of its centre and its size, as no
 // distance grows faster than a step; where few triangles can be nearest in it, by the matrix bound_of_lp of their
 // distances, which are convex (solid_max_min.h). The centre's signed distance is that to the nearest triangle of a tree

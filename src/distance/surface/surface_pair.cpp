@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/surface/surface_pair.h"
 
-#include "distance/search/answer.h"
+#include "distance/answer/answer.h"
 
 namespace findspace::distance {
 
@@ -37,7 +37,7 @@ bool box_fits(const space::Body& moving, const space::Body& fixed) {
 Decided turned_back(Decided v, const RealVector& p) {
   if (!v.value) return v;
   if (v.value->nearest) v.value->nearest = space::negated(*v.value->nearest);
-  if (auto& points = v.value->points) points = {space::plus((*points)[1], p), space::plus((*points)[0], p)};
+  exchange_roles(*v.value, p);
   return v;
 }
 

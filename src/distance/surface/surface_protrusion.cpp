@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// SurfacePair: how far B + p, which does not lie in A, sticks out of it.
+// SurfacePair: how far B + p, which does not lie in A, protrudes from it.
 #include <algorithm>
 
 #include "distance/search/convex_distance.h"
@@ -76,7 +76,7 @@ std::optional<Answer> at_corner(const space::SurfaceSet& b, const space::Surface
         if (best && best->value <= value) return;
         best = Answer{};
         best->value = value;
-        if (core.sign() > 0) best->points = {at, space::along(at, value / core, way)};
+        if (core.sign() > 0) best->witness = point_pair(at, space::along(at, value / core, way));
       };
       for (const auto& other : a.sheets()) offer(way_to(*other, at), Real());
       for (const auto& ball : a.balls()) offer(space::minus(space::real(ball.center), at), ball.radius);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How far solids stick out of a closed surface: protrusion_field.h.
+// How far solids protrude from a closed surface: protrusion_field.h.
 #include <algorithm>
 #include <cmath>
 

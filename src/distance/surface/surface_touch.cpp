@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // SurfacePair: what positions tell at which the surfaces touch.
-#include "distance/search/answer.h"
+#include "distance/answer/answer.h"
 #include "distance/surface/surface_ball.h"
 #include "distance/surface/surface_contact.h"
 #include "distance/surface/surface_pair.h"

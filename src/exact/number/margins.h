@@ -42,6 +42,12 @@ inline constexpr double kWiderBox = 0x1p-40;
 
 // ---- plane ------------------------------------------------------------------------------------------------------
 
+// -- in all streets, and in those of `distance`
+
+/// In grid steps: no level lies beyond, as coordinates are below 2^40 and a distance is below 2^3 times that. Searches:
+/// values are bracketed between minus this and this.
+inline constexpr double kBeyondAll = 0x1p44;
+
 // -- base and complex
 
 /// In lattice units: coordinates stay below 2^43 steps, and a unit has more than 2 of them, so a quotient below 2^42 is
@@ -99,7 +105,9 @@ inline constexpr double kGoodFirstHalf = 0x1p-42;
 /// it is off by 2^-24, which is less. Filters: features, curves and meetings too many do no harm. Decides in one place:
 /// where an arc joins an edge with less of a corner, the corner has no normals of its own.
 inline constexpr double kOneDirection = 1e-7;
-/// The same at an angle that is itself the root of a rounded polynomial. Filters: angles too many do no harm.
+/// The same, and of cosines, at an angle that is itself the root of a rounded equation. At a double root the angle is
+/// off by the root of the rounding, 2^-24; with the 2^-24 of the direction that is more than kOneDirection, which is
+/// not widened because it decides in one place. Filters: angles too many do no harm.
 inline constexpr double kOneDirectionAtRoot = 1e-6;
 /// Of the sizes: what is nearer is decided exactly. 2^20 times what a rotated point is off. Filters.
 inline constexpr double kRotatedRoom = 1e-9;
@@ -137,8 +145,6 @@ inline constexpr double kLongerTravel = 1.01;
 /// normal and the way out: below it the way leads away from a curve by less than a tenth of its length. Filters: such
 /// places are left to exact numbers.
 inline constexpr double kOpenCurves = 0.1;
-/// In grid steps: no level lies beyond, as coordinates are below 2^40. Searches: the least level is bracketed so.
-inline constexpr double kBeyondRotatedLevels = 0x1p44;
 /// Of the level: where its bisection stops, 2^11 roundings wide. Searches: the bracket is stated with the value.
 inline constexpr double kRotatedBracket = 0x1p-42;
 
@@ -228,9 +234,6 @@ inline constexpr double kUpward = 1 + 0x1p-40, kDownward = 1 - 0x1p-40;
 inline constexpr double kUpwardSteps = 0x1p-20;
 /// Relative error of a number after up to 2^3 roundings: a product, a sum of two products, a quotient. Bounds.
 inline constexpr double kFewRoundings = 0x1p-50;
-/// In grid steps: no level lies beyond, as coordinates are below 2^40 and a distance is below 2^3 times that. Searches:
-/// values are bracketed between minus this and this.
-inline constexpr double kBeyondAll = 0x1p44;
 
 // -- planar and planar_features: two shapes of the plane; relative to the scale, the size of the coordinates of both
 
@@ -390,11 +393,11 @@ inline constexpr double kFoundError = 0x1p-40;
 /// The greatest error that is accepted, where boundaries part so slowly from the sphere about the position that the
 /// search ends before. Decides whether there is an answer: beyond it the value is refused, never wrong.
 inline constexpr double kMostFoundError = 0x1p-32;
-/// By how much B may stick out and still fit: twice kDistanceNoise. Decides: a position at which B sticks out by less
+/// By how much B may protrude and still fit: twice kDistanceNoise. Decides: a position at which B protrudes by less
 /// counts as one at which it fits. The value is off by less than kUnionFitError; where B fits only without clearance,
 /// it may count as fitting though it does not.
 inline constexpr double kFits = 0x1p-45;
-/// Cells of positions at which B fits are not divided below this, 2^3 times kFits: how far B sticks out is known to
+/// Cells of positions at which B fits are not divided below this, 2^3 times kFits: how far B protrudes is known to
 /// kFits only, and a smaller cell shows no slope. Bounds.
 inline constexpr double kSmallestFitCell = 0x1p-42;
 /// What is better than the best fit by less is not looked for. Each cell takes a search of its own, so this trades 2^6
@@ -402,7 +405,7 @@ inline constexpr double kSmallestFitCell = 0x1p-42;
 inline constexpr double kNearerFit = 0x1p-37;
 /// What a fit found by search may be off: twice kNearerFit. Bounds.
 inline constexpr double kUnionFitError = 0x1p-36;
-/// How exactly it is searched at first how far B sticks out at the corners of a cell. Searches.
+/// How exactly it is searched at first how far B protrudes at the corners of a cell. Searches.
 inline constexpr double kRoughCorner = 0x1p-6;
 /// Of the spread of the columns: what the simplex method may lose, 2^8 roundings in some ten steps. Bounds.
 inline constexpr double kLpNoise = 0x1p-44;
@@ -582,12 +585,15 @@ inline constexpr double kBestPart = 1e-9;
 /// Of a value over angles, absolute or of the value and one: some 2^23 roundings, more than values of rotated shapes
 /// are off. Bounds: angles with such a value are possible best ones; whether a pose is one of them is refused.
 inline constexpr double kBestOfAngles = 1e-9;
+/// Of a number of degrees, relative to it and 1: some thousand roundings of degrees up to 360, more than the angle of a
+/// contact loses (rotation.h says 1e-13). Bounds: it is the stated error.
+inline constexpr double kAngleValue = 0x1p-40;
 
 // -- solid
 
 /// Of the value: what a value that is not proven may be off at least (it is right to 2^-38, solid_value.h); its own
 /// stated error counts where that is greater. Bounds, and does not decide: farther from the level the sign is certain.
-/// Nearer to it there is none, and the question is refused (SpaceSolver::sign).
+/// Nearer to it there is none, and the question is refused (solve_space.cpp).
 inline constexpr double kSideOfLevel = 0x1p-34;
 /// Of the length of the box of a group of intervals: an optimum on lines is searched to this. Bounds: the tolerance is
 /// stated with the optimum.

@@ -74,7 +74,7 @@ Real beside(const Polynomial& p, const Real& x, const Real& end, int sign) {
     const Real near = Real(floor(x * scale) + (up ? 1 : 0)) / scale;
     if ((up ? near < end : near > end) && value_at(p, near).sign() == sign) return near;
   }
-  throw Error(ErrorCode::kUnsupported, "two roots of a polynomial are too close to each other to be told apart");
+  throw Error(ErrorCode::kUnsupported, "two roots of a polynomial are too close to each other to be distinguished");
 }
 
 std::vector<Real> roots(const Polynomial& p, const Real& lo, const Real& hi) {

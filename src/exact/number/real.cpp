@@ -3,6 +3,7 @@
 #include "exact/number/real.h"
 
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 
@@ -179,6 +180,7 @@ Real Real::operator-() const {
     Closed storage;
     return make_real(negate(closed_of(*this, storage)));
   }
+  assert(node_);  // a value without a node is closed
   if (node_->kind == NodeKind::kNeg) return operation(*node_).a;
   return node_of(NodeKind::kNeg, -interval(), *this, 0);
 }

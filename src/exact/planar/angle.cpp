@@ -88,7 +88,7 @@ int compare_near(const ExactAngle& t, const Real& d) {
     const ExactAngle round = times(t, *n);
     if (round.sin.sign() == 0 && round.cos.sign() > 0) return 0;
   }
-  throw Error(ErrorCode::kUnsupported, "two angles are too close to each other to be told apart");
+  throw Error(ErrorCode::kUnsupported, "two angles are too close to each other to be distinguished");
 }
 
 double rough(const Angle& a) { return wrapped(a.rotation.degrees() + std::fmod(a.more.to_double(), 360)); }

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// SupportingCurves (supporting lines and circles), implicit points, and every sign the planar kernel needs about them.
+// SupportingCurves (supporting lines and circles) and implicit points: what the planar kernel speaks about. Every sign
+// about them is in geometry_signs.h.
 //
 // A line is a*x + b*y = c with (a, b) a primitive integer vector (a > 0, or a = 0 and b > 0) and c an integer, an
 // integer plus w*sqrt(a^2+b^2) (a grid line displaced by w, kept unevaluated), or any exact real. A circle has a grid
 // or a real centre and a real radius. A point is a grid point, a pair of exact reals, or "where supporting_curves i and
 // j meet, root r": it is never replaced by rounded coordinates.
 //
-// Guarantee: every function that returns a sign or a truth value is exact. Stages: double with a running error bound;
-// fixed-width integers where all data are grid lines and grid points; exact reals (closed forms, then a separation
-// bound). Cost: a few nanoseconds in the first two stages, microseconds in the last.
-// Source: the staging follows S2's predicates and the exact geometric computation paradigm (Yap 1997).
+// Guarantee: exact; beside each curve and point stand doubles with certain error bounds. Cost: a crossing takes some
+// tens of nanoseconds, its exact coordinates microseconds.
+// Source: the exact geometric computation paradigm (Yap 1997).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -70,6 +69,8 @@ struct Point {
   double x = 0, y = 0, error = 0;  // |exact - (x, y)| <= error in each coordinate
 };
 
+/// A store: curves and points are numbered in the order in which they were added. References into it end with the
+/// next `add`, but may be given to that one.
 class Geometry {
  public:
   std::vector<SupportingCurve> supporting_curves;
@@ -88,76 +89,12 @@ class Geometry {
   std::uint32_t add_displaced(const SupportingCurve& line, const Real& shift);
   std::uint32_t add_grid_point(std::int64_t x, std::int64_t y);
   std::uint32_t add_real_point(const Real& x, const Real& y);
-  /// The point where supporting_curves i and j meet; `root` as in `Meeting`. The supporting_curves must meet there.
+  /// The point where supporting_curves i and j meet; `root` as in `Meeting` (geometry_signs.h). They must meet there.
   std::uint32_t add_crossing(std::uint32_t i, std::uint32_t j, int root);
 
-  /// How two different supporting_curves meet: 0, 1 or 2 points. Root values to give to add_crossing; a tangency has
-  /// one point.
-  struct Meeting {
-    int count = 0;
-    std::array<int, 2> root{0, 0};
-  };
-  Meeting meet(std::uint32_t i, std::uint32_t j) const;
-
-  Real exact_x(std::uint32_t p) const;
-  Real exact_y(std::uint32_t p) const;
   RealPoint exact(std::uint32_t p) const;
-
-  int compare_x(std::uint32_t p, std::uint32_t q) const {
-    int s = filtered(points[p].x, points[q].x, points[p].error + points[q].error);
-    return s != 0 ? s : staged_compare(p, q, true);
-  }
-  int compare_y(std::uint32_t p, std::uint32_t q) const {
-    int s = filtered(points[p].y, points[q].y, points[p].error + points[q].error);
-    return s != 0 ? s : staged_compare(p, q, false);
-  }
-  /// Lexicographic: x first, then y. 0 exactly when the points are equal.
-  int compare_xy(std::uint32_t p, std::uint32_t q) const;
-  /// Line: sign of a*x + b*y - c. Circle: sign of the squared distance to the centre minus the squared radius.
-  int side(std::uint32_t p, std::uint32_t supporting_curve) const {
-    const Point& q = points[p];
-    const SupportingCurve& k = supporting_curves[supporting_curve];
-    if (q.kind != Point::Kind::kGrid || !k.grid || k.circle) return staged_side(p, supporting_curve);
-    int128 s = int128(k.a) * q.gx + int128(k.b) * q.gy - k.c;
-    return (s > 0) - (s < 0);
-  }
-  /// Circle: sign of (y of p) - (y of the centre).
-  int above_center(std::uint32_t p, std::uint32_t circle) const;
-  /// Circle: sign of (x of p) - (x of the centre).
-  int right_of_center(std::uint32_t p, std::uint32_t circle) const;
-  bool lies_on(std::uint32_t p, std::uint32_t supporting_curve) const { return side(p, supporting_curve) == 0; }
-
-  /// Is p by its definition the only common point of supporting_curves i and j, not both lines? (False may be for want
-  /// of knowledge.)
-  bool touch_at(std::uint32_t p, std::uint32_t i, std::uint32_t j) const;
-
-  /// A direction of travel at a point: along a line, or along a circle's tangent there. `forward` on a line is
-  /// (b, -a), on a circle counter-clockwise.
-  struct Heading {
-    std::uint32_t supporting_curve = 0;
-    bool forward = true;
-  };
-  /// Sign of the cross product of the two tangent directions at p: +1 when `k` is to the left of `h`.
-  int turn(std::uint32_t p, Heading h, Heading k) const;
-  /// Sign of the dot product of the two tangent directions at p.
-  int along(std::uint32_t p, Heading h, Heading k) const;
-  /// Sign of curvature(h) - curvature(k), curvature positive when rotating left.
-  int compare_curvature(Heading h, Heading k) const;
-
- private:
-  /// Sign of x - y where it exceeds `error` (inflated for its rounding) and the rounding of the difference, 2^-52 of
-  /// it.
-  static int filtered(double x, double y, double error) {
-    double gap = x - y, tolerance = error * Approx::kGrow + std::abs(gap) * Approx::kUnit * 2;
-    return (gap > tolerance) - (gap < -tolerance);
-  }
-  int staged_compare(std::uint32_t p, std::uint32_t q, bool x_axis) const;
-  int staged_side(std::uint32_t p, std::uint32_t supporting_curve) const;
-  void set_approx(Point& p) const;
-  RealPoint crossing(const Point& p) const;
-  int fixed_compare(const Point& p, const Point& q, bool x_axis) const;
-  std::array<Approx, 2> tangent(std::uint32_t p, Heading h) const;
-  std::array<Real, 2> exact_tangent(std::uint32_t p, Heading h) const;
+  Real exact_x(std::uint32_t p) const { return exact(p).x; }
+  Real exact_y(std::uint32_t p) const { return exact(p).y; }
 };
 
 }  // namespace findspace::exact

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-//
-// The signs of geometry.h, stage by stage.
+
+#include "exact/planar/geometry_signs.h"
+
 #include <algorithm>
 
 #include "exact/number/wide_int.h"
@@ -50,85 +51,33 @@ bool narrow(const Geometry& g, const Point& p, NarrowPoint& out) {
   return true;
 }
 
-}  // namespace
-
-int Geometry::fixed_compare(const Point& p, const Point& q, bool x_axis) const {
+int fixed_compare(const Geometry& g, const Point& p, const Point& q, bool x_axis) {
   NarrowPoint n, m;
-  if (narrow(*this, p, n) && narrow(*this, q, m)) {
+  if (narrow(g, p, n) && narrow(g, q, m)) {
     auto order = multiply(x_axis ? n.x : n.y, m.weight) <=> multiply(x_axis ? m.x : m.y, n.weight);
     return (order > 0) - (order < 0);
   }
-  FixedPoint f = fixed(*this, p), g = fixed(*this, q);
-  auto order = multiply(x_axis ? f.x : f.y, g.weight) <=> multiply(x_axis ? g.x : g.y, f.weight);
+  FixedPoint f = fixed(g, p), h = fixed(g, q);
+  auto order = multiply(x_axis ? f.x : f.y, h.weight) <=> multiply(x_axis ? h.x : h.y, f.weight);
   return (order > 0) - (order < 0);
 }
 
-int Geometry::staged_compare(std::uint32_t p, std::uint32_t q, bool x_axis) const {
-  const Point &s = points[p], &t = points[q];
-  if (s.kind == Point::Kind::kGrid && t.kind == Point::Kind::kGrid)
-    return x_axis ? sign_of(int128(s.gx) - t.gx) : sign_of(int128(s.gy) - t.gy);
-  if (p == q || same_definition(s, t)) return 0;
-  if (is_fixed(*this, s) && is_fixed(*this, t)) return fixed_compare(s, t, x_axis);
-  return x_axis ? compare(exact_x(p), exact_x(q)) : compare(exact_y(p), exact_y(q));
-}
-
-int Geometry::compare_xy(std::uint32_t p, std::uint32_t q) const {
-  if (p == q) return 0;
-  int s = compare_x(p, q);
-  return s != 0 ? s : compare_y(p, q);
-}
-
-int Geometry::staged_side(std::uint32_t p, std::uint32_t supporting_curve) const {
-  const Point& q = points[p];
-  const SupportingCurve& k = supporting_curves[supporting_curve];
-  if (q.kind == Point::Kind::kCross && (q.i == supporting_curve || q.j == supporting_curve)) return 0;
-  Approx x = from_double(q.x, q.error), y = from_double(q.y, q.error);
-  if (!k.circle) {
-    Approx s = k.x * x + k.y * y - k.z;
-    if (s.sign() != 0) return s.sign();
-    if (k.grid && is_fixed(*this, q)) {
-      FixedPoint f = fixed(*this, q);
-      return (multiply(f.x, int128(k.a)) + multiply(f.y, int128(k.b)) - Int512(multiply(k.c, f.weight))).sign();
-    }
-    RealPoint e = exact(p);
-    return (Real(k.a) * e.x + Real(k.b) * e.y - k.offset()).sign();
-  }
-  Approx dx = x - k.x, dy = y - k.y;
-  Approx s = dx * dx + dy * dy - k.z * k.z;
-  if (s.sign() != 0) return s.sign();
-  RealPoint e = exact(p);
-  Real ex = e.x - k.center_x(), ey = e.y - k.center_y();
-  return compare(ex * ex + ey * ey, k.w * k.w);
-}
-
-int Geometry::above_center(std::uint32_t p, std::uint32_t circle) const {
-  const SupportingCurve& k = supporting_curves[circle];
-  Approx s = from_double(points[p].y, points[p].error) - k.y;
-  return s.certain() ? s.sign() : compare(exact_y(p), k.center_y());
-}
-
-int Geometry::right_of_center(std::uint32_t p, std::uint32_t circle) const {
-  const SupportingCurve& k = supporting_curves[circle];
-  Approx s = from_double(points[p].x, points[p].error) - k.x;
-  return s.certain() ? s.sign() : compare(exact_x(p), k.center_x());
-}
-
-std::array<Approx, 2> Geometry::tangent(std::uint32_t p, Heading h) const {
-  const SupportingCurve& k = supporting_curves[h.supporting_curve];
+std::array<Approx, 2> tangent(const Geometry& g, std::uint32_t p, Heading h) {
+  const SupportingCurve& k = g.supporting_curves[h.supporting_curve];
   Approx dx = k.y, dy = -k.x;
   if (k.circle) {
-    dx = k.y - from_double(points[p].y, points[p].error);
-    dy = from_double(points[p].x, points[p].error) - k.x;
+    dx = k.y - from_double(g.points[p].y, g.points[p].error);
+    dy = from_double(g.points[p].x, g.points[p].error) - k.x;
   }
   if (h.forward) return {dx, dy};
   return {-dx, -dy};
 }
 
-std::array<Real, 2> Geometry::exact_tangent(std::uint32_t p, Heading h) const {
-  const SupportingCurve& k = supporting_curves[h.supporting_curve];
+std::array<Real, 2> exact_tangent(const Geometry& g, std::uint32_t p, Heading h) {
+  const SupportingCurve& k = g.supporting_curves[h.supporting_curve];
   Real dx(k.b), dy(-k.a);
   if (k.circle) {
-    RealPoint e = exact(p);
+    RealPoint e = g.exact(p);
     dx = k.center_y() - e.y;
     dy = e.x - k.center_x();
   }
@@ -136,41 +85,122 @@ std::array<Real, 2> Geometry::exact_tangent(std::uint32_t p, Heading h) const {
   return {-dx, -dy};
 }
 
-bool Geometry::touch_at(std::uint32_t p, std::uint32_t i, std::uint32_t j) const {
-  const Point& q = points[p];
-  return q.kind == Point::Kind::kCross && q.root == 0 && std::min(i, j) == q.i && std::max(i, j) == q.j &&
-         (supporting_curves[i].circle || supporting_curves[j].circle);
+}  // namespace
+
+namespace detail {
+
+int staged_compare(const Geometry& g, std::uint32_t p, std::uint32_t q, bool x_axis) {
+  const Point &s = g.points[p], &t = g.points[q];
+  if (s.kind == Point::Kind::kGrid && t.kind == Point::Kind::kGrid)
+    return x_axis ? sign_of(int128(s.gx) - t.gx) : sign_of(int128(s.gy) - t.gy);
+  if (p == q || same_definition(s, t)) return 0;
+  if (is_fixed(g, s) && is_fixed(g, t)) return fixed_compare(g, s, t, x_axis);
+  return x_axis ? compare(g.exact_x(p), g.exact_x(q)) : compare(g.exact_y(p), g.exact_y(q));
 }
 
-int Geometry::turn(std::uint32_t p, Heading h, Heading k) const {
-  const SupportingCurve &s = supporting_curves[h.supporting_curve], &t = supporting_curves[k.supporting_curve];
+int staged_side(const Geometry& g, std::uint32_t p, std::uint32_t supporting_curve) {
+  const Point& q = g.points[p];
+  const SupportingCurve& k = g.supporting_curves[supporting_curve];
+  if (q.kind == Point::Kind::kCross && (q.i == supporting_curve || q.j == supporting_curve)) return 0;
+  Approx x = from_double(q.x, q.error), y = from_double(q.y, q.error);
+  if (!k.circle) {
+    Approx s = k.x * x + k.y * y - k.z;
+    if (s.sign() != 0) return s.sign();
+    if (k.grid && is_fixed(g, q)) {
+      FixedPoint f = fixed(g, q);
+      return (multiply(f.x, int128(k.a)) + multiply(f.y, int128(k.b)) - Int512(multiply(k.c, f.weight))).sign();
+    }
+    RealPoint e = g.exact(p);
+    return (Real(k.a) * e.x + Real(k.b) * e.y - k.offset()).sign();
+  }
+  Approx dx = x - k.x, dy = y - k.y;
+  Approx s = dx * dx + dy * dy - k.z * k.z;
+  if (s.sign() != 0) return s.sign();
+  RealPoint e = g.exact(p);
+  Real ex = e.x - k.center_x(), ey = e.y - k.center_y();
+  return compare(ex * ex + ey * ey, k.w * k.w);
+}
+
+}  // namespace detail
+
+int compare_xy(const Geometry& g, std::uint32_t p, std::uint32_t q) {
+  if (p == q) return 0;
+  int s = compare_x(g, p, q);
+  return s != 0 ? s : compare_y(g, p, q);
+}
+
+int above_center(const Geometry& g, std::uint32_t p, std::uint32_t circle) {
+  const SupportingCurve& k = g.supporting_curves[circle];
+  Approx s = from_double(g.points[p].y, g.points[p].error) - k.y;
+  return s.certain() ? s.sign() : compare(g.exact_y(p), k.center_y());
+}
+
+int right_of_center(const Geometry& g, std::uint32_t p, std::uint32_t circle) {
+  const SupportingCurve& k = g.supporting_curves[circle];
+  Approx s = from_double(g.points[p].x, g.points[p].error) - k.x;
+  return s.certain() ? s.sign() : compare(g.exact_x(p), k.center_x());
+}
+
+bool touch_at(const Geometry& g, std::uint32_t p, std::uint32_t i, std::uint32_t j) {
+  const Point& q = g.points[p];
+  return q.kind == Point::Kind::kCross && q.root == 0 && std::min(i, j) == q.i && std::max(i, j) == q.j &&
+         (g.supporting_curves[i].circle || g.supporting_curves[j].circle);
+}
+
+Meeting meet(const Geometry& g, std::uint32_t i, std::uint32_t j) {
+  const SupportingCurve* s = &g.supporting_curves[i];
+  const SupportingCurve* t = &g.supporting_curves[j];
+  if (!s->circle && !t->circle) return {cross(*s, *t) != 0, {0, 0}};
+  if (s->circle && !t->circle) std::swap(s, t);
+  auto by_sign = [](int sign) { return sign > 0 ? Meeting{2, {-1, 1}} : sign == 0 ? Meeting{1, {0, 0}} : Meeting{}; };
+  if (!s->circle) {
+    Approx h = s->x * t->x + s->y * t->y - s->z;
+    Approx tolerance = (t->z - h) * (t->z + h);
+    return by_sign(tolerance.sign() != 0 ? tolerance.sign() : crossing_discriminant(*s, *t).sign());
+  }
+  Approx dx = t->x - s->x, dy = t->y - s->y, l2 = dx * dx + dy * dy;
+  Approx sum = s->z + t->z, difference = s->z - t->z;
+  int outer = (sum * sum - l2).sign(), inner = (l2 - difference * difference).sign();
+  if (outer < 0 || inner < 0) return {};
+  if (outer == 0 || inner == 0) {
+    Real ex = t->center_x() - s->center_x(), ey = t->center_y() - s->center_y(), e2 = ex * ex + ey * ey;
+    if (e2.sign() == 0) return {};
+    Real plus = s->w + t->w, minus = s->w - t->w;
+    if (outer == 0) outer = compare(plus * plus, e2);
+    if (inner == 0) inner = compare(e2, minus * minus);
+  }
+  return by_sign(std::min(outer, inner));
+}
+
+int turn(const Geometry& g, std::uint32_t p, Heading h, Heading k) {
+  const SupportingCurve &s = g.supporting_curves[h.supporting_curve], &t = g.supporting_curves[k.supporting_curve];
   if (!s.circle && !t.circle) {
     int c = sign_of(cross(s, t));
     return h.forward == k.forward ? c : -c;
   }
-  if (h.supporting_curve == k.supporting_curve || touch_at(p, h.supporting_curve, k.supporting_curve)) return 0;
-  auto u = tangent(p, h), v = tangent(p, k);
+  if (h.supporting_curve == k.supporting_curve || touch_at(g, p, h.supporting_curve, k.supporting_curve)) return 0;
+  auto u = tangent(g, p, h), v = tangent(g, p, k);
   Approx c = u[0] * v[1] - u[1] * v[0];
   if (c.sign() != 0) return c.sign();
-  auto e = exact_tangent(p, h), f = exact_tangent(p, k);
+  auto e = exact_tangent(g, p, h), f = exact_tangent(g, p, k);
   return compare(e[0] * f[1], e[1] * f[0]);
 }
 
-int Geometry::along(std::uint32_t p, Heading h, Heading k) const {
-  const SupportingCurve &s = supporting_curves[h.supporting_curve], &t = supporting_curves[k.supporting_curve];
+int along(const Geometry& g, std::uint32_t p, Heading h, Heading k) {
+  const SupportingCurve &s = g.supporting_curves[h.supporting_curve], &t = g.supporting_curves[k.supporting_curve];
   if (!s.circle && !t.circle) {
     int c = sign_of(int128(s.a) * t.a + int128(s.b) * t.b);
     return h.forward == k.forward ? c : -c;
   }
-  auto u = tangent(p, h), v = tangent(p, k);
+  auto u = tangent(g, p, h), v = tangent(g, p, k);
   Approx c = u[0] * v[0] + u[1] * v[1];
   if (c.sign() != 0) return c.sign();
-  auto e = exact_tangent(p, h), f = exact_tangent(p, k);
+  auto e = exact_tangent(g, p, h), f = exact_tangent(g, p, k);
   return (e[0] * f[0] + e[1] * f[1]).sign();
 }
 
-int Geometry::compare_curvature(Heading h, Heading k) const {
-  const SupportingCurve &s = supporting_curves[h.supporting_curve], &t = supporting_curves[k.supporting_curve];
+int compare_curvature(const Geometry& g, Heading h, Heading k) {
+  const SupportingCurve &s = g.supporting_curves[h.supporting_curve], &t = g.supporting_curves[k.supporting_curve];
   int p = s.circle ? (h.forward ? 1 : -1) : 0, q = t.circle ? (k.forward ? 1 : -1) : 0;
   if (p != q) return p > q ? 1 : -1;
   if (p == 0) return 0;

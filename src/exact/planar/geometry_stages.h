@@ -52,6 +52,13 @@ inline NarrowPoint narrow_crossing(const SupportingCurve& s, const SupportingCur
   return w > 0 ? NarrowPoint{x, y, w} : NarrowPoint{-x, -y, -w};
 }
 
+/// Squared radius times squared normal length minus squared unscaled distance: > 0 when line and circle cross.
+inline Real crossing_discriminant(const SupportingCurve& line, const SupportingCurve& circle) {
+  Real n2 = Real(int128(line.a) * line.a + int128(line.b) * line.b);
+  Real h = Real(line.a) * circle.center_x() + Real(line.b) * circle.center_y() - line.offset();
+  return circle.w * circle.w * n2 - h * h;
+}
+
 /// The length of a line's normal: the sum of the two squares is off by at most 2 ulps, its root by at most 2.
 inline Approx normal_length(const SupportingCurve& l) {
   double a = double(l.a), b = double(l.b), n = std::sqrt(a * a + b * b);

@@ -22,7 +22,7 @@ Formula band(const Atom& atom, Relation below, Relation above, const Real& by, b
 
 Formula moved(const Atom& atom, const Real& by, bool wider) {
   if (atom.distance.mode != Mode::kPlain || atom.distance.prefix != Extremum::kNone)
-    throw Error(ErrorCode::kUnsupported, text(atom.distance) + " is not known to change slowly: no certain cells");
+    throw Error(ErrorCode::kUnsupported, written(atom.distance) + " is not known to change slowly: no certain cells");
   const Real up = wider ? by : -by;
   switch (atom.relation) {
     case Relation::kLess:

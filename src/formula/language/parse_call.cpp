@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-//
-// Distances and predicates with their arguments, and the checks of shapes and of who moves.
-#include <algorithm>
+#include "formula/language/parse_call.h"
 
-#include "formula/language/parse_reader.h"
+#include <algorithm>
+#include <bit>
+#include <optional>
+
+#include "formula/language/parse_number.h"
 #include "formula/language/text.h"
 
 namespace findspace::formula {
+
+/// What stands in the parentheses of a distance or predicate.
+struct Call {
+  std::vector<std::string> first, second;
+  Span first_span, second_span, span;
+  std::optional<Number> level;
+  Mode mode = Mode::kPlain;
+  Span mode_span;
+  std::vector<exact::Real> vector;
+  std::string vector_text;
+};
+
 namespace {
 
 using K = Token::Kind;
@@ -36,35 +50,103 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-}  // namespace
-
-bool Reader::at_distance() const {
-  if (!at(K::kName)) return false;
-  if ((at_word("inf") || at_word("sup")) && peek(1).kind == K::kName) return true;
-  return find_distance(peek().text) != nullptr;
+/// All known shapes, in the order given.
+std::vector<std::string> known_names(const Context& context) {
+  std::vector<std::string> out = context.shapes;
+  for (const auto* more : {&context.moving, &context.extra}) {
+    for (const std::string& name : *more) {
+      if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
+    }
+  }
+  return out;
 }
 
-Term Reader::distance() {
-  Term term;
-  term.span.begin = peek().span.begin;
-  Extremum prefix = Extremum::kNone;
-  if ((at_word("inf") || at_word("sup")) && peek(1).kind == K::kName) {
-    if (!context_.motion) {
-      fail(ErrorCode::kBadValue, peek().span, "{} is over the time of a motion, and the scene has none", found());
-    }
-    prefix = take().text == "inf" ? Extremum::kInf : Extremum::kSup;
+bool moves(const Context& context, const std::string& name) { return contains(context.moving, name); }
+
+/// Whether a union moves; one that moves in part, or whose parts move apart, has no position and so no distance.
+bool moves(const Cursor& cursor, const Context& context, const std::vector<std::string>& names, Span span) {
+  const auto count = std::count_if(names.begin(), names.end(), [&](const auto& name) { return moves(context, name); });
+  if (count == 0) return false;
+  if (static_cast<std::size_t>(count) < names.size()) {
+    cursor.fail(ErrorCode::kBadValue, span, "only a part of the union '{}' moves; take the parts one by one",
+                joined(names));
   }
-  const DistanceName* const row = find_distance(peek().text);
-  if (row == nullptr && find_predicate(peek().text) != nullptr) {
-    fail_syntax("a distance is meant here, not the predicate {}", found());
+  if (context.independent && names.size() > 1) {
+    cursor.fail(ErrorCode::kBadValue, span, "the parts of the union '{}' move each on its own; take them one by one",
+                joined(names));
+  }
+  return true;
+}
+
+/// One argument moves and the other stands still; or both move, each on its own.
+void check_roles(const Cursor& cursor, const Context& context, const Call& call) {
+  const Span both{call.first_span.begin, call.second_span.end};
+  if (call.first == call.second)
+    cursor.fail(ErrorCode::kBadValue, both, "a distance of '{}' to itself", joined(call.first));
+  const bool first_moves = moves(cursor, context, call.first, call.first_span),
+             second_moves = moves(cursor, context, call.second, call.second_span);
+  if (first_moves != second_moves) return;
+  if (first_moves && context.independent) return;
+  if (first_moves) {
+    cursor.fail(ErrorCode::kBadValue, both, "'{}' and '{}' move together, so their distance never changes",
+                joined(call.first), joined(call.second));
+  }
+  const std::string mover = context.moving.empty()       ? "a moving shape, and the scene has none"
+                            : context.moving.size() == 1 ? "the moving shape " + listed(context.moving)
+                                                         : "a moving shape: " + listed(context.moving);
+  cursor.fail(ErrorCode::kBadValue, both, "neither '{}' nor '{}' moves; one of the two has to be {}",
+              joined(call.first), joined(call.second), mover);
+}
+
+}  // namespace
+
+NameSet::NameSet(std::size_t most) : slots_(std::bit_ceil(2 * most + 1)) {}
+
+void NameSet::add(std::string_view name) {
+  slots_[slot(name)] = name;
+  has_empty_ = has_empty_ || name.empty();
+}
+
+std::size_t NameSet::slot(std::string_view name) const {
+  std::size_t at = std::hash<std::string_view>()(name) & (slots_.size() - 1);
+  while (!slots_[at].empty() && slots_[at] != name) at = (at + 1) & (slots_.size() - 1);
+  return at;
+}
+
+CallReader::CallReader(Cursor& cursor, const Context& context)
+    : cursor_(cursor), context_(context), known_(context.shapes.size() + context.moving.size() + context.extra.size()) {
+  for (const auto* names : {&context.shapes, &context.moving, &context.extra})
+    for (const std::string& name : *names) known_.add(name);
+}
+
+bool CallReader::at_distance() const {
+  if (!cursor_.at(K::kName)) return false;
+  if ((cursor_.at_word("inf") || cursor_.at_word("sup")) && cursor_.peek(1).kind == K::kName) return true;
+  return find_distance(cursor_.peek().text) != nullptr;
+}
+
+Term CallReader::distance() {
+  Term term;
+  term.span.begin = cursor_.peek().span.begin;
+  Extremum prefix = Extremum::kNone;
+  if ((cursor_.at_word("inf") || cursor_.at_word("sup")) && cursor_.peek(1).kind == K::kName) {
+    if (!context_.motion) {
+      cursor_.fail(ErrorCode::kBadValue, cursor_.peek().span, "{} is over the time of a motion, and the scene has none",
+                   cursor_.found());
+    }
+    prefix = cursor_.take().text == "inf" ? Extremum::kInf : Extremum::kSup;
+  }
+  const DistanceName* const row = find_distance(cursor_.peek().text);
+  if (row == nullptr && find_predicate(cursor_.peek().text) != nullptr) {
+    cursor_.fail_syntax("a distance is meant here, not the predicate {}", cursor_.found());
   }
   if (row == nullptr) fail_unknown_word();
-  const std::string word = printable(take().text);
+  const std::string word = printable(cursor_.take().text);
   Call arguments = call(
       word, [&] { return word + "(B, A)"; }, false);
   if (arguments.mode != Mode::kPlain && !is_directional(row->kind)) {
-    fail(ErrorCode::kBadValue, arguments.mode_span,
-         "'{}' has no directional or rotational form; gap, reach, margin, cover, eta2 and delta2 have", word);
+    cursor_.fail(ErrorCode::kBadValue, arguments.mode_span,
+                 "'{}' has no directional or rotational form; gap, reach, margin, cover, eta2 and delta2 have", word);
   }
   term.negated = row->negated;
   Distance& result = term.distance;
@@ -78,24 +160,25 @@ Term Reader::distance() {
   result.second = std::move(arguments.second);
   if (row->exchanged) std::swap(result.first, result.second);
   result.spelled = row;
-  term.span.end = end();
+  term.span.end = cursor_.end();
   return term;
 }
 
-Atom Reader::predicate() {
-  const PredicateName& row = *find_predicate(take().text);
+Atom CallReader::predicate() {
+  const PredicateName& row = *find_predicate(cursor_.take().text);
   Call arguments = call(
       row.name, [&] { return usage(row); }, true);
   if (arguments.level && row.level == PredicateName::Level::kNone) {
-    fail(ErrorCode::kSyntax, arguments.level->span, "'{}' takes no number: {}", row.name, usage(row));
+    cursor_.fail(ErrorCode::kSyntax, arguments.level->span, "'{}' takes no number: {}", row.name, usage(row));
   }
   if (!arguments.level && row.level == PredicateName::Level::kRequired) {
-    fail(ErrorCode::kSyntax, {end() - 1, end()}, "'{}' needs a number: {}", row.name, usage(row));
+    cursor_.fail(ErrorCode::kSyntax, {cursor_.end() - 1, cursor_.end()}, "'{}' needs a number: {}", row.name,
+                 usage(row));
   }
   Level bound{exact::Real(0), {}};
   if (arguments.level) {
     if (row.negated) arguments.level->negative = !arguments.level->negative;
-    bound = level(*arguments.level, Quantity::kLength);
+    bound = level_of(cursor_, context_, *arguments.level, Quantity::kLength);
   }
   Distance distance;
   distance.kind = row.kind;
@@ -107,57 +190,58 @@ Atom Reader::predicate() {
   return atom;
 }
 
-void Reader::fail_unknown_word() const {
-  const std::string word = peek().text;
+void CallReader::fail_unknown_word() const {
+  const std::string word = cursor_.peek().text;
   if (known_.contains(word)) {
-    fail_syntax("'{}' is a shape; a distance or predicate is meant here, such as gap(B, A)", printable(word));
+    cursor_.fail_syntax("'{}' is a shape; a distance or predicate is meant here, such as gap(B, A)", printable(word));
   }
   std::vector<std::string> known{"true", "false", "not", "inf", "sup", "argmin"};
   for (const DistanceName& row : distance_names()) known.emplace_back(row.name);
   for (const PredicateName& row : predicate_names()) known.emplace_back(row.name);
-  fail(ErrorCode::kUnknownName, peek().span, "unknown distance or predicate '{}'{}", printable(word),
-       question(word, known));
+  cursor_.fail(ErrorCode::kUnknownName, cursor_.peek().span, "unknown distance or predicate '{}'{}", printable(word),
+               question(word, known));
 }
 
-Call Reader::call(std::string_view word, const Usage& usage, bool is_predicate) {
+Call CallReader::call(std::string_view word, const Usage& usage, bool is_predicate) {
   Call result;
   const auto takes = [&] { return fmt::format("'{}' takes two shapes: {}", word, usage()); };
-  result.span.begin = peek().span.begin;
-  const Span open = peek().span;
-  if (!accept(K::kOpen)) fail_syntax("{}, found {}", takes(), found());
-  if (at(K::kClose)) fail_syntax("{}", takes());
-  result.first_span.begin = peek().span.begin;
+  result.span.begin = cursor_.peek().span.begin;
+  const Span open = cursor_.peek().span;
+  if (!cursor_.accept(K::kOpen)) cursor_.fail_syntax("{}, found {}", takes(), cursor_.found());
+  if (cursor_.at(K::kClose)) cursor_.fail_syntax("{}", takes());
+  result.first_span.begin = cursor_.peek().span.begin;
   result.first = shapes(word);
-  result.first_span.end = end();
-  if (at(K::kClose)) fail_syntax("{}; the second is missing", takes());
-  if (!accept(K::kComma)) fail_syntax("a ',' and the second shape of '{}' are meant here, found {}", word, found());
-  result.second_span.begin = peek().span.begin;
+  result.first_span.end = cursor_.end();
+  if (cursor_.at(K::kClose)) cursor_.fail_syntax("{}; the second is missing", takes());
+  if (!cursor_.accept(K::kComma))
+    cursor_.fail_syntax("a ',' and the second shape of '{}' are meant here, found {}", word, cursor_.found());
+  result.second_span.begin = cursor_.peek().span.begin;
   result.second = shapes(word);
-  result.second_span.end = end();
-  if (accept(K::kComma)) last_argument(result, word, usage, is_predicate);
-  if (at(K::kComma)) fail_syntax("too many arguments; '{}' is written {}", word, usage());
-  if (!accept(K::kClose)) fail_unclosed(open);
-  result.span.end = end();
-  check_roles(result);
+  result.second_span.end = cursor_.end();
+  if (cursor_.accept(K::kComma)) last_argument(result, word, usage, is_predicate);
+  if (cursor_.at(K::kComma)) cursor_.fail_syntax("too many arguments; '{}' is written {}", word, usage());
+  if (!cursor_.accept(K::kClose)) cursor_.fail_unclosed(open);
+  result.span.end = cursor_.end();
+  check_roles(cursor_, context_, result);
   return result;
 }
 
-void Reader::last_argument(Call& call, std::string_view word, const Usage& usage, bool is_predicate) {
-  if (at(K::kName) && peek(1).kind == K::kRelation && peek(1).relation == Relation::kEqual) {
+void CallReader::last_argument(Call& call, std::string_view word, const Usage& usage, bool is_predicate) {
+  if (cursor_.at(K::kName) && cursor_.peek(1).kind == K::kRelation && cursor_.peek(1).relation == Relation::kEqual) {
     return direction(call, word, is_predicate);
   }
-  if (is_predicate && at_number()) {
-    call.level = number();
+  if (is_predicate && at_number(cursor_)) {
+    call.level = read_number(cursor_);
     return;
   }
-  if (at_number()) fail_syntax("'{}' takes no number; compare it with one: {} >= 1", word, usage());
-  fail_syntax("'{}' takes two shapes: {}, found {}", word, usage(), found());
+  if (at_number(cursor_)) cursor_.fail_syntax("'{}' takes no number; compare it with one: {} >= 1", word, usage());
+  cursor_.fail_syntax("'{}' takes two shapes: {}, found {}", word, usage(), cursor_.found());
 }
 
-void Reader::direction(Call& call, std::string_view word, bool is_predicate) {
-  call.mode_span = peek().span;
-  if (is_predicate) fail_syntax("the predicate '{}' has no directional form; write it as a distance", word);
-  const std::string key = take().text;
+void CallReader::direction(Call& call, std::string_view word, bool is_predicate) {
+  call.mode_span = cursor_.peek().span;
+  if (is_predicate) cursor_.fail_syntax("the predicate '{}' has no directional form; write it as a distance", word);
+  const std::string key = cursor_.take().text;
   if (key == "along") {
     call.mode = Mode::kAlong;
   } else if (key == "toward") {
@@ -167,54 +251,59 @@ void Reader::direction(Call& call, std::string_view word, bool is_predicate) {
   } else {
     const std::vector<std::string> keys{"along", "toward", "turning"};
     const std::string near = question(key, keys);
-    fail(ErrorCode::kUnknownName, call.mode_span, "unknown argument '{}='{}", printable(key),
-         near.empty() ? "; known are along, toward and turning" : near);
+    cursor_.fail(ErrorCode::kUnknownName, call.mode_span, "unknown argument '{}='{}", printable(key),
+                 near.empty() ? "; known are along, toward and turning" : near);
   }
   if (call.mode == Mode::kRotation && context_.dimension != 2) {
-    fail(ErrorCode::kUnsupported, call.mode_span, "turning is about a point of the plane; the scene has 3 dimensions");
+    cursor_.fail(ErrorCode::kUnsupported, call.mode_span,
+                 "a rotation is about a point of the plane; the scene has 3 dimensions");
   }
-  take();  // '='
-  if (!accept(K::kOpen)) fail_syntax("a vector such as (1, 0) is meant here, found {}", found());
-  const std::size_t begin = end() - 1;
+  cursor_.take();  // '='
+  if (!cursor_.accept(K::kOpen))
+    cursor_.fail_syntax("a vector such as (1, 0) is meant here, found {}", cursor_.found());
+  const std::size_t begin = cursor_.end() - 1;
   const bool centre = call.mode == Mode::kRotation;
-  call.vector = coordinates(centre ? Quantity::kLength : Quantity::kPure, K::kClose, call.vector_text);
+  call.vector =
+      read_coordinates(cursor_, context_, centre ? Quantity::kLength : Quantity::kPure, K::kClose, call.vector_text);
   call.vector_text = "(" + call.vector_text + ")";
   const bool zero = std::all_of(call.vector.begin(), call.vector.end(), [](const auto& c) { return c.sign() == 0; });
-  if (zero && !centre) fail(ErrorCode::kBadValue, {begin, end()}, "the zero vector is no direction");
+  if (zero && !centre) cursor_.fail(ErrorCode::kBadValue, {begin, cursor_.end()}, "the zero vector is no direction");
 }
 
-std::vector<std::string> Reader::shapes(std::string_view word) {
+std::vector<std::string> CallReader::shapes(std::string_view word) {
   std::vector<std::string> result{shape(word)};
-  while (accept(K::kPlus)) result.push_back(shape(word));
+  while (cursor_.accept(K::kPlus)) result.push_back(shape(word));
   return result;
 }
 
-std::string Reader::shape(std::string_view word) {
-  if (at(K::kNumber)) {
-    fail_syntax("a shape of '{}' is meant here, found the number {}; a name that begins with a digit stands in quotes",
-                word, found());
+std::string CallReader::shape(std::string_view word) {
+  if (cursor_.at(K::kNumber)) {
+    cursor_.fail_syntax(
+        "a shape of '{}' is meant here, found the number {}; a name that begins with a digit stands in quotes", word,
+        cursor_.found());
   }
-  if (!at(K::kName) && !at(K::kQuoted)) {
-    fail_syntax("a shape of '{}' is meant here, found {}", word, found());
+  if (!cursor_.at(K::kName) && !cursor_.at(K::kQuoted)) {
+    cursor_.fail_syntax("a shape of '{}' is meant here, found {}", word, cursor_.found());
   }
-  const Token& token = peek();
+  const Token& token = cursor_.peek();
   const bool known = known_.contains(token.text);
-  if (!known && peek(1).kind == K::kOpen &&
+  if (!known && cursor_.peek(1).kind == K::kOpen &&
       (find_distance(token.text) != nullptr || find_predicate(token.text) != nullptr)) {
-    fail_syntax("a shape is meant here, not {}", found());
+    cursor_.fail_syntax("a shape is meant here, not {}", cursor_.found());
   }
   if (!known && contains(context_.placed, token.text)) {
-    fail(ErrorCode::kBadValue, token.span,
-         "'{}' is placed itself, and here only shapes that stand still are meant; name it in \"constraints\", or as "
-         "'other' in \"pairs\"",
-         printable(token.text));
+    cursor_.fail(
+        ErrorCode::kBadValue, token.span,
+        "'{}' is placed itself, and here only shapes that stand still are meant; name it in \"constraints\", or as "
+        "'other' in \"pairs\"",
+        printable(token.text));
   }
   if (!known) fail_unknown_shape(token);
-  return take().text;
+  return cursor_.take().text;
 }
 
-void Reader::fail_unknown_shape(const Token& token) const {
-  const std::vector<std::string> known = names();
+void CallReader::fail_unknown_shape(const Token& token) const {
+  const std::vector<std::string> known = known_names(context_);
   std::string hint = question(token.text, known);
   if (hint.empty()) hint = known.empty() ? "; the scene has no shapes" : "; the shapes are " + listed(known);
   if (token.text == "self" || token.text == "other") {
@@ -222,41 +311,8 @@ void Reader::fail_unknown_shape(const Token& token) const {
                ? "; it is the shape being placed, in a placement's \"each\", \"pairs\" and \"minimize\""
                : "; it is a shape placed before, in a placement's \"pairs\"";
   }
-  if (peek(1).kind == K::kName) hint += "; a name with blanks stands in quotes";
-  fail(ErrorCode::kUnknownName, token.span, "unknown shape '{}'{}", printable(token.text), hint);
-}
-
-bool Reader::moves(const std::string& name) const { return contains(context_.moving, name); }
-
-/// Whether a union moves; one that moves in part, or whose parts move apart, has no position and so no distance.
-bool Reader::moves(const std::vector<std::string>& names, Span span) const {
-  const auto count = std::count_if(names.begin(), names.end(), [&](const auto& name) { return moves(name); });
-  if (count == 0) return false;
-  if (static_cast<std::size_t>(count) < names.size()) {
-    fail(ErrorCode::kBadValue, span, "only a part of the union '{}' moves; take the parts one by one", joined(names));
-  }
-  if (context_.independent && names.size() > 1) {
-    fail(ErrorCode::kBadValue, span, "the parts of the union '{}' move each on its own; take them one by one",
-         joined(names));
-  }
-  return true;
-}
-
-void Reader::check_roles(const Call& call) const {
-  const Span both{call.first_span.begin, call.second_span.end};
-  if (call.first == call.second) fail(ErrorCode::kBadValue, both, "a distance of '{}' to itself", joined(call.first));
-  const bool first_moves = moves(call.first, call.first_span), second_moves = moves(call.second, call.second_span);
-  if (first_moves != second_moves) return;
-  if (first_moves && context_.independent) return;
-  if (first_moves) {
-    fail(ErrorCode::kBadValue, both, "'{}' and '{}' move together, so their distance never changes", joined(call.first),
-         joined(call.second));
-  }
-  const std::string mover = context_.moving.empty()       ? "a moving shape, and the scene has none"
-                            : context_.moving.size() == 1 ? "the moving shape " + listed(context_.moving)
-                                                          : "a moving shape: " + listed(context_.moving);
-  fail(ErrorCode::kBadValue, both, "neither '{}' nor '{}' moves; one of the two has to be {}", joined(call.first),
-       joined(call.second), mover);
+  if (cursor_.peek(1).kind == K::kName) hint += "; a name with blanks stands in quotes";
+  cursor_.fail(ErrorCode::kUnknownName, token.span, "unknown shape '{}'{}", printable(token.text), hint);
 }
 
 }  // namespace findspace::formula

@@ -176,6 +176,11 @@ std::string text(const Objective& objective, Script script) {
   return written(said);
 }
 
+std::string question(std::string_view word, std::span<const std::string> candidates) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() || near == word ? "" : fmt::format("; did you mean '{}'?", printable(near));
+}
+
 std::string decimal_text(const exact::Real& value) {
   if (!value.is_rational()) return {};
   constexpr int kMostPlaces = 30;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -38,6 +39,9 @@ PlainText plain(std::string_view canonical);
 
 /// The relation's sign.
 std::string text(Relation relation, Script script = Script::kAscii);
+
+/// "; did you mean 'X'?" of the candidate nearest to the word, or "".
+std::string question(std::string_view word, std::span<const std::string> candidates);
 
 /// The exact decimal spelling of a number, e.g. "-0.508"; "" if it has none of at most 30 places.
 std::string decimal_text(const exact::Real& value);

@@ -84,7 +84,9 @@ distance::TranslationDirection direction(const Distance& d) {
 }
 
 bool second_is_moving(const Distance& d, const std::vector<std::string>& moving) {
-  return std::find(moving.begin(), moving.end(), d.first.at(0)) == moving.end();
+  if (d.first.empty() || d.second.empty())
+    throw Error(ErrorCode::kBadValue, "a distance is between two shapes; one of its arguments names none");
+  return std::find(moving.begin(), moving.end(), d.first[0]) == moving.end();
 }
 
 }  // namespace findspace::formula

@@ -32,7 +32,8 @@ bool is_directional(const Distance& d);
 /// Their direction; throws Error(kUnsupported) where it is no ratio of integers below 2^53.
 distance::TranslationDirection direction(const Distance& d);
 
-/// Whether the second argument of a distance of moving_first() is the one that moves.
+/// Whether the second argument of a distance of moving_first() is the one that moves. Throws Error(kBadValue) where an
+/// argument names no shape.
 bool second_is_moving(const Distance& d, const std::vector<std::string>& moving);
 
 }  // namespace findspace::formula

@@ -17,6 +17,7 @@
 #include "formula/planar/position_functions.h"
 #include "formula/planar/regions.h"
 #include "plane/base/parallel.h"
+#include "plane/base/stage_observer.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
@@ -74,7 +75,10 @@ class Near {
     std::vector<const Region*> all{&tolerance};
     for (const auto& s : sets)
       if (s) all.push_back(&*s);
-    return plane::intersect(all);
+    Region region = plane::intersect(all);
+    if (plane::StageObserver* observer = plane::stage_observer())
+      observer->cells("region", "positions at which the formula holds", region);
+    return region;
   }
 
  private:
@@ -108,15 +112,13 @@ class Near {
     std::vector<plane::SignMap> maps;
     bool varies = false;
     for (const SignMap& m : formula.sign_maps()) {
-      maps.push_back(sign_map(m));
+      maps.push_back(observed(m, sign_map(m)));
       varies = varies || !maps.back().vertices.empty();
     }
     std::vector<Mark> signs;
     for (const auto& m : maps) signs.push_back(m.faces[0].mark);
     if (!varies) return evaluate(formula, signs) ? std::nullopt : std::optional(CellComplex::uniform(0));
-    std::vector<const CellComplex*> operands;
-    for (const auto& m : maps) operands.push_back(&m);
-    return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+    return region_of(formula, maps);
   }
 
   /// Does an atom hold everywhere in the box, or nowhere, because its obstacles are out of reach? Nothing: they are

@@ -112,7 +112,7 @@ Section signs_in_time(const PreparedWorld& world, const SignMap& asked, const Re
   const Motion& motion = world.motion();
   const bool whole_time = wanted.distance.prefix != Extremum::kNone;
   const Roles r = world.roles(wanted.distance);
-  if (r.rotating) refuse(wanted.distance, "the instants of shapes that turn are known between bounds only");
+  if (r.rotating) refuse(wanted.distance, "the instants of shapes that rotate are known between bounds only");
   if (whole_time) {
     const plane::SignMap map = sign_map(world, wanted);
     return Section::constant(motion.start, motion.end, mark_of(map, locate(map, p)));
@@ -130,12 +130,12 @@ std::array<Section, 2> signs_in_rotation(const PreparedWorld& world, const SignM
   return {line_of(pieces, times, true), line_of(pieces, times, false)};
 }
 
-/// The lower and the upper signs of a plain distance of shapes that turn.
+/// The lower and the upper signs of a plain distance of shapes that rotate.
 std::array<Section, 2> signs_of_turning(const PreparedWorld& world, const SignMap& wanted, const Roles& r,
                                         const RealPoint& p, const std::vector<Real>& times) {
   if (wanted.minimum || r.wanted.mode != Mode::kPlain)
     throw Error(ErrorCode::kUnsupported,
-                text(r.wanted) + ": only distances in all directions are computed of shapes that turn in time");
+                written(r.wanted) + ": only distances in all directions are computed of shapes that rotate in time");
   Which which = r.which();
   const bool eta = which == Which::kEta1 || which == Which::kEta2;
   const bool first = which == Which::kEta1 || which == Which::kDelta1,

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The instants of a motion at which a formula holds at a position. Guarantee: exact for shapes that do not turn. Of
-// shapes that turn an inner and an outer set: a distance changes at most at a known rate (rotation_motion.h), so its
+// shapes that rotate an inner and an outer set: a distance changes at most at a known rate (rotation_motion.h), so its
 // value in the middle of a piece of time tells its sign in all of it, or the piece is halved. Keywords: time interval,
 // continuous collision detection.
 #pragma once
 
-#include "formula/planar/position_answers.h"
 #include "formula/planar/prepared_world.h"
+#include "formula/planar/region_bounds.h"
 
 namespace findspace::formula {
 
@@ -16,7 +16,7 @@ namespace findspace::formula {
 /// instant. Distances with inf or sup keep to the whole time.
 plane::Section instants_at(const PreparedWorld& world, const Formula& formula, const exact::RealPoint& p);
 
-/// The same where shapes turn in time.
+/// The same where shapes rotate in time.
 InstantBounds instant_bounds_at(const PreparedWorld& world, const Formula& formula, const exact::RealPoint& p);
 
 }  // namespace findspace::formula

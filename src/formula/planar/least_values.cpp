@@ -49,7 +49,7 @@ DiscRange disc_range(const PreparedWorld& world, const Roles& r) {
     };
   }
   if (!has_rate(r.wanted.kind))
-    refuse(r.wanted, "has no best position of shapes that turn in time: the places where a shape fits come and go");
+    refuse(r.wanted, "has no best position of shapes that rotate in time: the places where a shape fits come and go");
   return [f = rotation_motion(world, r, false), sense](const RealPoint& p, double radius) {
     const auto v = f.extremum(p, sense, radius / 4);
     return v ? ValueRange{v->low - radius, v->high + radius} : ValueRange{kInfinity, kInfinity};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "formula/language/text.h"
 #include "formula/planar/position_functions.h"
@@ -14,6 +13,8 @@
 
 namespace findspace::formula {
 
+using distance::PlanarAnswer;
+using exact::Real;
 using exact::RealPoint;
 
 namespace {
@@ -25,38 +26,50 @@ distance::Which touching(distance::Which w) {
   return w == Which::kDelta1 || w == Which::kDelta2 ? Which::kMuBack : Which::kD1;
 }
 
-/// The witness of a measured distance, in the order of the arguments.
-std::vector<FeatureAt> named_features(const PreparedWorld& world, const Distance& wanted, const Roles& r,
-                                      const distance::Measured& m, const RealPoint& p) {
+/// The features of a witness, whose points are in grid steps.
+std::vector<FeatureAt> named_features(const PreparedWorld& world, const Roles& r,
+                                      const std::vector<distance::Feature>& witness, const RealPoint& p) {
   const auto pair = world.pair(r.names);
   std::vector<FeatureAt> out;
-  for (const distance::Feature& f : m.witness)
+  for (const distance::Feature& f : witness)
     out.push_back(named_feature(f, f.of_moving ? pair->pair().moving() : pair->pair().fixed(),
                                 f.of_moving ? r.names.first : r.names.second, world.world().shapes, world.world().parts,
-                                p));
-  bool rotated = wanted.first == r.names.second && !out.empty() && m.witness[0].of_moving != m.witness[1].of_moving;
-  if (rotated) std::swap(out[0], out[1]);
+                                p, world.step()));
   return out;
 }
 
-void add_measured(const PreparedWorld& world, DistanceAt& out, const Distance& wanted, const Roles& r,
-                  const distance::Measured& m, const RealPoint& p) {
-  out.value = m.minus_infinity ? -std::numeric_limits<double>::infinity() : (m.value * world.step()).to_double();
-  out.nearest = m.nearest;
-  out.farthest = m.farthest;
-  out.witness = named_features(world, wanted, r, m, p);
+/// Whether a witness with one point of each shape is the other way round than the arguments.
+bool exchanged(const Distance& wanted, const Roles& r, const std::vector<distance::Feature>& witness) {
+  return wanted.first == r.names.second && !witness.empty() && witness[0].of_moving != witness[1].of_moving;
+}
+
+/// Of an answer in grid steps, its witness in the order of the arguments.
+DistanceAt named_answer(const PreparedWorld& world, const Distance& wanted, const Roles& r, PlanarAnswer m,
+                        const RealPoint& p) {
+  if (exchanged(wanted, r, m.witness)) std::swap(m.witness[0], m.witness[1]);
+  std::vector<FeatureAt> features = named_features(world, r, m.witness, p);
+  DistanceAt out = distance_at(text(wanted), distance::in_scene(m, world.step()));
+  out.features = std::move(features);
+  return out;
 }
 
 /// Of a distance along a direction, that has a nearest position: the features that touch there.
-void add_contact(const PreparedWorld& world, DistanceAt& out, const Distance& wanted, const Roles& r,
-                 const RealPoint& p) {
-  const RealPoint& there = *out.nearest;
+DistanceAt with_contact(const PreparedWorld& world, const Distance& wanted, const Roles& r, PlanarAnswer v,
+                        const RealPoint& p) {
+  const RealPoint there = *v.nearest;
   const auto m = world.pair(r.names)->measure(touching(r.which()), there);
-  if (!m || m->witness.size() != 2 || m->witness[0].of_moving == m->witness[1].of_moving) return;
-  out.witness = named_features(world, wanted, r, *m, there);
+  if (!m || m->witness.size() != 2 || m->witness[0].of_moving == m->witness[1].of_moving)
+    return named_answer(world, wanted, r, std::move(v), p);
+  v.witness = m->witness;
+  if (exchanged(wanted, r, v.witness)) std::swap(v.witness[0], v.witness[1]);
+  std::vector<FeatureAt> features = named_features(world, r, v.witness, there);
   // The moving one's feature, back from where they touch.
-  FeatureAt& moving = out.witness[m->witness[0].of_moving != (wanted.first == r.names.second) ? 0 : 1];
-  moving.at = {moving.at.x + p.x - there.x, moving.at.y + p.y - there.y};
+  for (distance::Feature& f : v.witness) {
+    if (f.of_moving) f.at = {f.at.x + p.x - there.x, f.at.y + p.y - there.y};
+  }
+  DistanceAt out = distance_at(text(wanted), distance::in_scene(v, world.step()));
+  out.features = std::move(features);
+  return out;
 }
 
 std::vector<Distance> all_distances(const World& world) {
@@ -130,44 +143,53 @@ std::optional<Derived> derived(const Distance& d) {
 }
 
 DistanceAt derived_value(const Distance& wanted, const Derived& from, const DistanceAt& base) {
-  DistanceAt out;
-  out.text = text(wanted);
+  std::optional<distance::SceneAnswer> v = base.answer;
+  if (v) {
+    v->witness.clear();
+    v->nearest.reset();
+  }
+  DistanceAt out = distance_at(text(wanted), from.cut ? distance::cut_off(std::move(v), from.negated) : std::move(v));
   out.in_degrees = base.in_degrees;
-  if (!base.value && !from.negated) return out;
-  const double f = base.value ? *base.value : std::numeric_limits<double>::infinity();
-  out.value = from.cut ? std::max(0.0, from.negated ? -f : f) : f;
+  return out;
+}
+
+/// Of a distance that is known between two numbers: the one that is shown, with what it may be off.
+DistanceAt ranged_answer(const PreparedWorld& world, const Distance& wanted, const Roles& r, const RealPoint& p) {
+  const bool rotation = r.wanted.mode == Mode::kRotation;
+  DistanceAt out = distance_at(text(wanted), std::nullopt);
+  out.in_degrees = rotation;
+  const auto v = rotation_value(world, r, p);
+  if (!v) return out;
+  const double unit = rotation ? 1 : world.step().to_double(), value = shown_value(world, *v, r) * unit;
+  if (value == exact::kInfinity) {
+    out.refused = "nothing is known of the value here";
+    return out;
+  }
+  const auto end = [&](double x) { return std::isinf(x) ? std::nullopt : std::optional(Real::from_double(x * unit)); };
+  distance::SceneAnswer answer;
+  answer.way = distance::Way::kSearch;
+  answer.proven = v->low == v->high;
+  answer.minus_infinity = std::isinf(value);
+  if (!answer.minus_infinity) answer.value = Real::from_double(value);
+  answer.error = answer.proven ? 0 : (v->high - v->low) * unit;
+  answer.enclosed = distance::Enclosure{end(v->low), end(v->high)};
+  out.way = answer.way;
+  out.answer = std::move(answer);
   return out;
 }
 
 }  // namespace
 
 DistanceAt distance_at(const PreparedWorld& world, const Distance& wanted, const RealPoint& p) {
-  DistanceAt out;
-  out.text = text(wanted);
-  out.in_degrees = wanted.mode == Mode::kRotation;
   const Roles r = world.roles(wanted);
   const bool rotation = r.wanted.mode == Mode::kRotation;
-  if (r.rotating || (rotation && world.motion().given())) {
-    const auto v = rotation_value(world, r, p);
-    const double unit = rotation ? 1 : world.step().to_double();
-    if (v) {
-      out.value = shown_value(world, *v, r) * unit;
-      out.bound = v->low == v->high ? 0 : (v->high - v->low) * unit;
-    }
-    return out;
-  }
-  if (!world.motion().given() && r.wanted.mode == Mode::kPlain) {
-    if (const auto m = world.pair(r.names)->measure(r.which(), p)) add_measured(world, out, wanted, r, *m, p);
-    return out;
-  }
-  auto v = position_function(world, wanted)->value(p);
-  if (v && v->minus_infinity)
-    out.value = -std::numeric_limits<double>::infinity();
-  else if (v) {
-    out.value = (v->value * world.step()).to_double();
-    out.nearest = v->nearest;
-  }
-  if (out.nearest && !world.motion().given()) add_contact(world, out, wanted, r, p);
+  if (r.rotating || (rotation && world.motion().given())) return ranged_answer(world, wanted, r, p);
+  const bool plain = !world.motion().given() && r.wanted.mode == Mode::kPlain;
+  auto v = plain ? world.pair(r.names)->measure(r.which(), p) : position_function(world, wanted)->value(p);
+  DistanceAt out = !v                                               ? distance_at(text(wanted), std::nullopt)
+                   : plain || !v->nearest || world.motion().given() ? named_answer(world, wanted, r, *std::move(v), p)
+                                                                    : with_contact(world, wanted, r, *std::move(v), p);
+  out.in_degrees = wanted.mode == Mode::kRotation;
   return out;
 }
 
@@ -198,7 +220,7 @@ std::vector<DistanceAt> measure_at(const PreparedWorld& world, const RealPoint& 
     if (source[k] == k) continue;
     const Derived d = *derived(wanted[k]);
     out[k] = derived_value(wanted[k], d, out[source[k]]);
-    if (d.other) out[k].value = std::max(*out[k].value, *out[place(*d.other)].value);
+    if (d.other) out[k].answer = distance::greater(*std::move(out[k].answer), *out[place(*d.other)].answer);
   }
   return out;
 }

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "formula/planar/position_answers.h"
+#include "formula/language/position_answers.h"
 #include "formula/planar/prepared_world.h"
 
 namespace findspace::formula {

@@ -28,6 +28,10 @@ bool is_conjunction(const Node& node) {
          (node.op == Node::Op::kAnd && std::all_of(node.operands.begin(), node.operands.end(), is_atom));
 }
 
+NearestFeasible nearest_in_scene(const PreparedWorld& world, const plane::Nearest& n, bool attained) {
+  return {distance::coordinates(distance::times(world.step(), n.at)), n.distance * world.step(), attained};
+}
+
 bool is_signed(Kind kind) { return kind == Kind::kGamma1 || kind == Kind::kEta1 || kind == Kind::kDelta1; }
 
 /// The nearest position at which the atom holds, or which `<` or `>` has as its limit, and its distance in grid steps.
@@ -81,7 +85,7 @@ std::optional<NearestFeasible> nearest_by_contact(const PreparedWorld& world, co
     if (!holds_at(k, farthest->at)) return std::nullopt;
     if (!attained && !is_off_its_level(k, farthest->at)) return std::nullopt;
   }
-  return NearestFeasible{farthest->at, farthest->distance * world.step(), attained};
+  return nearest_in_scene(world, *farthest, attained);
 }
 
 }  // namespace
@@ -94,7 +98,7 @@ std::optional<NearestFeasible> nearest_feasible_to(const PreparedWorld& world, c
   auto here = mark_of(closed, locate(closed, p)) > 0;
   auto n = here ? std::optional(plane::Nearest{Real(), p, {}}) : plane::nearest(closed, in, p);
   if (!n) return std::nullopt;
-  return NearestFeasible{n->at, n->distance * world.step(), mark_of(region, locate(region, n->at)) > 0};
+  return nearest_in_scene(world, *n, mark_of(region, locate(region, n->at)) > 0);
 }
 
 }  // namespace findspace::formula

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-#include "formula/planar/position_answers.h"
+#include "formula/language/position_answers.h"
 #include "formula/planar/prepared_world.h"
 
 namespace findspace::formula {

@@ -15,71 +15,87 @@
 #include "formula/planar/rotation_values.h"
 #include "formula/planar/swing.h"
 #include "plane/base/parallel.h"
+#include "plane/base/stopwatch.h"
 
 namespace findspace::formula {
 
+using distance::Way;
 using exact::Real;
 using exact::RealPoint;
 
 namespace {
 
 /// From the value, where it is clearly not the level: no map of all positions is made then.
-std::optional<std::int8_t> clear_sign(const PreparedWorld& world, const SignMap& wanted, const Roles& r,
+std::optional<DecidedSign> clear_sign(const PreparedWorld& world, const SignMap& wanted, const Roles& r,
                                       const RealPoint& p) {
   if (wanted.minimum || world.motion().given() || r.wanted.mode != Mode::kPlain) return std::nullopt;
   const auto m = world.pair(r.names)->measure(r.which(), p);
-  if (!m) return std::int8_t(1);
-  if (m->minus_infinity) return std::int8_t(-1);
+  if (!m) return DecidedSign{1, Way::kFeatures};
+  if (m->minus_infinity) return DecidedSign{-1, m->way};
   const double value = m->value.to_double(), level = (wanted.level / world.step()).to_double();
   const double size = std::abs(value) + std::abs(level) + world.pair(r.names)->scale(p);
   if (std::abs(value - level) <= size * margin::kClearOfLevel) return std::nullopt;
-  return std::int8_t(value > level ? 1 : -1);
+  return DecidedSign{std::int8_t(value > level ? 1 : -1), m->way};
 }
 
 }  // namespace
 
-std::int8_t sign_at(const PreparedWorld& world, const SignMap& asked, const RealPoint& p) {
+DecidedSign decided_sign(const PreparedWorld& world, const SignMap& asked, const RealPoint& p) {
   const SignMap wanted = plain_level(asked);
   const Roles r = world.roles(wanted.distance);
   const bool rotation = in_rotation(wanted);
   if (!r.rotating && !(rotation && world.motion().given())) {
     if (const auto clear = clear_sign(world, wanted, r, p)) return *clear;
     const plane::SignMap m = sign_map(world, wanted);
-    return mark_of(m, locate(m, p));
+    return {mark_of(m, locate(m, p)), Way::kMap};
   }
   if (wanted.minimum) refuse(wanted.distance, "whether a position is the best of all is not computed with a motion");
   const bool at_instant = world.world().instant && wanted.distance.prefix == Extremum::kNone;
   const auto exact = at_instant ? std::nullopt : swing_sign(world, wanted, p);
-  if (exact) return *exact;
+  if (exact) return {*exact, Way::kAngles};
   if (rotation && at_instant) {
     const distance::SignRange s = rotation_in_time(world, r, p, true).signs({0, Real(), Real()}, wanted.level);
-    if (s.low == s.high) return s.low;
+    if (s.low == s.high) return {s.low, Way::kAngles};
   }
   const auto v = rotation_value(world, r, p);
-  if (!v) return 1;
+  if (!v) return {1, Way::kSearch};
   const double level = (rotation ? wanted.level : wanted.level / world.step()).to_double();
   const double tolerance = (std::abs(level) + 1) * margin::kRangeAtLevel;
-  if (v->low > level + tolerance) return 1;
-  if (v->high < level - tolerance) return -1;
+  if (v->low > level + tolerance) return {1, Way::kSearch};
+  if (v->high < level - tolerance) return {-1, Way::kSearch};
   const double unit = rotation ? 1 : world.step().to_double();
   refuse(wanted.distance,
          fmt::format(
-             "over time, in rotation or of shapes that turn, it lies between {:.10g} and {:.10g} here: too near to "
+             "over time, in rotation or of shapes that rotate, it lies between {:.10g} and {:.10g} here: too near to "
              "the level to decide",
              v->low * unit, v->high * unit));
 }
 
+std::int8_t sign_at(const PreparedWorld& world, const SignMap& wanted, const RealPoint& p) {
+  return decided_sign(world, wanted, p).sign;
+}
+
 Check check_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
-  std::vector<std::int8_t> signs(formula.sign_maps().size());
-  plane::parallel_for(signs.size(), [&](std::size_t k) { signs[k] = sign_at(world, formula.sign_maps()[k], p); });
+  const std::size_t count = formula.sign_maps().size();
+  std::vector<std::int8_t> signs(count);
+  std::vector<Way> ways(count);
+  std::vector<double> milliseconds(count);
+  plane::parallel_for(count, [&](std::size_t k) {
+    const plane::Stopwatch watch;
+    const DecidedSign decided = decided_sign(world, formula.sign_maps()[k], p);
+    signs[k] = decided.sign;
+    ways[k] = decided.way;
+    milliseconds[k] = watch.milliseconds();
+  });
   Check out;
   out.holds = evaluate(formula, signs);
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
-    AtomAt a{atom, distance_at(world, atom.distance, p), holds(atom, signs[formula.sign_map_of(k)]), std::nullopt};
-    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum)
-      a.lacks = std::abs(*a.distance.value - atom.level.to_double());
-    out.atoms.push_back(std::move(a));
+    const std::size_t map = formula.sign_map_of(k);
+    const plane::Stopwatch watch;
+    out.atoms.push_back(atom_at(atom, distance_at(world, atom.distance, p), signs[map]));
+    out.atoms.back().way = ways[map];
+    out.atoms.back().milliseconds = milliseconds[map] + watch.milliseconds();
   }
   return out;
 }

@@ -8,12 +8,19 @@
 
 #include <cstdint>
 
-#include "formula/planar/position_answers.h"
+#include "formula/language/position_answers.h"
 #include "formula/planar/prepared_world.h"
 
 namespace findspace::formula {
 
-/// The sign of a distance minus the level at p, in grid steps.
+struct DecidedSign {
+  std::int8_t sign = 0;
+  distance::Way way = distance::Way::kMap;
+};
+
+/// The sign of a distance minus the level at p, in grid steps, and which way decided it.
+DecidedSign decided_sign(const PreparedWorld& world, const SignMap& wanted, const exact::RealPoint& p);
+/// The sign alone.
 std::int8_t sign_at(const PreparedWorld& world, const SignMap& wanted, const exact::RealPoint& p);
 
 /// Every atom of the formula at p, in grid steps, and whether the formula holds there.

@@ -47,7 +47,7 @@ PositionFunctionPointer position_function(const PreparedWorld& world, const Dist
   const Roles r = world.roles(wanted);
   const World& scene = world.world();
   if (!scene.motion.given()) return function_at_rest(world, r);
-  if (r.rotating) refuse(wanted, "shapes that turn in time have no exact region here");
+  if (r.rotating) refuse(wanted, "shapes that rotate in time have no exact region here");
   if (scene.instant && wanted.prefix == Extremum::kNone)
     return distance::at_instant(function_at_rest(world, r), position_at(r.path, *scene.instant));
   if (r.wanted.mode != Mode::kPlain)

@@ -3,18 +3,23 @@
 
 #include "formula/planar/regions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "distance/rotation/rotation_map.h"
 #include "distance/rotation/rotation_positions.h"
 #include "exact/number/margins.h"
 #include "formula/language/evaluate.h"
+#include "formula/language/text.h"
 #include "formula/planar/least_values.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/rotation_values.h"
 #include "plane/base/parallel.h"
+#include "plane/base/stage_observer.h"
 #include "plane/complex/overlay.h"
 
 namespace findspace::formula {
@@ -70,7 +75,7 @@ BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked) {
     return distance::rotation_position_maps(b, a, kind, centre, wanted.level, rotation_poses(world, r, false), sense);
   }
   if (r.wanted.mode != Mode::kPlain)
-    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+    refuse(r.wanted, "only distances in all directions are computed of shapes that rotate in time");
   Which kind = r.which();
   // Containment down from level 0 is the directed Hausdorff distance, which changes no faster than the shapes do.
   if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
@@ -95,20 +100,50 @@ std::vector<plane::SignMap> sign_maps(const PreparedWorld& world, const Formula&
   return maps;
 }
 
+/// All cells of the overlay, those of one vector of signs with one mark.
+void observe_overlay(plane::StageObserver& observer, const std::vector<const CellComplex*>& operands) {
+  constexpr std::size_t kMarks = 127;  // of signs with more vectors some share a mark
+  std::map<std::vector<Mark>, std::size_t> number;
+  const CellComplex cells = plane::overlay(operands, [&](std::span<const Mark> signs) {
+    const auto known = number.emplace(std::vector<Mark>(signs.begin(), signs.end()), number.size());
+    return Mark(known.first->second % kMarks);
+  });
+  observer.cells("overlay", fmt::format("overlay of {} sign maps, a mark for each vector of signs", operands.size()),
+                 cells);
+}
+
 }  // namespace
+
+plane::SignMap observed(const SignMap& wanted, plane::SignMap map) {
+  if (plane::StageObserver* observer = plane::stage_observer()) {
+    const std::string level = wanted.minimum ? "its least value" : fmt::format("{:.9g}", wanted.level.to_double());
+    observer->cells("signs", fmt::format("sign of {} minus {}", text(wanted.distance), level), map);
+  }
+  return map;
+}
 
 plane::SignMap sign_map(const PreparedWorld& world, const SignMap& asked) {
   const SignMap wanted = plain_level(asked);
-  if (wanted.minimum) return minimiser_map(least(world, wanted.distance));
-  return position_function(world, wanted.distance)->sign_map(wanted.level / world.step());
+  return observed(wanted, wanted.minimum
+                              ? minimiser_map(least(world, wanted.distance))
+                              : position_function(world, wanted.distance)->sign_map(wanted.level / world.step()));
 }
 
-plane::Region feasible(const PreparedWorld& world, const Formula& formula) {
-  std::vector<plane::SignMap> maps = sign_maps(world, formula);
+plane::Region region_of(const Formula& formula, const std::vector<plane::SignMap>& maps) {
   std::vector<const CellComplex*> operands;
   for (const auto& m : maps) operands.push_back(&m);
   if (operands.empty()) return CellComplex::uniform(evaluate(formula, {}));
-  return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+  plane::Region region =
+      plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+  if (plane::StageObserver* observer = plane::stage_observer()) {
+    observe_overlay(*observer, operands);
+    observer->cells("region", "positions at which the formula, or a part of it, holds", region);
+  }
+  return region;
+}
+
+plane::Region feasible(const PreparedWorld& world, const Formula& formula) {
+  return region_of(formula, sign_maps(world, formula));
 }
 
 RegionBounds feasible_bounds(const PreparedWorld& world, const Formula& formula) {

@@ -8,17 +8,22 @@
 // configuration space, formula.
 #pragma once
 
-#include "formula/planar/position_answers.h"
 #include "formula/planar/prepared_world.h"
+#include "formula/planar/region_bounds.h"
 
 namespace findspace::formula {
 
 /// In grid steps. Throws Error(kUnsupported) where it is known between bounds only.
 plane::SignMap sign_map(const PreparedWorld& world, const SignMap& wanted);
 
+/// The same map, given to the observer of this thread (stage_observer.h), if there is one.
+plane::SignMap observed(const SignMap& wanted, plane::SignMap map);
+/// {p : the formula holds at p}, of its sign maps in order. The overlay and the region are given to the observer.
+plane::Region region_of(const Formula& formula, const std::vector<plane::SignMap>& maps);
+
 /// {p : the formula holds at p}. Throws Error(kUnsupported) for distances this version does not compute.
 plane::Region feasible(const PreparedWorld& world, const Formula& formula);
-/// For shapes that turn in time and distances in rotation, over the time of a motion too: positions that certainly
+/// For shapes that rotate in time and distances in rotation, over the time of a motion too: positions that certainly
 /// and that possibly belong to feasible(formula).
 RegionBounds feasible_bounds(const PreparedWorld& world, const Formula& formula);
 

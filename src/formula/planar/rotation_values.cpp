@@ -55,7 +55,7 @@ distance::RotationInTime rotation_in_time(const PreparedWorld& world, const Role
 
 RotatingMotion rotation_motion(const PreparedWorld& world, const Roles& r, bool instant) {
   if (r.wanted.mode != Mode::kPlain)
-    refuse(r.wanted, "only distances in all directions are computed of shapes that turn in time");
+    refuse(r.wanted, "only distances in all directions are computed of shapes that rotate in time");
   return {world.shape(r.names.first), world.shape(r.names.second), r.which(), rotation_poses(world, r, instant)};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Values of distances that are known between bounds only: of shapes that turn in time, and in rotation at levels other
-// than 0. Positions in grid steps. Keywords: interval, rotational sweep.
+// Values of distances that are known between bounds only: of shapes that rotate in time, and in rotation at levels
+// other than 0. Positions in grid steps. Keywords: interval, rotational sweep.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ std::vector<distance::RotatingPose> rotation_poses(const PreparedWorld& world, c
 /// Of a distance in rotation.
 distance::RotationInTime rotation_in_time(const PreparedWorld& world, const Roles& roles, const exact::RealPoint& p,
                                           bool instant);
-/// Of a plain distance of shapes that turn in time.
+/// Of a plain distance of shapes that rotate in time.
 distance::RotatingMotion rotation_motion(const PreparedWorld& world, const Roles& roles, bool instant);
 
 /// In grid steps, of distances in rotation in degrees; nothing where undefined.

@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "distance/planar_least/extremum.h"
-#include "formula/planar/position_answers.h"
+#include "formula/language/position_answers.h"
 #include "formula/planar/prepared_world.h"
+#include "formula/planar/region_bounds.h"
 
 namespace findspace::formula {
 

@@ -15,6 +15,7 @@
 #include "formula/language/text.h"
 #include "formula/planar/rotation_bounds.h"
 #include "plane/base/real_vector.h"
+#include "plane/base/stopwatch.h"
 
 namespace findspace::formula {
 
@@ -50,12 +51,28 @@ bool is_grid(const RealPoint& p) { return p.x.integer() && p.y.integer(); }
 
 bool is_quarters(const Real& degrees) { return (degrees / Real(90)).integer().has_value(); }
 
+/// A number of degrees, which no closed form gives.
+DistanceAt angle_answer(const Distance& d, double value) {
+  std::optional<distance::SceneAnswer> answer;
+  if (value < exact::kInfinity) {
+    answer.emplace();
+    answer->way = distance::Way::kMap;
+    answer->minus_infinity = std::isinf(value);
+    answer->proven = answer->minus_infinity || value == 0;
+    if (!answer->minus_infinity) answer->value = Real::from_double(value);
+    if (!answer->proven) answer->error = margin::kAngleValue * (std::abs(value) + 1);
+  }
+  DistanceAt out = distance_at(text(d), std::move(answer));
+  out.in_degrees = true;
+  return out;
+}
+
 }  // namespace
 
 World rotated_world(World world, const RealPoint& about, const Real& degrees, plane::Rounding& rounding) {
   if (!is_grid(about))
     throw Error(ErrorCode::kUnsupported,
-                "at an angle, the centre of the turn must be a point of the grid, seen from the position");
+                "at an angle, the centre of the rotation must be a point of the grid, seen from the position");
   const plane::GridPoint centre{std::int64_t(*about.x.integer()), std::int64_t(*about.y.integer())};
   for (const std::string& name : world.moving) {
     plane::Region& shape = world.shapes.at(name);
@@ -72,7 +89,7 @@ RealPoint RotationSolver::point_of_rotation(const Formula& formula) const {
     const RealPoint c = centre_of(world_, a.distance);
     if (found && !(*found == c) && pose_.degrees.sign() != 0)
       refuse(a.distance,
-             "with distances that turn about different points an angle has no meaning; say \"free\": \"angle\" and "
+             "with distances that rotate about different points an angle has no meaning; say \"free\": \"angle\" and "
              "\"about\"");
     found = c;
   }
@@ -104,10 +121,8 @@ RotationSolver::Met RotationSolver::rotation_at(const RotationMaps& maps, const 
   const RotationMap map =
       c.farthest ? distance::farthest_rotation_sign_map(c.base, level) : distance::rotation_sign_map(c.base, level);
   Met out{{}, mark_at(map, here)};
-  out.distance.text = text(d);
-  out.distance.in_degrees = true;
-  out.distance.value =
-      c.farthest ? distance::farthest_rotation(c.base, here) : distance::rotation_distance(c.base, here);
+  out.distance = angle_answer(
+      d, c.farthest ? distance::farthest_rotation(c.base, here) : distance::rotation_distance(c.base, here));
   return out;
 }
 
@@ -120,15 +135,20 @@ AtomAt RotationSolver::check_plain(const RotationMaps& maps, const Formula& whol
     const RotationMap map = maps.sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
     return mark_at(map, Angle::of_degrees(pose_.degrees));
   });
-  if (sign) out.holds = holds(atom, *sign);
+  if (!sign) return out;
+  out.holds = holds(atom, *sign);
+  out.way = distance::Way::kAngles;
   return out;
 }
 
 AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) const {
   const Distance& d = atom.distance;
   const bool rotating = d.mode == Mode::kRotation;
-  AtomAt out{
-      atom, rotating ? rotation_at(maps, d, Real()).distance : rotated_solver().distance_at(d, pose_.at), false, {}};
+  AtomAt out{atom,
+             rotating ? rotation_at(maps, d, Real()).distance : rotated_solver().distance_at(d, pose_.at),
+             false,
+             {},
+             maps.rotations_twice(d) ? distance::Way::kSearch : distance::Way::kAngles};
   const RotationMap all = RotationMap::uniform(1);
   std::optional<double> least_value;  // not proven
   if (maps.rotations_twice(d)) {
@@ -139,7 +159,7 @@ AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) c
   } else if (found.exists) {
     least_value = found.value.to_double();
   }
-  const auto& value = out.distance.value;
+  const auto value = out.distance.value();
   if (least_value && value && *value <= *least_value + margin::kBestOfAngles * (1 + std::abs(*least_value)))
     refuse(d, "its least value over the angles is no whole number of steps; whether it is taken here is not decided");
   return out;
@@ -159,23 +179,24 @@ std::vector<DistanceAt> RotationSolver::measure(const Formula& formula) const {
   return out;
 }
 
+AtomAt RotationSolver::check_atom(const RotationMaps& maps, const Formula& formula, std::size_t index) const {
+  const Atom& atom = formula.atoms()[index];
+  const bool rotating = atom.distance.mode == Mode::kRotation;
+  if (atom.minimum && (pose_.about || rotating)) return check_least(maps, atom);
+  if (!rotating) return check_plain(maps, formula, index);
+  require_static(atom.distance);
+  Met met = rotation_at(maps, atom.distance, atom.level);
+  return {atom, std::move(met.distance), holds(atom, met.sign), std::nullopt, distance::Way::kAngles};
+}
+
 Check RotationSolver::check(const Formula& formula) const {
   const RotationMaps maps = this->maps(formula);
   about_ = maps.about();
   Check out;
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
-    const Atom& atom = formula.atoms()[k];
-    if (atom.minimum && (pose_.about || atom.distance.mode == Mode::kRotation)) {
-      out.atoms.push_back(check_least(maps, atom));
-      continue;
-    }
-    if (atom.distance.mode != Mode::kRotation) {
-      out.atoms.push_back(check_plain(maps, formula, k));
-      continue;
-    }
-    require_static(atom.distance);
-    Met met = rotation_at(maps, atom.distance, atom.level);
-    out.atoms.push_back({atom, std::move(met.distance), holds(atom, met.sign), std::nullopt});
+    const plane::Stopwatch watch;
+    out.atoms.push_back(check_atom(maps, formula, k));
+    out.atoms.back().milliseconds = watch.milliseconds();
   }
   out.holds = truth(formula.root(), out.atoms);
   return out;

@@ -48,6 +48,7 @@ class RotationSolver {
   };
   Met rotation_at(const RotationMaps& maps, const Distance& rotating, const exact::Real& level) const;
   /// `-> min` over all angles, at the pose's.
+  AtomAt check_atom(const RotationMaps& maps, const Formula& formula, std::size_t index) const;
   AtomAt check_least(const RotationMaps& maps, const Atom& atom) const;
   AtomAt check_plain(const RotationMaps& maps, const Formula& whole, std::size_t atom) const;
   exact::RealPoint point_of_rotation(const Formula& formula) const;

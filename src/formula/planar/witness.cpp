@@ -32,37 +32,37 @@ bool is_joint(const Region& r, Index v) {
          same_supporting_curve(r.supporting_curve(h / 2), r.supporting_curve(g / 2));
 }
 
-void set_kind(FeatureAt& out, const Region& r, plane::Cell cell) {
+void set_kind(FeatureAt& out, const Region& r, plane::Cell cell, const exact::Real& step) {
   using Kind = FeatureAt::Kind;
+  const auto place = [&](const RealPoint& p) { return distance::coordinates(distance::times(step, p)); };
   if (cell.dimension == 0 && is_joint(r, cell.index)) cell = {1, r.vertices[cell.index].out / 2};
   if (cell.dimension == 2) {
     out.kind = Kind::kInside;
   } else if (cell.dimension == 0) {
     out.kind = Kind::kVertex;
-    out.points = {r.geometry.exact(r.vertices[cell.index].point)};
+    out.points = {place(r.geometry.exact(r.vertices[cell.index].point))};
   } else if (r.is_arc(cell.index)) {
     const exact::SupportingCurve& k = r.supporting_curve(cell.index);
     out.kind = Kind::kArc;
-    out.points = {{k.center_x(), k.center_y()}};
-    out.radius = k.w;
+    out.points = {place({k.center_x(), k.center_y()})};
+    out.radius = k.w * step;
   } else {
     out.kind = Kind::kEdge;
     for (Index v : {r.edges[cell.index].v0, r.edges[cell.index].v1})
-      out.points.push_back(r.geometry.exact(r.vertices[v].point));
+      out.points.push_back(place(r.geometry.exact(r.vertices[v].point)));
   }
 }
 
 }  // namespace
 
 FeatureAt named_feature(const distance::Feature& f, const Region& region, const std::vector<std::string>& names,
-                        const Shapes& shapes, const Parts& parts, const RealPoint& p) {
+                        const Shapes& shapes, const Parts& parts, const RealPoint& p, const exact::Real& step) {
   FeatureAt out;
-  set_kind(out, region, f.cell);
-  out.at = f.at;
+  set_kind(out, region, *f.cell, step);
   RealPoint home = f.of_moving ? RealPoint{f.at.x - p.x, f.at.y - p.y} : f.at;
   double least = std::numeric_limits<double>::infinity();
   auto nearer = [&](const Region& r) {
-    double d = away(r, home, f.cell.dimension == 2);
+    double d = away(r, home, f.cell->dimension == 2);
     if (!(d < least)) return false;
     least = d;
     return true;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "distance/planar/at_position.h"
+#include "formula/language/position_answers.h"
 
 namespace findspace::formula {
 
@@ -19,18 +20,9 @@ using Shapes = std::map<std::string, plane::Region>;
 /// The named parts of the shapes that are collections, in order.
 using Parts = std::map<std::string, std::vector<std::pair<std::string, plane::Region>>>;
 
-struct FeatureAt {
-  enum class Kind { kVertex, kEdge, kArc, kInside };
-  Kind kind = Kind::kVertex;
-  std::string shape, part;  // the part of a collection, else empty
-  exact::RealPoint at;      // the point, in grid steps, with the moving shape at its place
-  // In the shape's own coordinates: a vertex; the ends of an edge; the centre of an arc.
-  std::vector<exact::RealPoint> points;
-  exact::Real radius;  // of an arc
-};
-
-/// `f` as a feature of one of the shapes with the given names, which stand at `p` if they move.
+/// `f` as a feature of one of the shapes with the given names, which stand at `p` if they move: both in grid steps of
+/// `step` scene units.
 FeatureAt named_feature(const distance::Feature& f, const plane::Region& region, const std::vector<std::string>& names,
-                        const Shapes& shapes, const Parts& parts, const exact::RealPoint& p);
+                        const Shapes& shapes, const Parts& parts, const exact::RealPoint& p, const exact::Real& step);
 
 }  // namespace findspace::formula

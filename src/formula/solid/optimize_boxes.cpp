@@ -64,7 +64,7 @@ std::optional<std::size_t> axis_of(Objective::Kind kind) {
 
 }  // namespace
 
-SpaceOptimum SpaceSolver::optimize(const BoxComplex& region, const Objective& objective, distance::Sense sense) const {
+SpaceOptimum optimize(const BoxComplex& region, const Real& step, const Objective& objective, distance::Sense sense) {
   const bool greatest = sense == distance::Sense::kMaximum;
   const std::vector<space::IntervalBox> boxes = region.boxes();
   const auto axis = axis_of(objective.kind);
@@ -72,12 +72,12 @@ SpaceOptimum SpaceSolver::optimize(const BoxComplex& region, const Objective& ob
     throw Error(ErrorCode::kUnsupported, "in 3D the objectives are x, y, z and the distance to a point (minimised)");
   RealVector p;
   if (!axis)
-    for (std::size_t k = 0; k < 3; ++k) p[k] = objective.point.at(k) / world_.step;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = objective.point.at(k) / step;
   const Best best = axis ? last_plane(boxes, *axis, greatest) : nearest_points(boxes, p);
   SpaceOptimum out;
   out.unbounded = best.unbounded;
   if (!best.value) return out;
-  out.value = *best.value * world_.step;
+  out.value = *best.value * step;
   const auto within = [&](const BoxComplex& set) {
     return overlay(std::array<const BoxComplex*, 2>{&set, &best.at},
                    [](std::span<const Mark> m) { return Mark(m[0] && m[1]); })

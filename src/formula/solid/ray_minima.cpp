@@ -20,7 +20,7 @@ MinimaAsLevels minima_as_levels(const SpaceSolver& solver, const Formula& formul
   each_atom(formula.root(), false, [&](std::size_t k, bool negated) {
     if (!atoms[k].minimum) return;
     const auto least = solver.nearly_least(atoms[k].distance);
-    out.minima.push_back({text(atoms[k]), least});
+    out.minima.push_back({written(atoms[k]), least});
     if (least && !least->proven) out.side = both(out.side, negated ? Side::kInner : Side::kOuter);
     atoms[k] = compare(atoms[k].distance, Relation::kLessEqual, least ? least->value : exact::Real());
   });

@@ -63,7 +63,7 @@ std::optional<space::Body> hull(const std::vector<RaySolid>& solids) {
   return body;
 }
 
-/// How far one sticks out of a convex one by more than 0: as far as its hull does.
+/// How far one protrudes from a convex one by more than 0: as far as its hull does.
 Source protrusion_of_convex(Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
                             const Real& level, const RayGrid& grid) {
   if (!convex(which == Which::kMu ? a : b)) return nullptr;
@@ -84,7 +84,7 @@ Source corners_near(const space::Body& b, const space::Triangles& a, const Real&
   return space::greatest_rays(std::move(all));
 }
 
-/// How far a polyhedron of few corners sticks out of one that is not convex.
+/// How far a polyhedron of few corners protrudes from one that is not convex.
 Source protrusion(const TouchingSolid& b, const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
   if (a.size() != 1 || a[0].ball()) return nullptr;
   for (const RaySolid& s : b.solids) {

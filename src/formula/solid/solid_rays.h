@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Sign maps on rays of solids that are taken by their surfaces as far as these answer: at level 0, clearances and
-// margins (surface_rays.h), depths and how far one is from fitting (touching_rays.h), how far one of few corners sticks
-// out of the other (by search where that is not convex, distance/rays/protrusion_rays.h), and the distances made of
-// these (d1, penetration, dstar, h, hausdorff). Guarantee: exact on every line, but for the search. Cost: as there.
+// margins (surface_rays.h), depths and how far one is from fitting (touching_rays.h), how far one of few corners
+// protrudes from the other (by search where that is not convex, distance/rays/protrusion_rays.h), and the distances
+// made of these (d1, penetration, dstar, h, hausdorff). Guarantee: exact on every line, but for the search. Cost: as
+// there.
 #pragma once
 
 #include <optional>

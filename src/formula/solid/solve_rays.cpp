@@ -37,7 +37,7 @@ using space::RealVector;
 constexpr std::array<std::int64_t, 10> kParts{1, 10, 100, 1000, 10000, 1000000, 3, 8, 64, 1024};
 
 Refusal no_map(const SignMap& map, const std::string& why) {
-  return Refusal(text(map.distance) + " has no ray map here: " + why);
+  return Refusal(written(map.distance) + " has no ray map here: " + why);
 }
 
 /// All solids of the names; nothing where one of them is no union of solids.
@@ -178,14 +178,14 @@ Tried<SurfaceRays> by_sets(const RayWorld& world, const SignMap& map, const Dist
                            const RayGrid& grid) {
   Tried<space::RaySourcePointer> whole = by_parts(world, map, d, second, grid);
   if (whole) return SurfaceRays::of(*std::move(whole));
-  if (is_directional(d)) return whole.refusal().within(text(map.distance));
+  if (is_directional(d)) return whole.refusal().within(written(map.distance));
   if (!second) {
     Tried<SurfaceRays> containers = in_room(world, map, d, grid);
     if (!containers || !containers->sources.empty()) return containers;
   }
   Tried<space::RaySourcePointer> cut = by_cut(world, map, d, second, grid);
   if (!cut) return cut.refusal();
-  if (!*cut) return whole.refusal().within(text(map.distance));
+  if (!*cut) return whole.refusal().within(written(map.distance));
   return SurfaceRays::of(*std::move(cut));
 }
 
@@ -217,7 +217,7 @@ class RegionRays : public RaySource {
  private:
   RayRow named_row(std::size_t k, int j) const {
     auto row = exact::tried([&] { return maps_[k].row(j); });
-    if (!row) throw row.refusal().within(text(formula_.sign_maps()[k].distance)).error;
+    if (!row) throw row.refusal().within(written(formula_.sign_maps()[k].distance)).error;
     return *std::move(row);
   }
 

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "distance/search/way.h"
+#include "distance/answer/way.h"
 #include "formula/language/formula.h"
 #include "formula/solid/side.h"
 #include "plane/query/section.h"

@@ -24,7 +24,7 @@ SpaceRegion region_of_boxes(const SpaceSolver& solver, const Formula& formula, c
   out.way = Way::kBoxes;
   out.boxes = std::move(boxes);
   if (query.objective) {
-    SpaceOptimum best = solver.optimize(out.boxes, *query.objective, query.sense);
+    SpaceOptimum best = optimize(out.boxes, solver.world().step, *query.objective, query.sense);
     out.boxes = std::move(best.at);
     out.extreme = RegionExtreme{best.value, best.unbounded, best.attained};
   } else if (const auto least = solver.minimum_of(formula)) {

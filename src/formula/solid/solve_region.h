@@ -9,7 +9,7 @@
 #include <optional>
 #include <variant>
 
-#include "distance/search/way.h"
+#include "distance/answer/way.h"
 #include "formula/language/formula.h"
 #include "formula/solid/solve_space.h"
 #include "space/convolution/ray_body.h"

@@ -14,9 +14,10 @@
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
 #include "formula/language/which.h"
-#include "formula/solid/solve_rays.h"
-#include "formula/solid/space_pair.h"
+#include "formula/solid/prepared_space.h"
 #include "plane/base/parallel.h"
+#include "plane/base/stopwatch.h"
+#include "space/body/observe_body.h"
 #include "space/box/box_operations.h"
 
 namespace findspace::formula {
@@ -24,38 +25,27 @@ namespace findspace::formula {
 using distance::Answer;
 using distance::BoxPair;
 using distance::Way;
-using distance::Which;
 using exact::Real;
 using exact::Refusal;
 using exact::Tried;
+using plane::Section;
 using space::BoxComplex;
-using space::dot;
 using space::Mark;
 using space::RealVector;
 
-struct SpaceSolver::Cache {
-  using Names = std::pair<std::vector<std::string>, std::vector<std::string>>;  // moving, fixed
-  std::mutex guard;
-  std::map<Names, std::shared_ptr<const SpacePair>> pairs;
-};
-
-SpaceSolver::SpaceSolver(SpaceWorld world) : world_(std::move(world)), cache_(std::make_unique<Cache>()) {}
-
-SpaceSolver::~SpaceSolver() = default;
-
-Tried<SpaceSolver::Named> SpaceSolver::named(const Distance& wanted) const {
-  Distance d = moving_first(wanted, world_.moving);
+Tried<PreparedSpace::Named> PreparedSpace::named(const Distance& wanted) const {
+  Distance d = moving_first(wanted, world.moving);
   if (d.mode != Mode::kPlain || d.prefix != Extremum::kNone) {
     return refused(
         d, "regions of distances along a direction, and distances in rotation or over time, are not computed in 3D");
   }
-  const bool second = std::find(world_.moving.begin(), world_.moving.end(), d.first.at(0)) == world_.moving.end();
+  const bool second = second_is_moving(d, world.moving);
   if (second) std::swap(d.first, d.second);
   const auto shapes = [&](const std::vector<std::string>& names) {
     std::vector<const SpaceShape*> parts;
     for (const std::string& n : names) {
-      const auto found = world_.shapes.find(n);
-      if (found == world_.shapes.end()) throw Error(ErrorCode::kUnknownName, "there is no shape '" + n + "'");
+      const auto found = world.shapes.find(n);
+      if (found == world.shapes.end()) throw Error(ErrorCode::kUnknownName, "there is no shape '" + n + "'");
       if (!found->second.boxes || !found->second.boxes->empty()) parts.push_back(&found->second);
     }
     if (parts.empty())
@@ -63,45 +53,94 @@ Tried<SpaceSolver::Named> SpaceSolver::named(const Distance& wanted) const {
                   fmt::format("shape '{}' is empty: there is no distance to it", fmt::join(names, "+")));
     return parts;
   };
-  const std::lock_guard lock(cache_->guard);
-  auto& slot = cache_->pairs[{d.first, d.second}];
+  const std::lock_guard lock(guard_);
+  auto& slot = pairs_[{d.first, d.second}];
   if (!slot) slot = std::make_shared<const SpacePair>(shapes(d.first), shapes(d.second));
   if (const auto& why = slot->refusal()) return *why;
   return Named{slot, which(d.kind, second)};
 }
 
-Tried<std::optional<Answer>> SpaceSolver::try_value(const Distance& wanted, const RealVector& p) const {
-  if (is_directional(wanted)) return directional_value(wanted, p);
-  const Tried<Named> n = named(wanted);
+Tried<std::optional<Answer>> value_at(const PreparedSpace& prepared, const Distance& wanted, const RealVector& p) {
+  if (is_directional(wanted)) return directional_value(prepared, wanted, p);
+  const Tried<PreparedSpace::Named> n = prepared.named(wanted);
   if (!n) return n.refusal();
   Tried<std::optional<Answer>> v = n->pair->value(n->which, p);
-  return v ? std::move(v) : v.refusal().within(text(wanted));
+  return v ? std::move(v) : v.refusal().within(written(wanted));
 }
 
-std::optional<Answer> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
-  return try_value(wanted, p).or_throw();
+Tried<std::optional<distance::Answer>> nearly_least(const PreparedSpace& prepared, const Distance& wanted) {
+  if (is_directional(wanted)) return directional_nearly_least(prepared, wanted);
+  const Tried<PreparedSpace::Named> n = prepared.named(wanted);
+  if (!n) return n.refusal();
+  auto found = n->pair->nearly_least(n->which);
+  if (!found || !*found) return found;
+  return distance::in_unit(**found, prepared.world.step);
 }
 
-SpaceDistanceAt SpaceSolver::shown(const Distance& wanted, const std::optional<Answer>& v) const {
-  SpaceDistanceAt out{text(wanted), std::nullopt, std::nullopt, std::nullopt, {}};
-  if (!v) return out;
-  out.way = v->way;
-  out.value = v->lowest ? -exact::kInfinity : (v->value * world_.step).to_double();
-  const auto place = [&](const RealVector& q) {
-    return SpacePlace{(q[0] * world_.step).to_double(), (q[1] * world_.step).to_double(),
-                      (q[2] * world_.step).to_double()};
-  };
-  if (v->nearest) out.nearest = place(*v->nearest);
-  if (v->points) out.points = {place((*v->points)[0]), place((*v->points)[1])};
-  const bool moves = std::find(world_.moving.begin(), world_.moving.end(), wanted.first.at(0)) != world_.moving.end();
-  if (out.points && !moves) std::swap((*out.points)[0], (*out.points)[1]);
+Tried<BoxPair::Least> least(const PreparedSpace& prepared, const Distance& wanted) {
+  if (is_directional(wanted)) {
+    auto found = directional_least(prepared, wanted);
+    if (!found) return found.refusal();
+    return found->value_or(BoxPair::Least{Real(), BoxComplex()});
+  }
+  const Tried<PreparedSpace::Named> n = prepared.named(wanted);
+  if (!n) return n.refusal();
+  auto found = n->pair->least(n->which);
+  if (!found) return found.refusal();
+  if (!*found) return Refusal(written(wanted) + " -> min is not computed in 3D for these shapes");
+  return **std::move(found);
+}
+
+Tried<BoxComplex> sign_map(const PreparedSpace& prepared, const SignMap& wanted) {
+  if (wanted.minimum) {
+    const auto found = least(prepared, wanted.distance);
+    if (!found) return found.refusal();
+    return found->at.remarked([](Mark m) { return Mark(m == 0); });
+  }
+  if (is_directional(wanted.distance)) return directional_map(prepared, wanted);
+  const Tried<PreparedSpace::Named> n = prepared.named(wanted.distance);
+  if (!n) return n.refusal();
+  const Tried<const BoxPair*> boxes = n->pair->boxes();
+  if (!boxes) return boxes.refusal().within(written(wanted.distance));
+  const auto on_grid = exact::tried([&] { return (*boxes)->sign_map(n->which, wanted.level / prepared.world.step); });
+  const Tried<BoxComplex> map = on_grid ? *on_grid : Tried<BoxComplex>(on_grid.refusal());
+  if (!map) return map.refusal().within(written(wanted.distance));
+  observe_boxes("signs",
+                fmt::format("positions where the sign of {} minus {:.9g} is not that of far ones",
+                            text(wanted.distance), wanted.level.to_double()),
+                *map);
+  return map;
+}
+
+namespace {
+
+struct SignedValue {
+  DistanceAt shown;
+  int sign = 0;
+};
+
+/// Without a value; the sign perhaps by another way.
+DistanceAt refused_at(const Distance& wanted, const Refusal& why, Way way) {
+  DistanceAt out = distance_at(text(wanted), std::nullopt);
+  out.refused = why.error.message();
+  out.way = way;
   return out;
 }
 
-Tried<int> SpaceSolver::sign(const SignMap& wanted, const std::optional<Answer>& v) const {
+DistanceAt shown(const PreparedSpace& prepared, const Distance& wanted, const std::optional<Answer>& v) {
+  if (!v) return distance_at(text(wanted), std::nullopt);
+  DistanceAt out = distance_at(text(wanted), distance::in_scene(*v, prepared.world.step));
+  const bool moves = std::find(prepared.world.moving.begin(), prepared.world.moving.end(), wanted.first.at(0)) !=
+                     prepared.world.moving.end();
+  if (!moves) std::reverse(out.answer->witness.begin(), out.answer->witness.end());
+  return out;
+}
+
+/// The sign of a distance minus its level, given its value.
+Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std::optional<Answer>& v) {
   if (!v) return 1;
-  if (v->lowest) return -1;
-  const Real level = wanted.level / world_.step;
+  if (v->minus_infinity) return -1;
+  const Real level = wanted.level / prepared.world.step;
   if (!v->proven && std::fabs((v->value - level).to_double()) <= v->slack())
     return refused(wanted.distance,
                    "the value, found by search, is too near the level to tell on which side of it it lies");
@@ -109,17 +148,17 @@ Tried<int> SpaceSolver::sign(const SignMap& wanted, const std::optional<Answer>&
 }
 
 /// Whether p is a minimiser, by the whole set of them where that is known, else by its value.
-Tried<SpaceSolver::SignedValue> SpaceSolver::minimal(const SignMap& map, const RealVector& p) const {
-  const auto tried = try_value(map.distance, p);
+Tried<SignedValue> minimal(const PreparedSpace& prepared, const SignMap& map, const RealVector& p) {
+  const auto tried = value_at(prepared, map.distance, p);
   if (!tried) return tried.refusal();
   const std::optional<Answer>& v = *tried;
-  const auto outcome = [&](bool least) { return SignedValue{shown(map.distance, v), least ? 0 : 1}; };
+  const auto outcome = [&](bool least) { return SignedValue{shown(prepared, map.distance, v), least ? 0 : 1}; };
   if (is_directional(map.distance)) {
-    const Tried<bool> takes = takes_least(map.distance, v, p);
+    const Tried<bool> takes = takes_least(prepared, map.distance, v, p);
     if (!takes) return takes.refusal();
     return outcome(*takes);
   }
-  const Tried<Named> n = named(map.distance);
+  const Tried<PreparedSpace::Named> n = prepared.named(map.distance);
   if (!n) return n.refusal();
   const auto whole = n->pair->least(n->which);
   if (!whole) return whole.refusal();
@@ -134,46 +173,40 @@ Tried<SpaceSolver::SignedValue> SpaceSolver::minimal(const SignMap& map, const R
                  "is a minimiser");
 }
 
-Tried<std::optional<distance::Answer>> SpaceSolver::try_nearly_least(const Distance& wanted) const {
-  if (is_directional(wanted)) return directional_nearly_least(wanted);
-  const Tried<Named> n = named(wanted);
-  if (!n) return n.refusal();
-  auto found = n->pair->nearly_least(n->which);
-  if (!found || !*found) return found;
-  distance::Answer& least = **found;
-  least.value *= world_.step;
-  least.bound *= world_.step;
-  least.at = space::scaled(world_.step, least.at);
-  return found;
-}
-
-std::optional<distance::Answer> SpaceSolver::nearly_least(const Distance& wanted) const {
-  return try_nearly_least(wanted).or_throw();
-}
-
 /// By the value; where that is not computed, or too near the level, by the exact map or the ray through p.
-Tried<SpaceSolver::SignedValue> SpaceSolver::signed_value(const SignMap& map, const RealVector& p) const {
-  if (map.minimum) return minimal(map, p);
-  const auto v = try_value(map.distance, p);
-  const Tried<int> by_value = v ? sign(map, *v) : v.refusal();
-  if (by_value) return SignedValue{shown(map.distance, *v), *by_value};
+Tried<SignedValue> signed_value(const PreparedSpace& prepared, const SignMap& map, const RealVector& p) {
+  if (map.minimum) return minimal(prepared, map, p);
+  const auto v = value_at(prepared, map.distance, p);
+  const Tried<int> by_value = v ? sign(prepared, map, *v) : v.refusal();
+  if (by_value) return SignedValue{shown(prepared, map.distance, *v), *by_value};
   const auto signs_alone = [&](int sign, Way way) {
-    return SignedValue{{text(map.distance), {}, {}, {}, by_value.refusal().error.message(), way}, sign};
+    return SignedValue{refused_at(map.distance, by_value.refusal(), way), sign};
   };
-  if (const auto on_map = sign_map(map)) return signs_alone(on_map->mark(p), Way::kMap);
-  if (!world_.rays) return by_value.refusal();
-  const auto on_ray = sign_at_position(*world_.rays, map, p);
+  if (const auto on_map = sign_map(prepared, map)) return signs_alone(on_map->mark(p), Way::kMap);
+  if (!prepared.world.rays) return by_value.refusal();
+  const auto on_ray = sign_at_position(*prepared.world.rays, map, p);
   if (!on_ray) return on_ray.refusal();
   if (!*on_ray) return by_value.refusal();
   return signs_alone(**on_ray, Way::kLines);
 }
 
-SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& position) const {
-  const RealVector p = space::scaled(Real(1) / world_.step, position);
+}  // namespace
+
+SpaceSolver::SpaceSolver(SpaceWorld world) : space_(std::make_unique<const PreparedSpace>(std::move(world))) {}
+
+SpaceSolver::~SpaceSolver() = default;
+
+const SpaceWorld& SpaceSolver::world() const { return space_->world; }
+
+Check SpaceSolver::check(const Formula& formula, const RealVector& position) const {
+  const RealVector p = space::scaled(Real(1) / space_->world.step, position);
   std::vector<std::int8_t> signs;
-  std::vector<SpaceDistanceAt> values;
+  std::vector<DistanceAt> values;
+  std::vector<double> milliseconds;
   for (const SignMap& m : formula.sign_maps()) {
-    const SignedValue found = signed_value(m, p).or_throw();
+    const plane::Stopwatch watch;
+    const SignedValue found = signed_value(*space_, m, p).or_throw();
+    milliseconds.push_back(watch.milliseconds());
     values.push_back(found.shown);
     signs.push_back(static_cast<std::int8_t>(found.sign));
   }
@@ -182,20 +215,20 @@ SpaceSolver::Check SpaceSolver::check(const Formula& formula, const RealVector& 
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     const Atom& atom = formula.atoms()[k];
     const std::size_t map = formula.sign_map_of(k);
-    SpaceAtomAt a{atom, values[map], holds(atom, signs[map]), std::nullopt};
-    if (!a.holds && a.distance.value && std::isfinite(*a.distance.value) && !atom.minimum)
-      a.lacks = std::abs(*a.distance.value - atom.level.to_double());
-    out.atoms.push_back(std::move(a));
+    out.atoms.push_back(atom_at(atom, values[map], signs[map]));
+    out.atoms.back().way = values[map].way;
+    out.atoms.back().milliseconds = milliseconds[map];
   }
   return out;
 }
 
-std::vector<SpaceDistanceAt> SpaceSolver::measure(const RealVector& position) const {
-  const RealVector p = space::scaled(Real(1) / world_.step, position);
+std::vector<DistanceAt> SpaceSolver::measure(const RealVector& position) const {
+  const RealVector p = space::scaled(Real(1) / space_->world.step, position);
   std::vector<Distance> wanted;
-  for (const std::string& b : world_.moving) {
-    for (const auto& [a, shape] : world_.shapes) {
-      if (std::find(world_.moving.begin(), world_.moving.end(), a) != world_.moving.end()) continue;
+  for (const std::string& b : space_->world.moving) {
+    for (const auto& [a, shape] : space_->world.shapes) {
+      if (std::find(space_->world.moving.begin(), space_->world.moving.end(), a) != space_->world.moving.end())
+        continue;
       for (std::size_t k = 0; k < kKindCount; ++k) {
         Distance d;
         d.kind = Kind(k);
@@ -210,57 +243,36 @@ std::vector<SpaceDistanceAt> SpaceSolver::measure(const RealVector& position) co
       }
     }
   }
-  std::vector<SpaceDistanceAt> out(wanted.size());
+  std::vector<DistanceAt> out(wanted.size());
   plane::parallel_for(out.size(), [&](std::size_t k) {
-    const auto v = try_value(wanted[k], p);
-    if (v)
-      out[k] = shown(wanted[k], *v);
-    else
-      out[k] = {text(wanted[k]), {}, {}, {}, v.refusal().error.message()};
+    const auto v = value_at(*space_, wanted[k], p);
+    out[k] = v ? shown(*space_, wanted[k], *v) : refused_at(wanted[k], v.refusal(), Way::kNone);
   });
   return out;
 }
 
-Tried<BoxPair::Least> SpaceSolver::least(const Distance& wanted) const {
-  if (is_directional(wanted)) {
-    auto found = directional_least(wanted);
-    if (!found) return found.refusal();
-    return found->value_or(BoxPair::Least{Real(), BoxComplex()});
-  }
-  const Tried<Named> n = named(wanted);
-  if (!n) return n.refusal();
-  auto found = n->pair->least(n->which);
-  if (!found) return found.refusal();
-  if (!*found) return Refusal(text(wanted) + " -> min is not computed in 3D for these shapes");
-  return **std::move(found);
+Tried<std::optional<Answer>> SpaceSolver::try_value(const Distance& wanted, const RealVector& p) const {
+  return value_at(*space_, wanted, p);
 }
 
-Tried<BoxComplex> SpaceSolver::sign_map(const SignMap& wanted) const {
-  if (wanted.minimum) {
-    const auto found = least(wanted.distance);
-    if (!found) return found.refusal();
-    return found->at.remarked([](Mark m) { return Mark(m == 0); });
-  }
-  if (is_directional(wanted.distance)) return directional_map(wanted);
-  const Tried<Named> n = named(wanted.distance);
-  if (!n) return n.refusal();
-  const Tried<const BoxPair*> boxes = n->pair->boxes();
-  const auto map =
-      boxes ? exact::tried([&] { return (*boxes)->sign_map(n->which, wanted.level / world_.step); }) : boxes.refusal();
-  return map ? map : map.refusal().within(text(wanted.distance));
+std::optional<Answer> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
+  return try_value(wanted, p).or_throw();
 }
 
 Tried<BoxComplex> SpaceSolver::try_feasible(const Formula& formula) const {
   std::vector<BoxComplex> maps;
   for (const SignMap& m : formula.sign_maps()) {
-    Tried<BoxComplex> map = sign_map(m);
+    Tried<BoxComplex> map = sign_map(*space_, m);
     if (!map) return map;
     maps.push_back(*std::move(map));
   }
   std::vector<const BoxComplex*> operands;
   for (const BoxComplex& m : maps) operands.push_back(&m);
   return exact::tried([&] {
-    return overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); }).simplified();
+    const BoxComplex cells =
+        overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+    observe_boxes("cells", "cells of the region, or of its complement where that is bounded", cells);
+    return cells.simplified();
   });
 }
 
@@ -270,13 +282,26 @@ Tried<std::optional<SpaceSolver::ConvexMap>> SpaceSolver::feasible_convex(const 
   if (formula.sign_maps().size() != 1 || formula.sign_maps()[0].minimum) return std::nullopt;
   const SignMap& map = formula.sign_maps()[0];
   if (is_directional(map.distance)) return std::nullopt;
-  const Tried<Named> n = named(map.distance);
+  const Tried<PreparedSpace::Named> n = space_->named(map.distance);
   if (!n) return n.refusal();
-  auto found = n->pair->sublevel(n->which, map.level / world_.step);
+  auto found = n->pair->sublevel(n->which, map.level / space_->world.step);
   if (!found) return std::nullopt;
   const auto holds_at = [&](std::int8_t sign) { return evaluate(formula, std::array<std::int8_t, 1>{sign}); };
   return ConvexMap{{std::move(found->region), holds_at(-1), holds_at(0), holds_at(1), found->radius},
-                   world_.step / found->scale};
+                   space_->world.step / found->scale};
+}
+
+SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {
+  const auto rule = [&](std::span<const Mark> signs) { return Mark(evaluate(formula, signs)); };
+  if (formula.sign_maps().empty()) return {{rule({}), {}}};
+  std::vector<Section> all;
+  std::vector<bool> searched;
+  for (const SignMap& map : formula.sign_maps()) {
+    LineSigns signs = signs_on(*space_, map, line).or_throw();
+    all.push_back(std::move(signs.section));
+    searched.push_back(signs.searched);
+  }
+  return {overlay_sections(all, rule), side_of_search(formula, searched)};
 }
 
 std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) const {
@@ -285,17 +310,26 @@ std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) cons
     SpaceOptimum out;
     // An infimum that no position takes is decided as well.
     if (is_directional(m.distance)) {
-      if (const auto infimum = directional_least(m.distance).or_throw()) out.value = infimum->value * world_.step;
+      if (const auto infimum = directional_least(*space_, m.distance).or_throw())
+        out.value = infimum->value * space_->world.step;
     }
-    BoxPair::Least found = least(m.distance).or_throw();
+    BoxPair::Least found = least(*space_, m.distance).or_throw();
     if (!found.at.empty()) {
-      out.value = found.value * world_.step;
+      out.value = found.value * space_->world.step;
       out.attained = true;
     }
     out.at = std::move(found.at);
     return out;
   }
   return std::nullopt;
+}
+
+Tried<std::optional<distance::Answer>> SpaceSolver::try_nearly_least(const Distance& wanted) const {
+  return formula::nearly_least(*space_, wanted);
+}
+
+std::optional<distance::Answer> SpaceSolver::nearly_least(const Distance& wanted) const {
+  return try_nearly_least(wanted).or_throw();
 }
 
 }  // namespace findspace::formula

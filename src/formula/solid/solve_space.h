@@ -20,6 +20,7 @@
 #include "distance/solid/box_pair.h"
 #include "distance/solid/solid_least.h"
 #include "formula/language/formula.h"
+#include "formula/language/position_answers.h"
 #include "formula/solid/lazy_body.h"
 #include "formula/solid/side.h"
 #include "plane/query/section.h"
@@ -29,9 +30,8 @@
 
 namespace findspace::formula {
 
-struct LineSigns;
 struct RayWorld;
-class SpacePair;
+struct PreparedSpace;
 
 /// A shape of the scene in grid steps, in the forms that it has.
 struct SpaceShape {
@@ -54,31 +54,6 @@ struct SpaceWorld {
   std::shared_ptr<const RayWorld> rays;  // for signs where values are not computed; may be null
 };
 
-using SpacePlace = std::array<double, 3>;
-
-/// One distance at one position; lengths and places in the scene's unit.
-struct SpaceDistanceAt {
-  std::string text;
-  std::optional<double> value;  // nothing: undefined, +infinity, or refused
-  std::optional<SpacePlace> nearest;
-  std::optional<std::array<SpacePlace, 2>> points;  // of the first shape and of the second one
-  std::string refused;                              // why it is not computed
-  distance::Way way = distance::Way::kNone;         // how the value, or else the sign, was found
-};
-
-struct SpaceAtomAt {
-  Atom atom;
-  SpaceDistanceAt distance;
-  bool holds = false;
-  std::optional<double> lacks;  // as AtomAt::lacks
-};
-
-struct SpaceNearest {
-  space::RealVector at;  // this and the distance in the scene's unit
-  exact::Real distance;
-  bool attained = false;  // it is feasible itself, not only others as near to it as you like
-};
-
 struct SpaceOptimum {
   std::optional<exact::Real> value;  // in the scene's unit
   bool unbounded = false, attained = false;
@@ -95,15 +70,9 @@ class SpaceSolver {
   explicit SpaceSolver(SpaceWorld world);
   ~SpaceSolver();
 
-  struct Check {
-    bool holds = false;
-    std::vector<SpaceAtomAt> atoms;
-  };
   /// `p` in the scene's unit.
   Check check(const Formula& formula, const space::RealVector& p) const;
-  /// `p` in the scene's unit. Nothing if there is none, or the region is neither made of boxes nor a convex polytope.
-  std::optional<SpaceNearest> nearest_feasible(const Formula& formula, const space::RealVector& p) const;
-  std::vector<SpaceDistanceAt> measure(const space::RealVector& p) const;
+  std::vector<DistanceAt> measure(const space::RealVector& p) const;
 
   /// One distance at p, in grid steps; nothing where it is undefined.
   std::optional<distance::Answer> value(const Distance& distance, const space::RealVector& p) const;
@@ -131,51 +100,19 @@ class SpaceSolver {
   /// scene's unit.
   std::optional<distance::Answer> nearly_least(const Distance& distance) const;
   exact::Tried<std::optional<distance::Answer>> try_nearly_least(const Distance& distance) const;
-  /// Of x, y, z or the distance to a point over the region.
-  SpaceOptimum optimize(const space::BoxComplex& region, const Objective& objective, distance::Sense sense) const;
 
-  const SpaceWorld& world() const { return world_; }
+  const SpaceWorld& world() const;
 
  private:
-  struct Cache;
-  struct Named {
-    std::shared_ptr<const SpacePair> pair;
-    distance::Which which;
-  };
-
-  struct SignedValue {
-    SpaceDistanceAt shown;
-    int sign = 0;
-  };
-
-  exact::Tried<Named> named(const Distance& distance) const;
-  /// Of a distance along an axis.
-  struct Axial {
-    Named plain;
-    int axis = 0, way = 0;
-  };
-  exact::Tried<Axial> axial(const Distance& distance) const;
-  exact::Tried<SignedValue> signed_value(const SignMap& map, const space::RealVector& p) const;
-  SpaceDistanceAt shown(const Distance& distance, const std::optional<distance::Answer>& value) const;
-  exact::Tried<SignedValue> minimal(const SignMap& map, const space::RealVector& p) const;
-  /// The sign of a distance minus its level, given its value.
-  exact::Tried<int> sign(const SignMap& map, const std::optional<distance::Answer>& value) const;
-  exact::Tried<space::BoxComplex> sign_map(const SignMap& map) const;
-  exact::Tried<distance::BoxPair::Least> least(const Distance& distance) const;
-  exact::Tried<space::BoxComplex> directional_map(const SignMap& map) const;
-  /// Nothing where it is undefined or -infinity; refused but of boxes along an axis.
-  exact::Tried<std::optional<distance::BoxPair::Least>> directional_least(const Distance& distance) const;
-  exact::Tried<std::optional<distance::Answer>> directional_nearly_least(const Distance& distance) const;
-  exact::Tried<std::optional<distance::Answer>> convex_directional_least(const Distance& distance) const;
-  exact::Tried<bool> takes_least(const Distance& distance, const std::optional<distance::Answer>& v,
-                                 const space::RealVector& p) const;
-  /// The signs of one sign map along a line, as feasible_on().
-  exact::Tried<LineSigns> signs_on(const SignMap& map, const SpaceLine& line) const;
-  exact::Tried<std::optional<distance::Answer>> directional_value(const Distance& distance,
-                                                                  const space::RealVector& p) const;
-
-  SpaceWorld world_;
-  std::unique_ptr<Cache> cache_;
+  std::unique_ptr<const PreparedSpace> space_;
 };
+
+/// `p` in the scene's unit. Nothing if there is none, or the region is neither made of boxes nor a convex polytope.
+std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const Formula& formula,
+                                                const space::RealVector& p);
+
+/// Of x, y, z or the distance to a point over a region of boxes; `step` as SpaceWorld::step.
+SpaceOptimum optimize(const space::BoxComplex& region, const exact::Real& step, const Objective& objective,
+                      distance::Sense sense);
 
 }  // namespace findspace::formula

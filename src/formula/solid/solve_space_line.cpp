@@ -13,9 +13,7 @@
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
 #include "formula/language/which.h"
-#include "formula/solid/solve_rays.h"
-#include "formula/solid/solve_space.h"
-#include "formula/solid/space_pair.h"
+#include "formula/solid/prepared_space.h"
 #include "space/box/box_section.h"
 #include "space/polytope/longest_chord.h"
 #include "space/rays/oblique_line.h"
@@ -86,51 +84,29 @@ SignMap level_zero(const Distance& d) {
 
 bool is_bounded(const Section& line) { return line.before > 0 && (line.stops.empty() || line.stops.back().after > 0); }
 
-}  // namespace
+/// Of a distance along an axis.
+struct Axial {
+  PreparedSpace::Named plain;
+  int axis = 0, way = 0;
+};
 
-Tried<LineSigns> SpaceSolver::signs_on(const SignMap& map, const SpaceLine& line) const {
-  const Tried<space::BoxComplex> boxes = sign_map(map);
-  if (boxes) return LineSigns{box_signs(*boxes, line), false, distance::Way::kMap};
-  if (map.minimum || !world_.rays) return boxes.refusal();
-  return ray_signs(*world_.rays, map, line);
-}
-
-Tried<SpaceSolver::Axial> SpaceSolver::axial(const Distance& wanted) const {
-  const Distance d = moving_first(wanted, world_.moving);
+Tried<Axial> axial(const PreparedSpace& prepared, const Distance& wanted) {
+  const Distance d = moving_first(wanted, prepared.world.moving);
   const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
   const int axis = axis_of(direction);
   if (axis < 0) return refused(d, "the exact map needs a direction along an axis");
   Distance plain = level_zero(d).distance;
   plain.kind = d.kind;
-  const Tried<Named> n = named(plain);
+  const Tried<PreparedSpace::Named> n = prepared.named(plain);
   if (!n) return n.refusal();
   return Axial{*n, axis, d.mode == Mode::kAlong ? 0 : direction[static_cast<std::size_t>(axis)].sign()};
 }
 
-Tried<space::BoxComplex> SpaceSolver::directional_map(const SignMap& map) const {
-  const Tried<Axial> d = axial(map.distance);
-  if (!d) return d.refusal();
-  const auto boxes = d->plain.pair->boxes();
-  if (!boxes) return boxes.refusal();
-  return exact::tried(
-      [&] { return (*boxes)->directional_map(d->plain.which, map.level / world_.step, d->axis, d->way); });
-}
-
-Tried<std::optional<distance::BoxPair::Least>> SpaceSolver::directional_least(const Distance& wanted) const {
-  const Tried<Axial> d = axial(wanted);
-  if (!d) return d.refusal();
-  if (const auto boxes = d->plain.pair->boxes()) {
-    auto found = exact::tried([&] { return (*boxes)->directional_least(d->plain.which, d->axis, d->way); });
-    if (found) return found;
-  }
-  return refused(wanted, "the exact least value along a direction needs axis-parallel faces");
-}
-
 /// Where the positions of level 0 are a convex polytope: minus half its longest chord both ways; one way only, the
 /// whole of it, which no position takes, as it ends in contact.
-Tried<std::optional<distance::Answer>> SpaceSolver::convex_directional_least(const Distance& wanted) const {
-  const Distance d = moving_first(wanted, world_.moving);
-  const Tried<Named> plain = named(level_zero(d).distance);
+Tried<std::optional<distance::Answer>> convex_directional_least(const PreparedSpace& prepared, const Distance& wanted) {
+  const Distance d = moving_first(wanted, prepared.world.moving);
+  const Tried<PreparedSpace::Named> plain = prepared.named(level_zero(d).distance);
   if (!plain) return plain.refusal();
   const auto zero = is_farthest(d.kind) ? std::nullopt : plain->pair->sublevel(plain->which, Real());
   if (!zero || zero->radius.sign() != 0)
@@ -138,7 +114,7 @@ Tried<std::optional<distance::Answer>> SpaceSolver::convex_directional_least(con
                    "least values along a direction are computed in 3D for convex polyhedra, and where faces are "
                    "axis-parallel along an axis, only");
   if (zero->region.empty()) return std::nullopt;
-  const Real unit = world_.step / zero->scale;
+  const Real unit = prepared.world.step / zero->scale;
   if (zero->region.dimension() < 3)
     return distance::least_answer(Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at));
   const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
@@ -148,10 +124,39 @@ Tried<std::optional<distance::Answer>> SpaceSolver::convex_directional_least(con
   return distance::least_answer(value, value, true, space::scaled(unit, chord.middle));
 }
 
+}  // namespace
+
+Tried<LineSigns> signs_on(const PreparedSpace& prepared, const SignMap& map, const SpaceLine& line) {
+  const Tried<space::BoxComplex> boxes = sign_map(prepared, map);
+  if (boxes) return LineSigns{box_signs(*boxes, line), false, distance::Way::kMap};
+  if (map.minimum || !prepared.world.rays) return boxes.refusal();
+  return ray_signs(*prepared.world.rays, map, line);
+}
+
+Tried<space::BoxComplex> directional_map(const PreparedSpace& prepared, const SignMap& map) {
+  const Tried<Axial> d = axial(prepared, map.distance);
+  if (!d) return d.refusal();
+  const auto boxes = d->plain.pair->boxes();
+  if (!boxes) return boxes.refusal();
+  return exact::tried(
+      [&] { return (*boxes)->directional_map(d->plain.which, map.level / prepared.world.step, d->axis, d->way); });
+}
+
+Tried<std::optional<distance::BoxPair::Least>> directional_least(const PreparedSpace& prepared,
+                                                                 const Distance& wanted) {
+  const Tried<Axial> d = axial(prepared, wanted);
+  if (!d) return d.refusal();
+  if (const auto boxes = d->plain.pair->boxes()) {
+    auto found = exact::tried([&] { return (*boxes)->directional_least(d->plain.which, d->axis, d->way); });
+    if (found) return found;
+  }
+  return refused(wanted, "the exact least value along a direction needs axis-parallel faces");
+}
+
 /// On lines the least value stands for where it is taken.
-Tried<std::optional<distance::Answer>> SpaceSolver::directional_nearly_least(const Distance& wanted) const {
-  const auto tried = directional_least(wanted);
-  if (!tried) return convex_directional_least(wanted);
+Tried<std::optional<distance::Answer>> directional_nearly_least(const PreparedSpace& prepared, const Distance& wanted) {
+  const auto tried = directional_least(prepared, wanted);
+  if (!tried) return convex_directional_least(prepared, wanted);
   const std::optional<distance::BoxPair::Least>& found = *tried;
   if (!found || found->at.empty()) return refused(wanted, kNotTaken);
   RealVector at;
@@ -160,37 +165,26 @@ Tried<std::optional<distance::Answer>> SpaceSolver::directional_nearly_least(con
     const auto &from = box[k].from, &to = box[k].to;
     at[k] = from && to ? (*from + *to) / Real(2) : from ? *from + Real(1) : to ? *to - Real(1) : Real();
   }
-  const Real value = found->value * world_.step;
-  return distance::least_answer(value, value, true, space::scaled(world_.step, at));
+  const Real value = found->value * prepared.world.step;
+  return distance::least_answer(value, value, true, space::scaled(prepared.world.step, at));
 }
 
 /// Whether the value at p is the least.
-Tried<bool> SpaceSolver::takes_least(const Distance& wanted, const std::optional<Answer>& v,
-                                     const RealVector& p) const {
-  if (const auto whole = least(wanted)) return whole->at.mark(p) != 0;
-  const auto nearly = directional_nearly_least(wanted);
+Tried<bool> takes_least(const PreparedSpace& prepared, const Distance& wanted, const std::optional<Answer>& v,
+                        const RealVector& p) {
+  if (const auto whole = least(prepared, wanted)) return whole->at.mark(p) != 0;
+  const auto nearly = directional_nearly_least(prepared, wanted);
   if (!nearly) return nearly.refusal();
   const std::optional<distance::Answer>& least = *nearly;
-  return v && least && !v->lowest && v->value * world_.step == least->value;
+  return v && least && !v->minus_infinity && v->value * prepared.world.step == least->value;
 }
 
-SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {
-  const auto rule = [&](std::span<const Mark> signs) { return Mark(evaluate(formula, signs)); };
-  if (formula.sign_maps().empty()) return {{rule({}), {}}};
-  std::vector<Section> all;
-  std::vector<bool> searched;
-  for (const SignMap& map : formula.sign_maps()) {
-    LineSigns signs = signs_on(map, line).or_throw();
-    all.push_back(std::move(signs.section));
-    searched.push_back(signs.searched);
-  }
-  return {overlay_sections(all, rule), side_of_search(formula, searched)};
-}
-
-Tried<std::optional<Answer>> SpaceSolver::directional_value(const Distance& wanted, const RealVector& p) const {
+Tried<std::optional<Answer>> directional_value(const PreparedSpace& prepared, const Distance& wanted,
+                                               const RealVector& p) {
   if (wanted.prefix != Extremum::kNone) return refused(wanted, "distances over time are not computed in 3D");
   const SpaceLine line{p, {wanted.vector.at(0), wanted.vector.at(1), wanted.vector.at(2)}};
-  const Tried<LineSigns> found_signs = signs_on(level_zero(moving_first(wanted, world_.moving)), line);
+  const Tried<LineSigns> found_signs =
+      signs_on(prepared, level_zero(moving_first(wanted, prepared.world.moving)), line);
   if (!found_signs) return found_signs.refusal();
   const Section& signs = found_signs->section;
   const bool both_ways = wanted.mode == Mode::kAlong;
@@ -201,7 +195,7 @@ Tried<std::optional<Answer>> SpaceSolver::directional_value(const Distance& want
   Answer out;
   out.way = found_signs->way;
   out.value = Real(found->sign) * abs(found->t);
-  out.lowest = found->lowest;
+  out.minus_infinity = found->lowest;
   if (!is_farthest(wanted.kind) && !found->lowest && found->sign != 0)
     out.nearest = space::along(p, found->t / sqrt(space::dot(line.direction, line.direction)), line.direction);
   return out;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "findspace/error.h"
+#include "space/body/observe_body.h"
 #include "space/box/box_operations.h"
 #include "space/box/box_topology.h"
 #include "space/shape/box_shape.h"
@@ -56,19 +57,6 @@ Tried<std::shared_ptr<const Body>> united_bodies(const std::vector<SpaceShape>& 
   return std::make_shared<const Body>(*std::move(all));
 }
 
-void scale_down(Answer& v, const Real& scale) {
-  const auto down = [&](RealVector& q) {
-    for (Real& c : q) c /= scale;
-  };
-  v.value /= scale;
-  v.error /= scale.to_double();
-  if (v.nearest) down(*v.nearest);
-  if (v.points) {
-    down((*v.points)[0]);
-    down((*v.points)[1]);
-  }
-}
-
 }  // namespace
 
 SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::vector<const SpaceShape*>& fixed) {
@@ -101,6 +89,8 @@ std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
   out->scale = std::lcm(out->b->scale, out->a->scale);
   out->b = std::make_shared<const Body>(space::at_scale(*out->b, out->scale));
   out->a = std::make_shared<const Body>(space::at_scale(*out->a, out->scale));
+  observe_body("the moving shape", *out->b);
+  observe_body("the fixed shape", *out->a);
   out->pair = std::make_unique<distance::SolidPair>(out->b, out->a);
   return out;
 }
@@ -162,8 +152,8 @@ namespace {
 /// What is asked at p in steps / scale, by that way if no search.
 template <class Ask>
 Tried<std::optional<Answer>> asked(distance::Way way, std::int64_t scale, const RealVector& p, const Ask& ask) {
-  Tried<std::optional<Answer>> v = exact::tried([&] { return ask(space::scaled(Real(scale), p)); });
-  if (v && *v && scale != 1) scale_down(**v, Real(scale));
+  Tried<std::optional<Answer>> v = ask(space::scaled(Real(scale), p));
+  if (v && *v && scale != 1) **v = distance::in_unit(**v, Real::ratio(1, scale));
   if (v && *v) (*v)->way = (*v)->proven ? way : distance::Way::kSearch;
   return v;
 }
@@ -173,17 +163,19 @@ Tried<std::optional<Answer>> asked(distance::Way way, std::int64_t scale, const 
 Tried<std::optional<Answer>> SpacePair::value_of_bodies(Which which, const RealVector& p) const {
   if (!all().pair) return *all().refused;
   return asked(distance::Way::kParts, all().scale, p,
-               [&](const RealVector& at) { return all().pair->value(which, at); });
+               [&](const RealVector& at) { return all().pair->try_value(which, at); });
 }
 
 // Boxes, then the ways of cut shapes and of surfaces, then bodies.
 Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) const {
   if (boxes_ && (BoxPair::has_value(which) || (BoxPair::is_reach(which) && !all().pair))) {
-    auto v = asked(distance::Way::kBoxes, 1, p, [&](const RealVector& at) { return boxes_->value(which, at); });
+    auto v = asked(distance::Way::kBoxes, 1, p,
+                   [&](const RealVector& at) { return exact::tried([&] { return boxes_->value(which, at); }); });
     if (v || !all().pair) return v;  // too many coordinates for the grid: the bodies need none
   }
   if (cut_.pair)
-    return asked(distance::Way::kCut, cut_.scale, p, [&](const RealVector& at) { return cut_.pair->value(which, at); });
+    return asked(distance::Way::kCut, cut_.scale, p,
+                 [&](const RealVector& at) { return cut_.pair->try_value(which, at); });
   if (surfaces_) {
     bool decided = false;
     auto v = asked(distance::Way::kSurfaces, surface_scale_, p, [&](const RealVector& at) {

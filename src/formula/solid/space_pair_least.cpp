@@ -165,11 +165,7 @@ Tried<std::optional<distance::Answer>> SpacePair::nearly_least(Which which) cons
   }
   auto found = *slot;
   if (!found) return found;
-  const Real scale(all().scale);
-  found->value /= scale;
-  found->bound /= scale;
-  for (Real& c : found->at) c /= scale;
-  return found;
+  return distance::in_unit(*found, Real::ratio(1, all().scale));
 }
 
 }  // namespace findspace::formula

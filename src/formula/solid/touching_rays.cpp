@@ -15,7 +15,6 @@ using distance::Which;
 using exact::Real;
 using space::Body;
 using space::Point;
-using space::RaySource;
 using space::TouchPair;
 using space::TouchSide;
 using Source = space::RaySourcePointer;

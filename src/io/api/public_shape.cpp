@@ -1,78 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// include/findspace/shape.h: a shape is the text that a scene would have.
+// What public shapes and regions have to do with text: scenes, files, paths, JSON, WKT, SVG.
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <filesystem>
 
+#include "api/values/region_data.h"
+#include "api/values/shape_data.h"
 #include "findspace/error.h"
-#include "findspace/shape.h"
+#include "io/scene/scene.h"
+#include "io/write/write_cells.h"
 #include "io/write/write_json.h"
+#include "io/write/write_svg.h"
+#include "io/write/write_wkt.h"
 
 namespace findspace {
 namespace {
 
-std::string json_of(const Point& p) { return fmt::format("[{}, {}]", p.x.text(), p.y.text()); }
-
-std::string json_of(const Ring& ring) {
-  std::string out = "[";
-  for (const Point& p : ring) out += (out.size() > 1 ? ", " : "") + json_of(p);
-  return out + "]";
-}
-
-std::string list(const std::vector<Shape>& shapes) {
-  std::string out = "[";
-  for (const Shape& s : shapes) out += (out.size() > 1 ? ", " : "") + s.text();
-  return out + "]";
+/// A shape as a scene would have it.
+Shape scene_shape(std::string_view text, const Grid& grid, const std::string& name) {
+  const io::Scene scene = io::read_scene_text(
+      fmt::format("{{\"findspace\": 1, \"grid\": {}, \"shapes\": {{\"shape\": {}}}}}", grid.step.text(), text),
+      std::filesystem::current_path(), name);
+  return api::make_shape(scene.shapes[0], scene.grid, scene.dimension);
 }
 
 }  // namespace
 
-Number::Number(double value) : text_(fmt::format("{}", value)) {
-  if (!std::isfinite(value)) throw Error(ErrorCode::kBadValue, "a number must be finite");
+Shape Shape::json(std::string_view text, const Grid& grid) { return scene_shape(text, grid, "shape"); }
+Shape Shape::path(std::string_view data, const Grid& grid) {
+  return scene_shape(fmt::format("{{\"path\": {}}}", io::json_string(data)), grid, "path");
+}
+Shape Shape::file(const std::string& path, const Grid& grid) {
+  return scene_shape(fmt::format("{{\"file\": {}}}", io::json_string(path)), grid, path);
 }
 
-Shape Shape::polygon(const Ring& ring, const std::vector<Ring>& holes) {
-  std::string out = fmt::format("{{\"polygon\": {}", json_of(ring)), inner;
-  for (const Ring& h : holes) inner += (inner.empty() ? "" : ", ") + json_of(h);
-  return Shape(out + (inner.empty() ? "}" : fmt::format(", \"holes\": [{}]}}", inner)));
+std::string Region::json() const {
+  return io::region_json(data_->cells, data_->summary(), data_->grid.step(), data_->unit);
 }
-Shape Shape::disc(const Point& center, const Number& radius) {
-  return Shape(fmt::format("{{\"disc\": {{\"center\": {}, \"radius\": {}}}}}", json_of(center), radius.text()));
+std::string Region::exact_json() const {
+  return fmt::format("{{\"cells\": {}}}", io::cells_json(data_->cells, data_->grid.step(), data_->unit));
 }
-Shape Shape::box(const Point& min, const Point& max) {
-  return Shape(fmt::format("{{\"box\": {{\"min\": {}, \"max\": {}}}}}", json_of(min), json_of(max)));
-}
-Shape Shape::path(std::string_view data) { return Shape(fmt::format("{{\"path\": {}}}", io::json_string(data))); }
-Shape Shape::points(const std::vector<Point>& points) {
-  return Shape(fmt::format("{{\"points\": {}}}", json_of(points)));
-}
-Shape Shape::polyline(const std::vector<Point>& points) {
-  return Shape(fmt::format("{{\"polyline\": {}}}", json_of(points)));
-}
-
-Shape Shape::unite(const std::vector<Shape>& shapes) { return Shape(fmt::format("{{\"union\": {}}}", list(shapes))); }
-Shape Shape::intersect(const std::vector<Shape>& shapes) {
-  return Shape(fmt::format("{{\"intersection\": {}}}", list(shapes)));
-}
-Shape Shape::subtract(const std::vector<Shape>& shapes) {
-  return Shape(fmt::format("{{\"difference\": {}}}", list(shapes)));
-}
-Shape Shape::complement(const Shape& shape) { return Shape(fmt::format("{{\"complement\": {}}}", shape.text())); }
-Shape Shape::minkowski_sum(const Shape& a, const Shape& b) {
-  return Shape(fmt::format("{{\"minkowski_sum\": {}}}", list({a, b})));
-}
-Shape Shape::offset(const Shape& shape, const Number& radius) {
-  return Shape(fmt::format("{{\"offset\": {}, \"of\": {}}}", radius.text(), shape.text()));
-}
-Shape Shape::hull(const Shape& shape) { return Shape(fmt::format("{{\"hull\": {}}}", shape.text())); }
-Shape Shape::translated(const Point& by) const {
-  return Shape(fmt::format("{{\"translate\": {}, \"of\": {}}}", json_of(by), json_));
-}
-Shape Shape::rotated(const Number& degrees) const {
-  return Shape(fmt::format("{{\"rotate\": {}, \"of\": {}}}", degrees.text(), json_));
+std::string Region::wkt() const { return io::region_wkt(data_->cells, data_->grid.step()).text; }
+std::string Region::svg() const {
+  return io::shape_svg(data_->cells, data_->grid.step(), "region", formula::find_unit(data_->unit)).text;
 }
 
 }  // namespace findspace

@@ -6,16 +6,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <mutex>
 
+#include "api/values/region_data.h"
+#include "api/values/shape_data.h"
 #include "findspace/world.h"
 #include "formula/language/parse.h"
 #include "formula/planar/feasible_near.h"
 #include "formula/planar/optimize.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/solve_rotation.h"
-#include "io/scene/scene.h"
-#include "io/write/write_json.h"
+#include "io/text/scene_reader.h"
 #include "io/write/write_witness.h"
 #include "plane/build/build.h"
 #include "plane/complex/overlay.h"
@@ -23,21 +24,10 @@
 
 namespace findspace {
 
-struct Region::Data {
-  plane::Region region;
-  plane::Summary summary;
-  exact::Real step;
-  std::string unit;
-};
-
-struct SignMap::Data {
-  plane::SignMap map;
-  exact::Real step;
-  std::string unit;
-};
-
 struct World::Data {
-  io::Scene scene;
+  std::map<std::string, Shape> shapes;
+  plane::Grid grid;
+  std::optional<formula::Unit> length;  // the unit
   formula::Context context;
   formula::Solver solver;
 
@@ -56,89 +46,67 @@ struct World::Data {
     });
     return rotating ? formula::RotationSolver(solver, {p, {}, {}}).check(f) : solver.check(f, p);
   }
-  std::string unit() const { return scene.unit ? std::string(formula::name(*scene.unit)) : ""; }
+  std::string unit() const { return length ? std::string(formula::name(*length)) : ""; }
   Region region(plane::Region r) const;
 };
 
 namespace {
 
-exact::RealPoint real(const Point& p) {
-  return {exact::Real::parse_decimal(p.x.text()), exact::Real::parse_decimal(p.y.text())};
-}
+exact::RealPoint real(const Point& p) { return {api::real_of(p.x), api::real_of(p.y)}; }
 
-exact::RealPoint steps(const Point& p, const exact::Real& step) {
-  exact::RealPoint q = real(p);
-  return {q.x / step, q.y / step};
-}
-
-Region make_region(plane::Region r, const exact::Real& step, const std::string& unit) {
-  plane::Summary summary = plane::summarize(r, step);
-  return Region(std::make_shared<const Region::Data>(Region::Data{std::move(r), std::move(summary), step, unit}));
-}
-
-io::Scene scene_of(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& o) {
-  std::string text =
-      fmt::format("{{\"findspace\": 1, \"grid\": {}, \"moving\": {},", o.grid.text(), io::json_string(moving));
-  if (!o.unit.empty()) text += fmt::format(" \"unit\": {},", io::json_string(o.unit));
-  text += " \"shapes\": {";
-  const char* separator = "";
+plane::Grid grid_of(const std::map<std::string, Shape>& shapes) {
+  std::optional<plane::Grid> grid;
   for (const auto& [name, shape] : shapes) {
-    text += fmt::format("{}\n{}: {}", separator, io::json_string(name), shape.text());
-    separator = ",";
+    if (shape.dimension() != 2) throw Error(ErrorCode::kUnsupported, "a world of three dimensions", name);
+    grid = grid ? api::common_grid(*grid, shape.data().grid) : shape.data().grid;
   }
-  return io::read_scene_text(text + "}}", std::filesystem::current_path(), "world");
+  return grid.value_or(plane::Grid());
 }
 
-formula::World world_of(const io::Scene& scene) {
+plane::Region region_on(const Shape& shape, const plane::Grid& grid) {
+  if (shape.data().grid.step() == grid.step()) return shape.region().data().cells;
+  return plane::build(*api::tree_on(shape, grid), grid.step_size()).region;
+}
+
+formula::World world_of(const std::map<std::string, Shape>& shapes, const std::string& moving,
+                        const plane::Grid& grid) {
   formula::World world;
-  for (const plane::ShapePtr& s : scene.shapes)
-    world.shapes.emplace(s->name, plane::build(*s, scene.grid.step_size()).region);
-  world.moving = scene.moving;
-  world.step = scene.grid.step();
+  for (const auto& [name, shape] : shapes) {
+    try {
+      const bool same = shape.data().grid.step() == grid.step();
+      world.shapes.emplace(
+          name, same ? shape.region().data().cells : plane::build(*api::tree_on(shape, grid), grid.step_size()).region);
+    } catch (const Error& e) {
+      throw e.within(fmt::format("shape '{}'", name));
+    }
+  }
+  world.moving = {moving};
+  world.step = grid.step();
   return world;
 }
 
-formula::Context context_of(const io::Scene& scene) {
+formula::Context context_of(const std::map<std::string, Shape>& shapes, const std::string& moving,
+                            std::optional<formula::Unit> unit) {
   formula::Context context;
-  for (const plane::ShapePtr& s : scene.shapes) context.shapes.push_back(s->name);
-  context.moving = scene.moving;
-  context.unit = scene.unit;
+  for (const auto& [name, shape] : shapes) context.shapes.push_back(name);
+  if (std::find(context.shapes.begin(), context.shapes.end(), moving) == context.shapes.end())
+    throw Error(ErrorCode::kUnknownName,
+                fmt::format("there is no shape '{}' to move{}", moving, io::choice("shapes", moving, context.shapes)));
+  context.moving = {moving};
+  context.unit = unit;
   return context;
 }
 
 }  // namespace
 
-bool Region::empty() const { return data_->summary.empty; }
-bool Region::whole() const { return data_->summary.whole; }
-bool Region::open() const { return data_->summary.open; }
-bool Region::closed() const { return data_->summary.closed; }
-bool Region::bounded() const { return data_->summary.bounded; }
-std::optional<double> Region::area() const { return data_->summary.area; }
-std::size_t Region::components() const { return data_->summary.components.size(); }
-std::size_t Region::holes() const { return std::size_t(data_->summary.holes); }
-bool Region::contains(const Point& p) const {
-  return plane::mark_of(data_->region, plane::locate(data_->region, steps(p, data_->step))) > 0;
-}
-std::string Region::json() const { return io::region_json(data_->region, data_->summary, data_->step, data_->unit); }
-
-int SignMap::sign(const Point& p) const {
-  return plane::mark_of(data_->map, plane::locate(data_->map, steps(p, data_->step)));
-}
-
-Region SignMap::where(bool negative, bool zero, bool positive) const {
-  auto wanted = [=](plane::Mark m) { return plane::Mark(m < 0 ? negative : m == 0 ? zero : positive); };
-  return make_region(plane::remark(data_->map, wanted), data_->step, data_->unit);
-}
-
-Region World::Data::region(plane::Region r) const { return make_region(plane::in_order(r), scene.grid.step(), unit()); }
+Region World::Data::region(plane::Region r) const { return api::make_region(std::move(r), grid, unit()); }
 
 World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options) {
-  io::Scene scene = scene_of(shapes, moving, options);
-  if (scene.dimension != 2) throw Error(ErrorCode::kUnsupported, "a world of three dimensions");
-  formula::Context context = context_of(scene);
-  formula::World world = world_of(scene);
-  data_ =
-      std::shared_ptr<const Data>(new Data{std::move(scene), std::move(context), formula::Solver(std::move(world))});
+  const plane::Grid grid = grid_of(shapes);
+  const auto unit = options.unit.empty() ? std::nullopt : std::optional(io::parse_unit(options.unit));
+  formula::Context context = context_of(shapes, moving, unit);
+  data_ = std::shared_ptr<const Data>(
+      new Data{shapes, grid, unit, std::move(context), formula::Solver(world_of(shapes, moving, grid))});
 }
 
 DistanceValue World::distance(std::string_view distance, const Point& p) const {
@@ -147,40 +115,86 @@ DistanceValue World::distance(std::string_view distance, const Point& p) const {
       wanted.distance.mode == formula::Mode::kRotation
           ? data_->check(data_->formula(fmt::format("{} >= 0", distance)), real(p)).atoms.front().distance
           : data_->solver.distance_at(wanted.distance, real(p));
-  std::optional<double> value = d.value;
-  if (value && wanted.negated) value = -*value;
-  if (value && *value == exact::kInfinity) value.reset();
-  return {value, io::witness_words(d, plane::Twofold(data_->scene.grid.step()))};
+  return {(wanted.negated ? formula::minus(d) : d).value(), io::witness_words(d)};
 }
 
 SignMap World::sign_map(std::string_view distance, const Number& level) const {
   const formula::Objective wanted = data_->distance(distance);
-  const exact::Real at = exact::Real::parse_decimal(level.text()) / data_->scene.grid.step();
+  const exact::Real at = exact::Real::parse_decimal(level.text()) / data_->grid.step();
   plane::SignMap map =
       formula::objective_distance(data_->solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);
   if (wanted.negated) map = plane::remark(std::move(map), [](plane::Mark m) { return plane::Mark(-m); });
-  return SignMap(
-      std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->scene.grid.step(), data_->unit()}));
+  return SignMap(std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->grid, data_->unit()}));
 }
 
-Region World::solve(std::string_view formula) const {
-  return data_->region(formula::feasible_near(data_->solver, data_->formula(formula)));
+Region World::solve(const Formula& formula) const {
+  return data_->region(formula::feasible_near(data_->solver, data_->formula(formula.text())));
 }
 
-bool World::holds(std::string_view formula, const Point& p) const {
-  return data_->check(data_->formula(formula), real(p)).holds;
+bool World::holds(const Formula& formula, const Point& p) const {
+  return data_->check(data_->formula(formula.text()), real(p)).holds;
 }
 
-Optimum World::minimize(std::string_view objective, std::string_view formula) const {
+Optimum World::minimize(std::string_view objective, const Formula& formula) const {
   const formula::Objective wanted = formula::parse_objective(objective, data_->context);
-  formula::Optimum best = formula::optimize(formula::feasible_near(data_->solver, data_->formula(formula)), wanted,
-                                            distance::Sense::kMinimum, data_->solver);
+  formula::Optimum best = formula::optimize(formula::feasible_near(data_->solver, data_->formula(formula.text())),
+                                            wanted, distance::Sense::kMinimum, data_->solver);
   return {best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
           data_->region(std::move(best.at))};
 }
 
 Region World::shape(const std::string& name) const {
-  return data_->region(plane::build(*data_->scene.shape(name), data_->scene.grid.step_size()).region);
+  const auto found = data_->shapes.find(name);
+  if (found == data_->shapes.end())
+    throw Error(ErrorCode::kUnknownName,
+                fmt::format("unknown shape '{}'{}", name, io::choice("shapes", name, data_->context.shapes)));
+  return data_->region(region_on(found->second, data_->grid));
+}
+
+const std::map<std::string, Shape>& World::shapes() const { return data_->shapes; }
+const std::string& World::moving() const { return data_->context.moving.front(); }
+std::string World::unit() const { return data_->unit(); }
+
+Query World::query(const Formula& formula) const {
+  return Query(std::make_shared<const Query::Data>(*this, formula, data_->formula(formula.text())));
+}
+
+// ---- queries
+
+/// The region of a formula is made when first many positions are asked.
+struct Query::Data {
+  World world;
+  Formula written;
+  formula::Formula formula;
+  mutable std::once_flag made{};
+  mutable std::optional<Region> known{};
+
+  Data(World w, Formula text, formula::Formula f)
+      : world(std::move(w)), written(std::move(text)), formula(std::move(f)) {}
+  const Region& region() const {
+    std::call_once(made, [&] { known = world.data().region(formula::feasible_near(world.data().solver, formula)); });
+    return *known;
+  }
+  exact::RealPoint exactly(const Position& p) const { return {plane::decimal_of(p[0]), plane::decimal_of(p[1])}; }
+};
+
+bool Query::holds(const Point& p) const { return data_->world.data().check(data_->formula, real(p)).holds; }
+bool Query::holds_at(const Position& p) const {
+  return data_->world.data().check(data_->formula, data_->exactly(p)).holds;
+}
+void Query::holds(std::span<const Position> positions, std::span<bool> out) const {
+  data_->region().contains(positions, out);
+}
+const World& Query::world() const { return data_->world; }
+const Formula& Query::formula() const { return data_->written; }
+const Region& Query::region() const { return data_->region(); }
+
+std::optional<Region::Nearest> Query::nearest(const Position& from) const {
+  const World::Data& world = data_->world.data();
+  const auto found = world.solver.nearest_feasible(data_->formula, data_->exactly(from));
+  if (!found) return std::nullopt;
+  return Region::Nearest{
+      {found->at.at(0).to_double(), found->at.at(1).to_double()}, found->distance.to_double(), found->attained};
 }
 
 }  // namespace findspace

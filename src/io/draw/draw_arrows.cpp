@@ -93,7 +93,7 @@ std::vector<LegendEntry> arrow_entries(const std::vector<Arrow>& all) {
   if (has(Arrow::Kind::kWay)) out.push_back({M::kArrow, "way in time"});
   if (has(Arrow::Kind::kDirection) || has(Arrow::Kind::kBothWays))
     out.push_back({M::kArrow, "direction of the distance"});
-  if (has(Arrow::Kind::kRotation)) out.push_back({M::kArrow, "turn"});
+  if (has(Arrow::Kind::kRotation)) out.push_back({M::kArrow, "rotation"});
   return out;
 }
 

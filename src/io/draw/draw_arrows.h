@@ -17,7 +17,7 @@ namespace findspace::io {
 struct Arrow {
   enum class Kind { kWay, kDirection, kBothWays, kRotation };
   Kind kind = Kind::kWay;
-  std::vector<plane::Place> points;  // way points; or one, the direction, or the centre of the turn
+  std::vector<plane::Place> points;  // way points; or one, the direction, or the centre of the rotation
   bool of_moving = false;            // points are seen from the position of the moving shape
 };
 

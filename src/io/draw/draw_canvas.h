@@ -8,9 +8,14 @@
 #include <string>
 #include <string_view>
 
-#include "io/text/write_curves.h"
+#include "plane/query/curve_net.h"
 
 namespace findspace::io {
+
+using plane::CurveNet;
+using Curve = CurveNet::Curve;
+using Ring = CurveNet::Ring;
+using Side = CurveNet::Side;
 
 /// Text fit for an XML text or attribute.
 std::string xml_escaped(std::string_view text);

@@ -85,8 +85,9 @@ struct Page {
 /// Layer k of the grid as a panel of the page; `points` becomes true where a line has a single point.
 std::string layer_svg(const space::RayRow& row, const space::RayGrid& grid, int k, const Page& page, double top,
                       double part, std::string_view unit, bool& points) {
+  const int below = k / page.across;  // rows of panels
   const Panel panel{kPanelGap + (k % page.across) * (page.panel_width() + kPanelGap),
-                    top + (k / page.across) * (page.panel_height() + kPanelLine + kPanelGap),
+                    top + below * (page.panel_height() + kPanelLine + kPanelGap),
                     page.per_unit,
                     page.x0,
                     page.y1,

@@ -83,7 +83,8 @@ std::string obj_text(const Surface& s, std::string_view title) {
   for (std::size_t f = 0; f < s.faces.size(); ++f) {
     if (!s.labels.empty() && (f == 0 || s.labels[f] != s.labels[f - 1]))
       fmt::format_to(std::back_inserter(out), "g {}\n", s.labels[f]);
-    fmt::format_to(std::back_inserter(out), "f");
+    const std::size_t corners = s.faces[f].size();
+    out.push_back(corners > 2 ? 'f' : corners == 2 ? 'l' : 'p');
     for (const int v : s.faces[f]) fmt::format_to(std::back_inserter(out), " {}", v + 1);
     out.push_back('\n');
   }

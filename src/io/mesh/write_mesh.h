@@ -14,7 +14,8 @@
 
 namespace findspace::io {
 
-/// Convex faces, counter-clockwise from outside, in the scene's unit.
+/// Convex faces, counter-clockwise from outside, in the scene's unit. Only OBJ takes faces of two corners or one, as
+/// lines and points.
 struct Surface {
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::vector<int>> faces;

@@ -15,6 +15,7 @@
 #include "findspace/error.h"
 #include "io/read/read_dxf_groups.h"
 #include "io/read/read_file.h"
+#include "io/text/outline_shapes.h"
 #include "io/text/read_transform.h"
 #include "io/text/scene_reader.h"
 
@@ -76,14 +77,14 @@ class DxfReader {
 
  private:
   std::vector<ShapePtr> joined() try {
-    outline_.join_open_chains();
-    if (outline_.open_chains() > 0) {
-      int n = outline_.open_chains();
+    Drawing drawing = outline_.take();
+    join_open_chains(drawing, context_.grid.step_size());
+    if (const int n = open_chains(drawing); n > 0) {
       context_.notes.push_back(fmt::format("{}: {} open {} read as {}, without an inside", document_.name, n,
                                            n == 1 ? "outline is" : "outlines are",
                                            n == 1 ? "a polyline" : "polylines"));
     }
-    return outline_.parts(document_.name);
+    return parts_of(std::move(drawing), context_, document_.name);
   } catch (const Error& e) {
     throw e.within(document_.name);
   }
@@ -142,7 +143,7 @@ class DxfReader {
   /// Entities drawn on a plane other than z = 0 seen from above.
   void check_flat(const DxfEntity& e) const {
     if (compare(document_.number(e, 230, 1), Real(1)) == 0) return;
-    throw Error(ErrorCode::kUnsupported, "its plane is turned (extrusion direction other than 0, 0, 1)");
+    throw Error(ErrorCode::kUnsupported, "its plane is rotated (extrusion direction other than 0, 0, 1)");
   }
 
   void other(const DxfEntity& e) {

@@ -8,8 +8,8 @@
 #include <array>
 
 #include "findspace/error.h"
+#include "io/text/outline_shapes.h"
 #include "io/text/read_cells.h"
-#include "io/text/read_outline.h"
 #include "io/text/read_text.h"
 
 namespace findspace::io {

@@ -8,7 +8,7 @@
 #include "findspace/error.h"
 #include "io/read/read_file.h"
 #include "io/text/json_tree.h"
-#include "io/text/read_outline.h"
+#include "io/text/outline_shapes.h"
 #include "io/text/scene_reader.h"
 
 namespace findspace::io {
@@ -103,7 +103,7 @@ class GeoJsonReader {
     } else {
       json_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is no type of GeoJSON", kind), {}, value);
     }
-    return json_.placed({}, value, [&] { return outline.lines(place(value)); });
+    return json_.placed({}, value, [&] { return lines_of(outline.take(), context_, place(value)); });
   }
 
   template <class Take>
@@ -130,12 +130,12 @@ class GeoJsonReader {
   ShapePtr polygon(const JsonValue& value) const {
     Outline outline(context_, scale_);
     for (const JsonValue& ring : list(value, "a polygon")) {
-      int before = outline.chains();
+      const std::size_t before = outline.drawn().chains.size();
       line(ring, outline);
-      if (outline.chains() == before + 1 && outline.open_chains() == 0) continue;
+      if (outline.drawn().chains.size() == before + 1 && open_chains(outline.drawn()) == 0) continue;
       json_.fail(ErrorCode::kGeometry, "a ring must have an area and end at its first point", {}, ring);
     }
-    return json_.placed({}, value, [&] { return outline.polygon(place(value)); });
+    return json_.placed({}, value, [&] { return polygon_of(outline.take(), context_, place(value)); });
   }
 
   SceneReader json_;

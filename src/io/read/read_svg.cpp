@@ -16,6 +16,7 @@
 #include "findspace/error.h"
 #include "io/read/read_file.h"
 #include "io/read/read_svg_attributes.h"
+#include "io/text/outline_shapes.h"
 #include "io/text/read_transform.h"
 #include "io/text/scene_reader.h"
 
@@ -146,7 +147,7 @@ class SvgReader {
   void add(const pugi::xml_node& node, const Affine& map, const std::string& id) {
     Outline outline(context_, scale_);
     draw_svg_element(node, local_name(node), map, outline);
-    Shape shape = *outline.shape(place(node));
+    Shape shape = *shape_of(outline.take(), context_, place(node));
     shape.name = id;
     parts_.push_back(std::make_shared<const Shape>(std::move(shape)));
   }

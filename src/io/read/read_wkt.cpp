@@ -11,7 +11,7 @@
 
 #include "findspace/error.h"
 #include "io/read/read_file.h"
-#include "io/text/read_outline.h"
+#include "io/text/outline_shapes.h"
 
 namespace findspace::io {
 namespace {
@@ -154,7 +154,7 @@ class WktReader {
       at_ = start;
       fail(ErrorCode::kUnknownName, fmt::format("'{}' is no geometry that is read", name));
     }
-    return outline.lines(place);
+    return lines_of(outline.take(), context_, place);
   }
 
   /// The kind of a member curve: a parenthesis without a word is a LINESTRING.
@@ -183,14 +183,14 @@ class WktReader {
     need('(');
     do {
       std::size_t start = at_;
-      int before = outline.chains();
+      const std::size_t before = outline.drawn().chains.size();
       curve(curves ? member() : "LINESTRING", outline);
-      if (outline.chains() != before + 1 || outline.open_chains() > 0) {
+      if (outline.drawn().chains.size() != before + 1 || open_chains(outline.drawn()) > 0) {
         throw Error(ErrorCode::kGeometry, "a ring must end at its first point", text_place(text_, start, name_));
       }
     } while (take(','));
     need(')');
-    return outline.polygon(place);
+    return polygon_of(outline.take(), context_, place);
   }
 
   void points(Outline& outline) {

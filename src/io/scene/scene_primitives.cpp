@@ -9,8 +9,8 @@
 #include "io/read/read_file.h"
 #include "io/scene/scene_shapes.h"
 #include "io/scene/scene_space.h"
+#include "io/text/outline_shapes.h"
 #include "io/text/read_cells.h"
-#include "io/text/read_outline.h"
 #include "io/text/svg_path.h"
 #include "plane/contour/contour.h"
 
@@ -135,7 +135,7 @@ ShapePtr build_path(ShapeReader& reader, const JsonValue&, const JsonValue& valu
     Outline outline(reader.context());
     OutlineSink sink(outline);
     read_svg_path(data, sink);
-    return outline.shape(reader.json().place(label, value));
+    return shape_of(outline.take(), reader.context(), reader.json().place(label, value));
   });
 }
 

@@ -17,6 +17,7 @@ namespace findspace::io {
 namespace {
 
 constexpr std::size_t kMaxDepth = 200;
+constexpr std::string_view kNotJson = "this is not JSON: ";
 
 /// Byte offsets to lines and columns, for offsets that only grow.
 class LineCounter {
@@ -80,82 +81,20 @@ const char* fault(rapidjson::ParseErrorCode code) {
   }
 }
 
-class TreeBuilder {
+/// A text as a stream of bytes, the places of its tokens, and the errors that show them.
+class TokenStream {
  public:
-  TreeBuilder(std::string_view text, const std::string& name)
-      : text_(text), name_(name), stream_(text.data(), text.size()), lines_(text) {}
-
-  JsonValue run() {
-    using namespace rapidjson;
-    if (text_.starts_with(kByteOrderMark)) {
-      stream_ = MemoryStream(text_.data() + 3, text_.size() - 3);
-      mark_ = 3;
-      end_ = 3;
-    }
-    Reader reader;
-    const ParseResult result = reader.Parse<kParseCommentsFlag | kParseValidateEncodingFlag>(stream_, *this);
-    if (result.IsError()) refuse(result);
-    if (offset() < text_.size()) fail(std::string(kNotJson) + fault(kParseErrorDocumentRootNotSingular), offset());
-    return std::move(root_);
+  TokenStream(std::string_view text, const std::string& name)
+      : text_(text), name_(name), stream_(text.data(), text.size()), lines_(text) {
+    if (!text_.starts_with(kByteOrderMark)) return;
+    mark_ = kByteOrderMark.size();
+    stream_ = rapidjson::MemoryStream(text_.data() + mark_, text_.size() - mark_);
+    end_ = mark_;
   }
 
-  // The reader's events; the numbers it computes are not used.
-  bool Null() { return begin(JsonValue::Kind::kNull) != nullptr; }
-  bool Bool(bool value) {
-    begin(JsonValue::Kind::kBoolean)->boolean = value;
-    return true;
-  }
-  bool Int(int) { return number(); }
-  bool Uint(unsigned) { return number(); }
-  bool Int64(std::int64_t) { return number(); }
-  bool Uint64(std::uint64_t) { return number(); }
-  bool Double(double) { return number(); }
-  bool RawNumber(const char*, rapidjson::SizeType, bool) { return number(); }
-  bool String(const char* value, rapidjson::SizeType size, bool) {
-    begin(JsonValue::Kind::kString)->text.assign(value, size);
-    return true;
-  }
-  bool StartObject() { return open(JsonValue::Kind::kObject); }
-  bool StartArray() { return open(JsonValue::Kind::kArray); }
-  bool EndObject(rapidjson::SizeType) { return close(); }
-  bool EndArray(rapidjson::SizeType) { return close(); }
-  bool Key(const char* value, rapidjson::SizeType size, bool) {
-    const std::string& key = open_.back()->keys.emplace_back(value, size);
-    if (!seen_.back().insert(key).second) fail("the key '" + key + "' stands twice in one object", token_start());
-    end_ = offset();
-    return true;
-  }
-
- private:
-  static constexpr std::string_view kNotJson = "this is not JSON: ", kByteOrderMark = "\xEF\xBB\xBF";
-
+  rapidjson::MemoryStream& bytes() { return stream_; }
   std::size_t offset() const { return mark_ + stream_.Tell(); }
-
-  [[noreturn]] void refuse(const rapidjson::ParseResult& result) {
-    const std::size_t at = std::min(mark_ + result.Offset(), text_.size());
-    const std::string_view sign = sign_at(at);
-    const bool in_text = result.Code() >= rapidjson::kParseErrorStringUnicodeEscapeInvalidHex &&
-                         result.Code() <= rapidjson::kParseErrorStringInvalidEncoding;
-    std::string message(kNotJson);
-    if (sign.size() > 1 && !in_text) {
-      message += "stray character '" + std::string(sign) + (sign == "−" ? "'; the minus is '-'" : "'");
-    } else {
-      message += std::string(at == text_.size() ? "the end comes too early; " : "") + fault(result.Code());
-    }
-    fail(message, at);
-  }
-
-  /// The character that begins there if it is one of several bytes and well formed, else nothing.
-  std::string_view sign_at(std::size_t start) const {
-    const auto byte = [&](std::size_t i) { return i < text_.size() ? static_cast<unsigned char>(text_[i]) : 0u; };
-    const unsigned lead = byte(start);
-    const std::size_t size = lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
-    for (std::size_t k = 1; k < size; ++k) {
-      if ((byte(start + k) & 0xc0) != 0x80) return {};
-    }
-    return text_.substr(std::min(start, text_.size()), size);
-  }
-
+  bool at_end() const { return offset() == text_.size(); }
   /// Start of the token just read: what follows the token before but blanks, separators and comments.
   std::size_t token_start() const {
     std::size_t i = end_;
@@ -177,33 +116,117 @@ class TreeBuilder {
     }
   }
 
+  /// The next token begins after what has been read.
+  void end_token() { end_ = offset(); }
+  std::string_view read_from(std::size_t start) const { return text_.substr(start, offset() - start); }
+  void place(std::size_t start, int& line, int& column) { lines_.place(start, line, column); }
+
+  [[noreturn]] void fail(const std::string& message, std::size_t start) {
+    int line = 0, column = 0;
+    lines_.place(start, line, column);
+    throw Error(ErrorCode::kSyntax, message, name_ + ":" + std::to_string(line) + ":" + std::to_string(column));
+  }
+
+  [[noreturn]] void refuse(const rapidjson::ParseResult& result) {
+    const std::size_t at = std::min(mark_ + result.Offset(), text_.size());
+    const std::string_view sign = sign_at(at);
+    const bool in_text = result.Code() >= rapidjson::kParseErrorStringUnicodeEscapeInvalidHex &&
+                         result.Code() <= rapidjson::kParseErrorStringInvalidEncoding;
+    std::string message(kNotJson);
+    if (sign.size() > 1 && !in_text) {
+      message += "stray character '" + std::string(sign) + (sign == "−" ? "'; the minus is '-'" : "'");
+    } else {
+      message += std::string(at == text_.size() ? "the end comes too early; " : "") + fault(result.Code());
+    }
+    fail(message, at);
+  }
+
+ private:
+  static constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+  /// The character that begins there if it is one of several bytes and well formed, else nothing.
+  std::string_view sign_at(std::size_t start) const {
+    const auto byte = [&](std::size_t i) { return i < text_.size() ? static_cast<unsigned char>(text_[i]) : 0u; };
+    const unsigned lead = byte(start);
+    const std::size_t size = lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+    for (std::size_t k = 1; k < size; ++k) {
+      if ((byte(start + k) & 0xc0) != 0x80) return {};
+    }
+    return text_.substr(std::min(start, text_.size()), size);
+  }
+
   /// The last byte of the comment that begins at `i`.
   std::size_t comment_end(std::size_t i) const {
     if (text_.substr(i, 2) == "//") return std::min(text_.find('\n', i), text_.size());
     return std::min(text_.find("*/", i + 2), text_.size() - 2) + 1;
   }
 
+  std::string_view text_;
+  const std::string& name_;
+  rapidjson::MemoryStream stream_;  // the one stream whose place is right at every event
+  std::size_t mark_ = 0;            // bytes before the stream
+  LineCounter lines_;
+  std::size_t end_ = 0;  // of the last token
+};
+
+/// Takes the reader's events; the numbers it computes are not used.
+class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
+ public:
+  TreeBuilder(std::string_view text, const std::string& name) : tokens_(text, name) {}
+
+  JsonValue run() {
+    using namespace rapidjson;
+    Reader reader;
+    const ParseResult result = reader.Parse<kParseCommentsFlag | kParseValidateEncodingFlag>(tokens_.bytes(), *this);
+    if (result.IsError()) tokens_.refuse(result);
+    if (!tokens_.at_end())
+      tokens_.fail(std::string(kNotJson) + fault(kParseErrorDocumentRootNotSingular), tokens_.offset());
+    return std::move(root_);
+  }
+
+  bool Null() { return begin(JsonValue::Kind::kNull) != nullptr; }
+  bool Bool(bool value) {
+    begin(JsonValue::Kind::kBoolean)->boolean = value;
+    return true;
+  }
+  /// Numbers of every type.
+  bool Default() {
+    begin(JsonValue::Kind::kNumber)->text.assign(tokens_.read_from(start_));
+    return true;
+  }
+  bool String(const char* value, rapidjson::SizeType size, bool) {
+    begin(JsonValue::Kind::kString)->text.assign(value, size);
+    return true;
+  }
+  bool StartObject() { return open(JsonValue::Kind::kObject); }
+  bool StartArray() { return open(JsonValue::Kind::kArray); }
+  bool EndObject(rapidjson::SizeType) { return close(); }
+  bool EndArray(rapidjson::SizeType) { return close(); }
+  bool Key(const char* value, rapidjson::SizeType size, bool) {
+    const std::string& key = open_.back()->keys.emplace_back(value, size);
+    if (!seen_.back().insert(key).second)
+      tokens_.fail("the key '" + key + "' stands twice in one object", tokens_.token_start());
+    tokens_.end_token();
+    return true;
+  }
+
+ private:
   static JsonValue& item_of(JsonValue& list) {
     if (list.items.capacity() == 0) list.items.reserve(2);  // most lists are points
     return list.items.emplace_back();
   }
 
   JsonValue* begin(JsonValue::Kind kind) {
-    start_ = token_start();
     JsonValue* value = open_.empty() ? &root_ : &item_of(*open_.back());
     value->kind = kind;
-    lines_.place(start_, value->line, value->column);
-    end_ = offset();
+    start_ = tokens_.token_start();
+    tokens_.place(start_, value->line, value->column);
+    tokens_.end_token();
     return value;
   }
 
-  bool number() {
-    begin(JsonValue::Kind::kNumber)->text.assign(text_.substr(start_, end_ - start_));
-    return true;
-  }
-
   bool open(JsonValue::Kind kind) {
-    if (open_.size() >= kMaxDepth) fail("more than 200 levels of nesting", token_start());
+    if (open_.size() >= kMaxDepth) tokens_.fail("more than 200 levels of nesting", tokens_.token_start());
     open_.push_back(begin(kind));  // stays valid: a value gets no sibling while it is open
     seen_.emplace_back();
     return true;
@@ -212,22 +235,12 @@ class TreeBuilder {
   bool close() {
     open_.pop_back();
     seen_.pop_back();
-    end_ = offset();
+    tokens_.end_token();
     return true;
   }
 
-  [[noreturn]] void fail(const std::string& message, std::size_t start) {
-    int line = 0, column = 0;
-    lines_.place(start, line, column);
-    throw Error(ErrorCode::kSyntax, message, name_ + ":" + std::to_string(line) + ":" + std::to_string(column));
-  }
-
-  std::string_view text_;
-  const std::string& name_;
-  rapidjson::MemoryStream stream_;  // the one stream whose place is right at every event
-  std::size_t mark_ = 0;            // bytes before the stream
-  LineCounter lines_;
-  std::size_t start_ = 0, end_ = 0;  // of the last token
+  TokenStream tokens_;
+  std::size_t start_ = 0;  // of the last token
   JsonValue root_;
   std::vector<JsonValue*> open_;
   std::vector<std::unordered_set<std::string>> seen_;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "exact/number/real_text.h"
+#include "exact/planar/geometry_signs.h"
 #include "plane/complex/marked_curves.h"
 
 namespace findspace::io {
@@ -162,7 +163,7 @@ class CellsReader {
     const auto root = static_cast<int>(whole(json_.need(item, "root", label_), -1, 1, "\"root\""));
     if (i >= j || exact::same_supporting_curve(g.supporting_curves[i], g.supporting_curves[j]))
       fail("a vertex is on two carriers [i, j], i < j", item);
-    const Geometry::Meeting meeting = g.meet(i, j);
+    const exact::Meeting meeting = meet(g, i, j);
     const auto end = meeting.root.begin() + meeting.count;
     if (std::find(meeting.root.begin(), end, root) == end)
       fail(fmt::format("carriers {} and {} do not meet with root {}", i, j, root), item);
@@ -187,11 +188,11 @@ class CellsReader {
     if (circle != (item.find("half") != nullptr) || (circle && piece.half == 0))
       fail("an edge has a \"half\", 1 or -1, where it is on a circle", item);
     for (const Index p : {piece.p0, piece.p1}) {
-      if (!g.lies_on(p, piece.supporting_curve)) fail("an end of an edge is not on its carrier", item);
-      if (circle && g.above_center(p, piece.supporting_curve) * piece.half < 0)
+      if (!lies_on(g, p, piece.supporting_curve)) fail("an end of an edge is not on its carrier", item);
+      if (circle && above_center(g, p, piece.supporting_curve) * piece.half < 0)
         fail("an end of an edge is on the other half of its circle", item);
     }
-    if (g.compare_xy(piece.p0, piece.p1) >= 0) fail("an edge runs to the right (or straight up)", item);
+    if (compare_xy(g, piece.p0, piece.p1) >= 0) fail("an edge runs to the right (or straight up)", item);
     out.curves.pieces.push_back(piece);
     out.curves.forward.push_back(1);
     out.mark({truth(member("in")), truth(member("left")), truth(member("right"))});

@@ -28,7 +28,7 @@ std::vector<std::string> ReadContext::summary() const {
     all.push_back(fmt::format("{} dropped", count(repeated_points, "repeated point", "repeated points")));
   if (turned_rings > 0) {
     all.push_back(
-        fmt::format("{} turned to run counter-clockwise", count(turned_rings, "clockwise ring", "clockwise rings")));
+        fmt::format("{} reversed to run counter-clockwise", count(turned_rings, "clockwise ring", "clockwise rings")));
   }
   return all;
 }

@@ -7,7 +7,6 @@
 // a segment. Keywords: path builder, even-odd rule, contour.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "io/text/read_context.h"
@@ -19,6 +18,18 @@ namespace findspace::io {
 struct Chain {
   plane::Contour edges;
   bool closed = false;
+};
+
+struct Disc {
+  plane::GridPoint center;
+  exact::Real radius;  // in grid steps
+};
+
+/// What was drawn; outline_shapes.h makes shapes of it.
+struct Drawing {
+  std::vector<Chain> chains;
+  std::vector<Disc> discs;
+  std::vector<plane::GridPoint> points;
 };
 
 class Outline {
@@ -43,49 +54,24 @@ class Outline {
   void circle(const exact::Real& x, const exact::Real& y, const exact::Real& radius);
   void point(const exact::Real& x, const exact::Real& y);
 
-  bool empty() const { return chains_.empty() && discs_.empty() && points_.empty() && !running_; }
-  /// Joins open chains whose ends are the same grid point; throws Error(kGeometry) where more than two meet.
-  void join_open_chains();
-  int open_chains() const;
-  int chains() const { return static_cast<int>(chains_.size()); }
   /// Whether the chain in hand has come to this point.
   bool is_at(const exact::Real& x, const exact::Real& y);
-
-  /// Closed chains and circles by even-odd nesting, each outer ring with its holes one shape, or all as one where rings
-  /// touch in common corners (plane/build/touching_rings.h); then the open chains as polylines, then the points.
-  /// Finishes the chain in hand. Throws Error(kGeometry).
-  std::vector<plane::ShapePtr> parts(const std::string& place);
-  /// The same as one shape: the part, or the union of the parts.
-  plane::ShapePtr shape(const std::string& place);
-  /// All chains as polylines, also those that come back to their first point, and the points.
-  plane::ShapePtr lines(const std::string& place);
-  /// The first closed chain as outer ring, the others as its holes.
-  plane::ShapePtr polygon(const std::string& place);
+  /// Without the chain in hand.
+  const Drawing& drawn() const { return drawing_; }
+  /// Finishes the chain in hand and gives away what was drawn.
+  Drawing take();
 
  private:
-  struct Disc {
-    plane::GridPoint center;
-    exact::Real radius;  // in grid steps
-  };
-
   plane::GridPoint grid_point(const exact::Real& x, const exact::Real& y);
   void begin();
   void add(plane::ContourEdge edge, plane::GridPoint to);
-  plane::Contour ring_of(const Disc& disc);
-  std::vector<plane::Contour> take_rings();
-  void add_lines_and_points(std::vector<plane::ShapePtr>& all, const std::string& place);
 
   ReadContext& context_;
   exact::Real scale_;
   bool running_ = false;  // a chain has edges or could get some
   plane::Contour edges_;
   plane::GridPoint start_, at_;
-  std::vector<Chain> chains_;
-  std::vector<Disc> discs_;
-  std::vector<plane::GridPoint> points_;
+  Drawing drawing_;
 };
-
-/// The shapes as one: a single one is itself, several are a union (a collection whose parts keep their names if asked).
-plane::ShapePtr united(std::vector<plane::ShapePtr> parts, const std::string& place, bool collection = false);
 
 }  // namespace findspace::io

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kAtOnce = std::size_t{1} << 16;
 
 [[noreturn]] void fail() {
-  throw Error(ErrorCode::kFile, std::string("no room for a temporary file: ") + std::strerror(errno));
+  throw Error(ErrorCode::kFile, std::string("a temporary file cannot be written: ") + std::strerror(errno));
 }
 
 }  // namespace

@@ -40,4 +40,15 @@ std::string list(const Items& items, Text text, bool lines = false) {
   return out + "]";
 }
 
+/// The keys of an extreme value: "minimum" or "maximum", "attained"; where it is not proven "proven", "bound",
+/// "within".
+inline void put_extreme(std::string& out, const ExtremeValue& e) {
+  const std::string value = e.unbounded && !e.maximum ? "\"-inf\"" : number(e.value);
+  put(out, "  \"{}\": {}, \"attained\": {},", e.maximum ? "maximum" : "minimum", value, truth(e.attained));
+  if (!e.proven) put(out, " \"proven\": false,");
+  if (e.bound) put(out, " \"bound\": {},", json_number(*e.bound));
+  if (e.within) put(out, " \"within\": {},", json_number(*e.within));
+  put(out, "\n");
+}
+
 }  // namespace findspace::io

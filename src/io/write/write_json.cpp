@@ -6,27 +6,27 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 
-#include "io/write/json_answers.h"
+#include "io/write/json_text.h"
 #include "io/write/write_cells.h"
-#include "io/write/write_witness.h"
 
 namespace findspace::io {
 namespace {
 
 using plane::Bounds;
+using plane::CurveNet;
 using plane::Index;
 using plane::kNone;
 using plane::Place;
 using plane::Twofold;
+using Curve = CurveNet::Curve;
+using Ring = CurveNet::Ring;
+using Side = CurveNet::Side;
 
 std::string pair(const Place& p) { return fmt::format("[{}, {}]", json_number(p[0]), json_number(p[1])); }
 std::string box(const std::optional<Bounds>& b) {
   return b ? fmt::format("[{}, {}]", pair(b->low), pair(b->high)) : "null";
 }
-
-Place place(const exact::RealPoint& p) { return {Twofold(p.x).value(), Twofold(p.y).value()}; }
 
 std::string component_text(const plane::Component& c) {
   return fmt::format(R"({{"dimension": {}, "area": {}, "dangling_length": {}, "holes": {}, "sample": {}, "bbox": {}}})",
@@ -82,17 +82,6 @@ void put_cells(std::string& out, const CurveNet& net) {
   out += "\n  }";
 }
 
-/// How far values that are not exact may be from the true ones.
-std::string bounds_text(const std::vector<formula::DistanceAt>& distances) {
-  std::map<std::string, double> bounds;
-  for (const formula::DistanceAt& d : distances)
-    if (d.bound) bounds[d.text] = *d.bound;
-  std::string out;
-  for (const auto& [text, bound] : bounds)
-    put(out, "{}{}: {}", out.empty() ? ",\n  \"bounds\": {" : ", ", json_string(text), json_number(bound));
-  return out.empty() ? out : out + "}";
-}
-
 }  // namespace
 
 std::string json_number(double value) {
@@ -138,27 +127,6 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
   const std::string bound = side.empty() ? "" : fmt::format(" \"side\": {},", json_string(side));
   return fmt::format("{{{}\"empty\": {},{}{} \"intervals\": {}}}\n", unit_key(unit), truth(intervals.empty()), bound,
                      best, list(intervals, text));
-}
-
-std::string check_json(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, std::optional<double> angle, const formula::NearestFeasible* nearest) {
-  const Twofold factor(step);
-  std::string out = fmt::format("{{{}\"at\": {}, {}\"true\": {},\n", unit_key(unit), pair(place(at)),
-                                angle ? fmt::format("\"angle\": {}, ", json_number(*angle)) : "", truth(check.holds));
-  put_atoms(out, check.atoms, [&](const formula::DistanceAt& d) { return witness_members(d, factor); });
-  if (nearest != nullptr) put_nearest(out, *nearest, json_point(nearest->at, factor));
-  std::vector<formula::DistanceAt> all;
-  for (const formula::AtomAt& a : check.atoms) all.push_back(a.distance);
-  return out + bounds_text(all) + "\n}\n";
-}
-
-std::string measure_json(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
-                         const exact::Real& step, std::string_view unit, std::optional<double> angle) {
-  const Twofold factor(step);
-  std::string out = fmt::format("{{{}\"at\": {},{}\n", unit_key(unit), pair(place(at)),
-                                angle ? fmt::format(" \"angle\": {},", json_number(*angle)) : "");
-  put_distances(out, distances, [&](const formula::DistanceAt& d) { return witness_members(d, factor); });
-  return out + bounds_text(distances) + "\n}\n";
 }
 
 }  // namespace findspace::io

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "formula/planar/solve.h"
-#include "io/text/write_curves.h"
+#include "plane/query/curve_net.h"
 #include "plane/query/locate_line.h"
 
 namespace findspace::io {
@@ -38,12 +38,5 @@ std::string region_json(const plane::Region& region, const plane::Summary& summa
 /// set the intervals may lie; empty where they are exact.
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
                            std::string_view unit, const ExtremeValue* extreme = nullptr, std::string_view side = {});
-
-/// The results of `check` and `measure` at a position in the scene's unit. `nearest` may be null.
-std::string check_json(const formula::Check& check, const exact::RealPoint& at, const exact::Real& step,
-                       std::string_view unit, std::optional<double> angle = std::nullopt,
-                       const formula::NearestFeasible* nearest = nullptr);
-std::string measure_json(const std::vector<formula::DistanceAt>& distances, const exact::RealPoint& at,
-                         const exact::Real& step, std::string_view unit, std::optional<double> angle = std::nullopt);
 
 }  // namespace findspace::io

@@ -8,7 +8,7 @@
 #include <array>
 
 #include "io/mesh/space_surface.h"
-#include "io/write/json_answers.h"
+#include "io/write/json_text.h"
 
 namespace findspace::io {
 namespace {
@@ -23,7 +23,6 @@ std::string triple(const Place3& p) {
 std::string box(const std::optional<PlaceBox>& b) {
   return b ? fmt::format("[{}, {}]", triple(b->low), triple(b->high)) : "null";
 }
-Place3 place(const space::RealVector& p) { return {p[0].to_double(), p[1].to_double(), p[2].to_double()}; }
 
 std::string solid_component_text(const space::SpaceComponent& c) {
   return fmt::format(
@@ -43,15 +42,6 @@ std::string box_text(const space::IntervalBox& b, const Real& step) {
   }
   return fmt::format(R"({{"from": [{}], "to": [{}], "from_in": [{}], "to_in": [{}]}})", rows[0], rows[1], rows[2],
                      rows[3]);
-}
-
-/// "nearest": [..], "points": [[..], [..]], as far as known.
-std::string witness_text(const formula::SpaceDistanceAt& d) {
-  std::string out;
-  if (d.nearest) put(out, "\"nearest\": {}", triple(*d.nearest));
-  if (d.points)
-    put(out, "{}\"points\": [{}, {}]", out.empty() ? "" : ", ", triple((*d.points)[0]), triple((*d.points)[1]));
-  return out;
 }
 
 void put_summary(std::string& out, const space::SpaceSummary& s, std::string_view unit) {
@@ -92,22 +82,6 @@ std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s
   if (set.radius.sign() > 0) put(out, "    \"radius\": {},\n", number((set.radius * step).to_double()));
   put(out, "    \"facets\": {}}}\n", list(surface.faces, corners));
   return out + "}\n";
-}
-
-std::string space_check_json(const formula::SpaceSolver::Check& check, const space::RealVector& at,
-                             std::string_view unit, const formula::SpaceNearest* nearest) {
-  std::string out =
-      fmt::format("{{{}\"at\": {}, \"true\": {},\n", unit_key(unit), triple(place(at)), truth(check.holds));
-  put_atoms(out, check.atoms, witness_text);
-  if (nearest != nullptr) put_nearest(out, *nearest, triple(place(nearest->at)));
-  return out + "\n}\n";
-}
-
-std::string space_measure_json(const std::vector<formula::SpaceDistanceAt>& distances, const space::RealVector& at,
-                               std::string_view unit) {
-  std::string out = fmt::format("{{{}\"at\": {},\n", unit_key(unit), triple(place(at)));
-  put_distances(out, distances, witness_text);
-  return out + "\n}\n";
 }
 
 }  // namespace findspace::io

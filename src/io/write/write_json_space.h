@@ -21,10 +21,5 @@ std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& 
 /// The polytope with its facets instead of boxes.
 std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& summary, const exact::Real& step,
                        std::string_view unit, const ExtremeValue* extreme = nullptr);
-/// `nearest` may be null.
-std::string space_check_json(const formula::SpaceSolver::Check& check, const space::RealVector& at,
-                             std::string_view unit, const formula::SpaceNearest* nearest = nullptr);
-std::string space_measure_json(const std::vector<formula::SpaceDistanceAt>& distances, const space::RealVector& at,
-                               std::string_view unit);
 
 }  // namespace findspace::io

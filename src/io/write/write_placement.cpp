@@ -91,9 +91,9 @@ std::string placement_text(const PlacementResult& result, const Real& step, std:
       std::vector<std::string> at;
       for (const Real& c : p.at) at.push_back(shown((Twofold(c) * Twofold(step)).value()));
       put(out, "({}){}", fmt::join(at, ", "), suffix);
-      if (p.angle) put(out, ", turned by {} deg", shown(p.angle->to_double()));
+      if (p.angle) put(out, ", rotated by {} deg", shown(p.angle->to_double()));
     } else {
-      out += p.attained ? "no room" : "no best position: the least value is not taken";
+      out += p.attained ? "no free position" : "no best position: the least value is not taken";
     }
     out += "\n";
   }

@@ -174,7 +174,7 @@ class PictureWriter {
     if (position_ && !moving_.empty()) {
       std::string names;
       for (const NamedRegion& r : p_.moving) names += (names.empty() ? "" : ", ") + r.name;
-      if (!p_.rotated.empty()) names += ", as drawn and turned";
+      if (!p_.rotated.empty()) names += ", as drawn and rotated";
       out.push_back({M::kMoving, names});
       out.push_back({M::kPole, fmt::format("at p = ({}, {})", shown((*position_)[0]), shown((*position_)[1]))});
     }

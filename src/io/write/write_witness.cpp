@@ -7,46 +7,49 @@
 
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"
+#include "plane/query/measure_cells_twofold.h"
 
 namespace findspace::io {
 
-using exact::RealPoint;
 using formula::FeatureAt;
-using plane::Twofold;
 
 namespace {
 
-double scaled(const exact::Real& r, const Twofold& step) { return (Twofold(r) * step).value(); }
+double rounded(const exact::Real& r) { return plane::Twofold(r).value(); }
 
-std::string feature_json(const FeatureAt& f, const Twofold& step) {
+template <class Number>
+std::string joined(const distance::Coordinates& p, const Number& number) {
+  std::string out;
+  for (const exact::Real& c : p) out += (out.empty() ? "" : ", ") + number(rounded(c));
+  return out;
+}
+
+std::string feature_json(const FeatureAt& f) {
   std::string out = fmt::format("{{\"shape\": {}", json_string(f.shape));
   if (!f.part.empty()) out += fmt::format(", \"part\": {}", json_string(f.part));
   switch (f.kind) {
     case FeatureAt::Kind::kVertex:
-      return out + fmt::format(", \"vertex\": {}}}", json_point(f.points[0], step));
+      return out + fmt::format(", \"vertex\": {}}}", json_point(f.points[0]));
     case FeatureAt::Kind::kEdge:
-      return out + fmt::format(", \"edge\": [{}, {}]}}", json_point(f.points[0], step), json_point(f.points[1], step));
+      return out + fmt::format(", \"edge\": [{}, {}]}}", json_point(f.points[0]), json_point(f.points[1]));
     case FeatureAt::Kind::kArc:
-      return out + fmt::format(", \"arc\": {{\"center\": {}, \"radius\": {}}}}}", json_point(f.points[0], step),
-                               json_number(scaled(f.radius, step)));
+      return out + fmt::format(", \"arc\": {{\"center\": {}, \"radius\": {}}}}}", json_point(f.points[0]),
+                               json_number(rounded(f.radius)));
     case FeatureAt::Kind::kInside:
       break;
   }
   return out + ", \"inside\": true}";
 }
 
-std::string feature_words(const FeatureAt& f, const Twofold& step) {
-  auto point = [&](const RealPoint& p) {
-    return fmt::format("({}, {})", shown(scaled(p.x, step)), shown(scaled(p.y, step)));
-  };
+std::string feature_words(const FeatureAt& f) {
   const std::string of = f.part.empty() ? f.shape : fmt::format("{}, part {}", f.shape, f.part);
   switch (f.kind) {
     case FeatureAt::Kind::kVertex:
-      return fmt::format("vertex {} of {}", point(f.points[0]), of);
+      return fmt::format("vertex {} of {}", shown_point(f.points[0]), of);
     case FeatureAt::Kind::kEdge:
-      return fmt::format("edge {} to {} of {}", point(f.points[0]), point(f.points[1]), of);
+      return fmt::format("edge {} to {} of {}", shown_point(f.points[0]), shown_point(f.points[1]), of);
     case FeatureAt::Kind::kArc:
-      return fmt::format("arc about {} of {}", point(f.points[0]), of);
+      return fmt::format("arc about {} of {}", shown_point(f.points[0]), of);
     case FeatureAt::Kind::kInside:
       break;
   }
@@ -55,25 +58,26 @@ std::string feature_words(const FeatureAt& f, const Twofold& step) {
 
 }  // namespace
 
-std::string json_point(const RealPoint& p, const Twofold& step) {
-  return fmt::format("[{}, {}]", json_number(scaled(p.x, step)), json_number(scaled(p.y, step)));
-}
+std::string json_point(const distance::Coordinates& p) { return "[" + joined(p, json_number) + "]"; }
 
-std::string witness_members(const formula::DistanceAt& d, const Twofold& step) {
+std::string shown_point(const distance::Coordinates& p) { return "(" + joined(p, shown) + ")"; }
+
+std::string witness_members(const formula::DistanceAt& d) {
   std::string out;
+  if (!d.answer) return out;
   auto add = [&](const std::string& member) { out += (out.empty() ? "" : ", ") + member; };
-  if (d.nearest) add("\"nearest\": " + json_point(*d.nearest, step));
-  if (d.farthest) add("\"farthest\": " + json_point(*d.farthest, step));
-  if (d.witness.size() != 2) return out;
-  const FeatureAt &f = d.witness[0], &g = d.witness[1];
-  add(fmt::format("\"points\": [{}, {}]", json_point(f.at, step), json_point(g.at, step)));
-  add(fmt::format("\"features\": [{}, {}]", feature_json(f, step), feature_json(g, step)));
+  if (d.answer->nearest) add("\"nearest\": " + json_point(*d.answer->nearest));
+  if (d.answer->farthest) add("\"farthest\": " + json_point(*d.answer->farthest));
+  const auto& points = d.answer->witness;
+  if (points.size() == 2) add(fmt::format("\"points\": [{}, {}]", json_point(points[0].at), json_point(points[1].at)));
+  if (d.features.size() == 2)
+    add(fmt::format("\"features\": [{}, {}]", feature_json(d.features[0]), feature_json(d.features[1])));
   return out;
 }
 
-std::string witness_words(const formula::DistanceAt& d, const Twofold& step) {
-  if (d.witness.size() != 2) return "";
-  return fmt::format("{} and {}", feature_words(d.witness[0], step), feature_words(d.witness[1], step));
+std::string witness_words(const formula::DistanceAt& d) {
+  if (d.features.size() != 2) return "";
+  return fmt::format("{} and {}", feature_words(d.features[0]), feature_words(d.features[1]));
 }
 
 }  // namespace findspace::io

@@ -7,16 +7,17 @@
 
 #include <string>
 
-#include "formula/planar/solve.h"
-#include "plane/query/measure_cells_twofold.h"
+#include "formula/language/position_answers.h"
 
 namespace findspace::io {
 
-/// The members of a "witness" object, without the braces; "" where nothing is known. `step`: as in write_json.h.
-std::string witness_members(const formula::DistanceAt& d, const plane::Twofold& step);
+/// The members of a "witness" object, without the braces; "" where nothing is known.
+std::string witness_members(const formula::DistanceAt& d);
 /// "vertex (1, 2) of B and edge (0, 0) to (4, 0) of A, part left"; "" where nothing is known.
-std::string witness_words(const formula::DistanceAt& d, const plane::Twofold& step);
-/// "[x, y]" of a point in grid steps.
-std::string json_point(const exact::RealPoint& p, const plane::Twofold& step);
+std::string witness_words(const formula::DistanceAt& d);
+/// "[x, y]" or "[x, y, z]".
+std::string json_point(const distance::Coordinates& p);
+/// "(x, y)" or "(x, y, z)", to six digits.
+std::string shown_point(const distance::Coordinates& p);
 
 }  // namespace findspace::io

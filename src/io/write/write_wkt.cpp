@@ -12,17 +12,22 @@
 #include <set>
 #include <vector>
 
+#include "exact/planar/geometry_signs.h"
 #include "findspace/error.h"
-#include "io/text/write_curves.h"
+#include "plane/query/curve_net.h"
 #include "plane/query/topology.h"
 
 namespace findspace::io {
 namespace {
 
+using plane::CurveNet;
 using plane::Index;
 using plane::kNone;
 using plane::Place;
 using plane::Region;
+using Curve = CurveNet::Curve;
+using Ring = CurveNet::Ring;
+using Side = CurveNet::Side;
 
 std::string text(const Place& p) {
   auto number = [](double v) { return fmt::format("{}", v == 0 ? 0.0 : v); };
@@ -135,7 +140,7 @@ class WktWriter {
       return s_.vertices[side.forward ? k.from : k.to].point;
     };
     const auto first = std::min_element(ring.begin(), ring.end(), [&](const Side& a, const Side& b) {
-      return s_.geometry.compare_xy(start(a), start(b)) < 0;
+      return compare_xy(s_.geometry, start(a), start(b)) < 0;
     });
     std::rotate(ring.begin(), first, ring.end());
     return ring;

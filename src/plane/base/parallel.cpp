@@ -6,10 +6,15 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include "plane/base/stage_observer.h"
+
 namespace findspace::plane {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
-  if (count == 1) return task(0);
+  if (count == 1 || stage_observer() != nullptr) {
+    for (std::size_t k = 0; k < count; ++k) task(k);
+    return;
+  }
   tbb::parallel_for(
       std::size_t{0}, count, [&](std::size_t k) { task(k); }, tbb::simple_partitioner());
 }

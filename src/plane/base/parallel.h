@@ -11,7 +11,8 @@
 
 namespace findspace::plane {
 
-/// Calls task(0) ... task(count - 1), in any order, possibly at once.
+/// Calls task(0) ... task(count - 1), in any order, possibly at once; in this order where stages are observed
+/// (stage_observer.h).
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task);
 
 /// While it lives, at most `threads` tasks of the process run at once (0: one for each core).

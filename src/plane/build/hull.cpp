@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "exact/number/margins.h"
+#include "exact/planar/geometry_signs.h"
 #include "findspace/error.h"
 #include "plane/build/hull_wrap.h"
 #include "plane/complex/marked_curves.h"
@@ -78,7 +79,7 @@ class Candidates {
       if (stars.vertex_greatest[v] > 0) points_.push_back(v);
     }
     std::sort(points_.begin(), points_.end(), [&](Index v, Index w) {
-      return set.geometry.compare_xy(set.vertices[v].point, set.vertices[w].point) < 0;
+      return compare_xy(set.geometry, set.vertices[v].point, set.vertices[w].point) < 0;
     });
     find_corners();
     for (Index e = 0; e < set.edges.size(); ++e) {

@@ -3,6 +3,7 @@
 
 #include "plane/build/path_region.h"
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/build/swept.h"
 #include "plane/complex/piece_builder.h"
 
@@ -20,7 +21,7 @@ Region region_of_path(std::span<const RealVector> path) {
     std::int64_t a = leg.dy, b = -leg.dx;
     exact::make_primitive(a, b);
     const Index line = g.add(exact::SupportingCurve::line(a, b, Real(a) * path[k].x + Real(b) * path[k].y));
-    builder.segment(line, points[k], points[k + 1], g.compare_xy(points[k], points[k + 1]) < 0);
+    builder.segment(line, points[k], points[k + 1], compare_xy(g, points[k], points[k + 1]) < 0);
   }
   const Arrangement a = arrange(std::move(g), std::move(builder.pieces), std::span(points).first(1));
   Marks marks;

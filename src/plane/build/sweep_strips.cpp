@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/build/moved_geometry.h"
 
 namespace findspace::plane {
@@ -74,8 +75,8 @@ void SweepStrips::split_arc(Index e) {
   const RealVector in_start = at - window_.from;
   exact::Geometry& g = curves.geometry;
   const Index place = g.add_real_point(in_start.x, in_start.y);
-  if (g.compare_x(place, start_point[d.v1]) >= 0) return parts.push_back({e, d.v0, d.v1, before});
-  if (g.compare_x(place, start_point[d.v0]) <= 0) return parts.push_back({e, d.v0, d.v1, -before});
+  if (compare_x(g, place, start_point[d.v1]) >= 0) return parts.push_back({e, d.v0, d.v1, before});
+  if (compare_x(g, place, start_point[d.v0]) <= 0) return parts.push_back({e, d.v0, d.v1, -before});
   const RealVector in_end = at - window_.to;
   const Index node = Index(nodes.size());
   // The window passes an arc on its outer side.
@@ -203,7 +204,7 @@ Index SweepStrips::add_copy(Role role, Index part, bool upward, std::int32_t wei
 
 /// A directed segment along the window; a copy seen at the end lies against its direction.
 void SweepStrips::add_along(Index line, Index from, Index to, const Source& source, std::int32_t weight, Mark mark) {
-  const bool right = curves.geometry.compare_xy(from, to) < 0;
+  const bool right = compare_xy(curves.geometry, from, to) < 0;
   curves.segment(line, from, to, right);
   sources.push_back(source);
   chains.push_back({.forward = right, .displaced_left = true, .weight = weight});

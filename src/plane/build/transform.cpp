@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/planar/geometry_signs.h"
 #include "findspace/error.h"
 #include "plane/build/transform_grid.h"
 #include "plane/complex/marked_curves.h"
@@ -80,7 +81,7 @@ CellComplex quarter_turn(const CellComplex& c) {
     const Edge& edge = c.edges[e];
     Index p = c.vertices[edge.v0].point, q = c.vertices[edge.v1].point;
     if (edge.half == 0)
-      to.curves.segment(edge.supporting_curve, p, q, to.curves.geometry.compare_xy(p, q) < 0);
+      to.curves.segment(edge.supporting_curve, p, q, compare_xy(to.curves.geometry, p, q) < 0);
     else
       to.curves.arc(edge.supporting_curve, p, q, edge.half < 0);
     to.mark({edge.mark, c.faces[c.face(2 * e)].mark, c.faces[c.face(2 * e + 1)].mark});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/base/small_sort.h"
 
 namespace findspace::plane {
@@ -12,7 +13,7 @@ namespace {
 
 using exact::Geometry;
 
-Geometry::Heading heading(const Arrangement& a, Index h) {
+exact::Heading heading(const Arrangement& a, Index h) {
   const Arrangement::Edge& e = a.edges[h / 2];
   bool right = !(h & 1u);
   bool forward =
@@ -34,12 +35,12 @@ bool before(const Arrangement& a, Index v, Index h, Index k) {
 
 // Angles run over [-90, 90] for those that go right, [90, 270] for the others; both ends occur where a circle starts
 // with a vertical tangent.
-bool comes_before(const Geometry& g, Index point, bool left, Geometry::Heading first, std::int8_t first_half,
-                  Geometry::Heading second) {
-  int t = g.turn(point, first, second);
+bool comes_before(const Geometry& g, Index point, bool left, exact::Heading first, std::int8_t first_half,
+                  exact::Heading second) {
+  int t = turn(g, point, first, second);
   if (t != 0) return t > 0;
-  if (g.along(point, first, second) < 0) return first_half == (left ? 1 : -1);  // opposite vertical tangents
-  return g.compare_curvature(first, second) < 0;
+  if (along(g, point, first, second) < 0) return first_half == (left ? 1 : -1);  // opposite vertical tangents
+  return compare_curvature(g, first, second) < 0;
 }
 
 void sort_around_vertices(Arrangement& a) {

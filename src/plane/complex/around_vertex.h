@@ -5,6 +5,7 @@
 // ordered by curvature. Cost: one 128-bit cross product a comparison for segments.
 #pragma once
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/complex/arrangement.h"
 
 namespace findspace::plane {
@@ -17,8 +18,8 @@ inline bool line_comes_before(const exact::SupportingCurve& first, const exact::
 
 /// Of two different half-edges at a point that both go right (`left` false) or both left: does the first come before
 /// the second, counter-clockwise from straight down or straight up? `half` as in Piece.
-bool comes_before(const exact::Geometry& g, Index point, bool left, exact::Geometry::Heading first,
-                  std::int8_t first_half, exact::Geometry::Heading second);
+bool comes_before(const exact::Geometry& g, Index point, bool left, exact::Heading first, std::int8_t first_half,
+                  exact::Heading second);
 
 /// Fills out, out_start, rank and next.
 void sort_around_vertices(Arrangement& a);

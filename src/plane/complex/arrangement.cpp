@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/base/small_sort.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/around_vertex.h"
@@ -55,9 +56,9 @@ Chains sort_along(const Geometry& g, std::span<const Piece> pieces, const PieceM
 /// Isolated points that coincide with each other become one point.
 void unite_isolated(const Geometry& g, std::span<const Index> isolated, UnionFind& same) {
   std::vector<Index> sorted(isolated.begin(), isolated.end());
-  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) { return g.compare_xy(a, b) < 0; });
+  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) { return compare_xy(g, a, b) < 0; });
   for (std::size_t k = 1; k < sorted.size(); ++k)
-    if (g.compare_xy(sorted[k], sorted[k - 1]) == 0) same.unite(sorted[k], sorted[k - 1]);
+    if (compare_xy(g, sorted[k], sorted[k - 1]) == 0) same.unite(sorted[k], sorted[k - 1]);
 }
 
 /// Numbers the vertices in order of their leading point; grid points represent their vertex where there is one.

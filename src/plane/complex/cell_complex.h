@@ -17,7 +17,7 @@
 #include <limits>
 #include <vector>
 
-#include "exact/planar/geometry.h"
+#include "exact/planar/geometry_signs.h"
 
 namespace findspace::plane {
 
@@ -80,8 +80,8 @@ struct CellComplex {
     return geometry.supporting_curves[edges[edge].supporting_curve];
   }
   bool is_arc(Index edge) const { return edges[edge].half != 0; }
-  /// Direction of travel of a half-edge on its supporting_curve (see Geometry::Heading).
-  exact::Geometry::Heading heading(Index h) const {
+  /// Direction of travel of a half-edge on its supporting_curve (see exact::Heading).
+  exact::Heading heading(Index h) const {
     const Edge& e = edges[h / 2];
     bool right = !(h & 1u);
     bool forward =

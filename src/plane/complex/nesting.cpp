@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/piece_meet.h"
 
@@ -37,7 +38,7 @@ class DownwardRay {
     const Piece& p = a_.pieces[i];
     if (i == best_ || (p.half == 0 && g_.supporting_curves[p.supporting_curve].b == 0))
       return;  // vertical: never left of the vertex
-    if (g_.compare_x(p.p0, from_) >= 0 || g_.compare_x(p.p1, from_) < 0) return;
+    if (compare_x(g_, p.p0, from_) >= 0 || compare_x(g_, p.p1, from_) < 0) return;
     if (height(g_, p, from_) <= 0) return;
     if (best_ != kNone && compare_heights(g_, p, a_.pieces[best_], from_) <= 0) return;
     best_ = i;
@@ -47,9 +48,9 @@ class DownwardRay {
   Index side_of_hit() const {
     auto first = a_.chain.begin() + a_.chain_start[best_], last = a_.chain.begin() + a_.chain_start[best_ + 1];
     auto hit = std::partition_point(first, last,
-                                    [&](Index e) { return g_.compare_x(a_.vertex_point[a_.edges[e].v1], from_) < 0; });
+                                    [&](Index e) { return compare_x(g_, a_.vertex_point[a_.edges[e].v1], from_) < 0; });
     Index w = a_.edges[*hit].v1;
-    if (g_.compare_x(a_.vertex_point[w], from_) != 0) return 2 * *hit;
+    if (compare_x(g_, a_.vertex_point[w], from_) != 0) return 2 * *hit;
     // The ray ends in a vertex: the sector that looks up and a little to the left.
     auto begin = a_.out.begin() + a_.out_start[w], end = a_.out.begin() + a_.out_start[w + 1];
     auto left = std::find_if(begin, end, [](Index h) { return h & 1u; });
@@ -73,7 +74,7 @@ struct Components {
       // A smallest vertex has nothing to its left, so all its half-edges go right.
       if (a.degree(v) && (a.out[a.out_start[v + 1] - 1] & 1u)) continue;
       Index& f = first[connected.find(v)];
-      if (f == kNone || a.geometry.compare_xy(a.vertex_point[v], a.vertex_point[f]) < 0) f = v;
+      if (f == kNone || compare_xy(a.geometry, a.vertex_point[v], a.vertex_point[f]) < 0) f = v;
     }
   }
 };
@@ -94,7 +95,7 @@ void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
     if (parts.first[v] != kNone) order.push_back(parts.first[v]);
   // From left to right, so that the component a ray hits is known before.
   std::sort(order.begin(), order.end(),
-            [&](Index v, Index w) { return a.geometry.compare_xy(a.vertex_point[v], a.vertex_point[w]) < 0; });
+            [&](Index v, Index w) { return compare_xy(a.geometry, a.vertex_point[v], a.vertex_point[w]) < 0; });
   std::pmr::vector<Index> face_of(cycles, kNone, memory);
   std::pmr::vector<char> outside(cycles, 0, memory);
   for (Index v : order)

@@ -3,6 +3,8 @@
 
 #include "plane/complex/piece_builder.h"
 
+#include "exact/planar/geometry_signs.h"
+
 namespace findspace::plane {
 
 using exact::int128;
@@ -31,16 +33,16 @@ Index PieceBuilder::extreme(Index circle, int side) {
 }
 
 void PieceBuilder::arc(Index circle, Index from, Index to, bool ccw) {
-  int up = geometry.above_center(from, circle);
-  if (up == 0) up = (geometry.right_of_center(from, circle) > 0) == ccw ? 1 : -1;
-  int end_up = geometry.above_center(to, circle);
+  int up = above_center(geometry, from, circle);
+  if (up == 0) up = (right_of_center(geometry, from, circle) > 0) == ccw ? 1 : -1;
+  int end_up = above_center(geometry, to, circle);
   Index at = from;
   for (bool first = true;; first = false, up = -up) {
     bool right = (up < 0) == ccw;
     // Is the end ahead on this half? Never at once when the whole circle is meant.
-    bool here = end_up == up || (end_up == 0 && (geometry.right_of_center(to, circle) > 0) == right);
+    bool here = end_up == up || (end_up == 0 && (right_of_center(geometry, to, circle) > 0) == right);
     if (here && first) {
-      int order = geometry.compare_x(to, at);
+      int order = compare_x(geometry, to, at);
       here = right ? order > 0 : order < 0;
     }
     Index next = here ? to : extreme(circle, right ? 1 : -1);

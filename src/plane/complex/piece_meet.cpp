@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "exact/planar/geometry_signs.h"
+
 namespace findspace::plane {
 
 using exact::Geometry;
@@ -37,11 +39,11 @@ int compare_heights(const Geometry& g, const Piece& p, const Piece& q, Index poi
 }
 
 int compare_along(const Geometry& g, const Piece& piece, Index p, Index q) {
-  if (piece.half != 0) return g.compare_x(p, q);
+  if (piece.half != 0) return compare_x(g, p, q);
   // Along the longer axis the filter decides more often. A line of slope -a/b (a >= 0) rises for b <= 0.
   const exact::SupportingCurve& k = g.supporting_curves[piece.supporting_curve];
-  if (k.a <= std::abs(k.b)) return g.compare_x(p, q);
-  return k.b > 0 ? g.compare_y(q, p) : g.compare_y(p, q);
+  if (k.a <= std::abs(k.b)) return compare_x(g, p, q);
+  return k.b > 0 ? compare_y(g, q, p) : compare_y(g, p, q);
 }
 
 Within within(const Geometry& g, const Piece& piece, Index point) {
@@ -52,17 +54,17 @@ Within within(const Geometry& g, const Piece& piece, Index point) {
   int to = compare_along(g, piece, point, piece.p1);
   if (to > 0) return Within::kOutside;
   if (piece.half != 0) {
-    int up = g.above_center(point, piece.supporting_curve);
+    int up = above_center(g, point, piece.supporting_curve);
     if (up != 0 && up != piece.half) return Within::kOutside;
   }
   return from == 0 ? Within::kAtStart : to == 0 ? Within::kAtEnd : Within::kInside;
 }
 
 int height(const Geometry& g, const Piece& piece, Index point) {
-  int s = g.side(point, piece.supporting_curve);
+  int s = side(g, point, piece.supporting_curve);
   if (piece.half == 0) return g.supporting_curves[piece.supporting_curve].b > 0 ? s : -s;
   if (s < 0) return -piece.half;  // inside the circle: below the upper half, above the lower one
-  int up = g.above_center(point, piece.supporting_curve);
+  int up = above_center(g, point, piece.supporting_curve);
   if (s > 0) return up != 0 ? up : piece.half;
   return up == 0 || up == piece.half ? 0 : up;
 }
@@ -80,7 +82,7 @@ void PieceMeetings::add_pair(Index i, Index j) {
 
 void PieceMeetings::add_point(Index point, Index piece) {
   const Piece& p = pieces_[piece];
-  if (!g_.lies_on(point, p.supporting_curve)) return;
+  if (!lies_on(g_, point, p.supporting_curve)) return;
   place(piece, point, within(g_, p, point));
 }
 
@@ -100,9 +102,9 @@ void PieceMeetings::lines(Index i, Index j) {
     return;
   }
   if (shared_end(p, q) != kNone) return;  // the one common point
-  int s0 = g_.side(q.p0, p.supporting_curve), s1 = g_.side(q.p1, p.supporting_curve);
+  int s0 = side(g_, q.p0, p.supporting_curve), s1 = side(g_, q.p1, p.supporting_curve);
   if (s0 * s1 > 0) return;
-  int t0 = g_.side(p.p0, q.supporting_curve), t1 = g_.side(p.p1, q.supporting_curve);
+  int t0 = side(g_, p.p0, q.supporting_curve), t1 = side(g_, p.p1, q.supporting_curve);
   if (t0 * t1 > 0) return;
   if (s0 != 0 && s1 != 0 && t0 != 0 && t1 != 0) {
     Index point = g_.add_crossing(p.supporting_curve, q.supporting_curve, 0);
@@ -137,7 +139,7 @@ bool PieceMeetings::is_root(Index end, Index root_point, Index other_root_point)
   };
   if (apart(e, r)) return false;
   if (apart(e, o)) return true;
-  return g_.compare_xy(end, root_point) == 0;
+  return compare_xy(g_, end, root_point) == 0;
 }
 
 void PieceMeetings::meet_at(Index i, Index j, Index point) {
@@ -164,8 +166,8 @@ void PieceMeetings::curves(Index i, Index j) {
     if (smooth_p && smooth_q) return;  // tangent there: a double root, no further meeting
   }
   for (Index end : {p.p0, p.p1, q.p0, q.p1})
-    if (g_.touch_at(end, p.supporting_curve, q.supporting_curve)) return end == shared ? void() : meet_at(i, j, end);
-  auto m = g_.meet(p.supporting_curve, q.supporting_curve);
+    if (touch_at(g_, end, p.supporting_curve, q.supporting_curve)) return end == shared ? void() : meet_at(i, j, end);
+  auto m = meet(g_, p.supporting_curve, q.supporting_curve);
   if (m.count == 0 || (m.count == 1 && shared != kNone)) return;
   std::size_t before = g_.points.size();
   Index roots[2];

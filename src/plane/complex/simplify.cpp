@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/arrangement.h"
 
@@ -222,7 +223,7 @@ class Merger {
       Index h = out_.vertices[v].out;
       if (h == kNone || (out_.clockwise(h) & 1u)) continue;  // has a half-edge to its left
       Index& s = smallest[parts.find(v)];
-      if (s == kNone || geometry_.compare_xy(out_.vertices[v].point, out_.vertices[s].point) < 0) s = v;
+      if (s == kNone || compare_xy(geometry_, out_.vertices[v].point, out_.vertices[s].point) < 0) s = v;
     }
     std::pmr::vector<char> seen(out_.half_edges.size(), 0, memory_);
     auto walk = [&](Index h) {

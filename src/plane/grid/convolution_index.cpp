@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/base/ray_crossing.h"
 
 namespace findspace::plane {
@@ -132,7 +133,7 @@ int ConvolutionIndex::side_of(Geometry& g, Index point, const Curve& c) const {
   std::uint32_t line = g.add_parallel(operand(c.side).geometry.supporting_curves[e.supporting_curve], p.x, p.y);
   const exact::SupportingCurve& k = g.supporting_curves[line];
   bool to_left = k.a == -e.dy && k.b == e.dx;
-  int side = g.side(point, line);
+  int side = exact::side(g, point, line);
   g.supporting_curves.pop_back();
   return to_left ? side : -side;
 }
@@ -146,7 +147,7 @@ std::int32_t ConvolutionIndex::past_curve(Geometry& g, Index point, const Curve&
   auto above = [&](GridPoint end) {
     double gap = double(end.y) - y;
     if (std::abs(gap) > tolerance) return gap > 0 ? 1 : -1;
-    return compare_grid(g, end, [&](Index i) { return g.compare_y(i, point); });
+    return compare_grid(g, end, [&](Index i) { return compare_y(g, i, point); });
   };
   int first = above(p), last = above(q);
   if (first * last > 0) return 0;
@@ -154,7 +155,7 @@ std::int32_t ConvolutionIndex::past_curve(Geometry& g, Index point, const Curve&
   int side = first != last && ahead ? (first < last ? 1 : -1) : side_of(g, point, c);
   if (side == 0) {
     // On the line: at an end (its corner counts), beside the curve (level ones only), or on it.
-    auto behind = [&](GridPoint end) { return compare_grid(g, end, [&](Index i) { return g.compare_xy(i, point); }); };
+    auto behind = [&](GridPoint end) { return compare_grid(g, end, [&](Index i) { return compare_xy(g, i, point); }); };
     return behind(p) * behind(q) >= 0 ? 0 : v.turn * -ray_crossing(heading(e), -heading(e), 1);
   }
   if (first == last || std::max(first, last) <= 0) return 0;  // level, or wholly at or below
@@ -167,7 +168,7 @@ std::int32_t ConvolutionIndex::past_corners(Geometry& g, Index point, const Pair
   const exact::Point q = g.points[point];
   const GridPoint at{std::llround(q.x), std::llround(q.y)};
   if (std::abs(q.x - double(at.x)) > q.error || std::abs(q.y - double(at.y)) > q.error) return 0;
-  if (compare_grid(g, at, [&](Index i) { return g.compare_xy(i, point); }) != 0) return 0;
+  if (compare_grid(g, at, [&](Index i) { return compare_xy(g, i, point); }) != 0) return 0;
   std::int32_t number = 0;
   const auto& places = pair.side[0].by_place;
   for (Index v = 0; v < pair.side[1].fan.corners.size(); ++v) {

@@ -3,6 +3,7 @@
 
 #include "plane/grid/grid_sum.h"
 
+#include "plane/complex/observe_pieces.h"
 #include "plane/grid/convex_sum.h"
 #include "plane/grid/prune_inside.h"
 #include "plane/grid/star_sum.h"
@@ -17,6 +18,7 @@ SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& i
   std::optional<GridBox> within;  // where what is not in the sum lies
   if (unbounded && !(within = boundary_box(a.faces, b.faces))) return CellComplex::uniform(-1);
   ReducedConvolution curves = reduced_convolution(a, b, within);
+  observe_pieces("convolution", "reduced convolution of two sets on the grid", curves.geometry, curves.pieces);
   const bool bounded_pair = a.faces.size() == 1 && b.faces.size() == 1 && !unbounded;
   if (bounded_pair)
     if (auto sum = star_sum(curves)) return *std::move(sum);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/grid/inner_mask.h"
 
 namespace findspace::plane {
@@ -95,7 +96,7 @@ class Cutter {
   }
 
   void keep(const Piece& piece, Index from, Index to, bool turned, std::vector<Piece>& out) const {
-    if (g_.compare_xy(from, to) == 0) return;
+    if (compare_xy(g_, from, to) == 0) return;
     Piece part = piece;
     part.p0 = turned ? to : from;
     part.p1 = turned ? from : to;

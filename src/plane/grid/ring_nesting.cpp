@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/complex/around_vertex.h"
 #include "plane/complex/piece_meet.h"
 #include "plane/complex/ring_map.h"
@@ -36,7 +37,7 @@ class RingNesting {
     std::vector<Index> order(starts_.size());
     for (Index r = 0; r < order.size(); ++r) order[r] = r;
     std::sort(order.begin(), order.end(), [&](Index r, Index s) {
-      return r != s && g_.compare_xy(edges_[leftmost_[r]].point, edges_[leftmost_[s]].point) < 0;
+      return r != s && compare_xy(g_, edges_[leftmost_[r]].point, edges_[leftmost_[s]].point) < 0;
     });
     for (Index r : order) {
       const Index below = edge_below(edges_[leftmost_[r]].point);
@@ -58,12 +59,12 @@ class RingNesting {
   Index leftmost(Index r) const {
     Index best = starts_[r];
     for (Index k = starts_[r] + 1; k < end(r); ++k)
-      if (g_.compare_xy(edges_[k].point, edges_[best].point) < 0) best = k;
+      if (compare_xy(g_, edges_[k].point, edges_[best].point) < 0) best = k;
     return best;
   }
 
   /// Of an edge, travelled from left to right or the other way.
-  Geometry::Heading heading(const RingEdge& e, bool right) const {
+  exact::Heading heading(const RingEdge& e, bool right) const {
     return {e.supporting_curve,
             e.half != 0 ? (e.half < 0) == right : (g_.supporting_curves[e.supporting_curve].b > 0) == right};
   }
@@ -102,7 +103,7 @@ class RingNesting {
     boxes_->any_meeting({p.x - slack_, -exact::kInfinity, p.x + slack_, p.y + slack_}, [&](Index k) {
       const Piece& piece = pieces_[k];
       const bool vertical = piece.half == 0 && g_.supporting_curves[piece.supporting_curve].b == 0;
-      if (!vertical && g_.compare_x(piece.p0, from) < 0 && g_.compare_x(piece.p1, from) >= 0 &&
+      if (!vertical && compare_x(g_, piece.p0, from) < 0 && compare_x(g_, piece.p1, from) >= 0 &&
           height(g_, piece, from) > 0 && (best == kNone || is_higher(k, best, from)))
         best = k;
       return false;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/planar/geometry_signs.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -131,10 +133,10 @@ class Labels {
   bool left_of(Index v, Index h, Index k) const {
     auto heading = [&](Index half_edge) {
       Index supporting_curve = a_.edges[half_edge / 2].supporting_curve;
-      return Geometry::Heading{supporting_curve,
-                               (a_.geometry.supporting_curves[supporting_curve].b > 0) == !(half_edge & 1u)};
+      return exact::Heading{supporting_curve,
+                            (a_.geometry.supporting_curves[supporting_curve].b > 0) == !(half_edge & 1u)};
     };
-    return a_.geometry.turn(a_.vertex_point[v], heading(h), heading(k)) > 0;
+    return turn(a_.geometry, a_.vertex_point[v], heading(h), heading(k)) > 0;
   }
 
   bool edge_inside(Index e) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/planar/geometry_signs.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -47,7 +49,7 @@ class Clipped {
     piece.supporting_curve =
         g.add_parallel(index.operand(c.side).geometry.supporting_curves[e.supporting_curve], p.x, p.y);
     const Index p0 = piece.p0 = g.add_grid_point(p.x, p.y), p1 = piece.p1 = g.add_grid_point(q.x, q.y);
-    if (!cut_x(piece, p.x, q.x) || !cut_y(piece) || g.compare_xy(piece.p0, piece.p1) == 0) return;
+    if (!cut_x(piece, p.x, q.x) || !cut_y(piece) || compare_xy(g, piece.p0, piece.p1) == 0) return;
     out.pieces.push_back(piece);
     out.sides.push_back({.left = right,
                          .hides_at_p0 = !right || hides || piece.p0 != p0,
@@ -80,7 +82,7 @@ class Clipped {
     auto& g = out.geometry;
     for (bool top : {false, true}) {
       const Index corner = top ? kNorthWest : kSouthWest;
-      auto beyond = [&](Index p) { return g.compare_y(p, corner) == (top ? 1 : -1); };
+      auto beyond = [&](Index p) { return compare_y(g, p, corner) == (top ? 1 : -1); };
       const bool first = beyond(piece.p0), last = beyond(piece.p1);
       if (first && last) return false;
       if (first || last)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/complex/ring_map.h"
 #include "plane/grid/boundary_box.h"
 #include "plane/offset/offset_meetings.h"
@@ -46,7 +47,7 @@ class OuterWalks {
   bool advance(Part& at) const {
     if (at.slot < m_.stop_count(at.piece)) {
       const OffsetMeetings::Stop& stop = m_.stop(at.piece, at.slot);
-      if (c_.geometry.turn(stop.point, c_.heading(at.piece), c_.heading(stop.other)) > 0) return false;
+      if (turn(c_.geometry, stop.point, c_.heading(at.piece), c_.heading(stop.other)) > 0) return false;
       at = {stop.other, stop.twin + 1};
       return true;
     }

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/complex/arrangement.h"
 #include "plane/offset/offset_edges.h"
 
@@ -32,7 +33,7 @@ struct OffsetCurves {
   Index start(Index i) const { return tracks[i].right ? pieces[i].p0 : pieces[i].p1; }
   Index end(Index i) const { return tracks[i].right ? pieces[i].p1 : pieces[i].p0; }
   /// Of travel.
-  exact::Geometry::Heading heading(Index i) const {
+  exact::Heading heading(Index i) const {
     const Piece& p = pieces[i];
     return {p.supporting_curve,
             p.half != 0 || (geometry.supporting_curves[p.supporting_curve].b > 0) == tracks[i].right};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/base/small_sort.h"
 #include "plane/complex/sequence_boxes.h"
 
@@ -61,7 +62,7 @@ void OffsetMeetings::note(const PieceMeetings& found, Index known, Index i, Inde
   for (std::size_t k = 0; k < found.splits.size(); ++k) {
     const Index point = found.splits[k].point;
     const bool crossing = point >= known &&
-                          !g.touch_at(point, c_.pieces[i].supporting_curve, c_.pieces[j].supporting_curve) &&
+                          !touch_at(g, point, c_.pieces[i].supporting_curve, c_.pieces[j].supporting_curve) &&
                           k + 1 < found.splits.size() && found.splits[k + 1].point == point;
     if (!crossing) {
       give_up_unless_inside(point, i, j);

@@ -57,7 +57,7 @@ void take_geometry(CellComplex& out, const exact::Geometry& from) {
 
 }  // namespace
 
-/// Collects an island's cells from one of its half-edges on.
+/// Collects a component's cells from one of its half-edges on.
 class BoundaryComponents::Flood {
  public:
   Flood(const CellComplex& a, BoundaryComponents& out)

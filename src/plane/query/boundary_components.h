@@ -3,7 +3,7 @@
 //
 // A bounded set as its boundary_components: the connected pieces of its boundary in the unbounded face, each with all
 // that lies inside it. What is near a box is then taken without looking at, or copying, the rest. Guarantee: the cells
-// and marks are those of the whole, exactly; boxes only choose. Cost: linear once; a box test an island and what is
+// and marks are those of the whole, exactly; boxes only choose. Cost: linear once; a box test a component and what is
 // chosen, for each question. Keywords: collection, locality, connected component, culling.
 #pragma once
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "exact/planar/geometry_signs.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -36,7 +38,7 @@ class Renumbering {
     vertices_.resize(from_.vertices.size());
     std::iota(vertices_.begin(), vertices_.end(), Index(0));
     std::sort(vertices_.begin(), vertices_.end(), [&](Index v, Index w) {
-      return from_.geometry.compare_xy(from_.vertices[v].point, from_.vertices[w].point) < 0;
+      return compare_xy(from_.geometry, from_.vertices[v].point, from_.vertices[w].point) < 0;
     });
     vertex_.resize(vertices_.size());
     for (std::size_t k = 0; k < vertices_.size(); ++k) vertex_[vertices_[k]] = Index(k);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "exact/number/margins.h"
+#include "exact/planar/geometry_signs.h"
 #include "plane/complex/piece_meet.h"
 
 namespace findspace::plane {
@@ -84,8 +85,8 @@ void Locator::build_columns(const std::vector<Box>& boxes) {
 }
 
 bool Locator::is_vertical(Index edge) const { return !c_.is_arc(edge) && c_.supporting_curve(edge).b == 0; }
-int Locator::compare_x(Index vertex) const { return geometry_.compare_x(query_, c_.vertices[vertex].point); }
-int Locator::compare_xy(Index vertex) const { return geometry_.compare_xy(query_, c_.vertices[vertex].point); }
+int Locator::compare_x(Index vertex) const { return exact::compare_x(geometry_, query_, c_.vertices[vertex].point); }
+int Locator::compare_xy(Index vertex) const { return exact::compare_xy(geometry_, query_, c_.vertices[vertex].point); }
 
 int Locator::height(Index edge, Index point) const {
   const Edge& e = c_.edges[edge];
@@ -116,13 +117,13 @@ bool Locator::lies_below(Index e, Index f) const {
   if (ve == vf) {
     auto p = c_.vertices[ve].point;
     auto he = c_.heading(2 * e), hf = c_.heading(2 * f);
-    int turn = geometry_.turn(p, he, hf);
+    int turn = exact::turn(geometry_, p, he, hf);
     if (turn != 0) return turn > 0;
-    if (geometry_.along(p, he, hf) < 0)
+    if (along(geometry_, p, he, hf) < 0)
       return c_.edges[e].half < 0;  // straight down and straight up: halves of circles
-    return geometry_.compare_curvature(he, hf) < 0;
+    return compare_curvature(geometry_, he, hf) < 0;
   }
-  if (geometry_.compare_x(c_.vertices[ve].point, c_.vertices[vf].point) >= 0)
+  if (exact::compare_x(geometry_, c_.vertices[ve].point, c_.vertices[vf].point) >= 0)
     return height(f, c_.vertices[ve].point) < 0;
   return height(e, c_.vertices[vf].point) > 0;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "exact/planar/geometry_signs.h"
 #include "plane/query/summary_connect.h"
 #include "plane/query/summary_sample.h"
 #include "plane/query/topology.h"
@@ -69,15 +70,15 @@ class Summarizer {
   void see_vertex(Gathered& g, Index v) const {
     extend(g, position(v));
     auto point = [this](Index w) { return s_.vertices[w].point; };
-    if (g.first == kNone || s_.geometry.compare_xy(point(v), point(g.first)) < 0) g.first = v;
+    if (g.first == kNone || compare_xy(s_.geometry, point(v), point(g.first)) < 0) g.first = v;
   }
 
   void see_edge(Gathered& g, Index e) const {
     const Edge& edge = s_.edges[e];
     see_vertex(g, edge.v0);
     see_vertex(g, edge.v1);
-    if (edge.half == 0 || s_.geometry.right_of_center(s_.vertices[edge.v0].point, edge.supporting_curve) >= 0 ||
-        s_.geometry.right_of_center(s_.vertices[edge.v1].point, edge.supporting_curve) <= 0) {
+    if (edge.half == 0 || right_of_center(s_.geometry, s_.vertices[edge.v0].point, edge.supporting_curve) >= 0 ||
+        right_of_center(s_.geometry, s_.vertices[edge.v1].point, edge.supporting_curve) <= 0) {
       return;
     }
     const CellMeasures::Circle& k = measures_.circle(e);
@@ -132,7 +133,7 @@ class Summarizer {
       if (g.dimension == 0) alone.push_back(v);  // faces and edges have been seen: the component is this point
     }
     std::sort(alone.begin(), alone.end(), [this](Index v, Index w) {
-      return s_.geometry.compare_xy(s_.vertices[v].point, s_.vertices[w].point) < 0;
+      return compare_xy(s_.geometry, s_.vertices[v].point, s_.vertices[w].point) < 0;
     });
     for (Index v : alone) r.isolated.push_back(position(v));
   }
@@ -141,7 +142,7 @@ class Summarizer {
     if (a.unbounded != b.unbounded) return a.unbounded;
     if (a.dimension != b.dimension) return a.dimension > b.dimension;
     if (a.first != b.first && a.first != kNone && b.first != kNone) {
-      return s_.geometry.compare_xy(s_.vertices[a.first].point, s_.vertices[b.first].point) < 0;
+      return compare_xy(s_.geometry, s_.vertices[a.first].point, s_.vertices[b.first].point) < 0;
     }
     if (a.box.high != b.box.high) return a.box.high < b.box.high;
     return a.number < b.number;

@@ -5,7 +5,7 @@
 // int B), or out of all that is not A. With
 //     F = { s : B rotated by the angle and moved by s keeps out },
 // closed, these are the signs of  min |s| - level  and  max |s| - level  over s in F; + where F is empty. -(the least)
-// is the depth of an overlap, how far B sticks out of a container; the greatest is that of an inner touching. F may
+// is the depth of an overlap, how far B protrudes from a container; the greatest is that of an inner touching. F may
 // also be the s at which B does not lie in int A (the least is then the margin), and s be held to a way: a line through
 // the origin or half of one.
 //

@@ -61,13 +61,13 @@ RotationLeast least_rotation(const std::function<RotationMap(const Real&)>& sign
   const auto reached = [&](double level) { return has(probe(sign(Real::from_double(level) * step), closed), kOn); };
   RotationLeast out;
   double high = 1, low = -1;  // in steps
-  while (high < margin::kBeyondRotatedLevels && !reached(high)) {
+  while (high < margin::kBeyondAll && !reached(high)) {
     low = high;
     high *= 2;
   }
-  if (high >= margin::kBeyondRotatedLevels) return out;
-  for (; low > -margin::kBeyondRotatedLevels && reached(low); low *= 2) high = low;
-  if (low <= -margin::kBeyondRotatedLevels) return out;
+  if (high >= margin::kBeyondAll) return out;
+  for (; low > -margin::kBeyondAll && reached(low); low *= 2) high = low;
+  if (low <= -margin::kBeyondAll) return out;
   out.exists = true;
   while (high - low > std::max(1.0, std::abs(high)) * margin::kRotatedBracket) {
     const double middle = low + (high - low) / 2;

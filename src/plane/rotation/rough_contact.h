@@ -18,7 +18,7 @@ namespace findspace::plane {
 
 class RoughContact {
  public:
-  /// Both relative to the centre of the turn.
+  /// Both relative to the centre of the rotation.
   RoughContact(const RotatedNet& rotating, const RotatedNet& fixed);
 
   /// The pose that the questions below are about.

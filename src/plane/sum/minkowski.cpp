@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "plane/base/stage_observer.h"
 #include "plane/complex/overlay.h"
 #include "plane/grid/grid_sum.h"
 #include "plane/sum/pair_sums.h"
@@ -43,9 +44,8 @@ SignMap open_sum(const Operand& a, const Operand& b) {
 
 bool unbounded(const Operand& a) { return a.wanted(a.cells.faces[0].mark); }
 
-/// {a + b} for a in A, b in B: -1 on the open part U, 0 on the rest of the sum, +1 elsewhere.
-SignMap sum_map(const Operand& a, const Operand& b) {
-  if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : sum_map(b, a);
+SignMap made_sum(const Operand& a, const Operand& b) {
+  if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a);
   if (auto map = open_grid_sum(a, b)) return *std::move(map);
   SignMap open = open_sum(a, b);
   std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
@@ -56,6 +56,14 @@ SignMap sum_map(const Operand& a, const Operand& b) {
   Region closed = std::move(flat).closed_sum();
   std::array<const CellComplex*, 2> both{&open, &closed};
   return overlay(both, [](std::span<const Mark> m) { return Mark(m[0] <= 0 ? m[0] : m[1] > 0 ? 0 : 1); });
+}
+
+/// {a + b} for a in A, b in B: -1 on the open part U, 0 on the rest of the sum, +1 elsewhere.
+SignMap sum_map(const Operand& a, const Operand& b) {
+  SignMap sum = made_sum(a, b);
+  if (StageObserver* observer = stage_observer())
+    observer->cells("sum", "Minkowski sum: -1 in its open part, 0 on the rest of it, 1 elsewhere", sum);
+  return sum;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "plane/complex/arrangement.h"
+#include "plane/complex/observe_pieces.h"
 
 namespace findspace::plane {
 namespace {
@@ -88,6 +89,7 @@ Arrangement SumOfPairs::arranged() {
   circled_ = std::move(builder_.circled);
   std::vector<Index> isolated = lonely_;
   for (const auto& c : circled_) isolated.push_back(c.point);
+  observe_pieces("convolution", "convolution of two sets", builder_.curves.geometry, builder_.curves.pieces);
   return arrange(std::move(builder_.curves.geometry), std::move(builder_.curves.pieces), isolated);
 }
 

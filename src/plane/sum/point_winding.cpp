@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "exact/planar/geometry_signs.h"
+
 namespace findspace::plane {
 
 using exact::Geometry;
@@ -63,13 +65,13 @@ Index PointWinding::band_of(double y) const {
 
 std::int32_t PointWinding::past_curve(const Geometry& g, Index point, std::size_t k) const {
   const Piece& s = pieces()[k];
-  int from = g.compare_y(s.p0, point), to = g.compare_y(s.p1, point);
+  int from = compare_y(g, s.p0, point), to = compare_y(g, s.p1, point);
   if (from * to > 0) return 0;
   bool upwards = from < to;  // p0 -> p1
-  int side = g.side(point, s.supporting_curve);
+  int side = exact::side(g, point, s.supporting_curve);
   if (side == 0) {
     // On the line: at an end (its corner counts), beside the piece (level ones only), or inside it.
-    int x0 = g.compare_xy(s.p0, point), x1 = g.compare_xy(s.p1, point);
+    int x0 = compare_xy(g, s.p0, point), x1 = compare_xy(g, s.p1, point);
     if (x0 >= 0 || x1 <= 0) return 0;
     Heading d = ahead(g, Index(k));
     return ray_crossing(-d, d, chain(k).displaced_left ? -1 : 1);
@@ -99,7 +101,7 @@ std::int32_t PointWinding::past_curves(const Geometry& g, Index point) const {
 
 std::int32_t PointWinding::past_corner(const Geometry& g, Index point, const Corner& k) const {
   Index at = end(k.in);
-  if (at != point && g.compare_xy(at, point) != 0) return 0;
+  if (at != point && compare_xy(g, at, point) != 0) return 0;
   bool left = chain(k.in).displaced_left, both = left == chain(k.out).displaced_left;
   Heading d = ahead(g, k.in);
   return ray_crossing(-d, ahead(g, k.out), both ? (left ? -1 : 1) : k.rotation);

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "exact/planar/geometry_signs.h"
 #include "findspace/error.h"
 #include "plane/complex/marked_curves.h"
 #include "plane/query/locate.h"
@@ -238,7 +239,7 @@ Region convex_region(std::span<const RealPoint> corners, bool closed) {
   for (std::size_t k = 0; k < (n == 2 ? 1 : n); ++k) {
     const Index p = points[k], q = points[(k + 1) % n];
     const Index line = geometry.add(line_through(corners[k], corners[(k + 1) % n]));
-    curves.curves.segment(line, p, q, geometry.compare_xy(p, q) < 0);
+    curves.curves.segment(line, p, q, compare_xy(geometry, p, q) < 0);
     curves.mark({plane::Mark(closed || n == 2), plane::Mark(n > 2), 0});
   }
   for (Index p : points) curves.add_vertex(p, plane::Mark(closed));

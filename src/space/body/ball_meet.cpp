@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/body/ball_meet.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
+#include <cassert>
 
 namespace findspace::space {
 
@@ -112,7 +111,7 @@ std::optional<RealVector> BallMeet::nearest(const RealVector& p) const {
   std::vector<int> basis;
   std::optional<RealVector> q = p;
   while (true) {
-    // The ball out of which q sticks most. Those q was found on hold it.
+    // The ball from which q protrudes most. Those q was found on hold it.
     int worst = -1;
     double most = 0;
     for (int i = 0; i < static_cast<int>(balls_.size()); ++i) {
@@ -143,10 +142,7 @@ struct Candidate {
 
 /// Where the distance from p is extreme on one, two or three of the spheres, the least first.
 std::vector<Candidate> candidates(const std::vector<Ball>& balls, const RealVector& p) {
-  if (balls.size() > BallMeet::kMostBalls) {
-    throw Error(ErrorCode::kUnsupported, "more than " + std::to_string(BallMeet::kMostBalls) +
-                                             " balls (or vertices of a polytope in a ball) are not computed");
-  }
+  assert(balls.size() <= BallMeet::kMostBalls);
   std::vector<Candidate> found;
   const auto look = [&](const std::vector<int>& ids) {
     std::vector<const Ball*> on;
@@ -179,7 +175,7 @@ std::optional<RealVector> BallMeet::farthest(const RealVector& p) const {
   return std::nullopt;
 }
 
-RealVector nearest_outside(const std::vector<Ball>& balls, const RealVector& p) {
+std::optional<RealVector> nearest_outside(const std::vector<Ball>& balls, const RealVector& p) {
   const auto free = [&](const RealVector& q, const Candidate* c) {
     for (int i = 0; i < static_cast<int>(balls.size()); ++i) {
       if (c != nullptr && c->is_on(i)) continue;
@@ -192,7 +188,7 @@ RealVector nearest_outside(const std::vector<Ball>& balls, const RealVector& p) 
   for (const Candidate& c : candidates(balls, p)) {
     if (free(c.at, &c)) return c.at;
   }
-  throw Error(ErrorCode::kUnsupported, "the way out of the balls is not found");
+  return std::nullopt;
 }
 
 }  // namespace findspace::space

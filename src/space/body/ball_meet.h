@@ -29,7 +29,9 @@ class BallMeet {
   bool holds(const RealVector& p) const;
   /// Nothing if M is empty.
   std::optional<RealVector> nearest(const RealVector& p) const;
-  /// Throws Error(kUnsupported) for more than kMostBalls balls.
+  /// Whether farthest() may be asked.
+  bool few() const { return balls_.size() <= kMostBalls; }
+  /// Of at most kMostBalls balls.
   std::optional<RealVector> farthest(const RealVector& p) const;
 
  private:
@@ -39,8 +41,8 @@ class BallMeet {
   std::vector<Ball> balls_;
 };
 
-/// The point nearest to p that no ball holds in its interior. Throws Error(kUnsupported) for more than
-/// BallMeet::kMostBalls balls.
-RealVector nearest_outside(const std::vector<Ball>& balls, const RealVector& p);
+/// The point nearest to p that none of at most BallMeet::kMostBalls balls holds in its interior; nothing where that is
+/// not found.
+std::optional<RealVector> nearest_outside(const std::vector<Ball>& balls, const RealVector& p);
 
 }  // namespace findspace::space

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exact/number/margins.h"
+#include "space/body/observe_body.h"
 #include "space/phi/contact_surface.h"
 
 namespace findspace::space {
@@ -137,6 +138,7 @@ OpenUnion overlap_cover(const Body& b, const Body& a) {
       cover.add(difference_extent(t, s), [&t, &s] { return difference_planes(t, s); });
     }
   }
+  observe_union("positions at which interiors meet", cover);
   return cover;
 }
 
@@ -153,6 +155,7 @@ OpenUnion outside_cover(const Body& b, std::span<const OutsideCell> outside_a) {
       cover.add(difference(extent, extent_of(s)), [&cell, &s] { return difference_planes(cell, s); });
     }
   }
+  observe_union("positions at which one body is not inside the other", cover);
   return cover;
 }
 

@@ -6,6 +6,7 @@
 
 #include <mutex>
 
+#include "plane/base/stage_observer.h"
 #include "space/convolution/ray_row.h"
 
 namespace findspace::space {
@@ -41,6 +42,26 @@ struct PairRays::Spare {
   }
 };
 
+namespace {
+
+void observe_facets(const std::vector<RayFacet>& facets) {
+  plane::StageObserver* observer = plane::stage_observer();
+  if (observer == nullptr) return;
+  plane::StageDrawing drawing;
+  for (const RayFacet& facet : facets) {
+    std::vector<plane::StageDrawing::Corner> corners;
+    for (std::size_t k = 0; k < std::size_t(facet.corners); ++k) {
+      const Approx3 at = exact::approx(facet.corner[k]);
+      corners.push_back({at.x, at.y, at.z});
+    }
+    drawing.add_face(corners);
+  }
+  observer->drawing("convolution", "signed convolution of two surfaces; the lines run along the third coordinate",
+                    drawing);
+}
+
+}  // namespace
+
 PairRays::PairRays(const Triangles& a, const Triangles& b, const RayGrid& grid, Side side_of_a)
     : complement_(side_of_a == Side::kComplement),
       a_(complement_ ? turned_inside_out(prepared(a, grid)) : prepared(a, grid)),
@@ -48,7 +69,9 @@ PairRays::PairRays(const Triangles& a, const Triangles& b, const RayGrid& grid, 
       base_winding_(complement_ ? b_->euler() : 0),
       overlap_(std::in_place, a_, *b_, complement_) {
   const RayBody mirrored(scaled(prepared(b, grid), -1));
-  sheets_ = std::make_unique<Sheets>(convolution(a_, mirrored), grid);
+  std::vector<RayFacet> facets = convolution(a_, mirrored);
+  observe_facets(facets);
+  sheets_ = std::make_unique<Sheets>(std::move(facets), grid);
   spare_ = std::make_unique<Spare>();
 }
 

@@ -216,7 +216,7 @@ void orient(Mesh& mesh, double step, std::vector<std::string>& notes) {
   int turned = 0;
   for (std::size_t f = 0; f < stated.size(); ++f) turned += mesh.faces[f] != stated[f];
   if (turned == 0) return;
-  notes.push_back(fmt::format("{} face{} turned to point outward", turned, turned == 1 ? " was" : "s were"));
+  notes.push_back(fmt::format("{} face{} reversed to point outward", turned, turned == 1 ? " was" : "s were"));
 }
 
 }  // namespace findspace::space

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A 3D shape tree turned about a line parallel to an axis: the same tree with turned primitives, since rotations
+// A 3D shape tree rotated about a line parallel to an axis: the same tree with rotated primitives, since rotations
 // commute with all its nodes. Guarantee: multiples of 90 degrees are exact; other angles put every vertex (and the
 // centre of a ball) on the grid once, by a turn whose sine and cosine are within 2^-60 of the true ones. What was
 // convex stays convex (a polytope); other surfaces are cut into triangles before, so that they stay closed. Cost:

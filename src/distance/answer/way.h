@@ -14,16 +14,19 @@ enum class Way {
   kConvex,    // one convex set
   kParts,     // convex parts of the shapes
   kSurfaces,  // the surfaces of meshes, without convex parts
+  kFeatures,  // in the plane, the nearest or farthest features of the boundaries
+  kContacts,  // in the plane, the boundary of the set of contacts near the position
   kCut,       // containers and obstacles of solids that round ones are cut out of
   kSearch,    // a search that ends within an error
   kMap,       // the sign on the exact map of all positions
-  kLines      // the signs on lines
+  kLines,     // the signs on lines
+  kAngles     // the exact angles at which a shape in the plane changes its relation to another
 };
 
 /// In plain words.
 constexpr std::string_view name(Way way) {
-  constexpr std::string_view kNames[] = {"none",      "boxes",  "convex", "parts", "surfaces",
-                                         "cut parts", "search", "map",    "lines"};
+  constexpr std::string_view kNames[] = {"none",     "boxes",     "convex", "parts", "surfaces", "features",
+                                         "contacts", "cut parts", "search", "map",   "lines",    "angles"};
   return kNames[static_cast<int>(way)];
 }
 

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "findspace/error.h"
-#include "io/text/read_outline.h"
+#include "io/text/outline_shapes.h"
 #include "plane/contour/contour.h"
 
 namespace findspace::io {
@@ -86,9 +86,8 @@ class Joiner {
 
 }  // namespace
 
-void Outline::join_open_chains() {
-  finish();
-  chains_ = Joiner(std::move(chains_), context_.grid.step_size()).join();
+void join_open_chains(Drawing& drawing, double step) {
+  drawing.chains = Joiner(std::move(drawing.chains), step).join();
 }
 
 }  // namespace findspace::io

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "io/text/write_curves.h"
+#include "plane/query/curve_net.h"
 
 #include <algorithm>
 
-namespace findspace::io {
-
-using plane::CellComplex;
-using plane::Index;
-using plane::kNone;
+namespace findspace::plane {
 
 CurveNet::CurveNet(const CellComplex& c, const exact::Real& step) : c_(c), step_(step), measures_(c) {
   find_joints();
@@ -79,7 +75,7 @@ bool CurveNet::is_start(Index half_edge) const {
   return half_edge == k.half_edges.front() || half_edge == CellComplex::twin(k.half_edges.back());
 }
 
-Ring CurveNet::ring(std::span<const Index> half_edges) const {
+CurveNet::Ring CurveNet::ring(std::span<const Index> half_edges) const {
   const auto first = std::find_if(half_edges.begin(), half_edges.end(), [this](Index h) { return is_start(h); });
   Ring ring;
   auto add = [&](Index h) {
@@ -92,16 +88,16 @@ Ring CurveNet::ring(std::span<const Index> half_edges) const {
   return ring;
 }
 
-Ring CurveNet::ring(Index half_edge) const {
+CurveNet::Ring CurveNet::ring(Index half_edge) const {
   std::vector<Index> cycle{half_edge};
   for (Index h = c_.next(half_edge); h != half_edge; h = c_.next(h)) cycle.push_back(h);
   return ring(cycle);
 }
 
-std::vector<plane::Place> CurveNet::extremes(const Curve& arc) const {
-  std::vector<plane::Place> out;
+std::vector<Place> CurveNet::extremes(const Curve& arc) const {
+  std::vector<Place> out;
   for (Index h : arc.half_edges) {
-    const plane::Edge& e = c_.edges[h / 2];
+    const Edge& e = c_.edges[h / 2];
     // The rest of the pieces' ends are leftmost or rightmost points.
     if (h != arc.half_edges.front()) out.push_back(at(c_.origin(h)));
     if (at(e.v0)[0] < arc.center[0] && arc.center[0] < at(e.v1)[0]) {
@@ -111,9 +107,9 @@ std::vector<plane::Place> CurveNet::extremes(const Curve& arc) const {
   return out;
 }
 
-plane::Bounds CurveNet::bounds(const Curve& curve) const {
-  plane::Bounds b{at(curve.from), at(curve.from)};
-  auto see = [&b](const plane::Place& p) {
+Bounds CurveNet::bounds(const Curve& curve) const {
+  Bounds b{at(curve.from), at(curve.from)};
+  auto see = [&b](const Place& p) {
     for (int i : {0, 1}) {
       b.low[i] = std::min(b.low[i], p[i]);
       b.high[i] = std::max(b.high[i], p[i]);
@@ -121,9 +117,9 @@ plane::Bounds CurveNet::bounds(const Curve& curve) const {
   };
   see(at(curve.to));
   if (curve.arc) {
-    for (const plane::Place& p : extremes(curve)) see(p);
+    for (const Place& p : extremes(curve)) see(p);
   }
   return b;
 }
 
-}  // namespace findspace::io
+}  // namespace findspace::plane

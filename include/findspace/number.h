@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Numbers and points as users give them, exactly. A Number is a decimal as written: Number("1.1") is 11/10. A double
+// stands for the shortest decimal that reads back as it, so Number(1.1) is 11/10 too. Positions in bulk are plain
+// arrays of doubles, which count the same way. Keywords: decimal, fixed point.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace findspace {
+
+class Number {
+ public:
+  template <std::integral T>
+  Number(T value) : text_(std::to_string(value)) {}  // NOLINT: implicit on purpose
+  /// Error(kBadValue) for one that is not finite.
+  Number(double value);                                       // NOLINT
+  Number(const char* decimal) : text_(decimal) {}             // NOLINT
+  Number(std::string decimal) : text_(std::move(decimal)) {}  // NOLINT
+  /// Text that is no number is refused where it is used, with Error(kSyntax).
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+struct Point {
+  Number x, y;
+};
+struct Point3 {
+  Number x, y, z;
+};
+using Ring = std::vector<Point>;
+
+/// A place of the plane or of space in doubles.
+using Position = std::array<double, 2>;
+using Position3 = std::array<double, 3>;
+
+/// The size of the grid on which a shape's coordinates lie, in its unit. What is off the grid is rounded to it once.
+struct Grid {
+  Number step = "0.000001";
+};
+
+}  // namespace findspace

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""Exact maps of where a part can go.
+
+>>> import findspace as fs
+>>> plate = fs.Shape.box((0, 0), (10, 6)) - fs.Shape.disc((5, 3), 1.5)
+>>> world = fs.World({"plate": plate, "chip": fs.Shape.box((-1, -1), (1, 1))}, moving="chip", unit="mm")
+>>> region = world.solve(fs.gap("chip", "plate") >= "0.5mm")
+>>> (11.5, 3) in region, (11.4, 3) in region
+(True, False)
+"""
+from ._findspace import (Component, Distance, DistanceValue, Edge, Error, Formula, Optimum, Query, Region, Ring, Shape,
+                         World, clear, cover, covers, depth, disjoint, gap, hausdorff, inside, margin, overlaps,
+                         protrusion, reach, touches, within)
+from . import _plot, _shapely
+
+__all__ = ["Component", "Distance", "DistanceValue", "Edge", "Error", "Formula", "Optimum", "Query", "Region", "Ring",
+           "Shape", "World", "clear", "cover", "covers", "depth", "disjoint", "gap", "hausdorff", "inside", "margin",
+           "overlaps", "protrusion", "reach", "shape", "touches", "within"]
+
+shape = _shapely.shape
+Region.plot = _plot.plot_region
+Region._repr_svg_ = _plot.picture
+Shape.plot = _plot.plot_shape
+Shape._repr_svg_ = _plot.picture_of_shape
+Region.to_shapely = _shapely.to_shapely
+Region.__geo_interface__ = property(_shapely.geo_interface)

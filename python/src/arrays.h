@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Arrays of numpy as spans of positions, without a copy where they are contiguous doubles.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <span>
+#include <string>
+
+#include "findspace/error.h"
+#include "findspace/number.h"
+
+namespace findspace::python {
+
+namespace py = pybind11;
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
+
+/// Rows of `Row` of an array of shape (n, columns).
+template <class Row, class Values>
+std::span<const Row> rows(const Values& values, const std::string& what) {
+  const py::ssize_t columns = py::ssize_t(std::tuple_size_v<Row>);
+  if (values.ndim() != 2 || values.shape(1) != columns)
+    throw py::value_error(what + " have the shape (n, " + std::to_string(columns) + ")");
+  return {reinterpret_cast<const Row*>(values.data()), std::size_t(values.shape(0))};
+}
+
+inline std::span<const Position> positions(const Array& values, const std::string& what = "positions") {
+  return rows<Position>(values, what);
+}
+
+template <class Points>
+Array array_of(const Points& points) {
+  Array out({py::ssize_t(std::size(points)), py::ssize_t(2)});
+  double* to = out.mutable_data();
+  for (const Position& p : points) {
+    *to++ = p[0];
+    *to++ = p[1];
+  }
+  return out;
+}
+
+}  // namespace findspace::python

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The Python module: the public headers, in the same words. Numbers of Python are exact where they are int,
+// decimal.Decimal, fractions of ten or text; a float stands for the decimal that it prints as.
+
+#include <pybind11/numpy.h>
+#include <pybind11/operators.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "findspace/findspace.h"
+
+namespace findspace::python {
+
+void bind_shapes(py::module_& m);
+void bind_regions(py::module_& m);
+void bind_worlds(py::module_& m);
+void bind_formulas(py::module_& m);
+
+namespace {
+
+/// Errors get a class and the attributes `place` and `code`.
+void bind_errors(py::module_& m) {
+  static py::exception<Error> error(m, "Error", PyExc_ValueError);
+  error.attr("__doc__") =
+      "Bad input or wrong usage. `message` says what is wrong, `place` where, `code` of what kind it is.";
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Error& e) {
+      static const char* const kCodes[] = {"usage",    "syntax",       "unknown name", "bad value",
+                                           "geometry", "out of range", "file",         "unsupported"};
+      const py::object made = py::reinterpret_borrow<py::object>(error)(e.what());
+      made.attr("message") = e.message();
+      made.attr("place") = e.place();
+      made.attr("code") = kCodes[static_cast<int>(e.code())];
+      PyErr_SetObject(error.ptr(), made.ptr());
+    }
+  });
+}
+
+}  // namespace
+
+}  // namespace findspace::python
+
+PYBIND11_MODULE(_findspace, m) {
+  using namespace findspace::python;
+  m.doc() = "Exact maps of where a part can go (https://en.wikipedia.org/wiki/Configuration_space_(physics)).";
+  bind_errors(m);
+  bind_formulas(m);
+  bind_shapes(m);
+  bind_regions(m);
+  bind_worlds(m);
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Python's numbers and points as exact ones: int, decimal.Decimal and text as written, a float as the decimal that it
+// prints as.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "findspace/formula.h"
+#include "findspace/number.h"
+
+namespace findspace::python {
+
+namespace py = pybind11;
+
+inline Number number(const py::handle& value) {
+  if (PyFloat_Check(value.ptr())) return Number(value.cast<double>());
+  return Number(py::str(value).cast<std::string>());
+}
+
+inline Level level(const py::handle& value) { return number(value); }
+
+/// (x, y)
+inline Point point(const py::sequence& p) {
+  if (py::len(p) != 2) throw py::value_error("a point is (x, y)");
+  return {number(p[0]), number(p[1])};
+}
+
+/// (x, y, z)
+inline Point3 point3(const py::sequence& p) {
+  if (py::len(p) != 3) throw py::value_error("a point of space is (x, y, z)");
+  return {number(p[0]), number(p[1]), number(p[2])};
+}
+
+inline Grid grid(const py::handle& step) { return {number(step)}; }
+
+}  // namespace findspace::python

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "findspace/region.h"
+#include "findspace/shape.h"
+#include "numbers.h"
+
+namespace findspace::python {
+namespace {
+
+const char* const kStep = "0.000001";
+
+Shape polygon(const Array& ring, const std::vector<Array>& holes, const py::object& step) {
+  std::vector<std::span<const Position>> inner;
+  for (const Array& hole : holes) inner.push_back(positions(hole, "holes"));
+  return Shape::polygon(positions(ring, "the vertices of a ring"), inner, grid(step));
+}
+
+/// A list of steps: (x, y) is a segment; a dict with "to" and "bulge", "through", or "center" an arc.
+Contour contour(const py::list& steps) {
+  if (steps.empty()) throw py::value_error("a contour needs points");
+  Contour out(point(steps[0]));
+  for (std::size_t k = 1; k < steps.size(); ++k) {
+    if (!py::isinstance<py::dict>(steps[k])) {
+      out.line_to(point(steps[k]));
+      continue;
+    }
+    const py::dict arc = steps[k];
+    const Point end = point(arc["to"]);
+    if (arc.contains("bulge"))
+      out.bulge_to(number(arc["bulge"]), end);
+    else if (arc.contains("through"))
+      out.arc_through(point(arc["through"]), end);
+    else if (arc.contains("center"))
+      out.arc_about(point(arc["center"]), end, !arc.contains("ccw") || arc["ccw"].cast<bool>());
+    else
+      throw py::value_error("an arc has \"bulge\", \"through\" or \"center\"");
+  }
+  return out;
+}
+
+Shape box(const py::sequence& low, const py::sequence& high, const py::object& step) {
+  if (py::len(low) == 3) return Shape::box(point3(low), point3(high), grid(step));
+  return Shape::box(point(low), point(high), grid(step));
+}
+
+void bind_makers(py::class_<Shape>& shape) {
+  shape
+      .def_static("polygon", &polygon, py::arg("ring"), py::arg("holes") = std::vector<Array>(),
+                  py::arg("grid") = kStep,
+                  R"doc(The closed set within a ring and outside its holes.
+
+Parameters
+----------
+ring : array_like, shape (n, 2)
+    A simple ring, either way round; the first point may be repeated at the end.
+holes : list of array_like
+    Rings inside it, whose insides are left out.
+grid : number
+    Coordinates are rounded to multiples of it, once.
+
+Raises
+------
+Error
+    Where a ring crosses itself or another, with ring and vertex.
+
+Examples
+--------
+>>> import findspace as fs
+>>> fs.Shape.polygon([[0, 0], [4, 0], [4, 3]]).region.area
+6.0
+)doc")
+      .def_static(
+          "contour",
+          [](const py::list& ring, const std::vector<py::list>& holes, const py::object& step) {
+            std::vector<Contour> inner;
+            for (const py::list& hole : holes) inner.push_back(contour(hole));
+            return Shape::polygon(contour(ring), inner, grid(step));
+          },
+          py::arg("ring"), py::arg("holes") = std::vector<py::list>(), py::arg("grid") = kStep,
+          R"doc(As polygon, of rings with arcs.
+
+A ring is a list of points. An arc to a point is a dict with "to" and one of "bulge" (tan of a quarter of its angle),
+"through" (a third point) or "center" (and "ccw", True by default).
+
+Examples
+--------
+>>> import findspace as fs
+>>> half = fs.Shape.contour([(-1, 0), {"to": (1, 0), "center": (0, 0)}, (-1, 0)])
+>>> round(half.region.area, 6)
+1.570796
+)doc")
+      .def_static(
+          "disc",
+          [](const py::sequence& center, const py::object& radius, const py::object& step) {
+            return Shape::disc(point(center), number(radius), grid(step));
+          },
+          py::arg("center"), py::arg("radius"), py::arg("grid") = kStep, "The closed disc.")
+      .def_static("box", &box, py::arg("min"), py::arg("max"), py::arg("grid") = kStep,
+                  "The closed box between two corners, of the plane or of space.")
+      .def_static(
+          "points",
+          [](const Array& at, const py::object& step) { return Shape::points(positions(at, "points"), grid(step)); },
+          py::arg("points"), py::arg("grid") = kStep, "Isolated points, shape (n, 2).")
+      .def_static(
+          "polyline",
+          [](const Array& at, const py::object& step) { return Shape::polyline(positions(at, "points"), grid(step)); },
+          py::arg("points"), py::arg("grid") = kStep, "A chain of closed segments, a set without inside.")
+      .def_static(
+          "path", [](std::string_view data, const py::object& step) { return Shape::path(data, grid(step)); },
+          py::arg("data"), py::arg("grid") = kStep, "SVG path data of M L H V A Z; y points upwards.")
+      .def_static(
+          "file", [](const std::string& path, const py::object& step) { return Shape::file(path, grid(step)); },
+          py::arg("path"), py::arg("grid") = kStep,
+          "A drawing (SVG, DXF, WKT, GeoJSON) or a mesh (STL, OBJ, PLY, 3MF).")
+      .def_static(
+          "json", [](std::string_view text, const py::object& step) { return Shape::json(text, grid(step)); },
+          py::arg("text"), py::arg("grid") = kStep, "What a scene file would say of a shape.");
+}
+
+void bind_solids(py::class_<Shape>& shape) {
+  shape
+      .def_static(
+          "polytope",
+          [](const Array& points, const py::object& step) {
+            return Shape::polytope(rows<Position3>(points, "points"), grid(step));
+          },
+          py::arg("points"), py::arg("grid") = kStep, "The convex hull of points of space, shape (n, 3).")
+      .def_static(
+          "ball",
+          [](const py::sequence& center, const py::object& radius, const py::object& step) {
+            return Shape::ball(point3(center), number(radius), grid(step));
+          },
+          py::arg("center"), py::arg("radius"), py::arg("grid") = kStep, "The closed ball.")
+      .def_static(
+          "prism",
+          [](const Shape& base, const py::object& low, const py::object& high) {
+            return Shape::prism(base, number(low), number(high));
+          },
+          py::arg("polygon"), py::arg("low"), py::arg("high"), "A polygon of the plane between two heights.")
+      .def_static(
+          "mesh",
+          [](const Array& vertices, const Indices& faces, const py::object& step) {
+            using Triangle = std::array<std::int32_t, 3>;
+            return Shape::mesh(rows<Position3>(vertices, "vertices"), rows<Triangle>(faces, "faces"), grid(step));
+          },
+          py::arg("vertices"), py::arg("faces"), py::arg("grid") = kStep,
+          "What a closed surface encloses: vertices of shape (n, 3), triangles of shape (m, 3).");
+}
+
+void bind_operations(py::class_<Shape>& shape) {
+  shape.def("__or__",
+            [](const Shape& a, const Shape& b) {
+              return Shape::unite({a, b});
+            })
+      .def("__and__",
+           [](const Shape& a, const Shape& b) {
+             return Shape::intersect({a, b});
+           })
+      .def("__sub__",
+           [](const Shape& a, const Shape& b) {
+             return Shape::subtract({a, b});
+           })
+      .def("__invert__", [](const Shape& a) { return Shape::complement(a); })
+      .def_static("unite", &Shape::unite, py::arg("shapes"))
+      .def_static("intersect", &Shape::intersect, py::arg("shapes"))
+      .def_static("subtract", &Shape::subtract, py::arg("shapes"), "The first without the others.")
+      .def_static("minkowski_sum", &Shape::minkowski_sum, py::arg("a"), py::arg("b"), "{a + b}")
+      .def_static("minkowski_difference", &Shape::minkowski_difference, py::arg("a"), py::arg("b"),
+                  "The intersection of all a + q, q in b.")
+      .def("complement", [](const Shape& s) { return Shape::complement(s); })
+      .def("interior", [](const Shape& s) { return Shape::interior(s); })
+      .def("closure", [](const Shape& s) { return Shape::closure(s); })
+      .def("boundary", [](const Shape& s) { return Shape::boundary(s); })
+      .def(
+          "regularized", [](const Shape& s) { return Shape::regularize(s); }, "The closure of the interior.")
+      .def(
+          "hull", [](const Shape& s) { return Shape::hull(s); }, "The convex hull.")
+      .def(
+          "reflected", [](const Shape& s) { return Shape::reflect(s); }, "Reflected through the origin.")
+      .def(
+          "offset", [](const Shape& s, const py::object& radius) { return Shape::offset(s, number(radius)); },
+          py::arg("radius"), "Grown by the closed disc or ball, with true arcs; eroded if negative.")
+      .def(
+          "translated",
+          [](const Shape& s, const py::sequence& by) {
+            return py::len(by) == 3 ? s.translated(point3(by)) : s.translated(point(by));
+          },
+          py::arg("by"))
+      .def(
+          "rotated",
+          [](const Shape& s, const py::object& degrees, const py::sequence& about) {
+            return s.rotated(number(degrees), point(about));
+          },
+          py::arg("degrees"), py::arg("about") = py::make_tuple(0, 0),
+          "Counter-clockwise about a point; exact for multiples of 90 degrees, else each vertex is rounded once.");
+}
+
+}  // namespace
+
+void bind_shapes(py::module_& m) {
+  py::class_<Shape> shape(m, "Shape",
+                          "A point set of the plane or of space, given by exact decimal numbers on a grid. Immutable.");
+  bind_makers(shape);
+  bind_solids(shape);
+  bind_operations(shape);
+  shape.def_property_readonly("dimension", &Shape::dimension, "2 or 3.")
+      .def_property_readonly(
+          "grid", [](const Shape& s) { return s.grid().step.text(); }, "The step of its grid, as text.")
+      .def_property_readonly(
+          "rounded_points", [](const Shape& s) { return s.rounded().points; },
+          "How many points given were off the grid.")
+      .def_property_readonly(
+          "largest_move", [](const Shape& s) { return s.rounded().largest; },
+          "How far the farthest of these was moved.")
+      .def_property_readonly(
+          "region", [](const Shape& s) { return s.region(); }, py::call_guard<py::gil_scoped_release>(),
+          "The set itself; of the plane only.")
+      .def(py::init<const Region&>(), py::arg("region"))
+      .def(py::pickle(
+          [](const Shape& s) { return py::make_tuple(s.region().exact_json(), s.grid().step.text()); },
+          [](const py::tuple& t) { return Shape::json(t[0].cast<std::string>(), {Number(t[1].cast<std::string>())}); }))
+      .def("__repr__", [](const Shape& s) { return s.dimension() == 2 ? "<Shape of the plane>" : "<Shape of space>"; });
+}
+
+}  // namespace findspace::python

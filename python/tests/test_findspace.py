@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""The Python module as a user has it."""
+import doctest
+import pickle
+
+import numpy as np
+import pytest
+
+import findspace as fs
+
+
+@pytest.fixture
+def world():
+    hole = np.array([[40, 25], [60, 25], [60, 35], [40, 35]])
+    plate = fs.Shape.polygon(np.array([[25, 12], [75, 12], [75, 48], [25, 48]]), holes=[hole])
+    return fs.World({"plate": plate, "peg": fs.Shape.box((-6, -4), (6, 4)), "table": fs.Shape.box((0, 0), (100, 60))},
+                    moving="peg")
+
+
+def test_the_lines_of_the_manual_run(world):
+    region = world.solve("inside(peg, table) and clear(peg, plate)")
+    assert region == world.solve(fs.inside("peg", "table") & fs.clear("peg", "plate"))
+    query = world.query("clear(peg, plate, 0.5)")
+    ok = query.holds(np.random.rand(100_000, 2) * 100)
+    assert ok.dtype == bool and ok.shape == (100_000,)
+    assert len(region.components[0].rings[0].vertices) >= 4
+
+
+def test_many_positions_agree_with_single_ones(world):
+    formula = fs.inside("peg", "table", 1) & ~(fs.gap("peg", "plate") < 0.5) & (fs.reach("peg", "plate") <= 70)
+    query = world.query(formula)
+    rng = np.random.default_rng(5)
+    at = np.concatenate([rng.random((400, 2)) * [100, 60], np.round(rng.random((400, 2)) * [100, 60])])
+    assert query.holds(at).tolist() == [world.holds(formula, p) for p in at.tolist()]
+    assert query.region.contains(at).tolist() == query.holds(at).tolist()
+
+
+def test_the_peg_that_fits_once(world):
+    # 12 x 8 in a hole of 20 x 10; then in one of 12 x 8.
+    assert world.solve("inside(peg, plate)").empty is False
+    hole = fs.Shape.box((0, 0), (100, 60)) - fs.Shape.interior(fs.Shape.box((44, 26), (56, 34)))
+    tight = fs.World({"plate": hole, "peg": fs.Shape.box((-6, -4), (6, 4))}, "peg")
+    region = tight.solve("clear(peg, plate)") & fs.Shape.box((30, 20), (70, 40)).region
+    assert region.area == 0 and region.components[0].dimension == 0
+    assert region.components[0].points.tolist() == [[50, 30]]
+    assert (50, 30) in region and (50, "30.000001") not in region
+
+
+def test_shapes_from_arrays_are_exact():
+    ring = np.array([[0.1, 0.2], [0.3, 0.2], [0.3, 0.7]])
+    assert fs.Shape.polygon(ring).rounded_points == 0
+    assert fs.Shape.polygon(ring.astype(np.float32)).rounded_points > 0
+    assert fs.Shape.polygon(ring[:, ::-1].copy()[:, ::-1]).region == fs.Shape.polygon(ring).region
+    with pytest.raises(ValueError, match=r"shape \(n, 2\)"):
+        fs.Shape.polygon(np.zeros((4, 3)))
+
+
+def test_errors_have_a_place():
+    with pytest.raises(fs.Error) as caught:
+        fs.Shape.polygon([[0, 0], [1, np.nan], [1, 1]])
+    assert caught.value.place == "ring, vertex 1" and caught.value.code == "bad value"
+    with pytest.raises(fs.Error, match="did you mean"):
+        fs.Distance("gapp", "a", "b")
+    with pytest.raises(TypeError, match="&"):
+        bool(fs.clear("a", "b") and fs.clear("a", "b"))
+
+
+def test_everything_pickles(world):
+    region = world.solve("gap(peg, plate) <= 3 and not overlaps(peg, plate)")
+    assert pickle.loads(pickle.dumps(region)) == region
+    disc = fs.Shape.disc((0.5, 0), 2) - fs.Shape.disc((0, 0), 1)
+    assert pickle.loads(pickle.dumps(disc)).region == disc.region
+    formula = fs.gap("a", "b") >= "2 mm"
+    assert pickle.loads(pickle.dumps(formula)).text == formula.text
+    again = pickle.loads(pickle.dumps(world))
+    assert again.solve("clear(peg, plate)") == world.solve("clear(peg, plate)")
+    at = np.random.rand(1000, 2) * 100
+    query = world.query("clear(peg, plate, 0.5)")
+    assert (pickle.loads(pickle.dumps(query)).holds(at) == query.holds(at)).all()
+
+
+def test_shapely_both_ways():
+    shapely = pytest.importorskip("shapely.geometry")
+    polygon = shapely.Polygon([(0, 0), (9, 0), (9, 5), (0, 5)], [[(1, 1), (1, 4), (4, 4), (4, 1)]])
+    shape = fs.shape(polygon)
+    assert shape.region.area == polygon.area
+    assert shape.region.to_shapely().equals(polygon)
+    assert fs.shape(shape.region).region == shape.region
+    disc = fs.Shape.disc((0, 0), 1).region.to_shapely(1e-6)
+    assert abs(disc.area - np.pi) < 1e-5
+    with pytest.raises(ValueError, match="Circle"):
+        fs.shape({"type": "Circle", "coordinates": []})
+
+
+def test_flattening_stays_on_its_side():
+    ring = (fs.Shape.disc((0, 0), 2) - fs.Shape.disc((0, 0), 1)).region
+    for outside in (False, True):
+        outer, inner = ring.flattened(1e-3, outside=outside)
+        flat = fs.Shape.polygon(outer, [inner]).region
+        assert (flat.area > ring.area) == outside
+
+
+def test_pictures(world, tmp_path):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    region = world.solve("inside(peg, table) and clear(peg, plate)")
+    figure, ax = plt.subplots()
+    assert region.plot(ax) is ax
+    assert ax.get_xlim()[1] > 90
+    figure.savefig(tmp_path / "region.png")
+    assert region._repr_svg_().startswith("<")
+    assert world.solve("clear(peg, plate)")._repr_svg_() is None
+    with pytest.raises(ValueError, match="unbounded"):
+        world.solve("clear(peg, plate)").plot(ax)
+
+
+def test_solids():
+    box = fs.Shape.box((0, 0, 0), (1, 2, 3))
+    assert box.dimension == 3
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+    assert fs.Shape.mesh(vertices, faces).dimension == 3
+    with pytest.raises(fs.Error):
+        fs.Shape.mesh(vertices, faces[:3])
+
+
+@pytest.mark.parametrize("module", [fs, fs._findspace, fs._shapely])
+def test_examples_in_docstrings(module):
+    names = {name: getattr(module, name) for name in dir(module)}
+    runner, finder = doctest.DocTestRunner(), doctest.DocTestFinder(exclude_empty=True)
+    for test in finder.find(module, module.__name__, globs={**names, "fs": fs}):
+        runner.run(test)
+    assert runner.summarize(verbose=False).failed == 0

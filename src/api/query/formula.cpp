@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "findspace/formula.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "findspace/error.h"
+#include "formula/language/parse.h"
+
+namespace findspace {
+namespace {
+
+/// "a + b" as quoted names, so that any name can stand there.
+std::vector<std::string> names_of(std::string_view shapes) {
+  std::vector<std::string> names;
+  while (true) {
+    const std::size_t plus = shapes.find('+');
+    std::string_view name = shapes.substr(0, plus);
+    while (name.starts_with(' ')) name.remove_prefix(1);
+    while (name.ends_with(' ')) name.remove_suffix(1);
+    if (name.empty()) throw Error(ErrorCode::kSyntax, "the name of a shape is empty");
+    names.emplace_back(name);
+    if (plus == std::string_view::npos) return names;
+    shapes.remove_prefix(plus + 1);
+  }
+}
+
+std::string quoted(std::string_view shapes) {
+  std::string out;
+  for (const std::string& name : names_of(shapes)) {
+    out += out.empty() ? "\"" : " + \"";
+    for (const char c : name) {
+      if (c == '"' || c == '\\') out += '\\';
+      out += c;
+    }
+    out += '"';
+  }
+  return out;
+}
+
+/// The words and the two shapes of a predicate or a distance.
+std::string call(std::string_view word, std::string_view a, std::string_view b, std::string_view rest = {}) {
+  return fmt::format("{}({}, {}{})", word, quoted(a), quoted(b), rest);
+}
+
+/// Refuses an atom that no world could read: its names are all known here, and each moves by itself.
+Formula checked(std::string atom) {
+  formula::Context any;
+  any.independent = any.motion = true;
+  any.unit = formula::Unit::kMillimetre;
+  for (std::size_t i = 0, open = 0; i < atom.size(); ++i) {
+    if (atom[i] == '"') {
+      open = 1 - open;
+      if (open) any.shapes.emplace_back();
+    } else if (open) {
+      if (atom[i] == '\\') ++i;
+      any.shapes.back() += atom[i];
+    }
+  }
+  any.moving = any.shapes;
+  formula::parse_formula(atom, any);
+  return Formula(std::move(atom));
+}
+
+std::string with_level(const Level& level) { return ", " + level.text(); }
+
+}  // namespace
+
+Formula operator&&(const Formula& a, const Formula& b) { return fmt::format("({}) and ({})", a.text_, b.text_); }
+Formula operator||(const Formula& a, const Formula& b) { return fmt::format("({}) or ({})", a.text_, b.text_); }
+Formula operator!(const Formula& a) { return fmt::format("not ({})", a.text_); }
+
+Distance::Distance(std::string_view word, std::string_view first, std::string_view second)
+    : text_(call(word, first, second)) {
+  checked(text_ + " >= 0");
+}
+
+Distance Distance::with(std::string_view mode, const Point& vector) const {
+  std::string text = text_;
+  text.insert(text.rfind(')'), fmt::format(", {}=({}, {})", mode, vector.x.text(), vector.y.text()));
+  checked(text + " >= 0");
+  return {std::move(text)};
+}
+
+Formula Distance::minimal() const { return checked(text_ + " -> min"); }
+Formula Distance::compared(std::string_view relation, const Level& level) const {
+  return checked(fmt::format("{} {} {}", text_, relation, level.text()));
+}
+
+Formula overlaps(std::string_view a, std::string_view b) { return checked(call("overlaps", a, b)); }
+Formula touches(std::string_view a, std::string_view b) { return checked(call("touches", a, b)); }
+Formula disjoint(std::string_view a, std::string_view b) { return checked(call("disjoint", a, b)); }
+Formula clear(std::string_view a, std::string_view b, const Level& level) {
+  return checked(call("clear", a, b, with_level(level)));
+}
+Formula within(std::string_view a, std::string_view b, const Level& level) {
+  return checked(call("within", a, b, with_level(level)));
+}
+Formula inside(std::string_view a, std::string_view b, const Level& level) {
+  return checked(call("inside", a, b, with_level(level)));
+}
+Formula covers(std::string_view a, std::string_view b, const Level& level) {
+  return checked(call("covers", a, b, with_level(level)));
+}
+
+}  // namespace findspace

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "findspace/number.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "api/values/region_data.h"
+#include "api/values/shape_data.h"
+#include "exact/number/real_text.h"
+#include "findspace/error.h"
+#include "formula/language/text.h"
+
+namespace findspace {
+
+Number::Number(double value) : text_(fmt::format("{}", value)) {
+  if (!std::isfinite(value)) throw Error(ErrorCode::kBadValue, "a number must be finite");
+}
+
+namespace api {
+
+exact::Real real_of(const Number& number) { return exact::Real::parse_decimal(number.text()); }
+
+plane::Grid grid_of(const Grid& grid) {
+  exact::Real step = real_of(grid.step);
+  if (step.sign() <= 0) throw Error(ErrorCode::kBadValue, "the step of a grid must be more than 0");
+  return plane::Grid(std::move(step));
+}
+
+Grid public_grid(const plane::Grid& grid) { return {formula::decimal_text(grid.step())}; }
+
+}  // namespace api
+
+double Exact::value() const { return data_->value.to_double(); }
+
+std::string Exact::text() const {
+  exact::RealWriter writer;
+  std::string text = writer.text(data_->value);
+  return text.starts_with('#') ? "~" + fmt::format("{}", value()) : text;
+}
+
+bool operator==(const Exact& a, const Exact& b) { return a.data_->value == b.data_->value; }
+
+std::weak_ordering operator<=>(const Exact& a, const Exact& b) {
+  const int sign = compare(a.data_->value, b.data_->value);
+  return sign < 0 ? std::weak_ordering::less : sign > 0 ? std::weak_ordering::greater : std::weak_ordering::equivalent;
+}
+
+}  // namespace findspace

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar/contact_values.h"
+
+#include "distance/planar/farthest.h"
+#include "exact/number/margins.h"
+#include "plane/base/real_vector.h"
+
+namespace findspace::distance {
+
+using exact::RealPoint;
+using plane::operator+;
+using plane::operator-;
+
+namespace {
+
+/// How shapes stand where boundaries tell the distance by themselves.
+Standing::Kind told_by_boundaries(Which which) {
+  using Kind = Standing::Kind;
+  return which == Which::kGamma1 ? Kind::kApart : which == Which::kEta1 ? Kind::kInside : Kind::kAround;
+}
+
+}  // namespace
+
+std::vector<Feature> ContactValues::contact(const RealPoint& position, const RealPoint& p) const {
+  const FeatureTree &fixed = boundaries_.fixed(), &moving = boundaries_.moving();
+  FeaturePair k = touching_pair(fixed, moving, position);
+  // Chains touch where they cross, too.
+  if (near_value(k.distance) > (moving.scale() + fixed.scale()) * margin::kHardlyOut)
+    k = distance::common_point(fixed, moving, position);
+  k.second = k.second - (position - p);
+  return features(k);
+}
+
+std::optional<PlanarAnswer> ContactValues::signed_distance(Which which, const RealPoint& p) const {
+  const Standing s = boundaries_.standing(p);
+  if (s.kind != told_by_boundaries(which)) return signed_value(which, s, p);
+  const bool outside = s.kind == Standing::Kind::kApart;
+  PlanarAnswer out = boundary_answer(outside ? s.pair->distance : -s.pair->distance, features(*s.pair));
+  out.nearest = p + (s.pair->first - s.pair->second);
+  return out;
+}
+
+const PenetrationDepth* ContactValues::penetration_depth(Which which) const {
+  const std::size_t k = which == Which::kGamma1 ? 0 : which == Which::kEta1 ? 1 : 2;
+  std::call_once(made_[k], [&] {
+    const FeatureTree &fixed = boundaries_.fixed(), &moving = boundaries_.moving();
+    // A lies in B + p where A - p lies in B.
+    depths_[k] = which == Which::kDelta1
+                     ? PenetrationDepth::make(fixed, moving, PenetrationDepth::Of::kContainment)
+                     : PenetrationDepth::make(moving, fixed,
+                                              which == Which::kGamma1 ? PenetrationDepth::Of::kContact
+                                                                      : PenetrationDepth::Of::kContainment);
+  });
+  return depths_[k] && depths_[k]->pays() && !pair_->has(which) ? depths_[k].get() : nullptr;
+}
+
+std::optional<PlanarAnswer> ContactValues::signed_value(Which which, const Standing& s, const RealPoint& p) const {
+  const PenetrationDepth* depth = penetration_depth(which);
+  if (!depth) return by_map(which, p);
+  const bool back = which == Which::kDelta1;
+  const RealPoint at = back ? -p : p;
+  const bool holds = depth->holds(at), positive = holds != (which == Which::kGamma1);
+  if (!holds) {  // their insides (or that of B and the outside of A) do not meet
+    const FeaturePair k = s.pair ? *s.pair : closest_pair(boundaries_.fixed(), boundaries_.moving(), p);
+    PlanarAnswer out = boundary_answer(positive ? k.distance : -k.distance, features(k));
+    if (k.distance.sign() != 0) out.nearest = p + (k.first - k.second);
+    return out;
+  }
+  const PenetrationDepth::Found found = depth->nearest(at);
+  if (!found.known) return by_map(which, p);
+  // Of contact: it holds everywhere.
+  if (!found.nearest) return positive ? std::nullopt : std::optional(lowest_answer(Way::kContacts));
+  PlanarAnswer out = exact_answer(positive ? found.nearest->distance : -found.nearest->distance, Way::kContacts);
+  const RealPoint& q = found.nearest->at;
+  const RealPoint there = back ? -q : q;
+  if (out.value.sign() != 0) out.nearest = there;
+  out.witness = contact(there, p);
+  return out;
+}
+
+std::optional<PlanarAnswer> ContactValues::by_map(Which which, const RealPoint& p) const {
+  auto out = pair_->distance(which)->value(p);
+  if (!out || out->minus_infinity) return out;
+  if (out->nearest || out->value.sign() == 0) out->witness = contact(out->nearest.value_or(p), p);
+  return out;
+}
+
+std::optional<PlanarAnswer> ContactValues::farthest(Which which, const RealPoint& p) const {
+  const bool back = which == Which::kDelta2;
+  const auto to = [&](const RealPoint& q, const exact::Real& distance, Way way) {
+    PlanarAnswer out = exact_answer(distance, way);
+    out.farthest = q;
+    out.witness = contact(q, p);
+    return out;
+  };
+  const PenetrationDepth* depth = pair_->has(which) ? nullptr : penetration_depth(back ? Which::kDelta1 : Which::kEta1);
+  if (depth) {
+    const PenetrationDepth::Found found = depth->farthest(back ? -p : p);
+    if (found.known && !found.nearest) return std::nullopt;
+    if (found.known) return to(back ? -found.nearest->at : found.nearest->at, found.nearest->distance, Way::kContacts);
+  }
+  auto f = pair_->distance(which);
+  if (!f->defined()) return std::nullopt;
+  return to(static_cast<const Farthest&>(*f).farthest_point(p), f->value(p)->value, Way::kMap);
+}
+
+}  // namespace findspace::distance

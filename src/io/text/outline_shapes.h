@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Shapes of what an Outline has drawn. Closed chains and circles nest by the even-odd rule or are one ring and its
+// holes; open chains are polylines. Each function throws Error(kGeometry) where rings cross; the context counts points
+// that come twice and what rounding moved. Cost: O(n log n). Keywords: even-odd rule, contour.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/text/read_outline.h"
+
+namespace findspace::io {
+
+/// Joins open chains whose ends are the same grid point; throws Error(kGeometry) where more than two meet. `step`: of
+/// the grid, for the message.
+void join_open_chains(Drawing& drawing, double step);
+int open_chains(const Drawing& drawing);
+
+/// Closed chains and circles by even-odd nesting, each outer ring with its holes one shape, or all as one where rings
+/// touch in common corners (plane/build/touching_rings.h); then the open chains as polylines, then the points.
+std::vector<plane::ShapePtr> parts_of(Drawing drawing, ReadContext& context, const std::string& place);
+/// The same as one shape: the part, or the union of the parts.
+plane::ShapePtr shape_of(Drawing drawing, ReadContext& context, const std::string& place);
+/// All chains as polylines, also those that come back to their first point, and the points.
+plane::ShapePtr lines_of(Drawing drawing, ReadContext& context, const std::string& place);
+/// The first closed chain as outer ring, the others as its holes.
+plane::ShapePtr polygon_of(Drawing drawing, ReadContext& context, const std::string& place);
+
+/// The shapes as one: a single one is itself, several are a union (a collection whose parts keep their names if asked).
+plane::ShapePtr united(std::vector<plane::ShapePtr> parts, const std::string& place, bool collection = false);
+
+}  // namespace findspace::io

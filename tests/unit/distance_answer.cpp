@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <gtest/gtest.h>
+
+#include "distance/answer/answer.h"
+
+namespace findspace::distance {
+namespace {
+
+using exact::Real;
+
+TEST(Answer, ExactValuesAreTheirOwnBounds) {
+  const PlanarAnswer a = exact_answer(sqrt(Real(2)), Way::kMap);
+  EXPECT_EQ(*a.bounds().lower, sqrt(Real(2)));
+  EXPECT_EQ(*a.bounds().upper, sqrt(Real(2)));
+  EXPECT_EQ(a.slack(), 0);
+}
+
+TEST(Answer, ErrorsReachToBothSides) {
+  Answer a;
+  a.value = Real(5);
+  a.proven = false;
+  a.error = 0.25;
+  EXPECT_EQ(*a.bounds().lower, Real::ratio(19, 4));
+  EXPECT_EQ(*a.bounds().upper, Real::ratio(21, 4));
+}
+
+TEST(Answer, MinusTurnsTheEnclosure) {
+  const PlanarAnswer a = minus(enclosed_answer(Real(2), Real(3), Real(1)));
+  EXPECT_EQ(a.value, Real(-2));
+  EXPECT_EQ(*a.bounds().lower, Real(-3));
+  EXPECT_EQ(*a.bounds().upper, Real(-1));
+}
+
+TEST(Answer, CutOffAtZero) {
+  const auto deep = cut_off(enclosed_answer(Real(-2), Real(-3), Real(1)), false);
+  EXPECT_EQ(deep->value, Real());
+  EXPECT_EQ(*deep->bounds().lower, Real());
+  EXPECT_EQ(*deep->bounds().upper, Real(1));
+  EXPECT_FALSE(cut_off(std::optional<PlanarAnswer>(), false));
+  EXPECT_EQ(cut_off(std::optional<PlanarAnswer>(), true)->value, Real());
+  EXPECT_EQ(cut_off(lowest_answer(Way::kMap), false)->value, Real());
+  EXPECT_FALSE(cut_off(lowest_answer(Way::kMap), true));
+}
+
+TEST(Answer, TheGreaterOfTwoEnclosures) {
+  const PlanarAnswer a =
+      greater(enclosed_answer(Real(2), Real(1), Real(6)), enclosed_answer(Real(4), Real(3), Real(5)));
+  EXPECT_EQ(a.value, Real(4));
+  EXPECT_EQ(*a.bounds().lower, Real(3));
+  EXPECT_EQ(*a.bounds().upper, Real(6));
+  EXPECT_EQ(greater(lowest_answer(Way::kMap), exact_answer(Real(-7), Way::kMap)).value, Real(-7));
+}
+
+TEST(Answer, InAnotherUnitEverythingIsScaled) {
+  PlanarAnswer a = enclosed_answer(Real(2), Real(1), Real(3));
+  a.nearest = exact::RealPoint{Real(4), Real(6)};
+  a.witness = {{true, plane::Cell{0, 1}, {Real(8), Real(10)}}};
+  const SceneAnswer s = in_scene(a, Real::ratio(1, 2));
+  EXPECT_EQ(s.value, Real(1));
+  EXPECT_EQ(*s.bounds().lower, Real::ratio(1, 2));
+  EXPECT_EQ(*s.bounds().upper, Real::ratio(3, 2));
+  EXPECT_EQ(*s.nearest, (Coordinates{Real(2), Real(3)}));
+  EXPECT_EQ(s.witness.at(0).at, (Coordinates{Real(4), Real(5)}));
+  EXPECT_EQ(s.way, Way::kSearch);
+}
+
+TEST(Answer, LeastValuesLieAboveTheirBound) {
+  const Answer a = least_answer(Real(3), Real(2), false, {});
+  EXPECT_EQ(*a.bounds().lower, Real(2));
+  EXPECT_EQ(*a.bounds().upper, Real(3));
+  EXPECT_EQ(a.way, Way::kSearch);
+}
+
+}  // namespace
+}  // namespace findspace::distance

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/write/write_position.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using nlohmann::json;
+
+distance::SceneAnswer answer(Real value) {
+  distance::SceneAnswer out;
+  out.value = std::move(value);
+  return out;
+}
+
+TEST(WritePosition, EnclosedValuesCarryTheirEnds) {
+  distance::SceneAnswer third = answer(Real::ratio(1, 3));
+  third.proven = false;
+  third.enclosed = distance::Enclosure{Real::ratio(1, 3), Real::ratio(2, 3)};
+  const json out =
+      json::parse(measure_json({formula::distance_at("eta1(B, A)", third)}, {Real(1), Real(2), Real(3)}, "mm"));
+  EXPECT_EQ(out.at("at"), (json{1, 2, 3}));
+  // Rounded outwards.
+  EXPECT_NEAR(out.at("lower").at("eta1(B, A)"), 1.0 / 3, 1e-15);
+  EXPECT_NEAR(out.at("upper").at("eta1(B, A)"), 2.0 / 3, 1e-15);
+  EXPECT_GE(Real::from_double(out.at("upper").at("eta1(B, A)")), Real::ratio(2, 3));
+  EXPECT_LE(Real::from_double(out.at("lower").at("eta1(B, A)")), Real::ratio(1, 3));
+  // margin is -eta1: the ends change places.
+  EXPECT_EQ(out.at("lower").at("margin(B, A)"), -out.at("upper").at("eta1(B, A)").get<double>());
+  EXPECT_FALSE(out.contains("closed_form"));
+}
+
+TEST(WritePosition, ExactValuesThatAreNoDecimalsCarryTheirClosedForm) {
+  const json out = json::parse(measure_json({formula::distance_at("gamma1(B, A)", answer(sqrt(Real(2)))),
+                                             formula::distance_at("gamma2(B, A)", answer(Real::ratio(1, 10)))},
+                                            {Real(), Real()}, ""));
+  EXPECT_EQ(out.at("closed_form").at("gap(B, A)"), "sqrt(2)");
+  EXPECT_FALSE(out.at("closed_form").contains("gamma2(B, A)"));
+  EXPECT_FALSE(out.contains("lower"));
+}
+
+TEST(WritePosition, UndefinedAndRefusedValuesAreNull) {
+  const json out =
+      json::parse(measure_json({formula::distance_at("gamma1(B, A)", std::nullopt)}, {Real(), Real()}, ""));
+  EXPECT_TRUE(out.at("distances").at("gamma1(B, A)").is_null());
+}
+
+}  // namespace
+}  // namespace findspace::io
