@@ -24,13 +24,14 @@ constexpr int kMostFiles = 999;  // three digits; maps on lines by values have a
 }  // namespace
 
 std::unique_ptr<StageDump> StageDump::from_environment() {
-  const char* folder = std::getenv(kVariable);
+  const char* folder = std::getenv(kVariable);  // NOLINT(concurrency-mt-unsafe)
   if (folder == nullptr || *folder == '\0') return nullptr;
   std::error_code none;
   if (!std::filesystem::is_directory(folder, none))
     throw Error(ErrorCode::kFile, fmt::format("there is no folder '{}'", folder), kVariable);
   if (access(folder, W_OK | X_OK) != 0)
-    throw Error(ErrorCode::kFile, fmt::format("'{}' cannot be written to: {}", folder, std::strerror(errno)),
+    throw Error(ErrorCode::kFile,
+                fmt::format("'{}' cannot be written to: {}", folder, std::generic_category().message(errno)),
                 kVariable);
   return std::unique_ptr<StageDump>(new StageDump(folder));
 }

@@ -24,8 +24,8 @@ struct Shape::Data {
   mutable std::once_flag made{};
   mutable std::optional<Region> region{};
 
-  Data(plane::ShapePtr t, plane::Grid g, int d, plane::RoundingLog r = {})
-      : tree(std::move(t)), grid(std::move(g)), dimension(d), rounding(std::move(r)) {}
+  Data(plane::ShapePtr t, plane::Grid g, int d, const plane::RoundingLog& r = {})
+      : tree(std::move(t)), grid(g), dimension(d), rounding(r) {}
 };
 
 namespace api {

@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "distance/answer/answer.h"
+#include "space/polytope/real_vector.h"
 
 namespace findspace::distance {
 

@@ -12,7 +12,7 @@ using space::RealVector;
 
 std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const Formula& formula,
                                                 const RealVector& p) {
-  const Real& step = solver.world().step;
+  const exact::Real& step = solver.world().step;
   Objective to_p;
   to_p.kind = Objective::Kind::kDistanceToPoint;
   to_p.point = {p[0], p[1], p[2]};
