@@ -261,7 +261,7 @@ void read_question(const JsonValue& root, ShapeReader& shapes, Scene& scene) {
   if (const JsonValue* motion = root.find("motion")) scene.motion = read_motion(*motion, shapes);
   const JsonValue* free = root.find("free");
   if (free) scene.free = read_free(*free, root, shapes);
-  if (scene.free.kind == Free::Kind::kTime && !scene.motion.given()) {
+  if (free && scene.free.kind == Free::Kind::kTime && !scene.motion.given()) {
     json.fail(ErrorCode::kBadValue, "\"free\": \"time\" needs \"motion\"", {}, *free);
   }
   for (const char* key : {"about", "angles"}) {

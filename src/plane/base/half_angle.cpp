@@ -45,7 +45,8 @@ HalfAngle operator*(const HalfAngle& a, const HalfAngle& b) {
   HalfAngle p;
   p.degree = a.degree + b.degree;
   for (int i = 0; i <= a.degree; ++i)
-    for (int k = 0; k <= b.degree; ++k) p.c[std::size_t(i + k)] += a.c[std::size_t(i)] * b.c[std::size_t(k)];
+    for (int k = 0; k <= b.degree; ++k)
+      p.c[std::size_t(i) + std::size_t(k)] += a.c[std::size_t(i)] * b.c[std::size_t(k)];
   return p;
 }
 

@@ -170,7 +170,7 @@ void PieceMeetings::curves(Index i, Index j) {
   auto m = meet(g_, p.supporting_curve, q.supporting_curve);
   if (m.count == 0 || (m.count == 1 && shared != kNone)) return;
   std::size_t before = g_.points.size();
-  Index roots[2];
+  Index roots[2] = {kNone, kNone};
   for (int k = 0; k < m.count; ++k) roots[k] = g_.add_crossing(p.supporting_curve, q.supporting_curve, m.root[k]);
   int skip = shared == kNone ? -1 : is_root(shared, roots[0], roots[1]) ? 0 : 1;
   std::size_t known = splits.size();

@@ -4,6 +4,7 @@
 #include "plane/grid/degenerate_vertices.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace findspace::plane {
 namespace {
@@ -69,6 +70,7 @@ const DirectedEdge& DegenerateVertices::clockwise(Index degenerate, Index curve,
   while (!from->starts || from->curve != curve || from->slot != slot) from = next(*from);
   for (const DirectedEdge* directed_edge = first(degenerate); directed_edge; directed_edge = next(*directed_edge))
     if (directed_edge != from && (!best || comes_first(*from, *directed_edge, *best))) best = directed_edge;
+  assert(best);  // a chain that comes in goes out
   return *best;
 }
 

@@ -125,7 +125,7 @@ bool ConvolutionNodes::to_arc(const Index turns[2], Index key, std::int64_t turn
 
 void ConvolutionNodes::step_out(Index turns[2], Index key, bool left, std::int64_t turned, Index k, bool moved) {
   for (;;) {
-    Index tolerance[2];
+    Index tolerance[2] = {0, 0};
     for (int s : {0, 1}) {
       const ExactAngle& t = side_[s]->turns[turns[s]];
       tolerance[s] = moved ? 0 : left ? minus(high(t), key) : minus(key, t.low);

@@ -65,7 +65,7 @@ SignMap SumOfPairs::open_sum() && {
   for (Index v = 0; v < a.vertex_count(); ++v) {
     bool beside = w.faces[a.some_face(v)] > 0;
     for (Index k = a.out_start[v]; !beside && k < a.out_start[v + 1]; ++k) beside = w.faces[a.face[a.out[k]]] > 0;
-    m.vertices.push_back(w.vertices[v] != kUnwanted && w.vertices[v] > 0 ? -1 : beside ? 0 : 1);
+    m.vertices.push_back(w.vertices[v] > 0 ? -1 : beside ? 0 : 1);
   }
   return extract(a, m);
 }
