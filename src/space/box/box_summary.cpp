@@ -226,7 +226,7 @@ class BoxSummarizer {
     }
     c.holes = e.dimension < 2 ? 0 : Components(alone, false).bounded_count();
     if (e.dimension == 0) out_.isolated.push_back(c.sample);
-    out_.components.push_back(std::move(c));
+    out_.components.push_back(c);
   }
 
   /// Whether the cell is an edge of a face that is in (or is not): then it adds nothing to the length of lines.

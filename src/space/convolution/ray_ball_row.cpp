@@ -111,11 +111,10 @@ int BallRow::against_radius(int column, double z) const {
                                   [&] { return Real::from_double(z); });
 }
 
-void BallRow::push(RayRow& row, RayPosition at, int before, int here, int after) const {
+void BallRow::push(RayRow& row, const RayPosition& at, int before, int here, int after) const {
   const int sense = rays_.complement_ ? -1 : 1;
   if (here == before && after == before) return;
-  row.events.push_back(
-      {std::move(at), static_cast<std::int8_t>(sense * here), static_cast<std::int8_t>(sense * after)});
+  row.events.push_back({at, static_cast<std::int8_t>(sense * here), static_cast<std::int8_t>(sense * after)});
 }
 
 /// False, with nothing written, where the order of the places is not certain.

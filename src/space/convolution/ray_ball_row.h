@@ -48,7 +48,7 @@ class BallRow {
   RayPosition position(const Hit& h) const;
   int against_radius(int column, double z) const;
   int inside(int column, double z) const;
-  void push(RayRow& row, RayPosition at, int before, int here, int after) const;
+  void push(RayRow& row, const RayPosition& at, int before, int here, int after) const;
 
   const BallRays& rays_;
   int j_;
