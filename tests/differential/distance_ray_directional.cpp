@@ -59,7 +59,7 @@ struct Counts {
 
 void compare_map(const Case& c, const Body& b, const Body& a, const RayGrid& grid, const space::BoxComplex* boxes,
                  Counts& counts) {
-  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, b, a, grid);
+  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, b, a, grid).or_throw();
   const auto ask = [&](int i, int j, const Real& z, int sign) {
     RealVector p;
     const auto axis = static_cast<std::size_t>(grid.axis);

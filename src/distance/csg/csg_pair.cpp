@@ -275,28 +275,36 @@ TriedAnswer CsgPair::try_value(Which which, const RealVector& p) const {
 }
 
 /// How far B + p is from fitting, less a level above 0.
-std::optional<Between> CsgPair::nearly_fits(const RealVector& p, double level) const {
-  const FreeSpace* fits = this->fits().or_throw();
+TriedBetween CsgPair::nearly_fits(const RealVector& p, double level) const {
+  const exact::Tried<const FreeSpace*> made = this->fits();
+  if (!made) return made.refusal();
+  const FreeSpace* fits = *made;
   if (!fits) return std::nullopt;
   const double least = fits->beyond(space::rounded(p)), error = margin::kFoundError * size_;
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
   if (least + error < 0) return Between{-exact::kInfinity, least + error - level};
-  if (const auto worst = worst_fit(p).or_throw(); worst && is_whole(*worst).or_throw()) {
-    const double v = worst->value.to_double();
-    return Between{v - error - level, v + error - level};
+  const TriedAnswer worst = worst_fit(p);
+  if (!worst) return worst.refusal();
+  if (*worst) {
+    const exact::Tried<bool> whole = is_whole(**worst);
+    if (!whole) return whole.refusal();
+    const double v = (*worst)->value.to_double();
+    if (*whole) return Between{v - error - level, v + error - level};
   }
   const BoundaryPlace found = fits->nearly(p, {level, margin::kRoughShare});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{std::max(least, found.bound) - error - level, found.value + error - level};
 }
 
-std::optional<Between> CsgPair::between(Which which, const Real& level, const RealVector& p) const {
+TriedBetween CsgPair::between(Which which, const Real& level, const RealVector& p) const {
   const double at = level.to_double();
   const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
   const bool out = which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at <= 0;
   if ((fit || out) && containers_.empty()) return nearly_in_union(cut_moves_ ? space::negated(p) : p, at);
   if (fit && at > 0) return nearly_fits(cut_moves_ ? space::negated(p) : p, at);
-  const auto v = value(which, p);
+  const TriedAnswer found = try_value(which, p);
+  if (!found) return found.refusal();
+  const std::optional<Answer>& v = *found;
   if (!v) return std::nullopt;
   const double d = v->value.to_double();
   return Between{d - v->error - at, d + v->error - at};

@@ -38,7 +38,7 @@ Best nearest_points(Boxes boxes, const RealVector& p) {
     if (dot(e, e) != square) continue;
     points.push_back({{{r[0], r[0], true, true}, {r[1], r[1], true, true}, {r[2], r[2], true, true}}});
   }
-  return {sqrt(square), BoxComplex::of_boxes(points), false};
+  return {sqrt(square), BoxComplex::of_boxes(points).checked().or_throw(), false};
 }
 
 /// The plane across axis @p k through the last points along it.
@@ -81,6 +81,8 @@ SpaceOptimum optimize(const BoxComplex& region, const Real& step, const Objectiv
   const auto within = [&](const BoxComplex& set) {
     return overlay(std::array<const BoxComplex*, 2>{&set, &best.at},
                    [](std::span<const Mark> m) { return Mark(m[0] && m[1]); })
+        .checked()
+        .or_throw()
         .simplified();
   };
   out.at = within(region);

@@ -92,9 +92,8 @@ SpaceRegion solve_region(const SpaceSolver& solver, const Formula& formula, cons
 ExactShape exact_shape(const plane::Shape& shape, bool flat) {
   ExactShape out;
   if (bent_inward(shape)) {
-    auto boxes = exact::tried([&] { return space::box_complex(shape); });
-    if (!boxes || !*boxes) return out;
-    out.shape.boxes = *std::move(boxes);
+    out.shape.boxes = space::box_complex(shape);
+    if (!out.shape.boxes) return out;
   } else if (auto made = try_space_shape(shape)) {
     out.shape = *std::move(made);
   }
