@@ -76,15 +76,15 @@ CsgPair::CsgPair(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> 
   pairs(a_->obstacles, obstacles_);
 }
 
-/// How B + p fits, by each tolerance and obstacle alone: the worst of them, which is no more than what it is by all
-/// together; nothing where one tolerance is too small.
+/// How B + p fits, by each container and obstacle alone: the worst of them, which is no more than what it is by all
+/// together; nothing where one container is too small.
 TriedAnswer CsgPair::worst_fit(const RealVector& p) const {
   std::optional<Answer> worst;
   const auto take = [&](Answer v) {
     if (!worst || worst->value < v.value) worst = std::move(v);
   };
-  for (const auto& tolerance : containers_) {
-    TriedAnswer v = tolerance->try_value(Which::kEta1, p);
+  for (const auto& container : containers_) {
+    TriedAnswer v = container->try_value(Which::kEta1, p);
     if (!v || !*v) return v;
     take(**std::move(v));
   }
@@ -124,12 +124,13 @@ Tried<const FreeSpace*> CsgPair::fits() const {
     std::optional<space::Bounds3> box;
     std::vector<FreeSpace> all;
     const space::Bounds3 inner = bounds(*b_);
-    for (const Body& tolerance : a_->containers) {
-      if (!tolerance.convex()) {
-        no_fits_.emplace("how far a shape is from fitting into such a shape is computed where its rooms are convex");
+    for (const Body& container : a_->containers) {
+      if (!container.convex()) {
+        no_fits_.emplace(
+            "how far a shape is from fitting into such a shape is computed where its containers are convex");
         return;
       }
-      const space::Bounds3 outer = bounds(tolerance);
+      const space::Bounds3 outer = bounds(container);
       space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
       if (!box) box = one;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -140,8 +141,8 @@ Tried<const FreeSpace*> CsgPair::fits() const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (box->high[k] < box->low[k]) return;
     }
-    for (const Body& tolerance : a_->containers)
-      all.push_back(FreeSpace::inside(*b_, tolerance.parts[0], box->low, box->high));
+    for (const Body& container : a_->containers)
+      all.push_back(FreeSpace::inside(*b_, container.parts[0], box->low, box->high));
     std::vector<GrownSet> sets;
     for (const Body& obstacle : a_->obstacles) {
       for (const BodyPart& t : obstacle.parts) {

@@ -5,7 +5,7 @@
 //   gamma1, d1, penetration
 //                   the depth by search (csg_depth.h), of B and parts of A without round polyhedra;
 //   gamma2
-//   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every tolerance and meets no
+//   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
 //   obstacle; mu, h           of B to A where B + p lies in A; hausdorff where A protrudes from B by more than B could
 //   of A; eta2            where all containers are convex;
 //                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of

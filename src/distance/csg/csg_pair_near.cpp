@@ -147,7 +147,7 @@ class CsgPair::FreeNear : public NearRule {
   }
 
  private:
-  /// From one of the ends by taking B out of one tolerance, or into one obstacle. Between them that is not nearer.
+  /// From one of the ends by taking B out of one container, or into one obstacle. Between them that is not nearer.
   std::optional<double> out_of_set(const Vector& p, const Vector& q, std::optional<Vector>& place,
                                    std::optional<exact::Refusal>& refused) const {
     std::optional<double> best;

@@ -9,7 +9,7 @@
 // In a convex round A the greatest distance of B's corners takes the place of -w. On stretches these extremes
 // (way_values.h) change by no more than the length of a step of p, so value_rays.h tells their signs on lines.
 // Guarantee: as there: 0 within 2^-30 of the sizes. Refused where A is a union of round parts, and where fits
-// without tolerance leave no sign. Cost: as value_rays.h. Source: distances.md 7.1. Keywords: directional
+// of zero clearance leave no sign. Cost: as value_rays.h. Source: distances.md 7.1. Keywords: directional
 // penetration depth, partial Minkowski sum.
 #pragma once
 

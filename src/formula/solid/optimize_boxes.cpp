@@ -64,7 +64,8 @@ std::optional<std::size_t> axis_of(Objective::Kind kind) {
 
 }  // namespace
 
-SpaceOptimum optimize(const BoxComplex& region, const Real& step, const Objective& objective, distance::Sense sense) {
+OptimumOf<BoxComplex> optimize(const BoxComplex& region, const Real& step, const Objective& objective,
+                               distance::Sense sense) {
   const bool greatest = sense == distance::Sense::kMaximum;
   const std::vector<space::IntervalBox> boxes = region.boxes();
   const auto axis = axis_of(objective.kind);
@@ -74,7 +75,7 @@ SpaceOptimum optimize(const BoxComplex& region, const Real& step, const Objectiv
   if (!axis)
     for (std::size_t k = 0; k < 3; ++k) p[k] = objective.point.at(k) / step;
   const Best best = axis ? last_plane(boxes, *axis, greatest) : nearest_points(boxes, p);
-  SpaceOptimum out;
+  OptimumOf<BoxComplex> out;
   out.unbounded = best.unbounded;
   if (!best.value) return out;
   out.value = *best.value * step;

@@ -302,10 +302,10 @@ SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const Space
   return {overlay_sections(all, rule), side_of_search(formula, searched)};
 }
 
-std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) const {
+std::optional<OptimumOf<BoxComplex>> SpaceSolver::minimum_of(const Formula& formula) const {
   for (const SignMap& m : formula.sign_maps()) {
     if (!m.minimum) continue;
-    SpaceOptimum out;
+    OptimumOf<BoxComplex> out;
     // An infimum that no position takes is decided as well.
     if (is_directional(m.distance)) {
       if (const auto infimum = directional_least(*space_, m.distance).or_throw())

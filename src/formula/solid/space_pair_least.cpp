@@ -161,7 +161,7 @@ Tried<std::optional<distance::Answer>> SpacePair::nearly_least(Which which) cons
   const std::lock_guard lock(least_guard_);
   auto& slot = least_[which];
   if (!slot) {
-    auto made = exact::tried([&] { return distance::solid_least(which, *all().b, *all().a); });
+    auto made = distance::solid_least(which, *all().b, *all().a);
     if (!made) return made;
     slot = std::make_unique<std::optional<distance::Answer>>(*std::move(made));
   }
