@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "asked_numbers.h"
 #include "commands.h"
-#include "exact/number/tried.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
 #include "position_picture.h"
@@ -20,7 +20,7 @@ namespace {
 std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& solver, const formula::Formula& formula,
                                                          const exact::RealPoint& at, Reporter& reporter) {
   reporter.stage("looking for the nearest feasible position");
-  auto found = exact::tried([&] { return solver.nearest_feasible(formula, at); });
+  auto found = solver.nearest_feasible(formula, at);
   return found ? *std::move(found) : std::nullopt;
 }
 
@@ -36,7 +36,7 @@ Outcome run_check(const Options& options, Reporter& reporter) {
   check_outputs(options, {".svg", ".json"});
   if (asks_for_angle(session)) return check_at_angle(session);
   session.require_positions(true);
-  const exact::RealPoint at = session.position();
+  const exact::RealPoint at = asked_position(session);
   if (session.scene().free.kind == io::Free::Kind::kTime && !options.time)
     throw Error(ErrorCode::kUsage, "with \"free\": \"time\" check wants the instant too: --time t");
   const formula::Formula formula = session.where();
@@ -66,7 +66,7 @@ Outcome run_measure(const Options& options, Reporter& reporter) {
   check_outputs(options, {".svg", ".json"});
   if (asks_for_angle(session)) return measure_at_angle(session);
   session.require_positions(true);
-  const exact::RealPoint at = session.position();
+  const exact::RealPoint at = asked_position(session);
   const formula::Formula formula = session.where();
   const formula::Solver solver(session.world());
   reporter.stage("measuring");

@@ -118,7 +118,7 @@ std::string predicate_entry(const PredicateName& row) {
   return help_entry(call, fmt::format("{}(B, A) {} {}{}", distance, sign(relation), number, without));
 }
 
-/// The names of distances that take along=, toward= and turning=.
+/// The names of distances that take along=, toward= and rotating=.
 std::string directional_names() {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < formula::kKindCount; ++i) {
@@ -164,7 +164,7 @@ docs/formula.md is the manual; docs/distances.md has the definitions.
                      help_entry("true, false", "everywhere, nowhere"), unit_list(), distance_list(), predicates,
                      help_entry("along=(X, Y[, Z])", "translations both ways along this direction"),
                      help_entry("toward=(X, Y[, Z])", "translations of B this way"),
-                     help_entry("turning=(X, Y)", "rotations of B about this point, in degrees; in the plane"),
+                     help_entry("rotating=(X, Y)", "rotations of B about this point, in degrees; in the plane"),
                      directional_names());
 }
 

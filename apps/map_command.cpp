@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "asked_numbers.h"
 #include "commands.h"
 #include "formula/planar/feasible_near.h"
 #include "io/draw/draw_layout.h"
@@ -20,6 +21,7 @@
 #include "plane/query/topology.h"
 #include "report.h"
 #include "rotation_command.h"
+#include "scenery.h"
 #include "session.h"
 #include "space_commands.h"
 
@@ -50,9 +52,8 @@ constexpr const char* kBetweenBounds = "the optimum is known between the value, 
 /// `bounded`: where shapes rotate.
 io::ExtremeValue value_of(const formula::Optimum& optimum, bool maximum, Reporter& reporter, bool bounded = false) {
   if (optimum.value && !optimum.proven) reporter.note(bounded ? kBetweenBounds : kNoRoots);
-  io::ExtremeValue out{maximum, optimum.value ? std::optional(optimum.value->to_double()) : std::nullopt,
-                       optimum.unbounded, optimum.attained,
-                       optimum.proven || optimum.unbounded || (!bounded && !optimum.value)};
+  io::ExtremeValue out = io::extreme_value(optimum, maximum);
+  out.proven = out.proven || optimum.unbounded || (!bounded && !optimum.value);
   if (out.proven || optimum.unbounded) return out;
   if (bounded || optimum.within != 0) out.bound = optimum.bound;
   if (optimum.within != 0 && std::isfinite(optimum.within)) out.within = optimum.within;
@@ -171,7 +172,7 @@ Outcome map_of_line(const Session& session, const Map& map) {
 }
 
 Outcome map_of_time(const Session& session, const formula::Solver& solver, const formula::Formula& formula) {
-  const exact::RealPoint at = session.position();
+  const exact::RealPoint at = asked_position(session);
   session.reporter().stage("solving");
   const auto in_time = [](const plane::Section& line) { return plane::intervals(line, exact::Real(1)); };
   std::vector<plane::LineInterval> intervals, outer;
@@ -217,7 +218,7 @@ Outcome map_of_plane(const Session& session, const Map& map, const formula::Worl
     picture.region = &map.region;
     picture.summary = &summary;
     picture.around = map.feasible ? &*map.feasible : map.outer ? &*map.outer : nullptr;
-    session.add_scenery(picture, world, &formula);
+    add_scenery(session, picture, world, &formula);
     return io::picture_svg(picture);
   };
   const auto wkt = [&] {

@@ -7,6 +7,7 @@
 
 #include <numeric>
 
+#include "asked_numbers.h"
 #include "commands.h"
 
 namespace findspace::app {
@@ -85,7 +86,7 @@ Outcome space_phi(const Session& session) {
   report.parts_second = static_cast<int>(q.parts.size());
   report.step = session.step() / Real(scale);
   if (options.at) {
-    const std::vector<Real> at = session.position_anywhere(3);
+    const std::vector<Real> at = asked_anywhere(session, 3);
     space::RealVector u;
     for (std::size_t k = 0; k < 3; ++k) {
       report.at[k] = at[k];

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "asked_numbers.h"
 #include "distance/planar/at_position.h"
 #include "io/write/write_json.h"
 #include "io/write/write_planar_phi.h"
@@ -91,7 +92,7 @@ std::optional<Outcome> by_parts(const Session& session) {
   report.parts_second = static_cast<int>(qs->size());
   report.step = session.step() / Real(scale);
   if (options.at) {
-    const std::vector<Real> at = session.position_anywhere(2);
+    const std::vector<Real> at = asked_anywhere(session, 2);
     report.at = RealPoint{at[0], at[1]};
     const RealPoint u{report.at->x / report.step, report.at->y / report.step};
     report.value = phi.at(u);
@@ -112,7 +113,7 @@ struct CurveValue {
 };
 
 CurveValue curve_value(const Session& session, const Overlap& overlap) {
-  const RealPoint at = session.position(), p{at.x / session.step(), at.y / session.step()};
+  const RealPoint at = asked_position(session), p{at.x / session.step(), at.y / session.step()};
   const distance::AtPosition pair(std::make_shared<distance::ShapePair>(overlap.second, overlap.first));
   const distance::PlanarAnswer m = *pair.measure(distance::Which::kGamma1, p);
   CurveValue value{at, (m.value * session.step()).to_double(), m.value.sign(), std::nullopt, {}};

@@ -7,6 +7,7 @@
 #include "io/write/write_poses.h"
 #include "plane/query/topology.h"
 #include "rotation_command.h"
+#include "scenery.h"
 
 namespace findspace::app {
 namespace {
@@ -33,7 +34,7 @@ io::Page page(const Session& session, const formula::World& world, const formula
   p.summary = &summary;
   p.around = around;
   p.around_text = "positions not excluded";
-  session.add_scenery(p, world, &formula);
+  add_scenery(session, p, world, &formula);
   return {std::move(title), io::picture_svg(p)};
 }
 

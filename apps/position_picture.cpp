@@ -10,6 +10,7 @@
 #include "io/draw/draw_layout.h"
 #include "plane/build/transform.h"
 #include "plane/query/measure_cells_twofold.h"
+#include "scenery.h"
 
 namespace findspace::app {
 namespace {
@@ -38,7 +39,7 @@ std::string picture(const Session& session, const formula::World& world, const f
   const formula::World shown = at_instant(world);
   if (world.instant) p.title += fmt::format(", at time {}", io::shown(world.instant->to_double()));
   p.position = place(distance::coordinates(at));
-  session.add_scenery(p, shown, formula);
+  add_scenery(session, p, shown, formula);
   p.dimensions = io::without_repetition(std::move(p.dimensions));
   return io::picture_svg(p);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "asked_numbers.h"
 #include "formula/planar/rotation_bounds.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/draw_rotations.h"
@@ -18,6 +19,7 @@
 #include "position_picture.h"
 #include "position_report.h"
 #include "report.h"
+#include "scenery.h"
 
 namespace findspace::app {
 namespace {
@@ -103,7 +105,7 @@ std::string picture(const Session& session, const formula::World& world, const f
   p.subtitle = session.scene().where.text;
   p.of_positions = false;
   p.position = {plane::Twofold(at.x).value(), plane::Twofold(at.y).value()};
-  session.add_scenery(p, world, &formula);
+  add_scenery(session, p, world, &formula);
   const auto shown = stations(world, about(session), angles);
   for (const Station& w : shown) {
     for (const io::NamedRegion& r : p.moving) {
@@ -114,7 +116,7 @@ std::string picture(const Session& session, const formula::World& world, const f
 }
 
 formula::Pose pose_of(const Session& session) {
-  formula::Pose pose{session.position(), session.angle(), std::nullopt};
+  formula::Pose pose{asked_position(session), asked_angle(session), std::nullopt};
   if (rotations(session.scene().free)) pose.about = about(session);
   return pose;
 }
@@ -253,7 +255,7 @@ Outcome map_of_angles(const Session& session) {
   const formula::Formula formula = question_over_angles(session);
   const formula::Solver solver(session.world());
   session.reporter().stage("solving");
-  const exact::RealPoint at = session.position();
+  const exact::RealPoint at = asked_position(session);
   const formula::RotationSolver rotated(solver, {at, {}, about(session)});
   AngleMap map = solve(session, rotated.maps(formula), formula);
   const io::ExtremeValue* extreme = map.best ? &*map.best : nullptr;

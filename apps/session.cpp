@@ -10,11 +10,10 @@
 #include <charconv>
 #include <iostream>
 #include <iterator>
-#include <set>
 
+#include "asked_numbers.h"
 #include "io/write/write_file.h"
 #include "io/write/write_json.h"
-#include "motion_arrows.h"
 #include "plane/base/parallel.h"
 #include "plane/build/build.h"
 
@@ -116,7 +115,7 @@ void Session::require_positions_in_space(bool line) const {
   };
   if (scene_.motion.given()) refuse("a scene with \"motion\"");
   if (options_.angle) refuse("--angle");
-  instant();  // refuses --time: there is no motion
+  asked_instant(*this);  // refuses --time: there is no motion
   using Kind = io::Free::Kind;
   if (scene_.free.kind != Kind::kPosition && !(line && scene_.free.kind == Kind::kLine))
     refuse("this kind of \"free\"");
@@ -168,6 +167,20 @@ std::optional<Session::Goal> Session::goal() const {
   }
 }
 
+namespace {
+
+formula::Motion motion_of(const io::Scene& scene) {
+  formula::Motion out{scene.motion.start, scene.motion.end, {}};
+  for (const io::Movement& m : scene.motion.movements) {
+    formula::Trajectory t{m.times, {}, m.angles};
+    for (const io::GridPosition& p : m.path) t.path.push_back({Real(p[0]), Real(p[1])});
+    out.of.emplace(m.shape, std::move(t));
+  }
+  return out;
+}
+
+}  // namespace
+
 formula::World Session::world() const {
   reporter_.stage("building the shapes");
   formula::World world;
@@ -175,8 +188,8 @@ formula::World Session::world() const {
   for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(scene_.shapes[k]->name, std::move(built[k]));
   world.moving = scene_.moving;
   world.step = step();
-  world.motion = motion();
-  world.instant = instant();
+  world.motion = motion_of(scene_);
+  world.instant = asked_instant(*this);
   for (const plane::ShapePtr& s : scene_.shapes) {
     if (!s->collection) continue;
     std::vector<plane::Region> parts = regions(s->children);
@@ -186,36 +199,6 @@ formula::World Session::world() const {
     }
   }
   return world;
-}
-
-formula::Motion Session::motion() const {
-  formula::Motion out{scene_.motion.start, scene_.motion.end, {}};
-  for (const io::Movement& m : scene_.motion.movements) {
-    formula::Trajectory t{m.times, {}, m.angles};
-    for (const io::GridPosition& p : m.path) t.path.push_back({Real(p[0]), Real(p[1])});
-    out.of.emplace(m.shape, std::move(t));
-  }
-  return out;
-}
-
-void Session::add_scenery(io::Picture& picture, const formula::World& world, const formula::Formula* formula) const {
-  picture.step = world.step;
-  picture.unit = unit();
-  picture.arrows = motion_arrows(scene_, world, formula);
-  std::set<std::string> named;
-  if (formula != nullptr) {
-    for (const formula::Atom& a : formula->atoms()) {
-      named.insert(a.distance.first.begin(), a.distance.first.end());
-      named.insert(a.distance.second.begin(), a.distance.second.end());
-    }
-  }
-  for (const plane::ShapePtr& s : scene_.shapes) {
-    const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
-    if (moves)
-      picture.moving.push_back({s->name, &world.shapes.at(s->name)});
-    else if (named.empty() || named.count(s->name) != 0)
-      picture.fixed.push_back({s->name, &world.shapes.at(s->name)});
-  }
 }
 
 void check_outputs(const Options& options, const std::vector<std::string>& formats) {

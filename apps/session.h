@@ -4,7 +4,6 @@
 // What the verbs share: the scene, its shapes as regions, its formula, and the files that results go to.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -59,25 +58,8 @@ class Session {
   /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`).
   void require_positions_in_space(bool line = false) const;
   bool in_space() const { return scene_.dimension == 3; }
-  /// --at, or (0, 0), in the scene's unit.
-  exact::RealPoint position() const;
-  /// --angle, or 0, in degrees.
-  exact::Real angle() const;
-  /// --time, an instant of the scene's motion; nothing without it.
-  std::optional<exact::Real> instant() const;
-  std::array<exact::Real, 3> position_in_space() const;
-  /// `count` numbers of --at, zeros without it; not held to the grid's range.
-  std::vector<exact::Real> position_anywhere(std::size_t count) const;
-
-  /// The moving shapes of a picture, and the fixed ones of which the formula speaks (all without one). The regions are
-  /// those of `world`.
-  void add_scenery(io::Picture& picture, const formula::World& world, const formula::Formula* formula) const;
 
  private:
-  formula::Motion motion() const;
-  /// position_anywhere() within the grid's range.
-  std::vector<exact::Real> coordinates(std::size_t count) const;
-
   const Options& options_;
   Reporter& reporter_;
   io::Scene scene_;

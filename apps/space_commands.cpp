@@ -93,19 +93,6 @@ formula::SpaceWorld space_world(const Session& session) {
   return world;
 }
 
-namespace {
-
-std::optional<io::ExtremeValue> extreme_of(const formula::SpaceRegion& found,
-                                           const std::optional<Session::Goal>& goal) {
-  if (!found.extreme) return std::nullopt;
-  const auto& value = found.extreme->value;
-  return io::ExtremeValue{goal && goal->sense == distance::Sense::kMaximum,
-                          value ? std::optional(value->to_double()) : std::nullopt, found.extreme->unbounded,
-                          found.extreme->attained, true};
-}
-
-}  // namespace
-
 Outcome map_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, space_formats());
@@ -120,7 +107,8 @@ Outcome map_space(const Session& session) {
   }
   formula::SpaceRegion found = formula::solve_region(solver, formula, query);
   if (found.way == distance::Way::kLines) return map_rays(session, lines_unasked(session, "map"));
-  const std::optional<io::ExtremeValue> extreme = extreme_of(found, goal);
+  std::optional<io::ExtremeValue> extreme;
+  if (found.extreme) extreme = io::extreme_value(*found.extreme, goal && goal->sense == distance::Sense::kMaximum);
   const io::ExtremeValue* shown = extreme ? &*extreme : nullptr;
   const std::string title = title_of(session);
   if (found.way == distance::Way::kConvex)

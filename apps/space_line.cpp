@@ -35,8 +35,7 @@ Outcome map_space_line(const Session& session) {
   if (const auto goal = session.goal()) {
     const bool greatest = goal->sense == distance::Sense::kMaximum;
     formula::LineOptimum best = formula::optimize(set, line, session.step(), goal->objective, goal->sense);
-    extreme = io::ExtremeValue{greatest, best.value ? std::optional(best.value->to_double()) : std::nullopt,
-                               best.unbounded, best.attained, true};
+    extreme = io::extreme_value(best, greatest);
     set = std::move(best.at);
     title += fmt::format(" with the {} {}", greatest ? "greatest" : "least", goal->text);
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "asked_numbers.h"
 #include "formula/language/text.h"
 #include "io/draw/draw_bodies.h"
 #include "io/write/write_position.h"
@@ -74,7 +75,7 @@ std::string picture_at(const Session& session, const formula::SpaceSolver& solve
 Outcome check_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, {".json", ".svg"});
-  const space::RealVector at = session.position_in_space();
+  const space::RealVector at = asked_position_in_space(session);
   const formula::Formula formula = session.where();
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("checking");
@@ -123,7 +124,7 @@ void note_refused(const Session& session, const std::vector<formula::DistanceAt>
 Outcome measure_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, {".json", ".svg"});
-  const space::RealVector at = session.position_in_space();
+  const space::RealVector at = asked_position_in_space(session);
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("measuring");
   const std::vector<formula::DistanceAt> distances = solver.measure(at);

@@ -37,9 +37,9 @@ coordinates, `distance to` | exact · fast
 # Rotation
 angles at which a formula holds (`"free": "angle"`) | exact · slow
 least values over angles | exact or 13 digits · slow | exact or 13 digits · long | exact or 13 digits · slow | exact or 13 digits · long
-`turning`: `check`, angles about the same point | exact or enclosed 1e-12 · quick
-`turning`: elsewhere, level 0 | exact · fast
-`turning`: elsewhere, other levels | inner, outer · fast
+`rotating`: `check`, angles about the same point | exact or enclosed 1e-12 · quick
+`rotating`: elsewhere, level 0 | exact · fast
+`rotating`: elsewhere, other levels | inner, outer · fast
 poses: each angle, rotated vertices on the grid | exact · fast
 poses: between two angles | inner, outer · fast
 # Motion
@@ -91,7 +91,7 @@ a line of any direction (`"free": {"line": ..}`) | exact · quick | exact · qui
 `hausdorff` | enclosed 2^-30 · long | enclosed 2^-36 · quick | enclosed 2^-36 · fast | enclosed 2^-30 · long | enclosed 2^-30 · long | refused: no convex parts | refused: no least value
 along a direction | exact along an axis · quick | exact both ways · quick | refused: not convex | refused: not convex | refused: not convex | refused: not convex | refused: not convex
 # Rotation, motion, placement
-`turning`, `free` over angles, poses or time; `motion` | refused: not computed
+`rotating`, `free` over angles, poses or time; `motion` | refused: not computed
 placement one after another | exact · quick | exact · quick | inner, on lines · fast | exact or on lines · fast | inner, on lines · fast | inner, on lines · slow | exact or on lines · fast
 placement all at once | exact · quick | refused: slanted faces | refused: slanted faces | refused: slanted faces | refused: slanted faces | refused: slanted faces | refused: slanted faces)";
 

@@ -259,12 +259,32 @@ def anonymous_names(text):
 # --- the preprocessor ----------------------------------------------------------------------------------------------
 
 def compile_commands(root, build):
-    """The commands of a build folder of Ninja, or None where there is none."""
+    """The commands of a build folder of Ninja, or None where there is none; of this checkout, though it may have been
+    configured where it had another path (a bind mount, a container, a moved folder)."""
     found = [os.path.join(root, build)] if build else sorted(glob.glob(os.path.join(root, "build", "*")))
     folder = next((path for path in found if os.path.exists(os.path.join(path, "build.ninja"))), None)
     if folder is None:
         return None
-    return json.loads(subprocess.run(["ninja", "-C", folder, "-t", "compdb"], capture_output=True, text=True, check=True).stdout)
+    text = subprocess.run(["ninja", "-C", folder, "-t", "compdb"], capture_output=True, text=True, check=True).stdout
+    return [{key: moved(value, configured_in(folder), os.path.abspath(root)) for key, value in command.items()}
+            for command in json.loads(text)]
+
+
+def configured_in(folder):
+    """The checkout's path when CMake made the build folder; None where it does not say."""
+    cache = os.path.join(folder, "CMakeCache.txt")
+    if not os.path.exists(cache):
+        return None
+    with open(cache, encoding="utf-8") as file:
+        match = re.search(r"^CMAKE_HOME_DIRECTORY:INTERNAL=(.+)$", file.read(), re.M)
+    return match and match.group(1)
+
+
+def moved(text, old, new):
+    """The text with the path `old`, and what lies in it, at `new`."""
+    if not old or old == new:
+        return text
+    return re.sub(re.escape(old) + r"(?=$|[/\s\"'])", lambda match: new, text)
 
 
 def flags(commands, layer):

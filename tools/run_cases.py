@@ -78,9 +78,9 @@ class Scope:
 def base(key):
     """The distance a canonical text names; one with a direction, a turn or a time is a distance of its own."""
     name = key.split("(")[0].strip()
-    for word in ("along", "toward", "turning"):
+    for word, known in (("along", "along"), ("toward", "toward"), ("rotating", "turning"), ("turning", "turning")):
         if word + "=" in key.replace(" ", ""):
-            return f"{name} {word}"
+            return f"{name} {known}"
     return name
 
 

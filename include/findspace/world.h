@@ -51,7 +51,7 @@ class World {
   World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options = {});
 
   /// A distance in its formula text, e.g. "gamma1(B, A)" or "margin(B, A)" (docs/formula.md), at p; in degrees where it
-  /// is one in rotation ("gamma1(B, A, turning=(0, 0))").
+  /// is one in rotation ("gamma1(B, A, rotating=(0, 0))").
   DistanceValue distance(std::string_view distance, const Point& p) const;
   /// The sign of the distance minus the level, in the unit, at every position. kUnsupported for those in rotation.
   SignMap sign_map(std::string_view distance, const Number& level) const;

@@ -59,7 +59,7 @@ struct Counts {
 
 void compare_map(const Case& c, const Body& b, const Body& a, const RayGrid& grid, const space::BoxComplex* boxes,
                  Counts& counts) {
-  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, b, a, grid);
+  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, b, a, grid).or_throw();
   const auto ask = [&](int i, int j, const Real& z, int sign) {
     RealVector p;
     const auto axis = static_cast<std::size_t>(grid.axis);
@@ -134,7 +134,7 @@ TEST(RayDirectional, BoxesAlongAnAxis) {
           c.direction[static_cast<std::size_t>(axis)] = Real(way < 0 ? -2 : 2);
           for (const Real& level : {Real(-1), Real::ratio(-1, 2), Real(0), Real(1), Real(3)}) {
             c.level = level;
-            const space::BoxComplex map = pair.directional_map(which, level, axis, way);
+            const space::BoxComplex map = pair.directional_map(which, level, axis, way).or_throw();
             compare_map(c, body_of(kCube), body_of(boxes), {1, 2, -3, -2, 4, 5, 3, 3}, &map, counts);
           }
         }
@@ -218,7 +218,7 @@ TEST(RayDirectional, LeastOfBoxesAlongAnAxis) {
     for (const Which which : kAll) {
       for (const int axis : {0, 1, 2}) {
         for (const int way : {0, 1, -1}) {
-          const auto least = pair.directional_least(which, axis, way);
+          const auto least = pair.directional_least(which, axis, way).or_throw();
           if (!least) continue;  // it covers nothing
           Case c{"least", which, {}, way == 0, least->value};
           c.direction[static_cast<std::size_t>(axis)] = Real(way < 0 ? -2 : 2);
@@ -229,7 +229,7 @@ TEST(RayDirectional, LeastOfBoxesAlongAnAxis) {
             EXPECT_EQ(sign == 0, least->at.mark(p) != 0) << static_cast<int>(which) << ' ' << axis << ' ' << way;
           }
           ++(least->at.empty() ? infima : attained);
-          const auto near = pair.directional_map(which, least->value + Real::ratio(1, 64), axis, way);
+          const auto near = pair.directional_map(which, least->value + Real::ratio(1, 64), axis, way).or_throw();
           EXPECT_FALSE(near.remarked([](space::Mark m) { return space::Mark(m < 0); }).empty());
         }
       }

@@ -312,7 +312,7 @@ TEST(RoundFits, SignsOnLines) {
 /// The best fit and the depth that no position exceeds, by symmetry known.
 TEST(RoundFits, LeastValues) {
   const auto least = [](Which which, const Body& b, const Body& a) {
-    const auto found = solid_least(which, b, a);
+    const auto found = solid_least(which, b, a).or_throw();
     return found ? found->value.to_double() : INFINITY;
   };
   const Body small = rounded_box({}, {1, 2, 1}, Real(1)), large = rounded_box({}, {4, 3, 5}, Real(3));

@@ -73,7 +73,7 @@ TEST(NearestFeasible, IsThatOfTheWholeRegion) {
     const Solver solver(world);
     const Formula formula = parse_formula(formulas[std::size_t(round) % formulas.size()], context);
     const RealPoint p{Real(std::int64_t(random() % 61) - 30), Real(std::int64_t(random() % 61) - 30)};
-    const auto found = solver.nearest_feasible(formula, p);
+    const auto found = solver.nearest_feasible(formula, p).or_throw();
     const Region region = solver.feasible(formula);
     ASSERT_EQ(found.has_value(), !plane::is_empty(region)) << round;
     if (!found) continue;

@@ -164,9 +164,9 @@ IN_PLANE = {
     "Rotation": {
         'angles at which a formula holds ("free": "angle")': map2("clear(B, A)", free="angle", about=[0, 1]),
         "least values over angles": map2("gamma1(B, A) -> min", free="angle", about=[0, 1]),
-        "turning: check, angles about the same point": check2("apart", "gap(B, A, turning=(1, 1)) >= 10"),
-        "turning: elsewhere, level 0": map2("gap(B, A, turning=(1, 1)) >= 0"),
-        "turning: elsewhere, other levels": map2("gap(B, A, turning=(1, 1)) >= 10"),
+        "rotating: check, angles about the same point": check2("apart", "gap(B, A, rotating=(1, 1)) >= 10"),
+        "rotating: elsewhere, level 0": map2("gap(B, A, rotating=(1, 1)) >= 0"),
+        "rotating: elsewhere, other levels": map2("gap(B, A, rotating=(1, 1)) >= 10"),
         "poses: each angle, rotated vertices on the grid": map2("clear(B, A)", free="pose", angles=2),
         "poses: between two angles": map2("clear(B, A)", free="pose", angles=2),
     },
@@ -273,10 +273,10 @@ IN_SPACE = {
         "along a direction": map3("gamma1(B, A, along=(1, 0, 0)) -> min"),
     },
     "Rotation, motion, placement": {
-        "turning, free over angles, poses or time; motion": both(
+        "rotating, free over angles, poses or time; motion": both(
             map3("clear(B, A)", motion={"time": [0, 1], "B": {"path": [[0, 0, 0], [2, 1, 0]]}}),
             map3("clear(B, A)", free="angle"), map3("clear(B, A)", free="pose", angles=2),
-            map3("gap(B, A, turning=(0, 0)) >= 0")),
+            map3("gap(B, A, rotating=(0, 0)) >= 0")),
         "placement one after another": place3("sequential"),
         "placement all at once": place3("simultaneous"),
     },

@@ -107,7 +107,7 @@ void f() {
         self.write("src/plane/flat.cpp", "")
         self.assertEqual(self.rows()["folders of src with files"], "3")
 
-    def preprocessed(self, compiler, *options):
+    def preprocessed(self, compiler, *options, configured_in=None):
         """The figures of the preprocessor for a file of one line that includes two of 200, one of them precompiled."""
         for name in ("common", "own"):
             self.write(f"src/{name}.h", "#pragma once\n" + "".join(f"extern int {name}_{k};\n" for k in range(200)))
@@ -117,12 +117,19 @@ void f() {
         header = self.write("build/findspace_exact.dir/cmake_pch.hxx", '#include "common.h"\n')
         self.write("build/findspace_exact.dir/cmake_pch.hxx.pch", "never read\n")
         command = " ".join([compiler, f"-I{self.root}/src", *options, "-MD -MT $layer/x.o -MF x.d -o x.o -c x.cpp"]).replace("HEADER", header)
+        if configured_in:
+            self.write("build/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={configured_in}\n")
+            command = command.replace(self.root, configured_in)
         self.write("build/build.ninja", "rule cxx\n command = " + command + "\n" +
                    "".join(f"build {layer}.o: cxx {layer}.cpp\n layer = findspace_{layer}.dir\n" for layer in ("exact", "plane")))
         return [row[1] for row in house_figures.preprocessor_figures(self.root, "build")]
 
     def test_lines_after_the_precompiled_header_of_gcc(self):
         self.assertEqual(self.preprocessed("c++", "-Winvalid-pch -include HEADER"), ["401", "201"])
+
+    def test_lines_of_a_checkout_that_had_another_path(self):
+        self.assertEqual(self.preprocessed("c++", "-include HEADER", configured_in="/never/there"), ["401", "201"])
+        self.assertEqual(house_figures.moved("/a/b/c /a/bc -I/a/b", "/a/b", "/d"), "/d/c /a/bc -I/d")
 
     @unittest.skipUnless(shutil.which("clang++"), "clang is not installed (tools/setup check)")
     def test_lines_after_the_precompiled_header_of_clang(self):

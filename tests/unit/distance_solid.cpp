@@ -163,19 +163,19 @@ TEST(SolidPair, DirectedHausdorffInsideAHole) {
 TEST(BoxPair, AgreesOnSlitsAndUnboundedShapes) {
   const BoxPair channel(box_set({{{{0, 0, 0}, {1, 2, 2}}}}),
                         box_set({{{{0, 0, 0}, {1, 6, 4}}}, {{{2, 0, 0}, {3, 6, 4}}}, {{{0, 0, -1}, {3, 6, 0}}}}));
-  EXPECT_EQ(channel.value(Which::kGamma1, place(1, 2, 1))->value.sign(), 0);
-  EXPECT_DOUBLE_EQ(channel.value(Which::kGamma1, place(3, 4, 4, 2))->value.to_double(), -0.5);
+  EXPECT_EQ(channel.value(Which::kGamma1, place(1, 2, 1)).or_throw()->value.sign(), 0);
+  EXPECT_DOUBLE_EQ(channel.value(Which::kGamma1, place(3, 4, 4, 2)).or_throw()->value.to_double(), -0.5);
   // Everything outside a room of 4: gamma1 is minus eta1 of the room, and minus infinity for what does not fit in.
   const space::BoxComplex walls = closure(complement(box_set({{{{0, 0, 0}, {4, 4, 4}}}})));
   const BoxPair fits(box_set({{{{0, 0, 0}, {1, 1, 1}}}}), walls), large(box_set({{{{0, 0, 0}, {5, 1, 1}}}}), walls);
-  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(1, 1, 1))->value.to_double(), 1);
-  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(-2, 1, 1))->value.to_double(), -2);
-  EXPECT_TRUE(large.value(Which::kGamma1, place(1, 1, 1))->minus_infinity);
+  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(1, 1, 1)).or_throw()->value.to_double(), 1);
+  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(-2, 1, 1)).or_throw()->value.to_double(), -2);
+  EXPECT_TRUE(large.value(Which::kGamma1, place(1, 1, 1)).or_throw()->minus_infinity);
 }
 
 TEST(BoxPair, LeastValuesAndLevelsOfBoxes) {
   const BoxPair pair(box_set({{{{0, 0, 0}, {1, 1, 1}}}}), box_set({{{{0, 0, 0}, {5, 3, 9}}}}));
-  const auto least = pair.least(Which::kEta1);
+  const auto least = pair.least(Which::kEta1).or_throw();
   ASSERT_TRUE(least);
   EXPECT_EQ(least->value, Real(-1));  // E is 4 x 2 x 8
   EXPECT_EQ(least->at.mark(place(1, 1, 7)), 1);
@@ -200,7 +200,7 @@ TEST(BoxPair, LevelsOfSeparateBoxes) {
   EXPECT_EQ(map.mark(place(8, 3, 1)), 0);
   EXPECT_EQ(map.mark(place(16, 6, 3, 2)), 1);
   EXPECT_EQ(map.mark(place(5, 1, 1)), 1);
-  const auto least = pair.least(Which::kEta1);
+  const auto least = pair.least(Which::kEta1).or_throw();
   ASSERT_TRUE(least);
   EXPECT_EQ(least->value, Real::ratio(-3, 2));
   EXPECT_EQ(least->at.mark(place(3, 3, 3, 2)), 1);
@@ -211,7 +211,7 @@ TEST(BoxPair, LevelsOfSeparateBoxes) {
   EXPECT_EQ(slit.sign_map(Which::kGamma1, Real(-1))->mark(place(1, 3, 3, 2)), -1);
   const BoxPair bent(cube, box_set({{{{0, 0, 0}, {6, 3, 3}}}, {{{0, 0, 0}, {3, 6, 3}}}}));
   EXPECT_FALSE(bent.sign_map(Which::kEta1, Real(-1)));
-  EXPECT_FALSE(bent.least(Which::kEta1));
+  EXPECT_FALSE(bent.least(Which::kEta1).or_throw());
 }
 
 }  // namespace

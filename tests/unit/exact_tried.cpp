@@ -43,13 +43,5 @@ TEST(Tried, OfOptionalsTellsNothingFromRefused) {
   EXPECT_EQ(**some, 3);
 }
 
-TEST(Tried, TakesOneCodeOfErrorsFromEnginesThatThrow) {
-  const auto asked = [](ErrorCode code) { return [code]() -> int { throw Error(code, "why"); }; };
-  EXPECT_EQ(*tried([] { return 4; }), 4);
-  EXPECT_FALSE(tried(asked(ErrorCode::kUnsupported)));
-  EXPECT_THROW(static_cast<void>(tried(asked(ErrorCode::kGeometry))), Error);
-  EXPECT_FALSE(tried(asked(ErrorCode::kGeometry), ErrorCode::kGeometry));
-}
-
 }  // namespace
 }  // namespace findspace::exact

@@ -70,7 +70,7 @@ TEST(FormulaErrors, Arguments) {
          "  gamma1(chip, board, allong=(1,0)) >= 1\n"
          "                      ^~~~~~");
   expect("gamma1(chip, board, speed=(1,0)) >= 1",
-         "1:21: unknown argument 'speed='; known are along, toward and turning\n"
+         "1:21: unknown argument 'speed='; known are along, toward and rotating\n"
          "  gamma1(chip, board, speed=(1,0)) >= 1\n"
          "                      ^~~~~");
   expect("gamma1(chip, board, along=1) >= 1",

@@ -172,6 +172,9 @@ TEST(Parse, Directions) {
   EXPECT_EQ(canonical("gamma1(B,A,along=(1,0))<=0"), "gamma1(B, A, along=(1, 0)) <= 0");
   EXPECT_EQ(canonical("eta2(B, A, toward = (-0.6, .8)) <= 0"), "eta2(B, A, toward=(-0.6, 0.8)) <= 0");
   EXPECT_EQ(canonical("delta1(B, A, turning=(0, 1cm)) > 45deg"), "delta1(B, A, turning=(0, 10)) > 45");
+  EXPECT_EQ(canonical("gap(B, A, rotating=(0, 0)) > 30"), "gamma1(B, A, rotating=(0, 0)) > 30");
+  EXPECT_EQ(parse_formula("gap(B, A, rotating=(0, 0)) > 30", scene()).atoms(),
+            parse_formula("gap(B, A, turning=(0, 0)) > 30", scene()).atoms());
   EXPECT_EQ(canonical("30 deg <= gap(B, A, turning=(0, 0))"), "gamma1(B, A, turning=(0, 0)) >= 30");
   EXPECT_EQ(canonical("margin(B, A, along=(1, 0)) >= 1"), "eta1(B, A, along=(1, 0)) <= -1");
   const Distance distance = parse_formula("gamma1(B,A,along=(0.1,0)) < 1", scene()).atoms()[0].distance;

@@ -76,15 +76,15 @@ CsgPair::CsgPair(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> 
   pairs(a_->obstacles, obstacles_);
 }
 
-/// How B + p fits, by each tolerance and obstacle alone: the worst of them, which is no more than what it is by all
-/// together; nothing where one tolerance is too small.
+/// How B + p fits, by each container and obstacle alone: the worst of them, which is no more than what it is by all
+/// together; nothing where one container is too small.
 TriedAnswer CsgPair::worst_fit(const RealVector& p) const {
   std::optional<Answer> worst;
   const auto take = [&](Answer v) {
     if (!worst || worst->value < v.value) worst = std::move(v);
   };
-  for (const auto& tolerance : containers_) {
-    TriedAnswer v = tolerance->try_value(Which::kEta1, p);
+  for (const auto& container : containers_) {
+    TriedAnswer v = container->try_value(Which::kEta1, p);
     if (!v || !*v) return v;
     take(**std::move(v));
   }
@@ -124,12 +124,13 @@ Tried<const FreeSpace*> CsgPair::fits() const {
     std::optional<space::Bounds3> box;
     std::vector<FreeSpace> all;
     const space::Bounds3 inner = bounds(*b_);
-    for (const Body& tolerance : a_->containers) {
-      if (!tolerance.convex()) {
-        no_fits_.emplace("how far a shape is from fitting into such a shape is computed where its rooms are convex");
+    for (const Body& container : a_->containers) {
+      if (!container.convex()) {
+        no_fits_.emplace(
+            "how far a shape is from fitting into such a shape is computed where its containers are convex");
         return;
       }
-      const space::Bounds3 outer = bounds(tolerance);
+      const space::Bounds3 outer = bounds(container);
       space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
       if (!box) box = one;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -140,8 +141,8 @@ Tried<const FreeSpace*> CsgPair::fits() const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (box->high[k] < box->low[k]) return;
     }
-    for (const Body& tolerance : a_->containers)
-      all.push_back(FreeSpace::inside(*b_, tolerance.parts[0], box->low, box->high));
+    for (const Body& container : a_->containers)
+      all.push_back(FreeSpace::inside(*b_, container.parts[0], box->low, box->high));
     std::vector<GrownSet> sets;
     for (const Body& obstacle : a_->obstacles) {
       for (const BodyPart& t : obstacle.parts) {
@@ -275,28 +276,36 @@ TriedAnswer CsgPair::try_value(Which which, const RealVector& p) const {
 }
 
 /// How far B + p is from fitting, less a level above 0.
-std::optional<Between> CsgPair::nearly_fits(const RealVector& p, double level) const {
-  const FreeSpace* fits = this->fits().or_throw();
+TriedBetween CsgPair::nearly_fits(const RealVector& p, double level) const {
+  const exact::Tried<const FreeSpace*> made = this->fits();
+  if (!made) return made.refusal();
+  const FreeSpace* fits = *made;
   if (!fits) return std::nullopt;
   const double least = fits->beyond(space::rounded(p)), error = margin::kFoundError * size_;
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
   if (least + error < 0) return Between{-exact::kInfinity, least + error - level};
-  if (const auto worst = worst_fit(p).or_throw(); worst && is_whole(*worst).or_throw()) {
-    const double v = worst->value.to_double();
-    return Between{v - error - level, v + error - level};
+  const TriedAnswer worst = worst_fit(p);
+  if (!worst) return worst.refusal();
+  if (*worst) {
+    const exact::Tried<bool> whole = is_whole(**worst);
+    if (!whole) return whole.refusal();
+    const double v = (*worst)->value.to_double();
+    if (*whole) return Between{v - error - level, v + error - level};
   }
   const BoundaryPlace found = fits->nearly(p, {level, margin::kRoughShare});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{std::max(least, found.bound) - error - level, found.value + error - level};
 }
 
-std::optional<Between> CsgPair::between(Which which, const Real& level, const RealVector& p) const {
+TriedBetween CsgPair::between(Which which, const Real& level, const RealVector& p) const {
   const double at = level.to_double();
   const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
   const bool out = which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at <= 0;
   if ((fit || out) && containers_.empty()) return nearly_in_union(cut_moves_ ? space::negated(p) : p, at);
   if (fit && at > 0) return nearly_fits(cut_moves_ ? space::negated(p) : p, at);
-  const auto v = value(which, p);
+  const TriedAnswer found = try_value(which, p);
+  if (!found) return found.refusal();
+  const std::optional<Answer>& v = *found;
   if (!v) return std::nullopt;
   const double d = v->value.to_double();
   return Between{d - v->error - at, d + v->error - at};

@@ -5,7 +5,7 @@
 //   gamma1, d1, penetration
 //                   the depth by search (csg_depth.h), of B and parts of A without round polyhedra;
 //   gamma2
-//   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every tolerance and meets no
+//   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
 //   obstacle; mu, h           of B to A where B + p lies in A; hausdorff where A protrudes from B by more than B could
 //   of A; eta2            where all containers are convex;
 //                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of
@@ -45,7 +45,7 @@ class CsgPair {
   bool cut_moves() const { return cut_moves_; }
   /// What the distance less the level is between, or another function of the same sign that no step changes by more
   /// than its length; nothing where it is undefined. Not of gamma1.
-  std::optional<Between> between(Which which, const exact::Real& level, const space::RealVector& p) const;
+  TriedBetween between(Which which, const exact::Real& level, const space::RealVector& p) const;
   /// The distance less the level, or another function of the same sign, along lines of that direction; null where
   /// `between` is to tell. What is said of gamma1 at levels below 0 has the opposite sign.
   static std::unique_ptr<const NearRule> nearness(std::shared_ptr<const CsgPair> pair, Which which, double level,
@@ -81,9 +81,9 @@ class CsgPair {
   bool in_union(const Among& all, const space::RealVector& p, Answer& depth) const;
   TriedAnswer contained_in_union(const space::RealVector& p) const;
   TriedAnswer farthest_in_union(const space::RealVector& p) const;
-  std::optional<Between> nearly_in_union(const space::RealVector& p, double level) const;
+  TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
   TriedAnswer farthest_fit(const space::RealVector& p) const;
-  std::optional<Between> nearly_fits(const space::RealVector& p, double level) const;
+  TriedBetween nearly_fits(const space::RealVector& p, double level) const;
   exact::Tried<const FreeSpace*> fits() const;
   exact::Tried<Answer> protrusion(const space::RealVector& p) const;
   exact::Tried<Answer> hausdorff(const space::RealVector& p) const;

@@ -28,7 +28,7 @@ exact::Tried<const CsgDepth*> CsgPair::depths() const {
   return depths_.get();
 }
 
-/// Minus the distance to the nearest position at which B is free of a tolerance, or in a obstacle, and so free of A.
+/// Minus the distance to the nearest position at which B is free of a container, or in an obstacle, and so free of A.
 TriedAnswer CsgPair::free_of_sets(const RealVector& p) const {
   std::optional<Answer> best;
   const auto take = [&](std::optional<Answer> v, bool negated) {

@@ -122,8 +122,10 @@ TriedAnswer CsgPair::farthest_in_union(const RealVector& p) const {
 }
 
 /// eta1 less the level; for levels up to 0 the slack of what protrudes takes the place of how far that is from none.
-std::optional<Between> CsgPair::nearly_in_union(const RealVector& p, double level) const {
-  const Among* all = among().or_throw();
+TriedBetween CsgPair::nearly_in_union(const RealVector& p, double level) const {
+  const exact::Tried<const Among*> made = among();
+  if (!made) return made.refusal();
+  const Among* all = *made;
   if (!all) return std::nullopt;
   const double error = margin::kFoundError * size_, least = beyond(space::rounded(p), all->low(), all->high());
   if (level <= 0 && least > 0) return Between{least - error - level, exact::kInfinity};
@@ -137,8 +139,9 @@ std::optional<Between> CsgPair::nearly_in_union(const RealVector& p, double leve
     if (level <= 0) return Between{slack - level, exact::kInfinity};
   }
   const Until until{level, 0.5};
-  const BoundaryPlace found =
-      all->left->depths().or_throw()->nearest_in(all->low(), all->high(), space::rounded(p), {}, &until);
+  const exact::Tried<const CsgDepth*> depths = all->left->depths();
+  if (!depths) return depths.refusal();
+  const BoundaryPlace found = (*depths)->nearest_in(all->low(), all->high(), space::rounded(p), {}, &until);
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{found.bound - error - level, found.value + error - level};
 }

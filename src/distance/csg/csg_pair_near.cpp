@@ -39,7 +39,7 @@ class CsgPair::GapNear : public NearRule {
     }
   }
 
-  Least least(const NearLine& line, double from, double to, const Until& until) const override {
+  exact::Tried<Least> least(const NearLine& line, double from, double to, const Until& until) const override {
     Least out{exact::kInfinity, exact::kInfinity, {}};
     const double error = margin::kFoundError * pair_->size_;
     const Until wanted{level_, until.share, until.blur};
@@ -103,10 +103,12 @@ class CsgPair::FreeNear : public NearRule {
       : pair_(pair), depth_(depth), range_(range), free_(std::move(pair), 0, unit) {}
 
   /// Where B is free, and up to the depth from there.
-  std::vector<std::pair<double, double>> known(const NearLine& line) const override {
-    std::vector<std::pair<double, double>> out;
+  exact::Tried<Known> known(const NearLine& line) const override {
+    Known out;
+    const exact::Tried<std::vector<SignStretch>> stretches = near_stretches(free_, line, range_);
+    if (!stretches) return stretches.refusal();
     const double reach = depth_ - 2 * margin::kFoundError * pair_->size_;
-    for (const SignStretch& s : near_stretches(free_, line, range_)) {
+    for (const SignStretch& s : *stretches) {
       if (s.sign <= 0) continue;
       if (!out.empty() && s.from - reach <= out.back().second)
         out.back().second = s.to + reach;
@@ -116,7 +118,7 @@ class CsgPair::FreeNear : public NearRule {
     return out;
   }
 
-  Least least(const NearLine& line, double from, double to, const Until& until) const override {
+  exact::Tried<Least> least(const NearLine& line, double from, double to, const Until& until) const override {
     const double error = margin::kFoundError * pair_->size_, sense = pair_->cut_moves_ ? -1 : 1;
     const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
     const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
@@ -125,10 +127,14 @@ class CsgPair::FreeNear : public NearRule {
     const Vector low = Vector{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)} - tolerance,
                  high = space::plus({std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}, tolerance);
     std::optional<Vector> out_of_one;
-    const Incumbent ask = [&] { return out_of_set(p, q, out_of_one); };
+    std::optional<exact::Refusal> refused;
+    const Incumbent ask = [&] { return out_of_set(p, q, out_of_one, refused); };
+    const exact::Tried<const CsgDepth*> depths = pair_->depths();
+    if (!depths) return depths.refusal();
     const Until wanted{depth_, until.share, until.blur};
     const BoundaryPlace found =
-        pair_->depths().or_throw()->nearest_to(distance_to_segment(start, unit, from, to), low, high, ask, &wanted);
+        (*depths)->nearest_to(distance_to_segment(start, unit, from, to), low, high, ask, &wanted);
+    if (refused) return *refused;
     Least out{found.bound - error - depth_, exact::kInfinity, {}};
     if (!found.found && !(found.known && out_of_one)) return out;
     out.high = found.value + error - depth_;
@@ -141,12 +147,18 @@ class CsgPair::FreeNear : public NearRule {
   }
 
  private:
-  /// From one of the ends by taking B out of one tolerance, or into one obstacle. Between them that is not nearer.
-  std::optional<double> out_of_set(const Vector& p, const Vector& q, std::optional<Vector>& place) const {
+  /// From one of the ends by taking B out of one container, or into one obstacle. Between them that is not nearer.
+  std::optional<double> out_of_set(const Vector& p, const Vector& q, std::optional<Vector>& place,
+                                   std::optional<exact::Refusal>& refused) const {
     std::optional<double> best;
     for (const Vector& from : {p, q}) {
       const RealVector at = space::real(from);
-      const auto free = pair_->free_of_sets(at).or_throw();
+      const TriedAnswer found = pair_->free_of_sets(at);
+      if (!found) {
+        refused = found.refusal();
+        return best;
+      }
+      const std::optional<Answer>& free = *found;
       if (!free || !free->nearest || free->value.sign() >= 0) continue;
       const Vector there = space::rounded(*free->nearest);
       const double d = space::length(there - from);

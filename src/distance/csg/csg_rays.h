@@ -14,7 +14,7 @@
 
 namespace findspace::distance {
 
-/// The level in steps of the scale of the pair. Throws Error(kUnsupported) for what values do not say.
+/// The level in steps of the scale of the pair. Rows are refused where values do not say the sign.
 std::unique_ptr<space::RaySource> cut_map(Which which, const exact::Real& level, std::shared_ptr<const CsgPair> pair,
                                           std::int64_t scale, const space::RayGrid& grid);
 

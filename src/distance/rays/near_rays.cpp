@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/rays/near_rays.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -53,9 +51,11 @@ class Walk {
  public:
   Walk(const NearRule& rule, const NearLine& line, double size) : rule_(rule), line_(line), size_(size) {}
 
-  std::vector<SignStretch> run(double from, double to) {
+  exact::Tried<std::vector<SignStretch>> run(double from, double to) {
+    const exact::Tried<NearRule::Known> known = rule_.known(line_);
+    if (!known) return known.refusal();
     // Where what is known ends, more may be less than 0.
-    for (const auto& [near, far] : rule_.known(line_)) {
+    for (const auto& [near, far] : *known) {
       if (!(from < far) || !(near < to)) continue;
       const double first = std::max(from, near), last = std::min(to, far);
       leave(from, first);
@@ -63,11 +63,12 @@ class Walk {
       from = last;
     }
     leave(from, to);
-    while (!left_.empty()) {
+    while (!left_.empty() && !refused_) {
       const auto [low, high] = left_.back();
       left_.pop_back();
       look(low, high);
     }
+    if (refused_) return *refused_;
     std::sort(known_.begin(), known_.end(), [](const SignStretch& a, const SignStretch& b) { return a.from < b.from; });
     return std::move(known_);
   }
@@ -75,10 +76,15 @@ class Walk {
  private:
   double blur() const { return size_ * (searches_ < kFineSearches ? ValueRays::kCertain : ValueRays::kCoarse); }
 
-  NearRule::Least least(double from, double to, const Until& until) {
-    if (++searches_ > kMostSearches)
-      throw Error(ErrorCode::kUnsupported, "the signs along a line were not found within the limit of the search");
-    return rule_.least(line_, from, to, until);
+  /// Nothing once the walk is refused.
+  std::optional<NearRule::Least> least(double from, double to, const Until& until) {
+    if (!refused_ && ++searches_ > kMostSearches)
+      refused_.emplace("the signs along a line were not found within the limit of the search");
+    if (refused_) return std::nullopt;
+    exact::Tried<NearRule::Least> found = rule_.least(line_, from, to, until);
+    if (found) return *std::move(found);
+    refused_ = found.refusal();
+    return std::nullopt;
   }
 
   void put(double from, double to, int sign) {
@@ -102,9 +108,10 @@ class Walk {
     while (from != to) {
       const double blur = this->blur();
       const auto v = least(from, from, {0, margin::kLineShare, blur / 8});
-      const bool hardly = v.low >= -blur / 2;
-      if (!(v.high < 0)) return {from, hardly && v.high <= blur / 2};
-      const double next = reaches(v.beyond, from, to, 0, blur / 64);
+      if (!v) return {from, false};
+      const bool hardly = v->low >= -blur / 2;
+      if (!(v->high < 0)) return {from, hardly && v->high <= blur / 2};
+      const double next = reaches(v->beyond, from, to, 0, blur / 64);
       const bool still = std::fabs(next - from) <= blur / 4;
       from = next;
       if (still) return {from, hardly};
@@ -141,9 +148,10 @@ class Walk {
     const double middle = (from + to) / 2;
     if (std::exchange(touching_, true)) {
       const auto there = least(middle, middle, {0, margin::kLineShare, blur() / 4});
-      if (there.high <= blur() / 2) return hardly(from, to, middle, there);
-      if (there.low > blur()) {
-        const double first = std::max(from, middle - there.low), last = std::min(to, middle + there.low);
+      if (!there) return;
+      if (there->high <= blur() / 2) return hardly(from, to, middle, *there);
+      if (there->low > blur()) {
+        const double first = std::max(from, middle - there->low), last = std::min(to, middle + there->low);
         put(first, last, 1);
         leave(from, first);
         leave(last, to);
@@ -155,8 +163,10 @@ class Walk {
 
   void look(double from, double to) {
     const double blur = this->blur();
-    auto v = least(from, to, {0, 0, blur / 4});
-    if (v.high < 0 && v.high > -blur) v = least(from, to, {0, margin::kLineShare, blur / 4});
+    auto found = least(from, to, {0, 0, blur / 4});
+    if (found && found->high < 0 && found->high > -blur) found = least(from, to, {0, margin::kLineShare, blur / 4});
+    if (!found) return;
+    const NearRule::Least& v = *found;
     if (v.low >= -kHardly * blur && v.high <= blur / 2) return touch(from, to, v);
     touching_ = false;
     if (v.low > 0) return put(from, to, 1);
@@ -172,13 +182,15 @@ class Walk {
   std::vector<std::pair<double, double>> left_;
   int searches_ = 0;
   bool touching_ = false;  // what was looked at last
+  std::optional<exact::Refusal> refused_;
 };
 
 }  // namespace
 
-std::vector<std::pair<double, double>> NearRule::known(const NearLine&) const { return {}; }
+exact::Tried<NearRule::Known> NearRule::known(const NearLine&) const { return Known(); }
 
-std::vector<SignStretch> near_stretches(const NearRule& rule, const NearLine& line, const NearRange& range) {
+exact::Tried<std::vector<SignStretch>> near_stretches(const NearRule& rule, const NearLine& line,
+                                                      const NearRange& range) {
   const double place = space::dot(range.middle - line.start, line.unit);
   return Walk(rule, line, range.size).run(place - 2 * range.size, place + 2 * range.size);
 }
@@ -191,12 +203,14 @@ NearRays::NearRays(std::unique_ptr<const NearRule> rule, const NearRange& range,
       grid_(grid),
       unit_(static_cast<double>(scale) / static_cast<double>(grid.parts)) {}
 
-RayRow NearRays::row(int j) const {
+exact::Tried<RayRow> NearRays::try_row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
     const PositionLine line = position_line(grid_, unit_, i, j);
     const NearLine near{space::rounded(line.start), space::rounded(line.unit)};
-    put_line(near_stretches(*rule_, near, range_), unit_, out, outer_);
+    const exact::Tried<std::vector<SignStretch>> stretches = near_stretches(*rule_, near, range_);
+    if (!stretches) return stretches.refusal();
+    put_line(*stretches, unit_, out, outer_);
   }
   return out;
 }

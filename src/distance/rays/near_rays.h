@@ -6,7 +6,7 @@
 // place; that place alone is near enough along a chord of the line. At its ends other places are nearer; each is nearer
 // along more of the line, and the ends come to where no place is near enough as tangents do (Newton), the last
 // stretches being searched to show that. Guarantee: as value_rays.h: the sign is - or + only where that is certain; 0
-// where the function is within kCertain of the sizes of 0 (kCoarse on lines with many ends); Error(kUnsupported) where
+// where the function is within kCertain of the sizes of 0 (kCoarse on lines with many ends); refused where
 // searches do not tell. Cost: some eight searches for each end. Keywords: sphere tracing, Newton's method, continuous
 // collision detection.
 #pragma once
@@ -42,9 +42,10 @@ class NearRule {
     std::function<AlongPlace(double)> beyond;
   };
   /// The level is 0: that of `until` is ignored.
-  virtual Least least(const NearLine& line, double from, double to, const Until& until) const = 0;
+  virtual exact::Tried<Least> least(const NearLine& line, double from, double to, const Until& until) const = 0;
   /// Stretches on which the function is known to be less than 0, in order.
-  virtual std::vector<std::pair<double, double>> known(const NearLine& line) const;
+  using Known = std::vector<std::pair<double, double>>;
+  virtual exact::Tried<Known> known(const NearLine& line) const;
 };
 
 /// The part of a line that is within `size` of the middle, and more.
@@ -52,7 +53,8 @@ struct NearRange {
   space::Vector middle;
   double size = 0;
 };
-std::vector<SignStretch> near_stretches(const NearRule& rule, const NearLine& line, const NearRange& range);
+exact::Tried<std::vector<SignStretch>> near_stretches(const NearRule& rule, const NearLine& line,
+                                                      const NearRange& range);
 
 class NearRays : public space::RaySource {
  public:
@@ -61,7 +63,7 @@ class NearRays : public space::RaySource {
            const space::RayGrid& grid);
 
   const space::RayGrid& grid() const override { return grid_; }
-  space::RayRow row(int j) const override;
+  exact::Tried<space::RayRow> try_row(int j) const override;
   bool searched() const override { return true; }
 
  private:

@@ -168,8 +168,9 @@ ProtrusionRays::Stretch ProtrusionRays::outside(const Side& side, const Line& li
 }
 
 /// Disjoint open stretches of `whole`, ascending; or all of it, where it is a single place. None in `known`.
-std::vector<ProtrusionRays::Stretch> ProtrusionRays::cuts(const Side& side, const Line& line, const Stretch& whole,
-                                                          std::span<const Stretch> known) const {
+exact::Tried<std::vector<ProtrusionRays::Stretch>> ProtrusionRays::cuts(const Side& side, const Line& line,
+                                                                        const Stretch& whole,
+                                                                        std::span<const Stretch> known) const {
   std::vector<Stretch> left, out;
   double from = whole.from;
   for (const Stretch& k : known) {
@@ -184,12 +185,12 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::cuts(const Side& side, cons
     left.pop_back();
     const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kProvenShare);
     if (!max_min.complete || ++count > kMostCuts)
-      throw Error(ErrorCode::kUnsupported, "the protrusion of the shape was not found within the limit of the search");
+      return exact::Refusal("the protrusion of the shape was not found within the limit of the search");
     if (max_min.value <= side.enough) continue;
     Stretch cut = outside(side, line, max_min.place, s);
     cut.from = std::max(cut.from, s.from);
     cut.to = std::min(cut.to, s.to);
-    if (s.from == s.to) return {s};  // the whole is a single place
+    if (s.from == s.to) return std::vector{s};  // the whole is a single place
     if (!(cut.from < cut.to)) continue;
     out.push_back(cut);
     if (s.from < cut.from) left.push_back({s.from, cut.from});
@@ -207,11 +208,14 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::cuts(const Side& side, cons
   return joined;
 }
 
+ProtrusionRays::Stretch ProtrusionRays::whole(const RayEvent& first, const RayEvent& last) const {
+  return {first.at.value * unit_, last.at.value * unit_};
+}
+
 /// The closed stretch from event `first` to event `last` of a line, less the cuts.
-void ProtrusionRays::keep(const Side& side, const Line& line, const RayEvent& first, const RayEvent& last,
-                          std::span<const Stretch> known, std::vector<RayEvent>& out) const {
-  const Stretch whole{first.at.value * unit_, last.at.value * unit_};
-  const std::vector<Stretch> gone = cuts(side, line, whole, known);
+void ProtrusionRays::keep(std::span<const Stretch> gone, const RayEvent& first, const RayEvent& last,
+                          std::vector<RayEvent>& out) const {
+  const Stretch whole = this->whole(first, last);
   RayPosition from = first.at;
   bool open = false;  // `from` itself is cut away
   const auto put = [&](const RayPosition& to) {
@@ -245,8 +249,10 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::stretches(const RayRow& row
 }
 
 /// `inner`: what is certainly kept.
-RayRow ProtrusionRays::kept(const Side& side, int j, const RayRow* inner) const {
-  const RayRow all = side.vertices->row(j);
+exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow* inner) const {
+  const exact::Tried<RayRow> found = side.vertices->try_row(j);
+  if (!found) return found;
+  const RayRow& all = *found;
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
     const auto column = static_cast<std::size_t>(i);
@@ -257,16 +263,22 @@ RayRow ProtrusionRays::kept(const Side& side, int j, const RayRow* inner) const 
       if (first.here > 0) continue;
       // Places where a vertex touches from inside are no ends.
       while (all.events[static_cast<std::size_t>(e)].after <= 0) ++e;
-      keep(side, line(i, j), first, all.events[static_cast<std::size_t>(e)], known, out.events);
+      const RayEvent& last = all.events[static_cast<std::size_t>(e)];
+      const exact::Tried<std::vector<Stretch>> gone = cuts(side, line(i, j), whole(first, last), known);
+      if (!gone) return gone.refusal();
+      keep(*gone, first, last, out.events);
     }
     out.first.push_back(static_cast<int>(out.events.size()));
   }
   return out;
 }
 
-RayRow ProtrusionRays::row(int j) const {
-  const RayRow inner = kept(sides_[1], j, nullptr);
-  const std::array<RayRow, 2> rows{kept(sides_[0], j, &inner), inner};
+exact::Tried<RayRow> ProtrusionRays::try_row(int j) const {
+  const exact::Tried<RayRow> inner = kept(sides_[1], j, nullptr);
+  if (!inner) return inner;
+  const exact::Tried<RayRow> outer = kept(sides_[0], j, &*inner);
+  if (!outer) return outer;
+  const std::array<RayRow, 2> rows{*outer, *inner};
   return space::combined(rows, [](std::span<const std::int8_t> s) {
     return static_cast<std::int8_t>(s[1] < 0 ? -1 : s[0] < 0 ? 0 : 1);
   });

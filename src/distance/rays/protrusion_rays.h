@@ -34,7 +34,7 @@ class ProtrusionRays : public space::RaySource {
                  const Vertices& vertices, const space::RayGrid& grid);
 
   const space::RayGrid& grid() const override { return grid_; }
-  space::RayRow row(int j) const override;
+  exact::Tried<space::RayRow> try_row(int j) const override;
   bool searched() const override { return true; }
 
  private:
@@ -65,11 +65,12 @@ class ProtrusionRays : public space::RaySource {
 
   Line line(int i, int j) const;
   std::vector<Stretch> stretches(const space::RayRow& row, int i) const;
-  space::RayRow kept(const Side& side, int j, const space::RayRow* inner) const;
-  void keep(const Side& side, const Line& line, const space::RayEvent& first, const space::RayEvent& last,
-            std::span<const Stretch> known, std::vector<space::RayEvent>& out) const;
-  std::vector<Stretch> cuts(const Side& side, const Line& line, const Stretch& whole,
-                            std::span<const Stretch> known) const;
+  exact::Tried<space::RayRow> kept(const Side& side, int j, const space::RayRow* inner) const;
+  Stretch whole(const space::RayEvent& first, const space::RayEvent& last) const;
+  void keep(std::span<const Stretch> gone, const space::RayEvent& first, const space::RayEvent& last,
+            std::vector<space::RayEvent>& out) const;
+  exact::Tried<std::vector<Stretch>> cuts(const Side& side, const Line& line, const Stretch& whole,
+                                          std::span<const Stretch> known) const;
   std::vector<Tetrahedron> swept(const Line& line, const Stretch& stretch) const;
   std::vector<RoundSolid> swept_balls(const Line& line, const Stretch& stretch) const;
   Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;

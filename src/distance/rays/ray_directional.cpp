@@ -25,6 +25,7 @@ using space::RayGrid;
 using space::RealVector;
 using space::Sweep;
 using Source = space::RaySourcePointer;
+using TriedSource = exact::Tried<Source>;
 
 /// A convex set grown by a ball.
 struct Grown {
@@ -188,8 +189,8 @@ bool fit_by_values(const Body& b, const Body& a) { return a.round() || (b.round(
 Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest);
 
 /// eta1 and eta2. Inside and outside of A exchanged eta1 is -gamma1.
-Source eta(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest,
-           const RayGrid& grid) {
+TriedSource eta(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest,
+                const RayGrid& grid) {
   if (a.outside && farthest) return space::constant_rays(grid, 1);
   if (a.outside) return space::negated_rays(gamma(maker, b, inside_of(a), -level, false));
   if (fit_by_values(b, a)) return round_fit_map(level, maker.query(farthest), b, a, grid);
@@ -212,18 +213,19 @@ Source gamma(const Directional& maker, const Body& b, const Body& a, const Real&
 
 }  // namespace
 
-std::unique_ptr<space::RaySource> ray_directional_map(Which which, const Real& level, const RealVector& direction,
-                                                      bool both_ways, const Body& b, const Body& a,
-                                                      const RayGrid& grid) {
+TriedSource ray_directional_map(Which which, const Real& level, const RealVector& direction, bool both_ways,
+                                const Body& b, const Body& a, const RayGrid& grid) {
   const bool farthest = which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2;
   if (!farthest && level.sign() == 0) return ray_sign_map(which, level, b, a, grid);
   const Directional maker(direction, both_ways, b.scale, grid);
   switch (which) {
     case Which::kGamma1:
-    case Which::kGamma2:
+    case Which::kGamma2: {
       if (!a.outside) return gamma(maker, b, a, level, farthest);
       if (farthest) return space::constant_rays(grid, 1);
-      return space::negated_rays(eta(maker, b, inside_of(a), -level, false, grid));
+      TriedSource inside = eta(maker, b, inside_of(a), -level, false, grid);
+      return inside ? space::negated_rays(*std::move(inside)) : std::move(inside);
+    }
     case Which::kEta1:
     case Which::kEta2:
       return eta(maker, b, a, level, farthest, grid);

@@ -15,14 +15,14 @@
 
 #include "distance/planar/shape_pair.h"
 #include "space/body/body.h"
-#include "space/rays/ray_map.h"
+#include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
 
 /// `which` is one of the six; the level in the bodies' steps. `direction` need not be of length 1.
-std::unique_ptr<space::RaySource> ray_directional_map(Which which, const exact::Real& level,
-                                                      const space::RealVector& direction, bool both_ways,
-                                                      const space::Body& b, const space::Body& a,
-                                                      const space::RayGrid& grid);
+exact::Tried<space::RaySourcePointer> ray_directional_map(Which which, const exact::Real& level,
+                                                          const space::RealVector& direction, bool both_ways,
+                                                          const space::Body& b, const space::Body& a,
+                                                          const space::RayGrid& grid);
 
 }  // namespace findspace::distance

@@ -69,8 +69,10 @@ Real RayRuns::root(int patch, int, int, int) const {
   return places_[static_cast<std::size_t>(patch)];
 }
 
-RayRow RayRuns::row(int j) const {
-  const RayRow zero = zero_(j);
+exact::Tried<RayRow> RayRuns::try_row(int j) const {
+  const exact::Tried<RayRow> found = zero_(j);
+  if (!found) return found;
+  const RayRow& zero = *found;
   const bool turned = !query_.forward && !query_.both_ways;
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {

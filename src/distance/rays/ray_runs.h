@@ -25,12 +25,12 @@ struct RunQuery {
 
 class RayRuns : public space::RaySource, private space::RayRoots {
  public:
-  using Rows = std::function<space::RayRow(int)>;
+  using Rows = std::function<exact::Tried<space::RayRow>(int)>;
   /// `zero`: of gamma1, eta1 or delta1 at level 0, and whether a search tells it; the level in parts of a grid step.
   RayRuns(Rows zero, bool searched, const RunQuery& query, const exact::Real& level, const space::RayGrid& grid);
 
   const space::RayGrid& grid() const override { return grid_; }
-  space::RayRow row(int j) const override;
+  exact::Tried<space::RayRow> try_row(int j) const override;
   bool searched() const override { return searched_; }
 
  private:

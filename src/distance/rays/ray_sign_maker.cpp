@@ -126,7 +126,7 @@ Source RaySignMaker::eta1(const Real& level) const {
       const bool never = b_.convex() && a_.parts[0].point() && b_.parts[0].point() && tolerance.sign() < 0;
       return never ? constant(1) : mu(level);
     }
-    return mu(level);  // at level 0: of what has no tolerance they have the same sign
+    return mu(level);  // at level 0: of what has no interior they have the same sign
   }
   const RayCover complement = outside_sets(b_, a_);
   if (complement.all) return constant(1);

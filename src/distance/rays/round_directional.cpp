@@ -77,7 +77,7 @@ class Sweeper {
     const double reach = std::max(std::fabs(way.from), std::fabs(way.to));
     const double size = space::length(set.high - set.low) + 2 * reach + 1;
     const double all = size + space::size_of(set.low) + space::size_of(set.high);
-    const RayRule at = [rule, all](const space::RealVector& p) { return std::optional(rule(space::rounded(p), all)); };
+    const RayRule at = [rule, all](const space::RealVector& p) { return rule(space::rounded(p), all); };
     return std::make_unique<ValueRays>(at, space::scaled(0.5, space::plus(set.low, set.high)), size, scale_, grid_);
   }
 
@@ -149,11 +149,11 @@ Source round_depth_map(const Real& level, const DirectionalQuery& query, const B
   return sweep.held(overlaps(b, a), sweep.way(-level.to_double()));
 }
 
-Source round_fit_map(const Real& level, const DirectionalQuery& query, const Body& b, const Body& a,
-                     const RayGrid& grid) {
+exact::Tried<Source> round_fit_map(const Real& level, const DirectionalQuery& query, const Body& b, const Body& a,
+                                   const RayGrid& grid) {
   if (a.round() && !a.convex())
-    throw Error(ErrorCode::kUnsupported,
-                "containment in a union of round parts along a direction is computed on rays at level 0 only");
+    return exact::Refusal(
+        "containment in a union of round parts along a direction is computed on rays at level 0 only");
   const Positions places = fits(b, a);
   const Vector size = places.high - places.low;
   const bool never = size.x < 0 || size.y < 0 || size.z < 0;

@@ -8,8 +8,8 @@
 //   eta1 <= t     where w >= 0 somewhere on it;              eta2        from that and what lies farther off.
 // In a convex round A the greatest distance of B's corners takes the place of -w. On stretches these extremes
 // (way_values.h) change by no more than the length of a step of p, so value_rays.h tells their signs on lines.
-// Guarantee: as there: 0 within 2^-30 of the sizes. Error(kUnsupported) where A is a union of round parts, and where
-// fits without tolerance leave no sign. Cost: as value_rays.h. Source: distances.md 7.1. Keywords: directional
+// Guarantee: as there: 0 within 2^-30 of the sizes. Refused where A is a union of round parts, and where fits
+// of zero clearance leave no sign. Cost: as value_rays.h. Source: distances.md 7.1. Keywords: directional
 // penetration depth, partial Minkowski sum.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 #include "distance/planar/shape_pair.h"
 #include "space/body/body.h"
-#include "space/rays/ray_map.h"
+#include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
 
@@ -33,7 +33,8 @@ std::unique_ptr<space::RaySource> round_depth_map(const exact::Real& level, cons
                                                   const space::Body& b, const space::Body& a,
                                                   const space::RayGrid& grid);
 /// eta1 at a level other than 0, or eta2; bounded bodies, one of them round.
-std::unique_ptr<space::RaySource> round_fit_map(const exact::Real& level, const DirectionalQuery& query,
-                                                const space::Body& b, const space::Body& a, const space::RayGrid& grid);
+exact::Tried<space::RaySourcePointer> round_fit_map(const exact::Real& level, const DirectionalQuery& query,
+                                                    const space::Body& b, const space::Body& a,
+                                                    const space::RayGrid& grid);
 
 }  // namespace findspace::distance

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/rays/value_rays.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -71,10 +69,15 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
   const bool outside = a.outside;  // then they are less than any
   // Above 0 it does not matter how deep B lies in A: max(0, eta1) has the same signs.
   const bool not_deep = which == Which::kEta1 && a.round() && !a.convex() && !outside;
-  const RayRule rule = [pair, which, level, outside, not_deep](const RealVector& p) -> std::optional<Between> {
-    if (not_deep && pair->value(Which::kH, p)->value.sign() == 0)
-      return Between{-level.to_double(), -level.to_double()};
-    const auto v = pair->value(which, p);
+  const RayRule rule = [pair, which, level, outside, not_deep](const RealVector& p) -> TriedBetween {
+    if (not_deep) {
+      const TriedAnswer inside = pair->try_value(Which::kH, p);
+      if (!inside) return inside.refusal();
+      if ((*inside)->value.sign() == 0) return Between{-level.to_double(), -level.to_double()};
+    }
+    const TriedAnswer found = pair->try_value(which, p);
+    if (!found) return found.refusal();
+    const std::optional<Answer>& v = *found;
     if (!v) return std::nullopt;
     const double gap = (outside ? level - v->value : v->value - level).to_double();
     return Between{gap - v->error, gap + v->error};
@@ -85,14 +88,22 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
 
 /// The signs between two places; what is known comes by growing place.
 void ValueRays::look(Walk& walk, double from, double to) const {
+  if (walk.refused) return;
   const double blur = size_ * (walk.values < kFineValues ? kCertain : kCoarse), middle = (from + to) / 2;
   if (!(from < middle && middle < to)) {
     walk.known.push_back({from, to, 0});
     return;
   }
-  if (++walk.values > kMostValues)
-    throw Error(ErrorCode::kUnsupported, "the signs along a line were not found within the limit of the search");
-  const auto v = rule_(space::along(walk.line.start, Real::from_double(middle), walk.line.unit));
+  if (++walk.values > kMostValues) {
+    walk.refused.emplace("the signs along a line were not found within the limit of the search");
+    return;
+  }
+  const TriedBetween found = rule_(space::along(walk.line.start, Real::from_double(middle), walk.line.unit));
+  if (!found) {
+    walk.refused = found.refusal();
+    return;
+  }
+  const std::optional<Between>& v = *found;
   if (!v) {
     walk.known.push_back({from, to, 1});
     return;
@@ -134,12 +145,13 @@ std::vector<SignStretch> ValueRays::chords(const Walk& walk, const SignBall& bal
   return {{-exact::kInfinity, at - half - tolerance, ball.sign}, {at + half + tolerance, exact::kInfinity, ball.sign}};
 }
 
-RayRow ValueRays::row(int j) const {
+exact::Tried<RayRow> ValueRays::try_row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
-    Walk walk{position_line(grid_, unit_, i, j), {}, 0};
+    Walk walk{position_line(grid_, unit_, i, j), {}};
     const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
     look(walk, place - 2 * size_, place + 2 * size_);
+    if (walk.refused) return *walk.refused;
     put_line(walk.known, unit_, out);
   }
   return out;

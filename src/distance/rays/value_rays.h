@@ -6,7 +6,7 @@
 // ball, whose chord ends at the front or nearly so. What is left of a line is halved. So distances
 // at a level are decided from where round fronts are to be measured from. Guarantee: the sign is - or + only where that
 // is certain; 0 where the function is within kCertain of the sizes of 0 (more where a line runs along the front:
-// kCoarse). Cost: some forty values for each end, more where the line is nearly along the front; Error(kUnsupported)
+// kCoarse). Cost: some forty values for each end, more where the line is nearly along the front; refused
 // where the function is 0 on long stretches. Keywords: sphere tracing, interval bisection, Lipschitz bound.
 #pragma once
 
@@ -40,8 +40,9 @@ struct Between {
   double low = 0, high = 0;
   std::optional<SignBall> ball{};
 };
-/// Nothing where the function is undefined: so everywhere, and its sign is +.
-using RayRule = std::function<std::optional<Between>(const space::RealVector&)>;
+/// Nothing where the function is undefined: so everywhere, and its sign is +. Refused where a search does not tell.
+using TriedBetween = exact::Tried<std::optional<Between>>;
+using RayRule = std::function<TriedBetween(const space::RealVector&)>;
 
 class ValueRays : public space::RaySource {
  public:
@@ -56,7 +57,7 @@ class ValueRays : public space::RaySource {
         middle_(middle) {}
 
   const space::RayGrid& grid() const override { return grid_; }
-  space::RayRow row(int j) const override;
+  exact::Tried<space::RayRow> try_row(int j) const override;
   bool searched() const override { return true; }
 
  private:
@@ -64,8 +65,10 @@ class ValueRays : public space::RaySource {
     PositionLine line;
     std::vector<SignStretch> known;
     int values = 0;
+    std::optional<exact::Refusal> refused{};
   };
 
+  /// Ends at once where the walk is refused.
   void look(Walk& walk, double from, double to) const;
   /// Of the line where a value's ball says the sign, by growing place.
   std::vector<SignStretch> chords(const Walk& walk, const SignBall& ball) const;

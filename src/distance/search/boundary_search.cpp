@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kRounds = 3;  // of tangents in a cell
 
-/// Cells after which it is asked for a place of no tolerance, as most of what is left may be such.
+/// Cells after which it is asked for a place of zero clearance, as most of what is left may be such.
 constexpr int kAskAt = 3000;
 
 struct BoundaryCell {
@@ -43,16 +43,16 @@ class BoundarySearch {
     best_.value = exact::kInfinity;
   }
 
-  BoundaryPlace run(std::span<const Tetrahedron> tolerance, double floor, const Until* until = nullptr) {
+  BoundaryPlace run(std::span<const Tetrahedron> domain, double floor, const Until* until = nullptr) {
     BoundaryCell all;
     all.out.resize(rules_.keep_out.size());
     all.in.resize(rules_.keep_in.size());
     std::iota(all.out.begin(), all.out.end(), 0);
     std::iota(all.in.begin(), all.in.end(), 0);
-    room_ = tolerance;
+    domain_ = domain;
     until_ = until;
     if (rules_.more) ask();
-    for (const Tetrahedron& t : tolerance) add(t, all, floor, 0);
+    for (const Tetrahedron& t : domain) add(t, all, floor, 0);
     double left = exact::kInfinity;
     for (int count = 0; !queue_.empty(); ++count) {
       const BoundaryCell top = queue_.top();
@@ -133,7 +133,7 @@ class BoundarySearch {
   }
 
   bool inside_room(const Vector& x) const {
-    return std::any_of(room_.begin(), room_.end(), [&](const Tetrahedron& t) { return holds(t, x); });
+    return std::any_of(domain_.begin(), domain_.end(), [&](const Tetrahedron& t) { return holds(t, x); });
   }
 
   void take(const Vector& x, double value) {
@@ -284,7 +284,7 @@ class BoundarySearch {
   }
 
   const Constraints& rules_;
-  std::span<const Tetrahedron> room_;
+  std::span<const Tetrahedron> domain_;
   const TouchingRule* distance_;
   const ConvexDistance* far_;
   double size_;
@@ -298,15 +298,15 @@ class BoundarySearch {
 
 }  // namespace
 
-BoundaryPlace nearest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
+BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& rules,
                               const TouchingRule& distance, double size, double floor, const Incumbent& known,
                               const Until* until) {
-  return BoundarySearch(rules, &distance, nullptr, size, known).run(tolerance, floor, until);
+  return BoundarySearch(rules, &distance, nullptr, size, known).run(domain, floor, until);
 }
 
-BoundaryPlace farthest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
+BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& rules,
                                const ConvexDistance& distance, double size, const Incumbent& known) {
-  BoundaryPlace out = BoundarySearch(rules, nullptr, &distance, size, known).run(tolerance, -exact::kInfinity);
+  BoundaryPlace out = BoundarySearch(rules, nullptr, &distance, size, known).run(domain, -exact::kInfinity);
   out.value = -out.value;
   out.bound = -out.bound;
   return out;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The place of a tolerance nearest to a convex set, or farthest from one, among those that convex functions allow: each
+// The place of a domain nearest to a convex set, or farthest from one, among those that convex functions allow: each
 // of `keep_out` is to be at least 0 there (the place is outside a grown set), each of `keep_in` at most 0 (inside one).
 // So distances to and from round fronts are found, of which planes alone are not enough. Branch and bound over
 // tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what its
 // tangent is there; weights for which no place of the cell can be allowed and better than the best one known are a
 // linear program, whose other side is a place to try. Both bounds are off by the square of a cell's size, so smooth
 // fronts cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed place is
-// better than `bound`. Passages and places of no tolerance, which numbers cannot tell from closed ones, make `bound`
+// better than `bound`. Passages and places of zero clearance, which numbers cannot tell from closed ones, make `bound`
 // differ from `value` (or nothing is found), unless such a place is known: `unresolved` is one. Cost: some hundred to
 // some thousand cells, each as many values as functions are near 0 in it. Keywords: reverse convex programming,
 // penetration depth, global optimisation.
@@ -53,7 +53,7 @@ struct Constraints {
   LazyConstraints* more = nullptr;
 };
 
-/// The objective at a place of no tolerance that is known to be allowed; asked once, where the search comes to one or
+/// The objective at a place of zero clearance that is known to be allowed; asked once, where the search comes to one or
 /// is long, or first where there are LazyConstraints.
 using Incumbent = std::function<std::optional<double>()>;
 
@@ -76,11 +76,11 @@ struct Until {
 };
 
 /// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.
-BoundaryPlace nearest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
+BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& rules,
                               const TouchingRule& distance, double size, double floor, const Incumbent& known = {},
                               const Until* until = nullptr);
 /// At which the distance is greatest.
-BoundaryPlace farthest_allowed(std::span<const Tetrahedron> tolerance, const Constraints& rules,
+BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& rules,
                                const ConvexDistance& distance, double size, const Incumbent& known = {});
 
 }  // namespace findspace::distance

@@ -64,7 +64,7 @@ Slack highest_slack(const std::vector<Column>& columns, const Tetrahedron& corne
 
 }  // namespace
 
-Slack most_slack(std::span<const Tetrahedron> tolerance, const Constraints& rules, const SlackEnd& end) {
+Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& rules, const SlackEnd& end) {
   Slack best{-exact::kInfinity, exact::kInfinity, {}, 0};
   std::priority_queue<SlackCell> queue;
   plane::ObservedCells seen("tetrahedra of the place with the most slack");
@@ -85,7 +85,7 @@ Slack most_slack(std::span<const Tetrahedron> tolerance, const Constraints& rule
     }
     queue.push({corner, bound});
   };
-  for (const Tetrahedron& t : tolerance) add(t);
+  for (const Tetrahedron& t : domain) add(t);
   for (; !queue.empty() && best.cells < kMostSlackCells; ++best.cells) {
     const SlackCell top = queue.top();
     if (top.bound <= end.enough || top.bound - best.value <= end.blur) break;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The place of a tolerance that has the most slack among those that convex functions allow (boundary_search.h): the
+// The place of a domain that has the most slack among those that convex functions allow (boundary_search.h): the
 // greatest t with each of `keep_out` at least t there and each of `keep_in` at most -t. More than 0 says that the
 // allowed places have interior; it changes by no more than the functions do. Branch and bound over tetrahedra; the
 // slack in a cell is at most a linear program of what the functions are at most and of their tangents. Guarantee:
-// doubles; `value` is that at `place`, no place of the tolerance has more than `bound`. Cost: tens of cells. Keywords:
+// doubles; `value` is that at `place`, no place of the domain has more than `bound`. Cost: tens of cells. Keywords:
 // Chebyshev centre, reverse convex programming.
 #pragma once
 
@@ -26,6 +26,6 @@ struct SlackEnd {
   double share = 0.5;  // of the bound: a value that is more than enough and so much of it need not be more
   double blur = 0;     // as near as the bound has to come to the value
 };
-Slack most_slack(std::span<const Tetrahedron> tolerance, const Constraints& rules, const SlackEnd& end);
+Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& rules, const SlackEnd& end);
 
 }  // namespace findspace::distance

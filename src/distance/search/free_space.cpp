@@ -165,20 +165,18 @@ FreeSpace FreeSpace::inside(const space::Body& b, const space::BodyPart& a, cons
   return out;
 }
 
-FreeSpace FreeSpace::common(std::span<const FreeSpace> rooms, const RealVector& low, const RealVector& high) {
+FreeSpace FreeSpace::common(std::span<const FreeSpace> spaces, const RealVector& low, const RealVector& high) {
   FreeSpace out;
   out.low_ = low;
   out.high_ = high;
   std::tie(out.box_low_, out.box_high_) = askew(space::rounded(low), space::rounded(high));
   std::vector<std::function<bool(const RealVector&)>> all;
-  for (const FreeSpace& tolerance : rooms) {
-    out.size_ = std::max(out.size_, tolerance.size_);
-    out.rules_.keep_out.insert(out.rules_.keep_out.end(), tolerance.rules_.keep_out.begin(),
-                               tolerance.rules_.keep_out.end());
-    out.rules_.keep_in.insert(out.rules_.keep_in.end(), tolerance.rules_.keep_in.begin(),
-                              tolerance.rules_.keep_in.end());
-    out.sets_.insert(out.sets_.end(), tolerance.sets_.begin(), tolerance.sets_.end());
-    all.push_back(tolerance.allows_);
+  for (const FreeSpace& one : spaces) {
+    out.size_ = std::max(out.size_, one.size_);
+    out.rules_.keep_out.insert(out.rules_.keep_out.end(), one.rules_.keep_out.begin(), one.rules_.keep_out.end());
+    out.rules_.keep_in.insert(out.rules_.keep_in.end(), one.rules_.keep_in.begin(), one.rules_.keep_in.end());
+    out.sets_.insert(out.sets_.end(), one.sets_.begin(), one.sets_.end());
+    all.push_back(one.allows_);
   }
   out.allows_ = [all](const RealVector& p) {
     return std::all_of(all.begin(), all.end(), [&](const auto& allows) { return allows(p); });
@@ -186,7 +184,7 @@ FreeSpace FreeSpace::common(std::span<const FreeSpace> rooms, const RealVector& 
   return out;
 }
 
-/// A place of no tolerance that belongs all the same, with simple coordinates.
+/// A place of zero clearance that belongs all the same, with simple coordinates.
 std::optional<RealVector> FreeSpace::even_place(const BoundaryPlace& found) const {
   if (!found.unresolved) return std::nullopt;
   const double blur = margin::kEvenPlace * size_;

@@ -8,10 +8,10 @@
 //   inside    the positions at which a body lies in one convex round part, vertex by vertex;
 //   common    what such sets have in common.
 // Guarantee: places are found by search (boundary_search.h), mostly to 2^-40 of the sizes; `proven` is false and
-// `error` says how far values may be off; whether a place belongs is decided exactly. A passage or fit of no tolerance,
-// which numbers cannot tell from none, is found among the planes along the faces of the sets, exactly; one between
-// other fronts (an edge and a face, two edges) that would change the answer is refused, not
-// passed over. Keywords: penetration depth, rounded polyhedra, containment.
+// `error` says how far values may be off; whether a place belongs is decided exactly. A passage or fit of zero
+// clearance, which numbers cannot tell from none, is found among the planes along the faces of the sets, exactly; one
+// between other fronts (an edge and a face, two edges) that would change the answer is refused, not passed over.
+// Keywords: penetration depth, rounded polyhedra, containment.
 #pragma once
 
 #include <functional>
@@ -45,7 +45,7 @@ class FreeSpace {
                           const space::RealVector& high);
 
   /// The box holds the set.
-  static FreeSpace common(std::span<const FreeSpace> rooms, const space::RealVector& low,
+  static FreeSpace common(std::span<const FreeSpace> spaces, const space::RealVector& low,
                           const space::RealVector& high);
 
   bool holds(const space::RealVector& p) const { return allows_(p); }

@@ -12,6 +12,7 @@
 namespace findspace::distance {
 
 using exact::Real;
+using exact::Tried;
 using space::RealVector;
 using space::Vector;
 
@@ -25,16 +26,18 @@ struct Box {
   bool operator<(const Box& other) const { return bound > other.bound; }  // the least is on top
 };
 
+using Value = std::function<Tried<Real>(const RealVector&)>;
+
 class BoxSearch {
  public:
-  explicit BoxSearch(const std::function<Real(const RealVector&)>& value, double floor)
-      : value_(value), floor_(floor) {}
+  explicit BoxSearch(const Value& value, double floor) : value_(value), floor_(floor) {}
 
-  Answer run(const Vector& low, const Vector& high) {
+  Tried<Answer> run(const Vector& low, const Vector& high) {
     const Vector half = space::scaled(0.5, high - low);
     tolerance_ = margin::kLeastInBox * (space::length(half) + 1);
     take({{space::plus(low, half), half, 0}});
-    while (count_ < kMostValues && !queue_.empty() && least_ - queue_.top().bound > tolerance_ && least_ > floor_) {
+    while (!refused_ && count_ < kMostValues && !queue_.empty() && least_ - queue_.top().bound > tolerance_ &&
+           least_ > floor_) {
       std::vector<Box> parts;
       for (std::size_t k = 0; k < kAtOnce && !queue_.empty(); ++k) {
         observe(queue_.top());
@@ -43,6 +46,7 @@ class BoxSearch {
       }
       take(std::move(parts));
     }
+    if (refused_) return *refused_;
     const double bound = std::max(floor_, queue_.empty() ? least_ : std::min(queue_.top().bound, least_));
     // Roundings: of the centres and of the values.
     const double noise = floor_ >= bound ? 0 : margin::kPlaceNoise * (std::fabs(bound) + space::length(half));
@@ -66,14 +70,19 @@ class BoxSearch {
   }
 
   void take(std::vector<Box> boxes) {
-    std::vector<Real> values(boxes.size());
+    std::vector<Tried<Real>> values(boxes.size(), Real());
     plane::parallel_for(boxes.size(), [&](std::size_t k) { values[k] = value_(space::real(boxes[k].center)); });
+    for (const Tried<Real>& v : values) {
+      if (v) continue;
+      refused_ = v.refusal();
+      return;
+    }
     count_ += static_cast<int>(boxes.size());
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      const double value = values[k].to_double();
+      const double value = values[k]->to_double();
       if (value < least_ || count_ == 1) {
         least_ = value;
-        value_at_best_ = std::move(values[k]);
+        value_at_best_ = *std::move(values[k]);
         best_ = space::real(boxes[k].center);
       }
       boxes[k].bound = value - space::length(boxes[k].half);
@@ -81,10 +90,11 @@ class BoxSearch {
     }
   }
 
-  const std::function<Real(const RealVector&)>& value_;
+  const Value& value_;
   double floor_, tolerance_ = 0, least_ = exact::kInfinity;
   int count_ = 0;
   std::priority_queue<Box> queue_;
+  std::optional<exact::Refusal> refused_;
   Real value_at_best_;
   RealVector best_{};
   plane::ObservedCells seen_{"boxes of the position with the least value"};
@@ -92,8 +102,7 @@ class BoxSearch {
 
 }  // namespace
 
-Answer least_in_box(const std::function<Real(const RealVector&)>& value, const Vector& low, const Vector& high,
-                    double floor) {
+Tried<Answer> least_in_box(const Value& value, const Vector& low, const Vector& high, double floor) {
   return BoxSearch(value, floor).run(low, high);
 }
 

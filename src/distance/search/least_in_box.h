@@ -17,8 +17,8 @@ namespace findspace::distance {
 inline constexpr int kMostValues = 20000;
 
 /// The least of a function that changes by at most the length of a step, over a box; `floor`: a bound that is known.
-/// `value` is called from many threads.
-Answer least_in_box(const std::function<exact::Real(const space::RealVector&)>& value, const space::Vector& low,
-                    const space::Vector& high, double floor);
+/// `value` is called from many threads; refused where it is.
+exact::Tried<Answer> least_in_box(const std::function<exact::Tried<exact::Real>(const space::RealVector&)>& value,
+                                  const space::Vector& low, const space::Vector& high, double floor);
 
 }  // namespace findspace::distance

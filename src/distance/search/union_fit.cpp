@@ -61,9 +61,9 @@ class Choice {
   bool from(std::size_t k) {
     if (k == witnesses_.size()) return true;
     for (const Column& c : witnesses_[k]) {
-      Column tolerance = c;
-      for (double& entry : tolerance) entry = -entry;
-      columns_.push_back(tolerance);
+      Column opposite = c;
+      for (double& entry : opposite) entry = -entry;
+      columns_.push_back(opposite);
       if (++tried_ > kMostChoices) return true;
       const auto rows = lp_rows();
       if (rows) {
@@ -108,8 +108,8 @@ class FitSearch {
     best_.known = std::isfinite(query.known);
   }
 
-  BoundaryPlace run(std::span<const Tetrahedron> tolerance) {
-    for (const Tetrahedron& t : tolerance) {
+  BoundaryPlace run(std::span<const Tetrahedron> domain) {
+    for (const Tetrahedron& t : domain) {
       FitCell cell;
       for (std::size_t v = 0; v < 4; ++v) cell.corner[v] = corner(t[v], margin::kRoughCorner * size_);
       cell.key = query_.floor;
@@ -205,7 +205,7 @@ class FitSearch {
     std::vector<Witness> kept, all;
     for (const CornerPointer& c : cell.corner) {
       all.push_back({c->protrusion.point, c->at, c->protrusion.piece});
-      // As it is, too: where B has no tolerance to spare, many points protrude, each on its own side.
+      // As it is, too: where B has zero clearance, many points protrude, each on its own side.
       if (!add_columns(protrusion_.holders(all.back(), t), out)) return false;
     }
     all.insert(all.end(), cell.witnesses.begin(), cell.witnesses.end());

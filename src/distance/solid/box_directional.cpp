@@ -11,6 +11,7 @@
 namespace findspace::distance {
 
 using exact::Real;
+using exact::Tried;
 using space::BoxComplex;
 using space::Interval;
 using space::Mark;
@@ -84,17 +85,19 @@ Which nearest_one(Which which) {
 
 }  // namespace
 
-BoxComplex BoxPair::directional_map(Which which, const Real& level, int axis, int way) const {
+Tried<BoxComplex> BoxPair::directional_map(Which which, const Real& level, int axis, int way) const {
   const bool farthest = is_farthest(which);
-  const Signs& s = signs(nearest_one(which));
+  const Tried<const Signs*> found = signs(nearest_one(which));
+  if (!found) return found.refusal();
+  const Signs& s = **found;
   const int side = level.sign();
   if (!s.defined || (farthest && side < 0)) return BoxComplex({}, 1);
   const auto set = [&](auto in) { return s.map.remarked([in](Mark m) { return Mark(in(m)); }); };
   const BoxComplex closed = set([](Mark m) { return m <= 0; });
   if (!farthest) {
     if (side == 0) return s.map;
-    if (side > 0) return reached(closed, level, axis, way, -1);
-    return reached(set([](Mark m) { return m >= 0; }), -level, axis, way, 1);
+    if (side > 0) return reached(closed, level, axis, way, -1).checked();
+    return reached(set([](Mark m) { return m >= 0; }), -level, axis, way, 1).checked();
   }
   if (closed.mark(0, 0, 0) != 0) return BoxComplex({}, 1);  // it has no end
   std::vector<BoxComplex> maps{side == 0 ? closed.remarked([](Mark m) { return Mark(m != 0 ? 0 : 1); })
@@ -104,28 +107,35 @@ BoxComplex BoxPair::directional_map(Which which, const Real& level, int axis, in
   }
   std::vector<const BoxComplex*> all;
   for (const BoxComplex& m : maps) all.push_back(&m);
-  return overlay(all, [](std::span<const Mark> m) { return *std::max_element(m.begin(), m.end()); });
+  return overlay(all, [](std::span<const Mark> m) { return *std::max_element(m.begin(), m.end()); }).checked();
 }
 
 /// The least value is set by two places of one line: half their distance (both ways) or all of it. Below the greatest
 /// of these levels below which there is nothing there is none.
-std::optional<BoxPair::Least> BoxPair::directional_least(Which which, int axis, int way) const {
-  const Signs& s = signs(nearest_one(which));
+Tried<std::optional<BoxPair::Least>> BoxPair::directional_least(Which which, int axis, int way) const {
+  const Tried<const Signs*> found = signs(nearest_one(which));
+  if (!found) return found.refusal();
+  const Signs& s = **found;
   const bool farthest = is_farthest(which);
   if (!s.defined || (!farthest && s.map.mark(0, 0, 0) < 0)) return std::nullopt;
   std::vector<Real> levels = lengths(s.map.at()[static_cast<std::size_t>(axis)]);
   for (Real& l : levels) l *= Real::ratio(farthest ? 1 : -1, way == 0 ? 2 : 1);
   if (!farthest) std::reverse(levels.begin(), levels.end());
   const auto map = [&](const Real& level) { return directional_map(which, level, axis, way); };
+  const Tried<BoxComplex> beyond = map(farthest ? levels.back() + Real(1) : levels[0] - Real(1));
+  if (!beyond) return beyond.refusal();
   // Beyond all lengths there are lines without an end, or nothing of finite distance.
-  if (farthest ? !has_mark(map(levels.back() + Real(1)), -1) : has_mark(map(levels[0] - Real(1)), -1))
-    return std::nullopt;
+  if (has_mark(*beyond, -1) != farthest) return std::nullopt;
   std::size_t low = 0, high = levels.size();  // below levels[low] there is nothing, below levels[high] something
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
-    (has_mark(map(levels[middle]), -1) ? high : low) = middle;
+    const Tried<BoxComplex> there = map(levels[middle]);
+    if (!there) return there.refusal();
+    (has_mark(*there, -1) ? high : low) = middle;
   }
-  return Least{levels[low], map(levels[low]).remarked([](Mark m) { return Mark(m == 0); })};
+  const Tried<BoxComplex> at = map(levels[low]);
+  if (!at) return at.refusal();
+  return Least{levels[low], at->remarked([](Mark m) { return Mark(m == 0); })};
 }
 
 }  // namespace findspace::distance

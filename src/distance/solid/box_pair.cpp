@@ -5,6 +5,7 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "space/box/box_operations.h"
 #include "space/box/box_topology.h"
@@ -12,6 +13,7 @@
 namespace findspace::distance {
 
 using exact::Real;
+using exact::Tried;
 using space::BoxComplex;
 using space::dot;
 using space::Interval;
@@ -94,18 +96,22 @@ BoxPair::BoxPair(BoxComplex b, BoxComplex a) : b_(std::move(b)), a_(std::move(a)
   if (b_.empty() || a_.empty()) throw Error(ErrorCode::kGeometry, "a shape of the scene is empty");
 }
 
-const BoxPair::Signs& BoxPair::signs(Which base) const {
+Tried<const BoxPair::Signs*> BoxPair::signs(Which base) const {
   const std::size_t k = slot(base);
-  std::call_once(once_[k], [&] { signs_[k] = std::make_unique<Signs>(made(base)); });
-  return *signs_[k];
+  std::call_once(once_[k], [&] { signs_[k] = made(base); });
+  const Tried<Signs>& found = *signs_[k];
+  if (!found) return found.refusal();
+  return &*found;
 }
 
-BoxPair::Signs BoxPair::made(Which base) const {
+Tried<BoxPair::Signs> BoxPair::made(Which base) const {
+  BoxComplex map = base == Which::kGamma1 ? gamma_map(b_, a_)
+                   : base == Which::kEta1 ? eta_map(b_, a_)
+                                          : mirrored(eta_map(a_, b_));
+  Tried<BoxComplex> checked = std::move(map).checked();
+  if (!checked) return checked.refusal();
   Signs s;
-  s.map = base == Which::kGamma1 ? gamma_map(b_, a_)
-          : base == Which::kEta1 ? eta_map(b_, a_)
-                                 : mirrored(eta_map(a_, b_));
-  s.map = s.map.simplified();
+  s.map = checked->simplified();
   s.closed = s.map.remarked([](Mark m) { return Mark(m <= 0); }).boxes();
   s.rest = s.map.remarked([](Mark m) { return Mark(m >= 0); }).boxes();
   s.defined = !s.closed.empty();
@@ -116,8 +122,10 @@ BoxPair::Signs BoxPair::made(Which base) const {
   return s;
 }
 
-exact::Tried<BoxComplex> BoxPair::base_map(Which base, const Real& level) const {
-  const Signs& s = signs(base);
+Tried<BoxComplex> BoxPair::base_map(Which base, const Real& level) const {
+  const Tried<const Signs*> found = signs(base);
+  if (!found) return found.refusal();
+  const Signs& s = **found;
   if (!s.defined) return BoxComplex({}, 1);
   if (level.sign() == 0) return s.map;
   if (level.sign() > 0)
@@ -136,17 +144,20 @@ exact::Tried<BoxComplex> BoxPair::base_map(Which base, const Real& level) const 
                         [](std::span<const Mark> m) { return std::min(m[0], m[1]); })
               : std::move(one);
   }
-  return map ? *map : BoxComplex({}, 1);
+  return map ? std::move(*map).checked() : BoxComplex({}, 1);
 }
 
-exact::Tried<BoxComplex> BoxPair::sign_map(Which which, const Real& level) const {
+Tried<BoxComplex> BoxPair::sign_map(Which which, const Real& level) const {
   if (const auto d = derived(which)) {
     if (level.sign() < 0) return BoxComplex({}, 1);
-    const bool defined = d->base == Which::kMu || d->base == Which::kMuBack || signs(d->base).defined;
-    if (!defined) return BoxComplex({}, d->negated ? Mark(-level.sign()) : Mark(1));
+    if (d->base != Which::kMu && d->base != Which::kMuBack) {
+      const Tried<const Signs*> found = signs(d->base);
+      if (!found) return found.refusal();
+      if (!(*found)->defined) return BoxComplex({}, d->negated ? Mark(-level.sign()) : Mark(1));
+    }
     const int turn = d->negated ? -1 : 1;
     const bool above = level.sign() > 0;
-    const exact::Tried<BoxComplex> map = sign_map(d->base, d->negated ? -level : level);
+    const Tried<BoxComplex> map = sign_map(d->base, d->negated ? -level : level);
     if (!map) return map;
     return map->remarked([=](Mark m) { return Mark(above ? turn * m : turn * m > 0); });
   }
@@ -162,10 +173,11 @@ exact::Tried<BoxComplex> BoxPair::sign_map(Which which, const Real& level) const
     case Which::kHausdorff: {
       if (level.sign() < 0) return BoxComplex({}, 1);
       if (level.sign() > 0) break;
-      const exact::Tried<BoxComplex> forth = base_map(Which::kEta1, level), back = base_map(Which::kDelta1, level);
+      const Tried<BoxComplex> forth = base_map(Which::kEta1, level), back = base_map(Which::kDelta1, level);
       if (!forth || !back) return (forth ? back : forth).refusal();
       return overlay(std::array<const BoxComplex*, 2>{&*forth, &*back},
-                     [](std::span<const Mark> m) { return std::max(m[0], m[1]); });
+                     [](std::span<const Mark> m) { return std::max(m[0], m[1]); })
+          .checked();
     }
     default:
       break;
@@ -182,8 +194,7 @@ bool BoxPair::has_value(Which which) {
 
 bool BoxPair::is_reach(Which which) { return which == Which::kGamma2 || which == Which::kDiameter; }
 
-std::optional<Answer> BoxPair::signed_value(Which base, const RealVector& p) const {
-  const Signs& s = signs(base);
+std::optional<Answer> BoxPair::signed_value(const Signs& s, const RealVector& p) {
   if (!s.defined) return std::nullopt;
   Answer out;
   const Mark sign = s.map.mark(p);
@@ -200,8 +211,8 @@ std::optional<Answer> BoxPair::signed_value(Which base, const RealVector& p) con
   return out;
 }
 
-std::optional<Answer> BoxPair::farthest_value(Which base, const RealVector& p) const {
-  const auto q = farthest(signs(base).closed, p);
+std::optional<Answer> BoxPair::farthest_value(const Signs& s, const RealVector& p) {
+  const auto q = farthest(s.closed, p);
   if (!q) return std::nullopt;
   Answer out;
   const RealVector off = space::minus(*q, p);
@@ -209,21 +220,32 @@ std::optional<Answer> BoxPair::farthest_value(Which base, const RealVector& p) c
   return out;
 }
 
-std::optional<Answer> BoxPair::value(Which which, const RealVector& p) const {
-  if (which == Which::kEta2) return farthest_value(Which::kEta1, p);
-  if (which == Which::kDelta2) return farthest_value(Which::kDelta1, p);
-  if (is_reach(which)) {
-    auto most = farthest_value(Which::kGamma1, p);
-    for (const BoxComplex* own : {&a_, &b_}) {
-      if (which != Which::kDiameter || !most) continue;
-      const auto diameter = BoxPair(*own, *own).farthest_value(Which::kGamma1, {});
-      if (!diameter || most->value < diameter->value) most = diameter;
-    }
-    return most;
+/// gamma2, or the diameter of both.
+TriedAnswer BoxPair::reach(Which which, const RealVector& p) const {
+  const Tried<const Signs*> s = signs(Which::kGamma1);
+  if (!s) return s.refusal();
+  std::optional<Answer> most = farthest_value(**s, p);
+  for (const BoxComplex* own : {&a_, &b_}) {
+    if (which != Which::kDiameter || !most) continue;
+    const TriedAnswer diameter = BoxPair(*own, *own).reach(Which::kGamma2, {});
+    if (!diameter) return diameter;
+    if (!*diameter || most->value < (*diameter)->value) most = *diameter;
   }
+  return most;
+}
+
+TriedAnswer BoxPair::value(Which which, const RealVector& p) const {
+  if (is_reach(which)) return reach(which, p);
+  const bool farthest = which == Which::kEta2 || which == Which::kDelta2;
   const auto d = derived(which);
-  if (!d) return signed_value(which, p);
-  auto v = signed_value(d->base, p);
+  const Tried<const Signs*> s = signs(which == Which::kEta2     ? Which::kEta1
+                                      : which == Which::kDelta2 ? Which::kDelta1
+                                      : d                       ? d->base
+                                                                : which);
+  if (!s) return s.refusal();
+  if (farthest) return farthest_value(**s, p);
+  std::optional<Answer> v = signed_value(**s, p);
+  if (!d) return v;
   if (!v) return d->negated ? std::optional<Answer>(Answer{}) : std::nullopt;
   if (v->minus_infinity && d->negated) return std::nullopt;
   v->minus_infinity = false;
@@ -232,9 +254,19 @@ std::optional<Answer> BoxPair::value(Which which, const RealVector& p) const {
   return v;
 }
 
-std::optional<BoxPair::Least> BoxPair::least(Which which) const {
+Tried<std::optional<BoxPair::Least>> BoxPair::least(Which which) const {
   if (which != Which::kGamma1 && which != Which::kEta1 && which != Which::kDelta1) return std::nullopt;
-  const Signs& s = signs(which);
+  const Tried<const Signs*> s = signs(which);
+  if (!s) return s.refusal();
+  std::optional<Least> found = least(**s);
+  if (!found) return found;
+  Tried<BoxComplex> at = std::move(found->at).checked();
+  if (!at) return at.refusal();
+  found->at = *std::move(at);
+  return found;
+}
+
+std::optional<BoxPair::Least> BoxPair::least(const Signs& s) {
   if (!s.defined) return Least{Real(), space::BoxComplex()};
   if (!s.has_negative) return Least{Real(), s.map.remarked([](Mark m) { return Mark(m <= 0); })};
   if (s.negative.empty()) return std::nullopt;

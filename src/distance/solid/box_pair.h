@@ -6,9 +6,10 @@
 //   X = A (+) -B,  U = (int A (+) -B) u (A (+) -int B),  E = (A^c (+) -B)^c,  int E = (cl(A^c) (+) -B)^c,
 //   D, int D: the same with the roles exchanged, reflected.
 // With them the sign map at level 0 of every distance, and the values of gamma1, eta1, delta1, gamma2, eta2, delta2 at
-// a position: the shapes may have sheets, lines and points, and may be unbounded. Guarantee: exact. Other levels have
-// round fronts; where the '-' set is made of separate boxes, levels below 0 have not and are exact too. Cost: pairs of
-// boxes, painted on one grid. Keywords: configuration space, slots, exact fit.
+// a position: the shapes may have sheets, lines and points, and may be unbounded. Guarantee: exact; what needs a grid
+// of more than BoxComplex::kMostCells cells is refused. Other levels have round fronts; where the '-' set is made of
+// separate boxes, levels below 0 have not and are exact too. Cost: pairs of boxes, painted on one grid. Keywords:
+// configuration space, slots, exact fit.
 #pragma once
 
 #include <memory>
@@ -28,11 +29,11 @@ class BoxPair {
   /// The sign of distance - level at every position; refused where that has no axis-parallel form.
   exact::Tried<space::BoxComplex> sign_map(Which which, const exact::Real& level) const;
   /// The same of one of the six distances along an axis, both ways (`way` 0) or up or down it (1, -1), at any level.
-  space::BoxComplex directional_map(Which which, const exact::Real& level, int axis, int way) const;
+  exact::Tried<space::BoxComplex> directional_map(Which which, const exact::Real& level, int axis, int way) const;
   /// Whether value() answers for it; for these two as well, which bodies tell faster.
   static bool has_value(Which which);
   static bool is_reach(Which which);
-  std::optional<Answer> value(Which which, const space::RealVector& p) const;
+  TriedAnswer value(Which which, const space::RealVector& p) const;
 
   /// The least value of gamma1, eta1 or delta1 and where it is taken, if the '-' set is made of separate boxes or
   /// empty.
@@ -40,10 +41,10 @@ class BoxPair {
     exact::Real value;
     space::BoxComplex at;  // empty if the distance is undefined
   };
-  std::optional<Least> least(Which which) const;
+  exact::Tried<std::optional<Least>> least(Which which) const;
   /// The same of one of the six distances along an axis; an infimum that no position takes has an empty `at`. Nothing
   /// where the distance is undefined, or -infinity somewhere.
-  std::optional<Least> directional_least(Which which, int axis, int way) const;
+  exact::Tried<std::optional<Least>> directional_least(Which which, int axis, int way) const;
 
  private:
   struct Signs {  // of gamma1, eta1 or delta1 at level 0
@@ -52,15 +53,17 @@ class BoxPair {
     std::vector<space::IntervalBox> negative;      // the '-' set, if it is made of separate open boxes
     bool defined = true, has_negative = false;
   };
-  const Signs& signs(Which base) const;
-  Signs made(Which base) const;
+  exact::Tried<const Signs*> signs(Which base) const;
+  exact::Tried<Signs> made(Which base) const;
   exact::Tried<space::BoxComplex> base_map(Which base, const exact::Real& level) const;
-  std::optional<Answer> signed_value(Which base, const space::RealVector& p) const;
-  std::optional<Answer> farthest_value(Which base, const space::RealVector& p) const;
+  static std::optional<Answer> signed_value(const Signs& s, const space::RealVector& p);
+  static std::optional<Answer> farthest_value(const Signs& s, const space::RealVector& p);
+  TriedAnswer reach(Which which, const space::RealVector& p) const;
+  static std::optional<Least> least(const Signs& s);
 
   space::BoxComplex b_, a_;
   mutable std::array<std::once_flag, 3> once_;
-  mutable std::array<std::unique_ptr<Signs>, 3> signs_;
+  mutable std::array<std::optional<exact::Tried<Signs>>, 3> signs_;
 };
 
 }  // namespace findspace::distance

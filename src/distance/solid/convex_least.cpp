@@ -26,16 +26,18 @@ std::optional<Vector> direction(const Answer& v) {
   return space::scaled(1 / (value < 0 ? -length : length), w);
 }
 
+using Value = std::function<exact::Tried<Answer>(const RealVector&)>;
+
 class Search {
  public:
-  Search(const std::function<Answer(const RealVector&)>& value, const Vector& low, const Vector& high)
+  Search(const Value& value, const Vector& low, const Vector& high)
       : value_(value), size_(space::length(high - low) + space::size_of(low) + space::size_of(high) + 1) {
     const Vector by = space::scaled(3, high - low);
     corners_ = {low, space::plus(low, {by.x, 0, 0}), space::plus(low, {0, by.y, 0}), space::plus(low, {0, 0, by.z})};
     next_ = space::scaled(0.5, space::plus(low, high));
   }
 
-  std::optional<Answer> run() {
+  TriedAnswer run() {
     double bound = -exact::kInfinity;
     for (int k = 0; k < kMostTangents && !(least_ - bound <= margin::kTangentsMeet * size_); ++k) {
       if (!add_tangent()) break;
@@ -47,15 +49,22 @@ class Search {
       const Vector best = space::rounded(out_.at);
       next_ = space::plus(best, space::scaled(k % 4 == 3 ? 1.0 : 0.3, to - best));
     }
+    if (refused_) return *refused_;
     if (least_ - bound > margin::kTangentsApart * size_) return std::nullopt;
     offer_near();
+    if (refused_) return *refused_;
     return least_answer(out_.value, std::min(out_.value, Real::from_double(bound)), false, out_.at);
   }
 
  private:
   bool add_tangent() {
     const RealVector p = space::real(next_);
-    const Answer v = value_(p);
+    const exact::Tried<Answer> found = value_(p);
+    if (!found) {
+      refused_ = found.refusal();
+      return false;
+    }
+    const Answer& v = *found;
     const double value = v.value.to_double();
     if (value < least_) {
       least_ = value;
@@ -74,25 +83,27 @@ class Search {
   void offer_near() {
     RealVector even = out_.at;
     for (Real& c : even) c = Real(exact::round(c));
-    Answer v = value_(even);
-    if (v.value <= out_.value + Real::from_double(margin::kNoBetter * size_)) {
-      out_.value = std::move(v.value);
+    const exact::Tried<Answer> v = value_(even);
+    if (!v) {
+      refused_ = v.refusal();
+    } else if (v->value <= out_.value + Real::from_double(margin::kNoBetter * size_)) {
+      out_.value = v->value;
       out_.at = even;
     }
   }
 
-  const std::function<Answer(const RealVector&)>& value_;
+  const Value& value_;
   double size_, least_ = exact::kInfinity;
   std::array<Vector, 4> corners_;  // of a tetrahedron about the box
   Vector next_;
   std::vector<std::array<double, 4>> columns_;
+  std::optional<exact::Refusal> refused_;
   Answer out_ = least_answer({}, {}, false, {});
 };
 
 }  // namespace
 
-std::optional<Answer> convex_least(const std::function<Answer(const RealVector&)>& value, const Vector& low,
-                                   const Vector& high) {
+TriedAnswer convex_least(const Value& value, const Vector& low, const Vector& high) {
   return Search(value, low, high).run();
 }
 

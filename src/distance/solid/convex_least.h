@@ -19,8 +19,8 @@ namespace findspace::distance {
 
 inline constexpr int kMostTangents = 500;
 
-/// The least is in the box. Nothing where a value has no points to tell the tangent.
-std::optional<Answer> convex_least(const std::function<Answer(const space::RealVector&)>& value,
-                                   const space::Vector& low, const space::Vector& high);
+/// The least is in the box. Nothing where a value has no points to tell the tangent; refused where one is.
+TriedAnswer convex_least(const std::function<exact::Tried<Answer>(const space::RealVector&)>& value,
+                         const space::Vector& low, const space::Vector& high);
 
 }  // namespace findspace::distance

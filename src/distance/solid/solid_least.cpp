@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/solid/solid_least.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <memory>
 
@@ -24,7 +22,7 @@ namespace {
 
 /// Convex sets that are to be kept away from, each with its planes, the ones that can bound a ball.
 struct Obstacles {
-  std::vector<Tetrahedron> tolerance;
+  std::vector<Tetrahedron> domain;
   std::vector<ConvexDistance> distances;
   std::vector<std::vector<HalfSpace>> planes;
 };
@@ -64,17 +62,24 @@ std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place,
 }
 
 /// Of a signed distance: -(max_min - radius).
-std::optional<Answer> deepest_place(const Obstacles& all, const Real& radius, const RealVector& somewhere,
-                                    const std::function<std::optional<Answer>(const RealVector&)>& value) {
+TriedAnswer deepest_place(const Obstacles& all, const Real& radius, const RealVector& somewhere,
+                          const std::function<TriedAnswer(const RealVector&)>& value) {
   const double size = space::size_of(space::rounded(somewhere)) + radius.to_double() + 1;
   const SolidMaxMin max_min =
-      all.tolerance.empty() ? SolidMaxMin{} : solid_max_min(all.tolerance, all.distances, margin::kTangentNoise * size);
+      all.domain.empty() ? SolidMaxMin{} : solid_max_min(all.domain, all.distances, margin::kTangentNoise * size);
   const Real bound = radius - Real::from_double(max_min.bound + margin::kTangentNoise * size);
   std::optional<Answer> best;
+  std::optional<exact::Refusal> refused;
   // Values are right to 2^-40, so what is less by less than that is no better than a likelier place.
   const Real blur = Real::from_double(margin::kNoBetter * size);  // no sign: it chooses among positions
   const auto offer = [&](const RealVector& p) {
-    const auto v = value(p);
+    if (refused) return;
+    const TriedAnswer found = value(p);
+    if (!found) {
+      refused = found.refusal();
+      return;
+    }
+    const std::optional<Answer>& v = *found;
     if (!v || (best && !(v->value < best->value - blur))) return;
     best = least_answer(v->value, std::min(bound, v->value), false, p);
   };
@@ -82,6 +87,7 @@ std::optional<Answer> deepest_place(const Obstacles& all, const Real& radius, co
     for (const RealVector& p : likely_places(all, max_min.place, max_min.value)) offer(p);
   }
   if (!best) offer(somewhere);
+  if (refused) return *refused;
   return best;
 }
 
@@ -94,14 +100,17 @@ class Least {
     high_ = space::minus(outer.high, inner.low);
   }
 
-  std::optional<Answer> of(Which which) const {
+  TriedAnswer of(Which which) const {
     switch (which) {
       case Which::kGamma1:
         return a_.round() || b_.round() ? searched(which, -exact::kInfinity) : overlap();
       case Which::kEta1:
         return a_.round() || radii_differ() ? searched(which, -exact::kInfinity) : containment();
       case Which::kMu:
-        if (auto fits = a_.round() || radii_differ() ? std::nullopt : containment()) return fits;
+        if (!a_.round() && !radii_differ()) {
+          TriedAnswer fits = containment();
+          if (!fits || *fits) return fits;
+        }
         return searched(which, -exact::kInfinity);
       case Which::kGamma2:
         return reach();
@@ -142,7 +151,7 @@ class Least {
       ConvexRegion body(low, high);
       for (const HalfSpace& h : sets.back()) body.cut(h);
       const std::vector<Tetrahedron> more = tetrahedra(body);
-      all.tolerance.insert(all.tolerance.end(), more.begin(), more.end());
+      all.domain.insert(all.domain.end(), more.begin(), more.end());
     }
     for (const ConvexRegion& piece : space::cover_frontier(sets, low, high)) {
       all.distances.push_back(distance_to_flat(piece));
@@ -155,9 +164,9 @@ class Least {
     return all;
   }
 
-  std::optional<Answer> overlap() const {
+  TriedAnswer overlap() const {
     return deepest_place(around_overlap(), Real(), low_,
-                         [&](const RealVector& p) { return pair_.value(Which::kGamma1, p); });
+                         [&](const RealVector& p) { return pair_.try_value(Which::kGamma1, p); });
   }
 
   /// Where B can be at all: A's box less B's.
@@ -168,7 +177,7 @@ class Least {
     return low[0] <= high[0] && low[1] <= high[1] && low[2] <= high[2];
   }
 
-  std::optional<Answer> containment() const {
+  TriedAnswer containment() const {
     RealVector low, high;
     if (!fit_box(low, high)) return std::nullopt;
     Body core = b_;
@@ -186,24 +195,23 @@ class Least {
     Obstacles all;
     for (const ConvexRegion& piece : space::complement_pieces(cover, low, high)) {
       const std::vector<Tetrahedron> more = tetrahedra(piece);
-      all.tolerance.insert(all.tolerance.end(), more.begin(), more.end());
+      all.domain.insert(all.domain.end(), more.begin(), more.end());
     }
-    if (all.tolerance.empty() && radius.sign() == 0) return least_answer(Real(), Real(), true, *somewhere);
+    if (all.domain.empty() && radius.sign() == 0) return least_answer(Real(), Real(), true, *somewhere);
     for (std::size_t k = 0; k < cover.size(); ++k) {
       all.distances.push_back(distance_to(cover.planes(k)));
       all.planes.push_back(cover.planes(k));
     }
-    auto found = deepest_place(all, radius, *somewhere, [&](const RealVector& p) -> std::optional<Answer> {
-      if (radius.sign() == 0) return pair_.value(Which::kEta1, p);
-      // A round shape that does not fit there has no value.
+    auto found = deepest_place(all, radius, *somewhere, [&](const RealVector& p) -> TriedAnswer {
       TriedAnswer v = pair_.try_value(Which::kEta1, p);
-      return v ? *std::move(v) : std::nullopt;
+      // A round shape that does not fit there has no value.
+      return v || radius.sign() == 0 ? std::move(v) : std::nullopt;
     });
     // Where it fits nowhere with its radius the value says so, or that this is not decided.
-    return !found && radius.sign() > 0 ? searched(Which::kEta1, -exact::kInfinity) : found;
+    return found && !*found && radius.sign() > 0 ? searched(Which::kEta1, -exact::kInfinity) : found;
   }
 
-  std::optional<Answer> farthest_fit() const {
+  TriedAnswer farthest_fit() const {
     RealVector low, high;
     if (a_.round() || b_.round()) return searched(Which::kEta2, 0);
     if (!fit_box(low, high)) return std::nullopt;
@@ -234,7 +242,9 @@ class Least {
     return least_answer(Real(), Real(), true, at);
   }
 
-  static std::optional<Answer> at_least(std::optional<Answer> v, const Real& floor) {
+  static TriedAnswer at_least(TriedAnswer found, const Real& floor) {
+    if (!found) return found;
+    std::optional<Answer> v = *std::move(found);
     if (v && v->value <= floor) return least_answer(floor, floor, true, v->at);
     if (v && v->enclosed && *v->enclosed->lower < floor) v->enclosed->lower = floor;
     return v;
@@ -242,7 +252,7 @@ class Least {
 
   /// The farthest points of A and B + p are vertices: the centre of the smallest ball around their differences is
   /// nearest to all.
-  std::optional<Answer> reach() const {
+  TriedAnswer reach() const {
     const Real round = a_.parts[0].radius + b_.parts[0].radius;
     std::vector<RealVector> points;
     for (const space::BodyPart& t : a_.parts) {
@@ -258,13 +268,27 @@ class Least {
     return least_answer(value, value, true, ball.center);
   }
 
-  std::optional<Answer> searched(Which which, double floor) const {
-    if (!pair_.value(which, low_)) return std::nullopt;
+  TriedAnswer searched(Which which, double floor) const {
+    const TriedAnswer corner = pair_.try_value(which, low_);
+    if (!corner || !*corner) return corner;
     const Vector low = space::rounded(low_), high = space::rounded(high_);
-    const auto value = [&](const RealVector& p) { return *pair_.value(which, p); };
-    if (a_.convex() && (which == Which::kMu || (which == Which::kHausdorff && b_.convex())))
-      if (auto v = convex_least(value, low, high)) return v;
-    return least_in_box([&](const RealVector& p) { return value(p).value; }, low, high, floor);
+    const auto value = [&](const RealVector& p) -> exact::Tried<Answer> {
+      TriedAnswer v = pair_.try_value(which, p);
+      if (!v) return v.refusal();
+      return **std::move(v);
+    };
+    if (a_.convex() && (which == Which::kMu || (which == Which::kHausdorff && b_.convex()))) {
+      TriedAnswer v = convex_least(value, low, high);
+      if (!v || *v) return v;
+    }
+    const auto number = [&](const RealVector& p) -> exact::Tried<Real> {
+      exact::Tried<Answer> v = value(p);
+      if (!v) return v.refusal();
+      return std::move(v->value);
+    };
+    exact::Tried<Answer> least = least_in_box(number, low, high, floor);
+    if (!least) return least.refusal();
+    return *std::move(least);
   }
 
   const Body &b_, &a_;
@@ -291,9 +315,8 @@ Which exchanged(Which which) {
 
 }  // namespace
 
-std::optional<Answer> solid_least(Which which, const Body& b, const Body& a) {
-  if (a.outside)
-    throw Error(ErrorCode::kUnsupported, "over all positions a distance to a complement has no least value");
+TriedAnswer solid_least(Which which, const Body& b, const Body& a) {
+  if (a.outside) return exact::Refusal("over all positions a distance to a complement has no least value");
   const Which forth = exchanged(which);
   if (forth == which) return Least(b, a).of(which);
   // A in B + p is -A + p in -B.

@@ -11,8 +11,8 @@
 //                          half the diagonal.
 // Guarantee: `value` is taken at `at`; no position has less than `bound`. Proven values are exact (bound = value); of
 // signed distances the two agree to 2^-40, by tangents to 2^-36, of others to 2^-30 of the size of the bodies, or as
-// far as kMostValues values (kMostCells cells) go: minima along curves and faces are slower. Error(kUnsupported) for
-// distances that solid_pair.h does not compute, and to complements, which have no least value. Keywords: argmin,
+// far as kMostValues values (kMostCells cells) go: minima along curves and faces are slower. Refused: distances that
+// solid_pair.h does not compute, and those to complements, which have no least value. Keywords: argmin,
 // largest inscribed ball, penetration depth, Lipschitz optimisation, branch and bound.
 #pragma once
 
@@ -22,6 +22,6 @@
 namespace findspace::distance {
 
 /// Both of one scale, B not `outside`; nothing where the distance is undefined.
-std::optional<Answer> solid_least(Which which, const space::Body& b, const space::Body& a);
+TriedAnswer solid_least(Which which, const space::Body& b, const space::Body& a);
 
 }  // namespace findspace::distance

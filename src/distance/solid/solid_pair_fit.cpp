@@ -211,10 +211,10 @@ exact::Tried<Answer> SolidPair::depth_inside(const Side& side, const RealVector&
   const space::Bounds3 box = bounds(*side.fixed);
   std::vector<GrownSet> sets;
   for (const BodyPart& part : side.fixed->parts) sets.push_back({part.planes(), real(part.center), part.radius});
-  const FreeSpace tolerance = FreeSpace::outside(std::move(sets), box.low, box.high);
+  const FreeSpace free = FreeSpace::outside(std::move(sets), box.low, box.high);
   std::optional<Answer> least;
   for (const BodyPart& part : side.moving->parts) {
-    exact::Tried<Answer> v = tolerance.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
+    exact::Tried<Answer> v = free.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
     if (!v) return v;
     if (!least || v->value < least->value) least = *std::move(v);
   }

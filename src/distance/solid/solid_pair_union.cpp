@@ -4,7 +4,7 @@
 // How far a body is from fitting into a union of round parts, and the farthest place where it does (solid_pair.h). The
 // places at which it lies in a single part are those of a convex A, exactly; one is decided where the search through
 // all others (union_fit.h) finds none that is better. Guarantee: else found by search, to 2^-36 of the sizes; where a
-// fit that has no tolerance to spare, and is none in a single part, may be nearer, it is refused.
+// fit of zero clearance, and is none in a single part, may be nearer, it is refused.
 // Keywords: erosion, containment.
 
 #include <cmath>

@@ -32,7 +32,7 @@ ContactBoxes::ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& 
   const space::RayBody &of_a = overlap_.a(), &of_b = overlap_.b();
   const Vector low = approx(inside ? of_a.low - of_b.low : of_a.low - of_b.high),
                high = approx(inside ? of_a.high - of_b.high : of_a.high - of_b.low);
-  // The bodies may be as large as each other: some tolerance.
+  // The bodies may be as large as each other: some more room for rounding.
   const double tolerance = margin::kAroundContacts * space::length(approx(of_b.high - of_b.low));
   const auto complete =
       askew(low - Vector{tolerance, tolerance, tolerance}, space::plus(high, {tolerance, tolerance, tolerance}));

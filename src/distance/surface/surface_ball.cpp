@@ -131,12 +131,12 @@ class BallSearch {
       return Touching{d, d > 0 ? space::scaled(1 / d, y - near_) : Vector{}};
     };
     const double most = best_ - margin::kNearerAtAll * size_;  // what is not better need not be looked at
-    const auto tolerance = tetrahedra_of_box(box.of.low, box.of.high);
+    const auto domain = tetrahedra_of_box(box.of.low, box.of.high);
     BoundaryPlace found;
     if (farthest_) {
       if (found_) rules.keep_out.push_back([&](const Vector& y) { return away(y).value + most; });
       found = farthest_allowed(
-          tolerance, rules, [&](const Vector& y) { return away(y).value; }, size_);
+          domain, rules, [&](const Vector& y) { return away(y).value; }, size_);
       found.value = -found.value;
       found.bound = -found.bound;
     } else {
@@ -145,7 +145,7 @@ class BallSearch {
           const Touching at = away(y);
           return Touching{at.value - most, at.slope};
         });
-      found = nearest_allowed(tolerance, rules, away, size_, box.key);
+      found = nearest_allowed(domain, rules, away, size_, box.key);
     }
     if (found.found && found.value < best_) {
       best_ = found.value;

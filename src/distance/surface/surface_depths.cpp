@@ -81,12 +81,12 @@ SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet
 void SurfaceDepths::build(Tree& tree, int node, std::span<Place> places) {
   Vector low = places[0].at, high = low;
   Node made;
-  made.least = made.most = places[0].tolerance;
-  for (const auto& [v, tolerance] : places) {
+  made.least = made.most = places[0].clearance;
+  for (const auto& [v, clearance] : places) {
     low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
     high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-    made.least = std::min(made.least, tolerance);
-    made.most = std::max(made.most, tolerance);
+    made.least = std::min(made.least, clearance);
+    made.most = std::max(made.most, clearance);
   }
   made.middle = space::scaled(0.5, space::plus(low, high));
   for (const Place& p : places) made.radius = std::max(made.radius, space::length(p.at - made.middle));

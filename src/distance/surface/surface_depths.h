@@ -34,10 +34,10 @@ class SurfaceDepths {
   /// And a ball about it in the solid.
   struct Place {
     space::Vector at;
-    double tolerance = 0;
+    double clearance = 0;
   };
-  /// A ball about places, and the least and the greatest of their rooms: a leaf holds one, others the two nodes from
-  /// `first` on.
+  /// A ball about places, and the least and the greatest of their clearances: a leaf holds one, others the two nodes
+  /// from `first` on.
   struct Node {
     space::Vector middle;
     double radius = 0, least = 0, most = 0;

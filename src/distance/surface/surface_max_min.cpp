@@ -34,14 +34,14 @@ Vector middle_of(const Tetrahedron& t) {
 
 class DistanceMaxMin {
  public:
-  DistanceMaxMin(const MaxMinDomain& tolerance, const SurfaceField& a) : room_(tolerance), a_(a) {
+  DistanceMaxMin(const MaxMinDomain& domain, const SurfaceField& a) : domain_(domain), a_(a) {
     best_.value = -exact::kInfinity;
-    for (const Vector& v : tolerance.corners) {
+    for (const Vector& v : domain.corners) {
       size_ = std::max(size_, space::size_of(v));
       offer_in_b(v);
     }
-    for (const Tetrahedron& t : tolerance.cells) add(t, nullptr, exact::kInfinity, {});
-    for (const RoundSolid& r : tolerance.round) add_round(r);
+    for (const Tetrahedron& t : domain.cells) add(t, nullptr, exact::kInfinity, {});
+    for (const RoundSolid& r : domain.round) add_round(r);
   }
 
   SurfaceMaxMin run() {
@@ -79,8 +79,8 @@ class DistanceMaxMin {
   }
 
   bool in_b(const Vector& x) const {
-    if (!room_.within) return true;
-    const Signed of_b = room_.within->at(x);
+    if (!domain_.within) return true;
+    const Signed of_b = domain_.within->at(x);
     return of_b.certain && of_b.value <= 0;
   }
 
@@ -99,8 +99,8 @@ class DistanceMaxMin {
   std::array<double, 4> beyond_hull(const Vector& x, const Tetrahedron& corners) const {
     const space::HalfSpace* most = nullptr;
     double value = -exact::kInfinity;
-    for (const space::HalfSpace& h : room_.planes) {
-      const double v = h.approx_value(x - room_.within->by());
+    for (const space::HalfSpace& h : domain_.planes) {
+      const double v = h.approx_value(x - domain_.within->by());
       if (v > value) {
         value = v;
         most = &h;
@@ -108,7 +108,7 @@ class DistanceMaxMin {
     }
     assert(most != nullptr);  // a hull has planes
     std::array<double, 4> out{};
-    for (std::size_t v = 0; v < 4; ++v) out[v] = most->approx_value(corners[v] - room_.within->by());
+    for (std::size_t v = 0; v < 4; ++v) out[v] = most->approx_value(corners[v] - domain_.within->by());
     return out;
   }
 
@@ -135,14 +135,14 @@ class DistanceMaxMin {
     for (const Vector& v : corner) reach = std::max(reach, space::length(v - middle));
     std::optional<std::array<double, 4>> beyond;
     if (round) beyond = round->beyond_plane(middle, corner);
-    if (!round && !room_.planes.empty()) beyond = beyond_hull(middle, corner);
+    if (!round && !domain_.planes.empty()) beyond = beyond_hull(middle, corner);
     if (beyond && *std::min_element(beyond->begin(), beyond->end()) > slack()) return;
     DistanceCell cell{corner, {}, {}, round, ceiling};
     const double known = nearest(middle, sets);
     const Signed here = offer(middle, round, known);
     cell.bound = std::min(ceiling, here.value + reach);
     if (!worth(cell.bound)) return;
-    if (!round && room_.within && room_.within->at(middle).value > reach + slack()) return;
+    if (!round && domain_.within && domain_.within->at(middle).value > reach + slack()) return;
     const double within = here.distance + 2 * reach;
     if (sets.empty()) {
       if (auto found = a_.near(middle, within, kMostNear)) cell.sets = *std::move(found);
@@ -210,7 +210,7 @@ class DistanceMaxMin {
     }
   }
 
-  const MaxMinDomain& room_;
+  const MaxMinDomain& domain_;
   const SurfaceField& a_;
   double size_ = 0;
   std::priority_queue<DistanceCell> queue_;
@@ -220,8 +220,8 @@ class DistanceMaxMin {
 
 }  // namespace
 
-SurfaceMaxMin surface_max_min(const MaxMinDomain& tolerance, const SurfaceField& a) {
-  return DistanceMaxMin(tolerance, a).run();
+SurfaceMaxMin surface_max_min(const MaxMinDomain& domain, const SurfaceField& a) {
+  return DistanceMaxMin(domain, a).run();
 }
 
 }  // namespace findspace::distance

@@ -62,6 +62,6 @@ struct MaxMinDomain {
   std::vector<space::Vector> corners;      // of B
 };
 
-SurfaceMaxMin surface_max_min(const MaxMinDomain& tolerance, const SurfaceField& a);
+SurfaceMaxMin surface_max_min(const MaxMinDomain& domain, const SurfaceField& a);
 
 }  // namespace findspace::distance

@@ -34,7 +34,7 @@ bool box_fits(const space::Body& moving, const space::Body& fixed) {
   return true;
 }
 
-Decided turned_back(Decided v, const RealVector& p) {
+Decided exchanged_back(Decided v, const RealVector& p) {
   if (!v.value) return v;
   if (v.value->nearest) v.value->nearest = space::negated(*v.value->nearest);
   exchange_roles(*v.value, p);
@@ -113,13 +113,13 @@ std::optional<Decided> SurfacePair::larger(const RealVector& p) const {
   if (!forth) return std::nullopt;
   auto other = contained(back_, Which::kMu, space::negated(p));
   if (!other) return std::nullopt;
-  other = turned_back(*std::move(other), p);
+  other = exchanged_back(*std::move(other), p);
   return forth->value->value < other->value->value ? other : forth;
 }
 
 std::optional<Decided> SurfacePair::back(Which which, const RealVector& p) const {
   auto found = contained(back_, which, space::negated(p));
-  if (found) found = turned_back(*std::move(found), p);
+  if (found) found = exchanged_back(*std::move(found), p);
   return found;
 }
 
@@ -161,7 +161,7 @@ std::optional<Decided> SurfacePair::value(Which which, const RealVector& p) cons
       return depth(forth_, p);
     case Which::kDstar: {
       auto found = depth(back_, space::negated(p));
-      if (found) found = turned_back(*std::move(found), p);
+      if (found) found = exchanged_back(*std::move(found), p);
       return found;
     }
   }

@@ -17,38 +17,38 @@ using space::Vector;
 
 namespace {
 
-void add_corners(const space::SurfaceSet& set, const Vector& by, MaxMinDomain& tolerance) {
+void add_corners(const space::SurfaceSet& set, const Vector& by, MaxMinDomain& domain) {
   for (const auto& sheet : set.sheets()) {
-    for (const space::Point& v : sheet->body.points) tolerance.corners.push_back(space::plus(exact::approx(v), by));
+    for (const space::Point& v : sheet->body.points) domain.corners.push_back(space::plus(exact::approx(v), by));
   }
 }
 
 /// The parts of B, which are polytopes and balls.
 MaxMinDomain room_of_parts(const space::Body& b, const Vector& by) {
-  MaxMinDomain tolerance;
+  MaxMinDomain domain;
   for (const space::BodyPart& part : b.parts) {
     if (part.point()) {
       const Vector center = space::plus(exact::approx(part.center), by);
-      tolerance.round.push_back({center, center, part.radius.to_double()});
+      domain.round.push_back({center, center, part.radius.to_double()});
       continue;
     }
     for (Tetrahedron& t : tetrahedra(*part.core)) {
       for (Vector& v : t) v = space::plus(v, by);
-      tolerance.cells.push_back(t);
+      domain.cells.push_back(t);
     }
   }
-  return tolerance;
+  return domain;
 }
 
 /// The balls of B, and the box about its surfaces; what lies outside these is decided by the field.
 MaxMinDomain room_of_field(const SurfaceField& field, const space::Body* hull) {
-  MaxMinDomain tolerance;
+  MaxMinDomain domain;
   for (const auto& ball : field.set().balls()) {
     const Vector center = space::plus(exact::approx(ball.center), field.by());
-    tolerance.round.push_back({center, center, ball.radius.to_double()});
+    domain.round.push_back({center, center, ball.radius.to_double()});
   }
-  tolerance.within = &field;
-  if (field.set().sheets().empty()) return tolerance;
+  domain.within = &field;
+  if (field.set().sheets().empty()) return domain;
   Vector low = exact::approx(field.set().sheets()[0]->body.low), high = low;
   for (const auto& sheet : field.set().sheets()) {
     for (const Vector& v : {exact::approx(sheet->body.low), exact::approx(sheet->body.high)}) {
@@ -56,9 +56,9 @@ MaxMinDomain room_of_field(const SurfaceField& field, const space::Body* hull) {
       high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
     }
   }
-  tolerance.cells = tetrahedra_of_box(space::plus(low, field.by()), space::plus(high, field.by()));
-  if (hull) tolerance.planes = hull->parts[0].planes();
-  return tolerance;
+  domain.cells = tetrahedra_of_box(space::plus(low, field.by()), space::plus(high, field.by()));
+  if (hull) domain.planes = hull->parts[0].planes();
+  return domain;
 }
 
 /// At a corner of B the exact distance; nothing where the place is none.
@@ -92,10 +92,10 @@ Answer SurfacePair::protrusion(const Side& side, const RealVector& p) {
   const space::SurfaceSet &b = *side.moving->surface, &a = *side.fixed->surface;
   const Vector by = space::rounded(p);
   const SurfaceField of_a(a, {}), of_b(b, by);
-  MaxMinDomain tolerance =
+  MaxMinDomain domain =
       side.moving->parts ? room_of_parts(*side.moving->parts, by) : room_of_field(of_b, side.moving->outline.get());
-  add_corners(b, by, tolerance);
-  const SurfaceMaxMin max_min = surface_max_min(tolerance, of_a);
+  add_corners(b, by, domain);
+  const SurfaceMaxMin max_min = surface_max_min(domain, of_a);
   if (max_min.complete) {
     if (auto exact = at_corner(b, a, p, max_min.place)) return *exact;
   }

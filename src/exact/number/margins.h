@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The margins of all layers above `exact`: how far a number in doubles is trusted. A double has 53 bits, so one
-// operation is off by at most 2^-53 of its result, called one rounding here. Each constant says what it covers, and
-// what it does:
+// The margins of all layers above `exact`, and of logarithms in it: how far a number in doubles is trusted. A double
+// has 53 bits, so one operation is off by at most 2^-53 of its result, called one rounding here. Each constant says
+// what it covers, and what it does:
 //   filters  what lies within the margin is looked at exactly, so the margin costs time and never a result;
 //   bounds   it is part of a stated error, or widens an interval that is stated as certain;
 //   searches it says where a search stops or what it tries first; the value found states its own error;
@@ -12,6 +12,13 @@
 #pragma once
 
 namespace findspace::margin {
+
+// ---- exact --------------------------------------------------------------------------------------------------------
+
+/// Of the logarithm of a bound, relative and absolute. One step is a difference, an exponential, a logarithm and two
+/// sums: less than 2^3 roundings. So 2^10 steps in a row lose less than this. Bounds: it is added, so that the number
+/// of bits to which a sign is computed is never too small.
+inline constexpr double kLogarithm = 0x1p-40;
 
 // ---- plane and space --------------------------------------------------------------------------------------------
 

@@ -57,16 +57,4 @@ class [[nodiscard]] Tried {
   std::variant<T, Refusal> state_;
 };
 
-/// Of an engine that still throws where it has no answer, as a search that ends without one: what `ask` gives, or its
-/// error of that code as a refusal. The only place that catches one.
-template <class Ask>
-auto tried(Ask&& ask, ErrorCode code = ErrorCode::kUnsupported) -> Tried<std::invoke_result_t<Ask>> {
-  try {
-    return ask();
-  } catch (const Error& e) {
-    if (e.code() != code) throw;
-    return Refusal(e);
-  }
-}
-
 }  // namespace findspace::exact

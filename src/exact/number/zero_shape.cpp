@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/number/margins.h"
+
 namespace findspace::exact::detail {
 
 namespace {
 
 /// No less than the logarithm, whatever its computation lost.
-double over_rounding(double bits) { return bits + std::abs(bits) * 0x1p-40 + 0x1p-40; }
+double over_rounding(double bits) { return bits + std::abs(bits) * margin::kLogarithm + margin::kLogarithm; }
 
 double bits_of(const mpz_class& z) { return sgn(z) == 0 ? 0 : double(mpz_sizeinbase(z.get_mpz_t(), 2)); }
 

@@ -43,6 +43,7 @@ struct Distance {
   std::vector<std::string> first, second;
   std::string vector_text;                // "(1, 0)": the vector as it is printed; exact, no part of the value
   const DistanceName* spelled = nullptr;  // the word of its writer, where there is one; no part of the value
+  bool turning = false;                   // so its writer calls kRotation, not "rotating"; no part of the value
 
   friend bool operator==(const Distance& a, const Distance& b) {
     return a.kind == b.kind && a.prefix == b.prefix && a.mode == b.mode && a.first == b.first && a.second == b.second &&

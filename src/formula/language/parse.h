@@ -8,7 +8,8 @@
 //     neg        := "not" neg | "(" formula ")" | atom
 //     atom       := distance REL number | number REL distance [REL number] | distance "->" "min"
 //                 | "argmin" "(" distance ")" | predicate | "true" | "false"
-//     distance   := ["inf" | "sup"] WORD "(" shapes "," shapes ["," ("along" | "toward" | "rotating") "=" vector] ")"
+//     distance   := ["inf" | "sup"] WORD "(" shapes "," shapes ["," mode "=" vector] ")"
+//     mode       := "along" | "toward" | "rotating" | "turning"
 //     predicate  := WORD "(" shapes "," shapes ["," number] ")"
 //     shapes     := shape ("+" shape)*         shape := NAME | "quoted name"
 //     vector     := "(" number "," number ["," number] ")"

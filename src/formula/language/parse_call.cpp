@@ -20,6 +20,7 @@ struct Call {
   Span mode_span;
   std::vector<exact::Real> vector;
   std::string vector_text;
+  bool turning = false;
 };
 
 namespace {
@@ -156,6 +157,7 @@ Term CallReader::distance() {
   result.mode = arguments.mode;
   result.vector = std::move(arguments.vector);
   result.vector_text = std::move(arguments.vector_text);
+  result.turning = arguments.turning;
   result.first = std::move(arguments.first);
   result.second = std::move(arguments.second);
   if (row->exchanged) std::swap(result.first, result.second);
@@ -246,13 +248,14 @@ void CallReader::direction(Call& call, std::string_view word, bool is_predicate)
     call.mode = Mode::kAlong;
   } else if (key == "toward") {
     call.mode = Mode::kToward;
-  } else if (key == "turning") {
+  } else if (key == "rotating" || key == "turning") {  // the second is the older word
     call.mode = Mode::kRotation;
+    call.turning = key == "turning";
   } else {
-    const std::vector<std::string> keys{"along", "toward", "turning"};
+    const std::vector<std::string> keys{"along", "toward", "rotating"};
     const std::string near = question(key, keys);
     cursor_.fail(ErrorCode::kUnknownName, call.mode_span, "unknown argument '{}='{}", printable(key),
-                 near.empty() ? "; known are along, toward and turning" : near);
+                 near.empty() ? "; known are along, toward and rotating" : near);
   }
   if (call.mode == Mode::kRotation && context_.dimension != 2) {
     cursor_.fail(ErrorCode::kUnsupported, call.mode_span,

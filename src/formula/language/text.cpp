@@ -20,14 +20,14 @@ std::string shapes_text(const std::vector<std::string>& shapes) {
   return result;
 }
 
-std::string_view word(Mode mode) {
-  switch (mode) {
+std::string_view mode_word(const Distance& distance) {
+  switch (distance.mode) {
     case Mode::kAlong:
       return "along";
     case Mode::kToward:
       return "toward";
     case Mode::kRotation:
-      return "turning";
+      return distance.turning ? "turning" : "rotating";
     case Mode::kPlain:
       break;
   }
@@ -84,7 +84,7 @@ std::string distance_text(const Distance& distance, std::string_view word_of_it)
   if (distance.prefix != Extremum::kNone) result = distance.prefix == Extremum::kInf ? "inf " : "sup ";
   result += word_of_it;
   result += fmt::format("({}, {}", shapes_text(distance.first), shapes_text(distance.second));
-  if (distance.mode != Mode::kPlain) result += fmt::format(", {}={}", word(distance.mode), distance.vector_text);
+  if (distance.mode != Mode::kPlain) result += fmt::format(", {}={}", mode_word(distance), distance.vector_text);
   return result + ")";
 }
 

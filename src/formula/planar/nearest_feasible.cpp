@@ -90,9 +90,10 @@ std::optional<NearestFeasible> nearest_by_contact(const PreparedWorld& world, co
 
 }  // namespace
 
-std::optional<NearestFeasible> nearest_feasible_to(const PreparedWorld& world, const Formula& formula,
-                                                   const RealPoint& p) {
+exact::Tried<std::optional<NearestFeasible>> nearest_feasible_to(const PreparedWorld& world, const Formula& formula,
+                                                                 const RealPoint& p) {
   if (auto found = nearest_by_contact(world, formula, p)) return found;
+  if (const auto why = between_bounds(world, formula)) return *why;
   plane::Region region = feasible(world, formula), closed = plane::closure(region);
   auto in = [](Mark m) { return m > 0; };
   auto here = mark_of(closed, locate(closed, p)) > 0;

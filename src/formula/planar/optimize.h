@@ -13,20 +13,12 @@
 
 #include "distance/planar_least/extremum.h"
 #include "formula/language/formula.h"
+#include "formula/language/optimum.h"
 #include "formula/planar/solve.h"
 
 namespace findspace::formula {
 
-struct Optimum {
-  /// Nothing where there is no finite one: the region is empty, or unbounded in this sense, or the distance undefined.
-  std::optional<exact::Real> value;  // in the scene's unit: of the objective
-  bool unbounded = false;            // no bound in this sense
-  bool attained = false;             // by a position of the region; else it is an infimum (supremum)
-  bool proven = false;
-  double bound = 0,
-         within = 0;  // where not proven (distance/planar_least/extremum.h), in the scene's unit; infinite: not known
-  plane::Region at;   // the positions (in grid steps): of the region, or of its closure if not attained
-};
+using Optimum = OptimumOf<plane::Region>;
 
 Optimum optimize(const plane::Region& region, const Objective& objective, distance::Sense sense, const Solver& solver);
 

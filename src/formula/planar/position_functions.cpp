@@ -33,21 +33,35 @@ std::shared_ptr<const SignedDistance> directional_base(const PreparedWorld& worl
       world.pair(r.names)->pair().distance(signed_base(r.wanted.kind)));
 }
 
+namespace {
+
+std::optional<exact::Refusal> rotation_refused(const Distance& d) {
+  if (d.mode != Mode::kRotation) return std::nullopt;
+  return refused(d, "distances in rotation are known between bounds only, and have no exact region here");
+}
+
+}  // namespace
+
+std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const Distance& wanted) {
+  const Roles r = world.roles(wanted);
+  if (r.rotating) return refused(wanted, "shapes that rotate in time have no exact region here");
+  return rotation_refused(r.wanted);
+}
+
 PositionFunctionPointer function_at_rest(const PreparedWorld& world, const Roles& r) {
   const Distance& d = r.wanted;
   if (d.mode == Mode::kPlain) return plain_distance(world, r);
-  if (d.mode == Mode::kRotation)
-    refuse(d, "distances in rotation are known between bounds only, and have no exact region here");
+  if (const auto why = rotation_refused(d)) throw why->error;
   const plane::SignMap& map = directional_base(world, r)->base();
   if (is_farthest(d.kind)) return std::make_shared<distance::DirectionalFarthest>(map, direction(d));
   return std::make_shared<distance::DirectionalSigned>(map, direction(d));
 }
 
 PositionFunctionPointer position_function(const PreparedWorld& world, const Distance& wanted) {
+  if (const auto why = between_bounds(world, wanted)) throw why->error;
   const Roles r = world.roles(wanted);
   const World& scene = world.world();
   if (!scene.motion.given()) return function_at_rest(world, r);
-  if (r.rotating) refuse(wanted, "shapes that rotate in time have no exact region here");
   if (scene.instant && wanted.prefix == Extremum::kNone)
     return distance::at_instant(function_at_rest(world, r), position_at(r.path, *scene.instant));
   if (r.wanted.mode != Mode::kPlain)

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "distance/planar/shape_pair.h"
@@ -15,6 +16,8 @@
 
 namespace findspace::formula {
 
+/// Why a distance is known between bounds only, if it is.
+std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const Distance& wanted);
 /// The function that a distance means, over time or at the world's instant too.
 distance::PositionFunctionPointer position_function(const PreparedWorld& world, const Distance& wanted);
 /// The same without the motion.

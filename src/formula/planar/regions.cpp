@@ -142,6 +142,14 @@ plane::Region region_of(const Formula& formula, const std::vector<plane::SignMap
   return region;
 }
 
+std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const Formula& formula) {
+  for (const SignMap& asked : formula.sign_maps()) {
+    if (asked.minimum) continue;  // the least value has positions
+    if (auto why = between_bounds(world, plain_level(asked).distance)) return why;
+  }
+  return std::nullopt;
+}
+
 plane::Region feasible(const PreparedWorld& world, const Formula& formula) {
   return region_of(formula, sign_maps(world, formula));
 }

@@ -8,6 +8,8 @@
 // configuration space, formula.
 #pragma once
 
+#include <optional>
+
 #include "formula/planar/prepared_world.h"
 #include "formula/planar/region_bounds.h"
 
@@ -21,7 +23,9 @@ plane::SignMap observed(const SignMap& wanted, plane::SignMap map);
 /// {p : the formula holds at p}, of its sign maps in order. The overlay and the region are given to the observer.
 plane::Region region_of(const Formula& formula, const std::vector<plane::SignMap>& maps);
 
-/// {p : the formula holds at p}. Throws Error(kUnsupported) for distances this version does not compute.
+/// Why the region of the formula is known between bounds only, if it is.
+std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const Formula& formula);
+/// {p : the formula holds at p}. Throws Error(kUnsupported) where it is known between bounds only.
 plane::Region feasible(const PreparedWorld& world, const Formula& formula);
 /// For shapes that rotate in time and distances in rotation, over the time of a motion too: positions that certainly
 /// and that possibly belong to feasible(formula).

@@ -8,7 +8,6 @@
 #include "distance/rotation/rotated_directional.h"
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotation.h"
-#include "exact/number/tried.h"
 #include "formula/language/evaluate.h"
 #include "plane/base/real_vector.h"
 
@@ -113,9 +112,7 @@ RotationMap RotationMaps::sign_map(const SignMap& wanted) const {
   }
   if (is_directional(d)) return directional_map(d, wanted.level / world_.step());
   const PairAndDistance t = rotated_pair(*this, d);
-  auto map = exact::tried([&] { return t.pair.sign_map(t.which, wanted.level / world_.step()); });
-  if (!map) refuse(d, map.refusal().error.message());
-  return *std::move(map);
+  return t.pair.sign_map(t.which, wanted.level / world_.step());
 }
 
 RotationMap RotationMaps::feasible(const Formula& formula) const {

@@ -35,7 +35,8 @@ std::vector<DistanceAt> Solver::measure(const RealPoint& p, const Formula& formu
   return measure_at(prepared_, prepared_.steps(p), formula);
 }
 
-std::optional<NearestFeasible> Solver::nearest_feasible(const Formula& formula, const RealPoint& p) const {
+exact::Tried<std::optional<NearestFeasible>> Solver::nearest_feasible(const Formula& formula,
+                                                                      const RealPoint& p) const {
   return nearest_feasible_to(prepared_, formula, prepared_.steps(p));
 }
 

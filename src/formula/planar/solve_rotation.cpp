@@ -9,7 +9,6 @@
 
 #include "distance/rotation/rotation.h"
 #include "exact/number/margins.h"
-#include "exact/number/tried.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
@@ -130,13 +129,10 @@ AtomAt RotationSolver::check_plain(const RotationMaps& maps, const Formula& whol
   const Atom& atom = whole.atoms()[index];
   AtomAt out = rotated_solver().check(Formula(atom), pose_.at).atoms.at(0);
   if (is_quarters(pose_.degrees) || atom.minimum || atom.distance.mode == Mode::kRotation) return out;
-  // The truth from the exact circle, where there is one: rounding must not decide a contact.
-  const auto sign = exact::tried([&] {
-    const RotationMap map = maps.sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
-    return mark_at(map, Angle::of_degrees(pose_.degrees));
-  });
-  if (!sign) return out;
-  out.holds = holds(atom, *sign);
+  if (atom.distance.prefix != Extremum::kNone) return out;  // over time there is no circle
+  // The truth from the exact circle: rounding must not decide a contact.
+  const RotationMap map = maps.sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
+  out.holds = holds(atom, mark_at(map, Angle::of_degrees(pose_.degrees)));
   out.way = distance::Way::kAngles;
   return out;
 }

@@ -4,7 +4,6 @@
 
 #include "distance/rays/value_rays.h"
 #include "distance/surface/surface_pair.h"
-#include "findspace/error.h"
 
 namespace findspace::formula {
 
@@ -43,9 +42,9 @@ space::RaySourcePointer contact_rays(distance::Which which, const space::RaySoli
   // Beyond this the bodies are farther apart than the level, and every distance is more than that.
   const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
   const auto pair = std::make_shared<const SurfacePair>(of_b, of_a);
-  const distance::RayRule rule = [pair, which, level](const RealVector& p) -> std::optional<Between> {
+  const distance::RayRule rule = [pair, which, level](const RealVector& p) -> distance::TriedBetween {
     const auto found = pair->value(which, p);
-    if (!found) throw Error(ErrorCode::kUnsupported, "where two surfaces touch was not found within the limit");
+    if (!found) return exact::Refusal("where two surfaces touch was not found within the limit");
     if (!found->value) return std::nullopt;
     const double gap = (found->value->value - level).to_double(), error = found->value->error;
     return Between{gap - error, gap + error, ball(which, *found->value, level)};

@@ -5,9 +5,9 @@
 // less C iff it lies in A and its interior does not meet that of C, and in that of A and A' iff it lies in both; so
 // also with t to spare, for t >= 0:
 //     eta1(B, A \ C) <= -t  iff  eta1(B, A) <= -t  and  gamma1(B, C) >= t,
-// and strictly likewise (distances.md 1.4, of sets that are closures of their interiors). So rooms with round obstacles
-// have sign maps up to level 0 though they have no convex parts. Guarantee: exact. Keywords: constructive solid
-// geometry, configuration space.
+// and strictly likewise (distances.md 1.4, of sets that are closures of their interiors). So containers with round
+// obstacles have sign maps up to level 0 though they have no convex parts. Guarantee: exact. Keywords: constructive
+// solid geometry, configuration space.
 #pragma once
 
 #include <vector>

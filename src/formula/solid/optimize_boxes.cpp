@@ -38,7 +38,7 @@ Best nearest_points(Boxes boxes, const RealVector& p) {
     if (dot(e, e) != square) continue;
     points.push_back({{{r[0], r[0], true, true}, {r[1], r[1], true, true}, {r[2], r[2], true, true}}});
   }
-  return {sqrt(square), BoxComplex::of_boxes(points), false};
+  return {sqrt(square), BoxComplex::of_boxes(points).checked().or_throw(), false};
 }
 
 /// The plane across axis @p k through the last points along it.
@@ -64,7 +64,8 @@ std::optional<std::size_t> axis_of(Objective::Kind kind) {
 
 }  // namespace
 
-SpaceOptimum optimize(const BoxComplex& region, const Real& step, const Objective& objective, distance::Sense sense) {
+OptimumOf<BoxComplex> optimize(const BoxComplex& region, const Real& step, const Objective& objective,
+                               distance::Sense sense) {
   const bool greatest = sense == distance::Sense::kMaximum;
   const std::vector<space::IntervalBox> boxes = region.boxes();
   const auto axis = axis_of(objective.kind);
@@ -74,13 +75,15 @@ SpaceOptimum optimize(const BoxComplex& region, const Real& step, const Objectiv
   if (!axis)
     for (std::size_t k = 0; k < 3; ++k) p[k] = objective.point.at(k) / step;
   const Best best = axis ? last_plane(boxes, *axis, greatest) : nearest_points(boxes, p);
-  SpaceOptimum out;
+  OptimumOf<BoxComplex> out;
   out.unbounded = best.unbounded;
   if (!best.value) return out;
   out.value = *best.value * step;
   const auto within = [&](const BoxComplex& set) {
     return overlay(std::array<const BoxComplex*, 2>{&set, &best.at},
                    [](std::span<const Mark> m) { return Mark(m[0] && m[1]); })
+        .checked()
+        .or_throw()
         .simplified();
   };
   out.at = within(region);

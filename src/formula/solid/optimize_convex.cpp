@@ -30,13 +30,13 @@ ConvexRegion end_of(ConvexRegion region, std::size_t axis, bool greatest, Real& 
 
 }  // namespace
 
-std::optional<ConvexOptimum> optimize(const space::ConvexSet& set, const Real& step, const Objective& objective,
-                                      distance::Sense sense) {
+std::optional<OptimumOf<space::ConvexSet>> optimize(const space::ConvexSet& set, const Real& step,
+                                                    const Objective& objective, distance::Sense sense) {
   const bool greatest = sense == distance::Sense::kMaximum;
   const bool solid = set.region.dimension() == 3, held = set.frontier || (solid && set.inside);
   if (set.outside || set.radius.sign() > 0) return std::nullopt;
   // A frontier alone has the extrema of the whole.
-  ConvexOptimum out{std::nullopt, false, false, {ConvexRegion({}, {}), false, true, false, {}}};
+  OptimumOf<space::ConvexSet> out{{}, {ConvexRegion({}, {}), false, true, false, {}}};
   if (set.region.empty() || !held) {
     out.at.frontier = false;
     return out;

@@ -9,20 +9,16 @@
 
 #include "distance/planar_least/extremum.h"
 #include "formula/language/formula.h"
+#include "formula/language/optimum.h"
 #include "formula/planar/optimize.h"
 #include "space/box/convex_set.h"
 
 namespace findspace::formula {
 
-struct ConvexOptimum {
-  std::optional<exact::Real> value;  // in the scene's unit; none where the set is empty, or goes on for ever
-  bool unbounded = false, attained = false;
-  space::ConvexSet at;
-};
-
-/// Nothing where the extremal positions are no polytope, or not those of the convex set: of grown sets, of complements.
-/// `step`: one unit of the coordinates in the scene's unit.
-std::optional<ConvexOptimum> optimize(const space::ConvexSet& set, const exact::Real& step, const Objective& objective,
-                                      distance::Sense sense);
+/// The value is none where the set is empty, or goes on for ever. Nothing where the extremal positions are no polytope,
+/// or not those of the convex set: of grown sets, of complements. `step`: one unit of the coordinates in the scene's
+/// unit.
+std::optional<OptimumOf<space::ConvexSet>> optimize(const space::ConvexSet& set, const exact::Real& step,
+                                                    const Objective& objective, distance::Sense sense);
 
 }  // namespace findspace::formula

@@ -10,16 +10,13 @@
 
 #include "distance/planar_least/extremum.h"
 #include "formula/language/formula.h"
+#include "formula/language/optimum.h"
 #include "formula/solid/solve_space.h"
 #include "plane/query/locate_line.h"
 
 namespace findspace::formula {
 
-struct LineOptimum {
-  std::optional<exact::Real> value;  // in the scene's unit
-  bool unbounded = false, attained = false;
-  std::vector<plane::LineInterval> at;  // if not attained, of the closure
-};
+using LineOptimum = OptimumOf<std::vector<plane::LineInterval>>;
 
 /// `set`: by the length from `line.through`, in grid steps of `step`.
 LineOptimum optimize(const std::vector<plane::LineInterval>& set, const SpaceLine& line, const exact::Real& step,

@@ -13,6 +13,7 @@ namespace findspace::formula {
 
 using distance::Which;
 using exact::Real;
+using exact::Tried;
 using space::RayGrid;
 using space::RaySolid;
 using Source = space::RaySourcePointer;
@@ -85,14 +86,17 @@ Source corners_near(const space::Body& b, const space::Triangles& a, const Real&
 }
 
 /// How far a polyhedron of few corners protrudes from one that is not convex.
-Source protrusion(const TouchingSolid& b, const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
+Tried<Source> protrusion(const TouchingSolid& b, const std::vector<RaySolid>& a, const Real& level,
+                         const RayGrid& grid) {
   if (a.size() != 1 || a[0].ball()) return nullptr;
   for (const RaySolid& s : b.solids) {
     if (s.ball()) return nullptr;
     const std::size_t pairs = s.surface.faces.size() * a[0].surface.faces.size();
     if (pairs <= kFewPairs || pairs > kMostPairs) return nullptr;
   }
-  const space::Body body = b.body();
+  const Tried<space::Body> made = b.body();
+  if (!made) return made.refusal();
+  const space::Body& body = *made;
   if (body.scale != 1 || body.round() || body.outside) return nullptr;
   const Real shift = Real::from_double(distance::ProtrusionRays::kCertain) * Real(exact::kRayLimit);
   if (level < shift) return nullptr;
@@ -102,7 +106,7 @@ Source protrusion(const TouchingSolid& b, const std::vector<RaySolid>& a, const 
 }
 
 /// A in B + p is -A + p in -B.
-Source protrusion_back(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
+Tried<Source> protrusion_back(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
   std::vector<RaySolid> moving = a.solids, fixed = b.solids;
   for (std::vector<RaySolid>* all : {&moving, &fixed}) {
     for (RaySolid& s : *all) {
@@ -110,46 +114,54 @@ Source protrusion_back(const TouchingSolid& b, const TouchingSolid& a, const Rea
       s.center = -s.center;
     }
   }
-  return protrusion({moving, [&] { return space::mirrored(a.body()); }}, fixed, level, grid);
+  const auto mirrored = [&]() -> Tried<space::Body> {
+    Tried<space::Body> made = a.body();
+    return made ? space::mirrored(*std::move(made)) : std::move(made);
+  };
+  return protrusion({moving, mirrored}, fixed, level, grid);
 }
 
 /// The greatest of both; what needs no search is asked first, and rows without a place that it allows no more.
-SurfaceRays hausdorff(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
+Tried<SurfaceRays> hausdorff(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
   std::vector<Source> both;
   const bool back_first = convex(b.solids);
   for (const Which way : {back_first ? Which::kMuBack : Which::kMu, back_first ? Which::kMu : Which::kMuBack}) {
-    SurfaceRays some = solid_rays(way, b, a, level, grid);
-    if (some.sources.empty()) return {};
-    both.push_back(as_source(std::move(some)));
+    Tried<SurfaceRays> some = solid_rays(way, b, a, level, grid);
+    if (!some || some->sources.empty()) return some;
+    both.push_back(as_source(*std::move(some)));
   }
   return SurfaceRays::of(space::greatest_rays(std::move(both)));
 }
 
+Tried<SurfaceRays> one(Tried<Source> source) {
+  if (!source) return source.refusal();
+  return SurfaceRays::of(*std::move(source));
+}
+
 }  // namespace
 
-SurfaceRays solid_rays(Which which, const TouchingSolid& b, const TouchingSolid& a, const Real& level,
-                       const RayGrid& grid) {
+Tried<SurfaceRays> solid_rays(Which which, const TouchingSolid& b, const TouchingSolid& a, const Real& level,
+                              const RayGrid& grid) {
   if (const auto base = cut_off(which)) {
     if (level.sign() < 0) return SurfaceRays::of(space::constant_rays(grid, 1));
-    SurfaceRays rays = solid_rays(base->which, b, a, base->negated ? -level : level, grid);
-    if (rays.sources.empty()) return rays;
-    return SurfaceRays::of(space::cut_off_rays(as_source(std::move(rays)), base->negated, level));
+    Tried<SurfaceRays> rays = solid_rays(base->which, b, a, base->negated ? -level : level, grid);
+    if (!rays || rays->sources.empty()) return rays;
+    return SurfaceRays::of(space::cut_off_rays(as_source(*std::move(rays)), base->negated, level));
   }
   if (which == Which::kHausdorff) return hausdorff(b, a, level, grid);
-  if (which == Which::kDiameter) return {};
+  if (which == Which::kDiameter) return SurfaceRays();
   const bool protrudes = which == Which::kMu || which == Which::kMuBack;
   if (protrudes && level.sign() > 0) {
     if (auto rays = protrusion_of_convex(which, b.solids, a.solids, level, grid))
       return SurfaceRays::of(std::move(rays));
-    return SurfaceRays::of(which == Which::kMu ? protrusion(b, a.solids, level, grid)
-                                               : protrusion_back(b, a, level, grid));
+    return one(which == Which::kMu ? protrusion(b, a.solids, level, grid) : protrusion_back(b, a, level, grid));
   }
   if (which == Which::kMuBack) which = Which::kDelta1;
   SurfaceRays rays;
   if (which != Which::kEta2 && which != Which::kDelta2) rays = surface_rays(which, b.solids, a.solids, level, grid);
   if (!rays.sources.empty()) return rays;
-  return SurfaceRays::of(touching_rays(
-      which, b, a, level, grid, [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
+  return one(touching_rays(which, b, a, level, grid,
+                           [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
 }
 
 Source as_source(SurfaceRays rays) {

@@ -16,8 +16,8 @@
 namespace findspace::formula {
 
 /// The level in grid steps. No sources: surfaces do not answer, or are not the quick way.
-SurfaceRays solid_rays(distance::Which which, const TouchingSolid& b, const TouchingSolid& a, const exact::Real& level,
-                       const space::RayGrid& grid);
+exact::Tried<SurfaceRays> solid_rays(distance::Which which, const TouchingSolid& b, const TouchingSolid& a,
+                                     const exact::Real& level, const space::RayGrid& grid);
 
 /// All in one; not of no sources.
 space::RaySourcePointer as_source(SurfaceRays rays);

@@ -76,10 +76,8 @@ Tried<space::RaySourcePointer> by_parts(const RayWorld& world, const SignMap& ma
   const space::Body b = space::at_scale(*moving, scale), a = space::at_scale(*fixed, scale);
   const distance::Which base = which(d.kind, second);
   const Real level = map.level / world.step * Real(scale);
-  return exact::tried([&]() -> space::RaySourcePointer {
-    if (!is_directional(d)) return distance::ray_sign_map(base, level, b, a, grid);
-    return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
-  });
+  if (!is_directional(d)) return distance::ray_sign_map(base, level, b, a, grid);
+  return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
 }
 
 Tried<SurfaceRays> parts(const RayWorld& world, const SignMap& map, const RayGrid& grid);
@@ -124,9 +122,7 @@ Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map,
   CsgShapes cut = csg_shapes(*b, *a);
   if (!cut.pair) return nullptr;
   const Real level = map.level / world.step * Real(cut.scale);
-  return exact::tried([&]() -> space::RaySourcePointer {
-    return distance::cut_map(which(d.kind, second), level, std::move(cut.pair), cut.scale, grid);
-  });
+  return distance::cut_map(which(d.kind, second), level, std::move(cut.pair), cut.scale, grid);
 }
 
 /// Whether the direction is that of the lines, or the opposite one.
@@ -155,7 +151,7 @@ Tried<space::RaySourcePointer> along_lines(const RayWorld& world, const SignMap&
   Tried<SurfaceRays> made = parts(world, zero, grid);
   if (!made) return made.refusal();
   auto rays = std::make_shared<SurfaceRays>(*std::move(made));
-  return std::make_unique<distance::RayRuns>([rays](int j) { return rays->row(j); }, rays->searched(), query,
+  return std::make_unique<distance::RayRuns>([rays](int j) { return rays->try_row(j); }, rays->searched(), query,
                                              map.level / world.step * Real(grid.parts), grid);
 }
 
@@ -167,10 +163,8 @@ Tried<SurfaceRays> by_surfaces(const RayWorld& world, const SignMap& map, const 
   const std::vector<std::string>&moving = second ? d.second : d.first, &fixed = second ? d.first : d.second;
   const auto b = solids(world, moving), a = solids(world, fixed);
   if (!b || !a) return SurfaceRays();
-  return exact::tried([&] {
-    return solid_rays(which(d.kind, second), {*b, [&] { return body(world, moving).or_throw(); }},
-                      {*a, [&] { return body(world, fixed).or_throw(); }}, map.level / world.step, grid);
-  });
+  return solid_rays(which(d.kind, second), {*b, [&] { return body(world, moving); }},
+                    {*a, [&] { return body(world, fixed); }}, map.level / world.step, grid);
 }
 
 /// By the convex parts of the shapes, or else by what a shape without such is made of.
@@ -206,21 +200,19 @@ class RegionRays : public RaySource {
   RegionRays(std::vector<SurfaceRays> maps, const Formula& formula, const RayGrid& grid)
       : formula_(formula), grid_(grid), maps_(std::move(maps)) {}
   const RayGrid& grid() const override { return grid_; }
-  RayRow row(int j) const override {
+  Tried<RayRow> try_row(int j) const override {
     std::vector<RayRow> rows;
-    for (std::size_t k = 0; k < maps_.size(); ++k) rows.push_back(named_row(k, j));
+    for (std::size_t k = 0; k < maps_.size(); ++k) {
+      Tried<RayRow> row = maps_[k].try_row(j);
+      if (!row) return row.refusal().within(written(formula_.sign_maps()[k].distance));
+      rows.push_back(*std::move(row));
+    }
     return space::combined(rows, [&](std::span<const std::int8_t> signs) {
       return static_cast<std::int8_t>(evaluate(formula_, signs) ? -1 : 1);
     });
   }
 
  private:
-  RayRow named_row(std::size_t k, int j) const {
-    auto row = exact::tried([&] { return maps_[k].row(j); });
-    if (!row) throw row.refusal().within(written(formula_.sign_maps()[k].distance)).error;
-    return *std::move(row);
-  }
-
   const Formula& formula_;
   RayGrid grid_;
   std::vector<SurfaceRays> maps_;
@@ -278,10 +270,9 @@ struct FirstRow {
 Tried<FirstRow> first_row(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   Tried<SurfaceRays> source = parts(world, map, grid);
   if (!source) return source.refusal();
-  return exact::tried([&] {
-    RayRow row = source->row(0);
-    return FirstRow{*std::move(source), std::move(row)};
-  });
+  Tried<RayRow> row = source->try_row(0);
+  if (!row) return row.refusal();
+  return FirstRow{*std::move(source), *std::move(row)};
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ SpaceRegion region_of_boxes(const SpaceSolver& solver, const Formula& formula, c
   out.way = Way::kBoxes;
   out.boxes = std::move(boxes);
   if (query.objective) {
-    SpaceOptimum best = optimize(out.boxes, solver.world().step, *query.objective, query.sense);
+    auto best = optimize(out.boxes, solver.world().step, *query.objective, query.sense);
     out.boxes = std::move(best.at);
-    out.extreme = RegionExtreme{best.value, best.unbounded, best.attained};
+    out.extreme = best;
   } else if (const auto least = solver.minimum_of(formula)) {
-    out.extreme = RegionExtreme{least->value, false, least->attained};
+    out.extreme = *least;
   }
   return out;
 }
@@ -40,7 +40,7 @@ SpaceRegion region_of_convex(SpaceSolver::ConvexMap map, const RegionQuery& quer
     auto best = optimize(map.set, map.step, *query.objective, query.sense);
     if (!best) return out;
     map.set = std::move(best->at);
-    out.extreme = RegionExtreme{best->value, best->unbounded, best->attained};
+    out.extreme = *best;
   } else if (query.flat && map.set.radius.sign() > 0) {
     return out;
   }
@@ -53,7 +53,7 @@ SpaceRegion region_of_convex(SpaceSolver::ConvexMap map, const RegionQuery& quer
 bool bent_inward(const plane::Shape& shape) {
   const auto solids = space::try_ray_solids(shape);
   if (!solids || solids->size() != 1 || solids->front().ball()) return false;
-  const auto body = exact::tried([&] { return space::RayBody(solids->front().surface); }, ErrorCode::kGeometry);
+  const auto body = space::RayBody::of(solids->front().surface);
   return body &&
          std::any_of(body->edges.begin(), body->edges.end(), [](const space::RayEdge& e) { return e.bend < 0; });
 }
@@ -92,9 +92,8 @@ SpaceRegion solve_region(const SpaceSolver& solver, const Formula& formula, cons
 ExactShape exact_shape(const plane::Shape& shape, bool flat) {
   ExactShape out;
   if (bent_inward(shape)) {
-    auto boxes = exact::tried([&] { return space::box_complex(shape); });
-    if (!boxes || !*boxes) return out;
-    out.shape.boxes = *std::move(boxes);
+    out.shape.boxes = space::box_complex(shape);
+    if (!out.shape.boxes) return out;
   } else if (auto made = try_space_shape(shape)) {
     out.shape = *std::move(made);
   }

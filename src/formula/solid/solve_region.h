@@ -22,17 +22,11 @@ struct RegionQuery {
   bool flat = false;  // the boundary is wanted as flat faces
 };
 
-/// The value of the objective, or of the formula's `-> min`.
-struct RegionExtreme {
-  std::optional<exact::Real> value;  // in the scene's unit
-  bool unbounded = false, attained = false;
-};
-
 struct SpaceRegion {
   distance::Way way = distance::Way::kLines;  // kBoxes, kConvex, or lines have to give it
   space::BoxComplex boxes;                    // in grid steps
   std::optional<SpaceSolver::ConvexMap> convex;
-  std::optional<RegionExtreme> extreme;
+  std::optional<OptimalValue> extreme;  // of the objective, or of the formula's `-> min`
 };
 
 /// The positions of the formula, the best ones of an objective.

@@ -102,8 +102,7 @@ Tried<BoxComplex> sign_map(const PreparedSpace& prepared, const SignMap& wanted)
   if (!n) return n.refusal();
   const Tried<const BoxPair*> boxes = n->pair->boxes();
   if (!boxes) return boxes.refusal().within(written(wanted.distance));
-  const auto on_grid = exact::tried([&] { return (*boxes)->sign_map(n->which, wanted.level / prepared.world.step); });
-  const Tried<BoxComplex> map = on_grid ? *on_grid : Tried<BoxComplex>(on_grid.refusal());
+  const Tried<BoxComplex> map = (*boxes)->sign_map(n->which, wanted.level / prepared.world.step);
   if (!map) return map.refusal().within(written(wanted.distance));
   observe_boxes("signs",
                 fmt::format("positions where the sign of {} minus {:.9g} is not that of far ones",
@@ -268,12 +267,11 @@ Tried<BoxComplex> SpaceSolver::try_feasible(const Formula& formula) const {
   }
   std::vector<const BoxComplex*> operands;
   for (const BoxComplex& m : maps) operands.push_back(&m);
-  return exact::tried([&] {
-    const BoxComplex cells =
-        overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
-    observe_boxes("cells", "cells of the region, or of its complement where that is bounded", cells);
-    return cells.simplified();
-  });
+  const Tried<BoxComplex> cells =
+      overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); }).checked();
+  if (!cells) return cells;
+  observe_boxes("cells", "cells of the region, or of its complement where that is bounded", *cells);
+  return cells->simplified();
 }
 
 BoxComplex SpaceSolver::feasible(const Formula& formula) const { return try_feasible(formula).or_throw(); }
@@ -304,10 +302,10 @@ SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const Space
   return {overlay_sections(all, rule), side_of_search(formula, searched)};
 }
 
-std::optional<SpaceOptimum> SpaceSolver::minimum_of(const Formula& formula) const {
+std::optional<OptimumOf<BoxComplex>> SpaceSolver::minimum_of(const Formula& formula) const {
   for (const SignMap& m : formula.sign_maps()) {
     if (!m.minimum) continue;
-    SpaceOptimum out;
+    OptimumOf<BoxComplex> out;
     // An infimum that no position takes is decided as well.
     if (is_directional(m.distance)) {
       if (const auto infimum = directional_least(*space_, m.distance).or_throw())

@@ -20,6 +20,7 @@
 #include "distance/solid/box_pair.h"
 #include "distance/solid/solid_least.h"
 #include "formula/language/formula.h"
+#include "formula/language/optimum.h"
 #include "formula/language/position_answers.h"
 #include "formula/solid/lazy_body.h"
 #include "formula/solid/side.h"
@@ -52,12 +53,6 @@ struct SpaceWorld {
   std::vector<std::string> moving;
   exact::Real step;                      // one grid step in the scene's unit
   std::shared_ptr<const RayWorld> rays;  // for signs where values are not computed; may be null
-};
-
-struct SpaceOptimum {
-  std::optional<exact::Real> value;  // in the scene's unit
-  bool unbounded = false, attained = false;
-  space::BoxComplex at;
 };
 
 /// In grid steps; the direction is not zero.
@@ -95,7 +90,7 @@ class SpaceSolver {
   /// Where the formula holds along a line: marks 1, and 0 elsewhere, by the length gone from `through`, in grid steps.
   OnLine feasible_on(const Formula& formula, const SpaceLine& line) const;
   /// The first `distance -> min` of the formula, if it has one.
-  std::optional<SpaceOptimum> minimum_of(const Formula& formula) const;
+  std::optional<OptimumOf<space::BoxComplex>> minimum_of(const Formula& formula) const;
   /// The least value of a distance over all positions, as far as it is known; nothing where it is undefined. In the
   /// scene's unit.
   std::optional<distance::Answer> nearly_least(const Distance& distance) const;
@@ -112,7 +107,7 @@ std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const
                                                 const space::RealVector& p);
 
 /// Of x, y, z or the distance to a point over a region of boxes; `step` as SpaceWorld::step.
-SpaceOptimum optimize(const space::BoxComplex& region, const exact::Real& step, const Objective& objective,
-                      distance::Sense sense);
+OptimumOf<space::BoxComplex> optimize(const space::BoxComplex& region, const exact::Real& step,
+                                      const Objective& objective, distance::Sense sense);
 
 }  // namespace findspace::formula

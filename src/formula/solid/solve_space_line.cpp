@@ -138,8 +138,7 @@ Tried<space::BoxComplex> directional_map(const PreparedSpace& prepared, const Si
   if (!d) return d.refusal();
   const auto boxes = d->plain.pair->boxes();
   if (!boxes) return boxes.refusal();
-  return exact::tried(
-      [&] { return (*boxes)->directional_map(d->plain.which, map.level / prepared.world.step, d->axis, d->way); });
+  return (*boxes)->directional_map(d->plain.which, map.level / prepared.world.step, d->axis, d->way);
 }
 
 Tried<std::optional<distance::BoxPair::Least>> directional_least(const PreparedSpace& prepared,
@@ -147,7 +146,7 @@ Tried<std::optional<distance::BoxPair::Least>> directional_least(const PreparedS
   const Tried<Axial> d = axial(prepared, wanted);
   if (!d) return d.refusal();
   if (const auto boxes = d->plain.pair->boxes()) {
-    auto found = exact::tried([&] { return (*boxes)->directional_least(d->plain.which, d->axis, d->way); });
+    auto found = (*boxes)->directional_least(d->plain.which, d->axis, d->way);
     if (found) return found;
   }
   return refused(wanted, "the exact least value along a direction needs axis-parallel faces");

@@ -17,7 +17,7 @@ std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const
   to_p.kind = Objective::Kind::kDistanceToPoint;
   to_p.point = {p[0], p[1], p[2]};
   if (const auto boxes = solver.try_feasible(formula)) {
-    const SpaceOptimum best = optimize(*boxes, step, to_p, distance::Sense::kMinimum);
+    const auto best = optimize(*boxes, step, to_p, distance::Sense::kMinimum);
     if (!best.value) return std::nullopt;
     const space::IntervalBox at = best.at.boxes().at(0);  // a point
     return NearestFeasible{distance::coordinates(space::scaled(step, {*at[0].from, *at[1].from, *at[2].from})),

@@ -27,7 +27,7 @@ using space::RealVector;
 
 namespace {
 
-/// The union of the shapes as closed boxes.
+/// The union of the shapes as closed boxes; perhaps too fine.
 std::optional<BoxComplex> united_boxes(const std::vector<SpaceShape>& shapes) {
   std::vector<const BoxComplex*> sets;
   for (const SpaceShape& s : shapes) {
@@ -64,6 +64,11 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
   for (const SpaceShape* s : fixed) fixed_.push_back(*s);
   moving_boxes_ = united_boxes(moving_);
   fixed_boxes_ = united_boxes(fixed_);
+  for (const auto* boxes : {&moving_boxes_, &fixed_boxes_}) {
+    if (!*boxes || !(*boxes)->too_fine()) continue;
+    refusal_ = BoxComplex(**boxes).checked().refusal();
+    return;
+  }
   if (moving_boxes_ && fixed_boxes_) boxes_ = std::make_unique<BoxPair>(*moving_boxes_, *fixed_boxes_);
   cut_ = csg_shapes(moving_, fixed_);
   const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
@@ -169,8 +174,7 @@ Tried<std::optional<Answer>> SpacePair::value_of_bodies(Which which, const RealV
 // Boxes, then the ways of cut shapes and of surfaces, then bodies.
 Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) const {
   if (boxes_ && (BoxPair::has_value(which) || (BoxPair::is_reach(which) && !all().pair))) {
-    auto v = asked(distance::Way::kBoxes, 1, p,
-                   [&](const RealVector& at) { return exact::tried([&] { return boxes_->value(which, at); }); });
+    auto v = asked(distance::Way::kBoxes, 1, p, [&](const RealVector& at) { return boxes_->value(which, at); });
     if (v || !all().pair) return v;  // too many coordinates for the grid: the bodies need none
   }
   if (cut_.pair)

@@ -141,8 +141,10 @@ std::optional<BoxPair::Least> SpacePair::deepest_fit(Which which) const {
 }
 
 Tried<std::optional<BoxPair::Least>> SpacePair::least(Which which) const {
-  auto of_boxes = exact::tried([&] { return boxes_ ? boxes_->least(which) : std::nullopt; });
-  if (!of_boxes || *of_boxes) return of_boxes;
+  if (boxes_) {
+    auto of_boxes = boxes_->least(which);
+    if (!of_boxes || *of_boxes) return of_boxes;
+  }
   if (auto found = deepest_fit(which)) return found;
   if (which != Which::kGamma2 && which != Which::kEta2 && which != Which::kDelta2) return std::nullopt;
   const auto tried = nearly_least(which);  // the others are taken by whole sets
@@ -159,7 +161,7 @@ Tried<std::optional<distance::Answer>> SpacePair::nearly_least(Which which) cons
   const std::lock_guard lock(least_guard_);
   auto& slot = least_[which];
   if (!slot) {
-    auto made = exact::tried([&] { return distance::solid_least(which, *all().b, *all().a); });
+    auto made = distance::solid_least(which, *all().b, *all().a);
     if (!made) return made;
     slot = std::make_unique<std::optional<distance::Answer>>(*std::move(made));
   }

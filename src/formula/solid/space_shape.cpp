@@ -50,7 +50,7 @@ Tried<LazyBody::Pointer> shared_body(const plane::Shape& shape) {
 
 Tried<SpaceShape> try_space_shape(const plane::Shape& shape) {
   SpaceShape out;
-  if (auto boxes = exact::tried([&] { return space::box_complex(shape); })) out.boxes = *std::move(boxes);
+  out.boxes = space::box_complex(shape);
   if (out.boxes && out.boxes->empty()) {
     out.refused = "the shape is empty";
     return out;

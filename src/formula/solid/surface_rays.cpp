@@ -109,10 +109,14 @@ bool SurfaceRays::searched() const {
   return std::any_of(sources.begin(), sources.end(), [](const auto& s) { return s->searched(); });
 }
 
-RayRow SurfaceRays::row(int j) const {
-  if (sources.size() == 1) return sources[0]->row(j);
+exact::Tried<RayRow> SurfaceRays::try_row(int j) const {
+  if (sources.size() == 1) return sources[0]->try_row(j);
   std::vector<RayRow> rows;
-  for (const auto& s : sources) rows.push_back(s->row(j));
+  for (const auto& s : sources) {
+    exact::Tried<RayRow> row = s->try_row(j);
+    if (!row) return row;
+    rows.push_back(*std::move(row));
+  }
   return space::combined(rows, [&](std::span<const std::int8_t> signs) {
     return least ? *std::min_element(signs.begin(), signs.end()) : *std::max_element(signs.begin(), signs.end());
   });

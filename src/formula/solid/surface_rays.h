@@ -23,7 +23,7 @@ struct SurfaceRays {
   std::vector<space::RaySourcePointer> sources;
   bool least = true;
 
-  space::RayRow row(int j) const;
+  exact::Tried<space::RayRow> try_row(int j) const;
   /// Of one map; of none where it is null.
   static SurfaceRays of(space::RaySourcePointer source) {
     SurfaceRays rays;

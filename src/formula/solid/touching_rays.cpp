@@ -33,9 +33,11 @@ bool within_limits(const std::vector<Point>& points, std::int64_t scale) {
 }
 
 /// The surface of `fixed` and the convex parts of `moving`; both reflected if `mirrored`.
-std::optional<TouchPair> pair_of(const space::Triangles& fixed, const TouchingSolid& moving, TouchSide side,
-                                 bool mirrored) {
-  Body body = moving.body();
+exact::Tried<std::optional<TouchPair>> pair_of(const space::Triangles& fixed, const TouchingSolid& moving,
+                                               TouchSide side, bool mirrored) {
+  exact::Tried<Body> made = moving.body();
+  if (!made) return made.refusal();
+  Body& body = *made;
   if (body.round() || body.outside || body.rounded > 0) return std::nullopt;
   if (body.parts.size() * fixed.faces.size() > kMostSets || !within_limits(fixed.points, body.scale))
     return std::nullopt;
@@ -47,15 +49,15 @@ std::optional<TouchPair> pair_of(const space::Triangles& fixed, const TouchingSo
     if (!within_limits({corners.begin(), corners.end()}, 1)) return std::nullopt;
     pair.moving.push_back(std::move(*part.core));
   }
-  return pair;
+  return std::optional(std::move(pair));
 }
 
 bool one_surface(const TouchingSolid& s) { return s.solids.size() == 1 && !s.solids[0].ball(); }
 
 }  // namespace
 
-Source touching_rays(Which which, const TouchingSolid& b, const TouchingSolid& a, const Real& level,
-                     const space::RayGrid& grid, const std::function<Source()>& zero) {
+exact::Tried<Source> touching_rays(Which which, const TouchingSolid& b, const TouchingSolid& a, const Real& level,
+                                   const space::RayGrid& grid, const std::function<Source()>& zero) {
   const bool depth = which == Which::kGamma1, cover = which == Which::kDelta1 || which == Which::kDelta2;
   const bool farthest = which == Which::kEta2 || which == Which::kDelta2;
   const bool wanted = depth ? level.sign() < 0 : farthest || ((cover || which == Which::kEta1) && level.sign() > 0);
@@ -69,7 +71,9 @@ Source touching_rays(Which which, const TouchingSolid& b, const TouchingSolid& a
   const TouchSide side = depth ? TouchSide::kOutside : TouchSide::kInside;
   if (std::min(of_a, of_b) >= space::kManyFaces && !space::is_convex(moving.solids[0]))
     return contact_rays(which, b.solids[0], a.solids[0], level, grid);
-  const auto pair = pair_of(fixed.solids[0].surface, moving, side, back);
+  const auto made = pair_of(fixed.solids[0].surface, moving, side, back);
+  if (!made) return made.refusal();
+  const std::optional<TouchPair>& pair = *made;
   if (!pair) return nullptr;
   if (farthest) return space::all_touching_near(*pair, level, grid);
   std::vector<Source> both;

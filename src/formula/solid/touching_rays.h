@@ -19,13 +19,14 @@ namespace findspace::formula {
 /// The union of solids.
 struct TouchingSolid {
   const std::vector<space::RaySolid>& solids;
-  std::function<space::Body()> body;  // makes its convex parts
+  std::function<exact::Tried<space::Body>()> body;  // makes its convex parts
 };
 
 /// `zero`: makes the sign map of gamma1, eta1 or delta1 at level 0. The level in grid steps. Null where this does not
 /// answer or is not the quick way.
-space::RaySourcePointer touching_rays(distance::Which which, const TouchingSolid& b, const TouchingSolid& a,
-                                      const exact::Real& level, const space::RayGrid& grid,
-                                      const std::function<space::RaySourcePointer()>& zero);
+exact::Tried<space::RaySourcePointer> touching_rays(distance::Which which, const TouchingSolid& b,
+                                                    const TouchingSolid& a, const exact::Real& level,
+                                                    const space::RayGrid& grid,
+                                                    const std::function<space::RaySourcePointer()>& zero);
 
 }  // namespace findspace::formula

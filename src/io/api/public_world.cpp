@@ -191,7 +191,7 @@ const Region& Query::region() const { return data_->region(); }
 
 std::optional<Region::Nearest> Query::nearest(const Position& from) const {
   const World::Data& world = data_->world.data();
-  const auto found = world.solver.nearest_feasible(data_->formula, data_->exactly(from));
+  const auto found = world.solver.nearest_feasible(data_->formula, data_->exactly(from)).or_throw();
   if (!found) return std::nullopt;
   return Region::Nearest{
       {found->at.at(0).to_double(), found->at.at(1).to_double()}, found->distance.to_double(), found->attained};

@@ -36,39 +36,14 @@ std::string less(const Texts& from, const Texts& taken) {
   return node("difference", all);
 }
 
-class Constructive {
+/// Which cells belong to the region about a cell.
+class Around {
  public:
-  Constructive(const Region& region, const Real& step) : c_(region), step_(step) {}
-
-  std::string text() {
-    Texts sum;
-    if (const Texts faces = closed_faces(); !faces.empty()) sum.push_back(less(faces, missing()));
-    if (const Texts edges = whiskers(); !edges.empty())
-      sum.push_back(less(edges, points([&](Index v) { return c_.vertices[v].mark == 0 && ends_whisker(v); })));
-    const Texts single =
-        points([&](Index v) { return c_.vertices[v].mark != 0 && !touches_face(v) && !ends_whisker(v); });
-    sum.insert(sum.end(), single.begin(), single.end());
-    return sum.empty() ? nothing() : united(sum);
-  }
-
- private:
-  /// A point less itself: scenes have no empty shape.
-  static std::string nothing() { return R"({"difference": [{"points": [[0, 0]]}, {"points": [[0, 0]]}]})"; }
+  explicit Around(const Region& region) : c_(region) {}
 
   bool in_face(Index h) const { return c_.faces[c_.face(h)].mark != 0; }
   bool touches_face_edge(Index e) const { return in_face(2 * e) || in_face(2 * e + 1); }
 
-  template <class Test>
-  bool any_around(Index v, Test test) const {
-    const Index first = c_.vertices[v].out;
-    if (first == kNone) return false;
-    Index h = first;
-    do {
-      if (test(h)) return true;
-      h = c_.clockwise(h);
-    } while (h != first);
-    return false;
-  }
   bool touches_face(Index v) const {
     if (c_.vertices[v].out == kNone) return c_.faces[c_.vertices[v].face].mark != 0;
     return any_around(v, [&](Index h) { return in_face(h); });
@@ -81,26 +56,33 @@ class Constructive {
     return any_around(v, [&](Index h) { return c_.edges[h / 2].mark == 0 && touches_face_edge(h / 2); });
   }
 
-  /// A length as the decimal a scene would state, or nothing where there is none.
-  std::optional<std::string> decimal(const Real& steps) const {
-    const Real value = steps * step_;
-    if (!value.is_rational()) return std::nullopt;
-    std::string text = json_number(value.to_double());
-    if (text[0] == '"' || text == "null" || Real::parse_decimal(text) != value) return std::nullopt;
-    return text;
+ private:
+  template <class Test>
+  bool any_around(Index v, Test test) const {
+    const Index first = c_.vertices[v].out;
+    if (first == kNone) return false;
+    Index h = first;
+    do {
+      if (test(h)) return true;
+      h = c_.clockwise(h);
+    } while (h != first);
+    return false;
   }
 
+  const Region& c_;
+};
+
+/// Cells as the shapes that a scene states, where they are such.
+class Primitives {
+ public:
+  Primitives(const Region& region, const Real& step) : c_(region), step_(step) {}
+
+  /// A vertex as its coordinates.
   std::optional<std::string> place(Index v) const {
     const exact::Point& p = c_.point(v);
     if (p.kind != exact::Point::Kind::kGrid) return std::nullopt;
     const auto x = decimal(p.gx), y = decimal(p.gy);
     return x && y ? std::optional(fmt::format("[{}, {}]", *x, *y)) : std::nullopt;
-  }
-
-  std::vector<Index> ring(Index start) const {
-    std::vector<Index> walk{start};
-    for (Index h = c_.next(start); h != start; h = c_.next(h)) walk.push_back(h);
-    return walk;
   }
 
   std::optional<std::string> disc(const plane::Face& face) const {
@@ -113,17 +95,6 @@ class Constructive {
     const auto x = decimal(k.a), y = decimal(k.b), r = decimal(k.w);
     if (!x || !y || !r) return std::nullopt;
     return fmt::format(R"({{"disc": {{"center": [{}, {}], "radius": {}}}}})", *x, *y, *r);
-  }
-
-  /// The vertices of a ring of segments; nothing where it is not one that polygons may have.
-  std::optional<std::string> corners(Index start, std::set<Index>& seen) const {
-    Texts places;
-    for (const Index h : ring(start)) {
-      const auto at = place(c_.origin(h));
-      if (c_.is_arc(h / 2) || !at || !seen.insert(c_.origin(h)).second) return std::nullopt;
-      places.push_back(*at);
-    }
-    return fmt::format("[{}]", fmt::join(places, ", "));
   }
 
   std::optional<std::string> polygon(const plane::Face& face) const {
@@ -144,6 +115,57 @@ class Constructive {
     return fmt::format("{{\"polygon\": {}{}}}", *outer, rest);
   }
 
+ private:
+  /// A length as the decimal a scene would state, or nothing where there is none.
+  std::optional<std::string> decimal(const Real& steps) const {
+    const Real value = steps * step_;
+    if (!value.is_rational()) return std::nullopt;
+    std::string text = json_number(value.to_double());
+    if (text[0] == '"' || text == "null" || Real::parse_decimal(text) != value) return std::nullopt;
+    return text;
+  }
+
+  std::vector<Index> ring(Index start) const {
+    std::vector<Index> walk{start};
+    for (Index h = c_.next(start); h != start; h = c_.next(h)) walk.push_back(h);
+    return walk;
+  }
+
+  /// The vertices of a ring of segments; nothing where it is not one that polygons may have.
+  std::optional<std::string> corners(Index start, std::set<Index>& seen) const {
+    Texts places;
+    for (const Index h : ring(start)) {
+      const auto at = place(c_.origin(h));
+      if (c_.is_arc(h / 2) || !at || !seen.insert(c_.origin(h)).second) return std::nullopt;
+      places.push_back(*at);
+    }
+    return fmt::format("[{}]", fmt::join(places, ", "));
+  }
+
+  const Region& c_;
+  const Real& step_;
+};
+
+class Constructive {
+ public:
+  Constructive(const Region& region, const Real& step)
+      : c_(region), step_(step), around_(region), primitives_(region, step) {}
+
+  std::string text() {
+    Texts sum;
+    if (const Texts faces = closed_faces(); !faces.empty()) sum.push_back(less(faces, missing()));
+    if (const Texts edges = whiskers(); !edges.empty())
+      sum.push_back(less(edges, points([&](Index v) { return c_.vertices[v].mark == 0 && around_.ends_whisker(v); })));
+    const Texts single = points(
+        [&](Index v) { return c_.vertices[v].mark != 0 && !around_.touches_face(v) && !around_.ends_whisker(v); });
+    sum.insert(sum.end(), single.begin(), single.end());
+    return sum.empty() ? nothing() : united(sum);
+  }
+
+ private:
+  /// A point less itself: scenes have no empty shape.
+  static std::string nothing() { return R"({"difference": [{"points": [[0, 0]]}, {"points": [[0, 0]]}]})"; }
+
   /// The set of these cells alone, as "cells".
   template <class Face, class Edge, class Vertex>
   std::string cells(Face face, Edge edge, Vertex vertex, bool closed) const {
@@ -162,8 +184,8 @@ class Constructive {
     std::set<Index> others;
     for (Index f = 0; f < c_.faces.size(); ++f) {
       if (c_.faces[f].mark == 0) continue;
-      std::optional<std::string> simple = disc(c_.faces[f]);
-      if (!simple) simple = polygon(c_.faces[f]);
+      std::optional<std::string> simple = primitives_.disc(c_.faces[f]);
+      if (!simple) simple = primitives_.polygon(c_.faces[f]);
       if (simple)
         out.push_back(*simple);
       else
@@ -180,7 +202,7 @@ class Constructive {
     std::set<Index> others;
     for (Index e = 0; e < c_.edges.size(); ++e) {
       if (!wanted(e)) continue;
-      const auto from = place(c_.edges[e].v0), to = place(c_.edges[e].v1);
+      const auto from = primitives_.place(c_.edges[e].v0), to = primitives_.place(c_.edges[e].v1);
       if (!c_.is_arc(e) && from && to)
         out.push_back(fmt::format("{{\"polyline\": [{}, {}]}}", *from, *to));
       else
@@ -198,7 +220,7 @@ class Constructive {
     std::set<Index> others;
     for (Index v = 0; v < c_.vertices.size(); ++v) {
       if (!wanted(v)) continue;
-      if (const auto at = place(v))
+      if (const auto at = primitives_.place(v))
         places.push_back(*at);
       else
         others.insert(v);
@@ -212,20 +234,23 @@ class Constructive {
 
   Texts missing() const {
     Texts out;
-    const Texts edges = closed_edges([&](Index e) { return c_.edges[e].mark == 0 && touches_face_edge(e); });
+    const Texts edges = closed_edges([&](Index e) { return c_.edges[e].mark == 0 && around_.touches_face_edge(e); });
     if (!edges.empty())
-      out.push_back(less(edges, points([&](Index v) { return c_.vertices[v].mark != 0 && ends_gap(v); })));
-    const Texts gaps = points([&](Index v) { return c_.vertices[v].mark == 0 && touches_face(v) && !ends_gap(v); });
+      out.push_back(less(edges, points([&](Index v) { return c_.vertices[v].mark != 0 && around_.ends_gap(v); })));
+    const Texts gaps =
+        points([&](Index v) { return c_.vertices[v].mark == 0 && around_.touches_face(v) && !around_.ends_gap(v); });
     out.insert(out.end(), gaps.begin(), gaps.end());
     return out;
   }
 
   Texts whiskers() const {
-    return closed_edges([&](Index e) { return is_whisker(e); });
+    return closed_edges([&](Index e) { return around_.is_whisker(e); });
   }
 
   const Region& c_;
   const Real& step_;
+  Around around_;
+  Primitives primitives_;
 };
 
 }  // namespace

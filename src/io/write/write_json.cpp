@@ -102,6 +102,11 @@ std::string json_string(std::string_view text) {
   return out + "\"";
 }
 
+ExtremeValue extreme_value(const formula::OptimalValue& best, bool maximum) {
+  return {maximum, best.value ? std::optional(best.value->to_double()) : std::nullopt, best.unbounded, best.attained,
+          best.proven};
+}
+
 std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
                         std::string_view unit, const ExtremeValue* extreme, bool exact) {
   std::string out = "{\n";

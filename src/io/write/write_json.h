@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formula/language/optimum.h"
 #include "formula/planar/solve.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/locate_line.h"
@@ -29,6 +30,7 @@ struct ExtremeValue {
   // Where not proven: no position has a better value than `bound`, and every best one lies `within` of a given one.
   std::optional<double> bound{}, within{};
 };
+ExtremeValue extreme_value(const formula::OptimalValue& best, bool maximum);
 
 /// The result of `map` and `describe`. `unit` may be empty, `extreme` null; with `exact` the exact cells too
 /// (write_cells.h).

@@ -88,11 +88,11 @@ std::optional<std::vector<Real>> LinearProgram::maximise(const std::vector<Real>
     Real least;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (is_free(basic_[i]) || rows_[i].terms[entering].sign() <= 0) continue;
-      const Real tolerance = rows_[i].value / rows_[i].terms[entering];
-      const int order = leaving == rows_.size() ? -1 : compare(tolerance, least);
+      const Real ratio = rows_[i].value / rows_[i].terms[entering];
+      const int order = leaving == rows_.size() ? -1 : compare(ratio, least);
       if (order < 0 || (order == 0 && basic_[i] < basic_[leaving])) {
         leaving = i;
-        least = tolerance;
+        least = ratio;
       }
     }
     if (leaving == rows_.size()) return std::nullopt;

@@ -56,11 +56,15 @@ struct Problem : Demands {
 };
 
 /// Where a body stands.
-struct Pose {
+template <class V>
+struct PoseOf {
   std::size_t angle = 0;  // index into Body::angles
-  exact::RealPoint at{};  // in grid steps
+  V at{};                 // in grid steps
 };
-using Poses = std::vector<std::optional<Pose>>;  // by body
+template <class V>
+using PosesOf = std::vector<std::optional<PoseOf<V>>>;  // by body
+using Pose = PoseOf<exact::RealPoint>;
+using Poses = PosesOf<exact::RealPoint>;
 
 /// When to stop and give what there is.
 class Limit {

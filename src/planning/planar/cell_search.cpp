@@ -150,7 +150,7 @@ class Search {
     }
   }
 
-  /// Whether the chosen bounds have a common point, strict ones strictly: then there is tolerance for a t > 0 in them.
+  /// Whether the chosen bounds have a common point, strict ones strictly: then there is a t > 0 that fits.
   bool possible() const {
     const bool strict = std::any_of(chosen_.begin(), chosen_.end(), [](const Bound* b) { return b->strict; });
     LinearProgram program(variables_ + (strict ? 1 : 0));

@@ -31,7 +31,7 @@ class CornerSearch {
   bool extend(std::size_t body) {
     if (body == poses_.size()) return true;
     for (std::size_t angle = 0; angle < problem_.bodies[body].angles.size(); ++angle) {
-      for (const RealPoint& at : corners(tolerance(body, angle))) {
+      for (const RealPoint& at : corners(allowed(body, angle))) {
         if (limit_.over() || --tries_ < 0) break;
         poses_[body] = Pose{angle, at};
         if (extend(body + 1)) return true;
@@ -42,7 +42,7 @@ class CornerSearch {
   }
 
   /// Where the body may stand as far as the ones before it go.
-  Region tolerance(std::size_t body, std::size_t angle) const {
+  Region allowed(std::size_t body, std::size_t angle) const {
     Poses poses = poses_;
     poses[body] = Pose{angle, {}};
     std::vector<Region> sets;
@@ -58,7 +58,7 @@ class CornerSearch {
   }
 
   /// The vertices of the set by rows and columns, those with short numbers first, and a position of it besides.
-  static std::vector<RealPoint> corners(const Region& tolerance) {
+  static std::vector<RealPoint> corners(const Region& region) {
     constexpr std::size_t kMost = 16;
     struct Corner {
       bool lengthy;
@@ -66,9 +66,9 @@ class CornerSearch {
       RealPoint at;
     };
     std::vector<Corner> all;
-    for (const plane::Vertex& v : tolerance.vertices) {
+    for (const plane::Vertex& v : region.vertices) {
       if (v.mark <= 0) continue;
-      const RealPoint at = tolerance.geometry.exact(v.point);
+      const RealPoint at = region.geometry.exact(v.point);
       all.push_back({!at.x.is_closed() || !at.y.is_closed(), at.y.to_double(), at.x.to_double(), at});
     }
     std::sort(all.begin(), all.end(), [](const Corner& p, const Corner& q) {
@@ -77,7 +77,7 @@ class CornerSearch {
     if (all.size() > kMost) all.resize(kMost);
     std::vector<RealPoint> out;
     for (Corner& c : all) out.push_back(std::move(c.at));
-    if (auto other = representative(tolerance)) out.push_back(std::move(*other));
+    if (auto other = representative(region)) out.push_back(std::move(*other));
     return out;
   }
 

@@ -28,8 +28,9 @@ Region intersection(std::vector<Region> sets) {
 
 class Sequence {
  public:
-  explicit Sequence(const Relations& relations)
-      : relations_(relations), problem_(relations.problem()), poses_(problem_.bodies.size()) {
+  /// `poses`: of the bodies that stand already.
+  Sequence(const Relations& relations, Poses& poses)
+      : relations_(relations), problem_(relations.problem()), poses_(poses) {
     for (const Condition& c : problem_.conditions) bodies_.push_back(bodies_of(*c.formula, c.roles));
   }
 
@@ -41,8 +42,6 @@ class Sequence {
     poses_[body] = step.chosen.pose;
     return step;
   }
-
-  const Poses& poses() const { return poses_; }
 
  private:
   /// Whether the condition counts for the body now; the other bodies stand.
@@ -57,22 +56,22 @@ class Sequence {
   }
 
   /// Copies of one body have the same conditions: what the first of them leaves is where the next begins.
-  struct Room {
+  struct Left {
     Region region;
     std::vector<char> minded;  // by body: it stands, and the region knows
   };
 
   Region region(std::size_t body, std::size_t angle) {
-    if (problem_.bodies[body].copy == 0) return tolerance(body, angle, nullptr).region;
-    auto& known = rooms_[{problem_.bodies[body].name, angle}];
-    known = std::make_unique<Room>(tolerance(body, angle, known.get()));
+    if (problem_.bodies[body].copy == 0) return what_is_left(body, angle, nullptr).region;
+    auto& known = left_[{problem_.bodies[body].name, angle}];
+    known = std::make_unique<Left>(what_is_left(body, angle, known.get()));
     return known->region;
   }
 
-  Room tolerance(std::size_t body, std::size_t angle, const Room* known) const {
+  Left what_is_left(std::size_t body, std::size_t angle, const Left* known) const {
     Poses poses = poses_;
     poses[body] = Pose{angle, {}};
-    Room out{known ? known->region : own_room(body, poses), {}};
+    Left out{known ? known->region : own_region(body, poses), {}};
     for (const auto& p : poses_) out.minded.push_back(p.has_value());
     if (plane::is_empty(out.region)) return out;
     const auto where = plane::is_bounded(out.region) ? plane::extent(out.region) : std::nullopt;
@@ -86,13 +85,13 @@ class Sequence {
     return out;
   }
 
-  bool all_minded(std::size_t condition, std::size_t body, const Room& tolerance) const {
+  bool all_minded(std::size_t condition, std::size_t body, const Left& known) const {
     return std::all_of(bodies_[condition].begin(), bodies_[condition].end(),
-                       [&](std::size_t b) { return b == body || tolerance.minded[b]; });
+                       [&](std::size_t b) { return b == body || known.minded[b]; });
   }
 
   /// Where the body may stand alone: this says where the others matter.
-  Region own_room(std::size_t body, const Poses& poses) const {
+  Region own_region(std::size_t body, const Poses& poses) const {
     std::vector<Region> own;
     for (std::size_t c = 0; c < bodies_.size(); ++c)
       if (bodies_[c].size() <= 1 && counts(c, body))
@@ -103,23 +102,16 @@ class Sequence {
   const Relations& relations_;
   const Problem& problem_;
   std::vector<std::vector<std::size_t>> bodies_;  // by condition
-  Poses poses_;
-  std::map<std::pair<std::string, std::size_t>, std::unique_ptr<Room>> rooms_;  // of copies, by name and angle
+  Poses& poses_;
+  std::map<std::pair<std::string, std::size_t>, std::unique_ptr<Left>> left_;  // of copies, by name and angle
 };
 
 }  // namespace
 
 SequentialPlacement place_sequentially(const Relations& relations, const Limit& limit) {
   SequentialPlacement out;
-  Sequence sequence(relations);
-  for (std::size_t body = 0; body < relations.problem().bodies.size(); ++body) {
-    if (limit.over()) {
-      out.limit_reached = true;
-      break;
-    }
-    out.steps.push_back(sequence.place(body));
-  }
-  out.poses = sequence.poses();
+  Sequence sequence(relations, out.poses);
+  out.place_each(relations.problem().bodies.size(), limit, [&](std::size_t body) { return sequence.place(body); });
   return out;
 }
 

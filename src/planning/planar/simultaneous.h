@@ -9,19 +9,15 @@
 // Keywords: configuration space.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "planning/order/choose.h"
+#include "planning/order/placement.h"
 
 namespace findspace::planning {
 
-struct SimultaneousPlacement {
-  std::vector<std::vector<AtAngle>> positions;  // by body: P at each allowed angle
-  Poses witness;                                // complete, or all empty
-  std::optional<std::string> unproven;
-};
+/// Of a body: P at each allowed angle.
+using SimultaneousPlacement = TogetherOf<std::vector<AtAngle>, exact::RealPoint>;
 
 SimultaneousPlacement place_simultaneously(const Relations& relations, const Limit& limit);
 

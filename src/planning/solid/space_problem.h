@@ -23,11 +23,7 @@ struct SpaceProblem : Demands {
   int lines = 128;   // each way, where positions are taken on lines
 };
 
-/// Where a body stands.
-struct SpacePose {
-  std::size_t angle = 0;   // index into Body::angles
-  space::RealVector at{};  // in grid steps
-};
-using SpacePoses = std::vector<std::optional<SpacePose>>;  // by body
+using SpacePose = PoseOf<space::RealVector>;
+using SpacePoses = PosesOf<space::RealVector>;
 
 }  // namespace findspace::planning

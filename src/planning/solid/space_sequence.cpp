@@ -136,7 +136,7 @@ SpaceStep place(const SpaceProblem& problem, const SpaceGoals& goals, const Spac
     step.positions.push_back(positions_of(SpaceStage(problem, poses, body, a), a));
     SpaceBest best = best_in(step.positions.back(), goals, problem);
     lines = lines || best.on_lines;
-    if (!best.at && best.attained) continue;  // no tolerance at this angle
+    if (!best.at && best.attained) continue;  // no position at this angle
     if (any && !better(best, step.best, goals)) continue;
     any = true;
     step.pose.reset();
@@ -166,15 +166,11 @@ space::RaySourcePointer SpacePositions::lines(const space::RayGrid& grid) const 
 SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit) {
   const SpaceGoals goals = space_goals(problem);
   SpacePlacement out;
-  out.poses.resize(problem.bodies.size());
-  for (std::size_t body = 0; body < problem.bodies.size(); ++body) {
-    if (limit.over()) {
-      out.limit_reached = true;
-      break;
-    }
-    out.steps.push_back(place(problem, goals, out.poses, body));
-    out.poses[body] = out.steps.back().pose;
-  }
+  out.place_each(problem.bodies.size(), limit, [&](std::size_t body) {
+    SpaceStep step = place(problem, goals, out.poses, body);
+    out.poses[body] = step.pose;
+    return step;
+  });
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "planning/order/placement.h"
 #include "planning/solid/space_flat.h"
 #include "planning/solid/space_goals.h"
 
@@ -38,11 +39,7 @@ struct SpaceStep {
   std::vector<SpacePositions> positions;  // by angle
 };
 
-struct SpacePlacement {
-  std::vector<SpaceStep> steps;  // by body; fewer where the limit came first
-  SpacePoses poses;
-  bool limit_reached = false;
-};
+using SpacePlacement = SequenceOf<SpaceStep, space::RealVector>;
 
 SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit);
 

@@ -144,7 +144,7 @@ void take_witness(const SpaceProblem& problem, std::vector<Choice> choices, cons
   std::vector<Boxes> left = found;
   SpacePoses poses(found.size());
   for (std::size_t b = 0; b < found.size(); ++b) {
-    const SpaceBest best = best_on_boxes(BoxComplex::of_boxes(left[b]), goals, problem.step);
+    const SpaceBest best = best_on_boxes(BoxComplex::of_boxes(left[b]).checked().or_throw(), goals, problem.step);
     if (!best.at) return;
     poses[b] = SpacePose{0, *best.at};
     choices[b].boxes = {point_box(*best.at)};
@@ -163,7 +163,8 @@ SpaceSimultaneous place_together_in_space(const SpaceProblem& problem, const Lim
   SpaceSimultaneous out;
   out.witness.resize(problem.bodies.size());
   if (search.stopped()) out.unproven = "the time limit came before all choices were looked at";
-  for (const Boxes& boxes : found) out.positions.push_back(BoxComplex::of_boxes(boxes).simplified());
+  for (const Boxes& boxes : found)
+    out.positions.push_back(BoxComplex::of_boxes(boxes).checked().or_throw().simplified());
   if (std::none_of(found.begin(), found.end(), [](const Boxes& b) { return b.empty(); }))
     take_witness(problem, choices, found, limit, out);
   return out;

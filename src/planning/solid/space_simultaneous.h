@@ -11,19 +11,12 @@
 // configuration space, projection.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
+#include "planning/order/placement.h"
 #include "planning/solid/space_problem.h"
 
 namespace findspace::planning {
 
-struct SpaceSimultaneous {
-  std::vector<space::BoxComplex> positions;  // by body
-  SpacePoses witness;                        // complete, or all empty: each at its best place after those before it
-  std::optional<std::string> unproven;
-};
+using SpaceSimultaneous = TogetherOf<space::BoxComplex, space::RealVector>;
 
 SpaceSimultaneous place_together_in_space(const SpaceProblem& problem, const Limit& limit);
 

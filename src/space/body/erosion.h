@@ -22,8 +22,8 @@ struct Erosion {
   std::optional<Body> obstacles{};
 };
 
-/// Of a complement a complement, as the only tolerance. Refuses a union with round parts as a, a complement as b;
-/// throws Error(kGeometry) if nothing with interior is left of a tolerance.
+/// Of a complement a complement, as the only container. Refuses a union with round parts as a, a complement as b;
+/// throws Error(kGeometry) if nothing with interior is left of a container.
 exact::Tried<Erosion> erosion(const Body& a, const Body& b);
 
 /// The closure of its interior as a body. Refuses, besides, where no union of convex parts is one.

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/box/box_complex.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cassert>
 
@@ -19,14 +17,29 @@ void sort_axis(Axis& axis) {
 BoxComplex::BoxComplex(Axes at, Mark mark) : at_(std::move(at)) {
   double count = 1;
   for (int k = 0; k < 3; ++k) count *= cells(k);
-  if (count > static_cast<double>(kMostCells))
-    throw Error(ErrorCode::kUnsupported, "the boxes have too many different coordinates for an exact map");
+  too_fine_ = count > static_cast<double>(kMostCells);
+  if (too_fine_) {
+    at_ = {};
+    count = 1;
+    mark = 0;
+  }
   marks_.assign(static_cast<std::size_t>(count), mark);
 }
 
 BoxComplex::BoxComplex(Axes at, std::vector<Mark> marks) : at_(std::move(at)), marks_(std::move(marks)) {
   assert(marks_.size() ==
          static_cast<std::size_t>(cells(0)) * static_cast<std::size_t>(cells(1)) * static_cast<std::size_t>(cells(2)));
+}
+
+BoxComplex BoxComplex::without_cells() {
+  BoxComplex out;
+  out.too_fine_ = true;
+  return out;
+}
+
+exact::Tried<BoxComplex> BoxComplex::checked() && {
+  if (too_fine_) return exact::Refusal("the boxes have too many different coordinates for an exact map");
+  return std::move(*this);
 }
 
 BoxComplex BoxComplex::of_boxes(std::span<const IntervalBox> boxes) {
@@ -39,6 +52,7 @@ BoxComplex BoxComplex::of_boxes(std::span<const IntervalBox> boxes) {
   }
   for (Axis& axis : at) sort_axis(axis);
   BoxComplex set(std::move(at));
+  if (set.too_fine_) return set;
   for (const IntervalBox& box : boxes) set.paint(box, 1);
   return set;
 }
@@ -70,6 +84,7 @@ void BoxComplex::paint(const IntervalBox& box, Mark mark) {
 
 /// A coordinate goes where the slabs on both its sides and itself agree.
 BoxComplex BoxComplex::simplified() const {
+  if (too_fine_) return *this;
   Axes kept;
   for (int k = 0; k < 3; ++k) {
     for (int c = 1; c < cells(k); c += 2) {
@@ -111,6 +126,7 @@ BoxComplex BoxComplex::simplified() const {
 
 BoxComplex BoxComplex::remarked(const std::function<Mark(Mark)>& to) const {
   BoxComplex out = *this;
+  if (too_fine_) return out;
   for (Mark& m : out.marks_) m = to(m);
   return out;
 }
@@ -125,6 +141,7 @@ Interval BoxComplex::interval(int k, int from, int to) const {
 }
 
 std::vector<IntervalBox> BoxComplex::boxes() const {
+  assert(!too_fine_);
   std::vector<IntervalBox> out;
   std::vector<char> done(marks_.size(), 0);
   const auto free = [&](int x, int y, int z) { return marks_[index(x, y, z)] != 0 && done[index(x, y, z)] == 0; };
@@ -161,6 +178,7 @@ std::vector<IntervalBox> BoxComplex::boxes() const {
 }
 
 bool BoxComplex::empty() const {
+  assert(!too_fine_);
   return std::all_of(marks_.begin(), marks_.end(), [](Mark m) { return m == 0; });
 }
 

@@ -5,8 +5,9 @@
 // open boxes, open faces, open edges and vertices, and every one of these cells carries a mark. A set has the marks 0
 // and 1, a sign map -1, 0 and +1. Sheets, lines, single points, slits and open ends are cells like any other
 // (distances.md 8.1). Guarantee: exact: coordinates are real numbers, marks are never derived from those of neighbours.
-// Cost: a byte a cell, (2n+1)^3 cells for n coordinates an axis; more than kMostCells are refused with
-// Error(kUnsupported). Keywords: cell complex, cubical complex, rectilinear polyhedra, box unions, Nef polyhedra.
+// Cost: a byte a cell, (2n+1)^3 cells for n coordinates an axis; more than kMostCells are not made:
+// such a complex is too fine, and so is what is made of one; who shows a result asks checked(). Keywords: cell complex,
+// cubical complex, rectilinear polyhedra, box unions, Nef polyhedra.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/number/tried.h"
 #include "space/polytope/real_vector.h"
 
 namespace findspace::space {
@@ -41,6 +43,12 @@ class BoxComplex {
   BoxComplex(Axes at, std::vector<Mark> marks);
   /// The union of the boxes (which may be flat), marked 1.
   static BoxComplex of_boxes(std::span<const IntervalBox> boxes);
+
+  /// Whether it would have had more than kMostCells cells: it has no marks that mean something.
+  bool too_fine() const { return too_fine_; }
+  static BoxComplex without_cells();
+  /// What this is for who asked for it: itself, or a refusal where it is too fine.
+  exact::Tried<BoxComplex> checked() &&;
 
   const Axes& at() const { return at_; }
   /// Cells along axis k: the open intervals have even numbers, the coordinates odd ones.
@@ -75,6 +83,7 @@ class BoxComplex {
 
   Axes at_;
   std::vector<Mark> marks_;
+  bool too_fine_ = false;
 };
 
 /// Ascending, each number once.

@@ -20,6 +20,7 @@ BoxComplex refined(const BoxComplex& set, const Axes& more) {
     sort_axis(at[k]);
   }
   BoxComplex out(at);
+  if (out.too_fine()) return out;
   for (int k = 0; k < 3; ++k) {
     // A new coordinate lies in some old cell; an open interval lies where the coordinate before it does, or beyond
     // that.
@@ -42,15 +43,21 @@ BoxComplex refined(const BoxComplex& set, const Axes& more) {
   return out;
 }
 
+bool too_fine(const BoxComplex* set) { return set->too_fine(); }
+
 }  // namespace
 
 BoxComplex overlay(std::span<const BoxComplex* const> sets, const std::function<Mark(std::span<const Mark>)>& combine) {
+  if (std::any_of(sets.begin(), sets.end(), too_fine)) return BoxComplex::without_cells();
   Axes all;
   for (const BoxComplex* s : sets) {
     for (int k = 0; k < 3; ++k) all[k].insert(all[k].end(), s->at()[k].begin(), s->at()[k].end());
   }
   std::vector<BoxComplex> fine;
-  for (const BoxComplex* s : sets) fine.push_back(refined(*s, all));
+  for (const BoxComplex* s : sets) {
+    fine.push_back(refined(*s, all));
+    if (fine.back().too_fine()) return fine.back();
+  }
   if (fine.empty()) return BoxComplex({}, combine({}));
   BoxComplex out = fine[0];
   std::vector<Mark> marks(fine.size());
@@ -66,6 +73,7 @@ BoxComplex overlay(std::span<const BoxComplex* const> sets, const std::function<
 }
 
 BoxComplex mirrored(const BoxComplex& set) {
+  if (set.too_fine()) return set;
   Axes at;
   for (int k = 0; k < 3; ++k) {
     for (auto it = set.at()[k].rbegin(); it != set.at()[k].rend(); ++it) at[k].push_back(-*it);
@@ -74,6 +82,7 @@ BoxComplex mirrored(const BoxComplex& set) {
 }
 
 BoxComplex translated(const BoxComplex& set, const RealVector& by) {
+  if (set.too_fine()) return set;
   Axes at = set.at();
   for (int k = 0; k < 3; ++k) {
     for (Real& c : at[k]) c += by[k];
@@ -82,6 +91,7 @@ BoxComplex translated(const BoxComplex& set, const RealVector& by) {
 }
 
 BoxComplex sum(const BoxComplex& a, const BoxComplex& b) {
+  if (a.too_fine() || b.too_fine()) return BoxComplex::without_cells();
   const auto ends = [](const std::optional<Real>& p, const std::optional<Real>& q) {
     return p && q ? std::optional<Real>(*p + *q) : std::nullopt;
   };

@@ -28,6 +28,7 @@ bool star(const BoxComplex& set, int x, int y, int z, Visit visit) {
 
 BoxComplex closure(const BoxComplex& set) {
   BoxComplex out = set;
+  if (set.too_fine()) return out;
   for (int z = 0; z < set.cells(2); ++z) {
     for (int y = 0; y < set.cells(1); ++y) {
       for (int x = 0; x < set.cells(0); ++x) out.set_mark(x, y, z, star(set, x, y, z, [](Mark m) { return m != 0; }));

@@ -128,6 +128,6 @@ Real BallRays::root(int patch, int which, int i, int j) const {
   return BallRow::meet<Real>(*this, p, radius_, i, j).height[which] + Real(BallRow::base(*this, p).z);
 }
 
-RayRow BallRays::row(int j) const { return BallRow(*this, j).run(); }
+exact::Tried<RayRow> BallRays::try_row(int j) const { return BallRow(*this, j).run(); }
 
 }  // namespace findspace::space

@@ -32,7 +32,7 @@ class BallRays : public RaySource, private RayRoots {
   BallRays(const Triangles& a, const exact::Real& radius, const RayGrid& grid, Side side = Side::kSolid);
 
   const RayGrid& grid() const override { return grid_; }
-  RayRow row(int j) const override;
+  exact::Tried<RayRow> try_row(int j) const override;
   /// How many lines were done with real numbers, and cells decided by distances.
   std::int64_t exact_lines() const { return exact_lines_; }
   std::int64_t cell_tests() const { return cell_tests_; }

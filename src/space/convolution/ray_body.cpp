@@ -25,7 +25,9 @@ struct Sides {
   const Point& apex(int side) const { return body.points[body.faces[side / 3][(side % 3 + 2) % 3]]; }
 };
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::kGeometry, what); }
+using Fault = std::optional<exact::Refusal>;
+
+Fault fault(const std::string& what) { return exact::Refusal(Error(ErrorCode::kGeometry, what)); }
 
 /// Whether, turning clockwise about the line a b from the half-plane of p, that of q is met before that of r.
 bool before_clockwise(const Point& a, const Point& b, const Point& p, const Point& q, const Point& r) {
@@ -41,27 +43,28 @@ bool before_clockwise(const Point& a, const Point& b, const Point& p, const Poin
 
 /// Pairs the sides of one edge; `group` are its sides. Each rising one gets the first falling one clockwise: solid
 /// between.
-void pair_group(const RayBody& body, const std::vector<Side>& group, std::vector<int>& twin) {
+Fault pair_group(const RayBody& body, const std::vector<Side>& group, std::vector<int>& twin) {
   if (group.size() == 2 && group[0].rising != group[1].rising) {
     twin[group[0].id] = group[1].id;
     twin[group[1].id] = group[0].id;
-    return;
+    return std::nullopt;
   }
   const Sides sides{body};
   std::vector<int> rising, falling;
   for (const Side& s : group) (s.rising ? rising : falling).push_back(s.id);
   if (rising.size() != falling.size())
-    refuse("the surface is not closed: an edge has " + std::to_string(group.size()) + " faces");
+    return fault("the surface is not closed: an edge has " + std::to_string(group.size()) + " faces");
   for (const int r : rising) {
     const Point &a = body.points[sides.from(r)], &b = body.points[sides.to(r)];
     int best = -1;
     for (const int f : falling) {
       if (best < 0 || before_clockwise(a, b, sides.apex(r), sides.apex(f), sides.apex(best))) best = f;
     }
-    if (best < 0 || twin[best] >= 0) refuse("faces cross or repeat at an edge");
+    if (best < 0 || twin[best] >= 0) return fault("faces cross or repeat at an edge");
     twin[r] = best;
     twin[best] = r;
   }
+  return std::nullopt;
 }
 
 /// By their lower vertex, then the higher one, then by number.
@@ -85,7 +88,7 @@ std::vector<Side> sorted_sides(const RayBody& body) {
   return sides;
 }
 
-std::vector<int> twins(const RayBody& body) {
+exact::Tried<std::vector<int>> twins(const RayBody& body) {
   const std::vector<Side> sides = sorted_sides(body);
   std::vector<int> twin(sides.size(), -1);
   std::vector<Side> group;
@@ -94,12 +97,12 @@ std::vector<int> twins(const RayBody& body) {
     for (std::size_t j = i; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high; ++j) {
       group.push_back(sides[j]);
     }
-    pair_group(body, group, twin);
+    if (const Fault found = pair_group(body, group, twin)) return *found;
   }
   return twin;
 }
 
-void make_edges(RayBody& body, const std::vector<int>& twin) {
+Fault make_edges(RayBody& body, const std::vector<int>& twin) {
   const Sides at{body};
   body.face_edges.resize(body.faces.size());
   for (int id = 0; id < static_cast<int>(twin.size()); ++id) {
@@ -109,10 +112,11 @@ void make_edges(RayBody& body, const std::vector<int>& twin) {
         -exact::sign_dot(body.normals[left], body.normal_approx[left], at.apex(twin[id]) - body.points[at.from(id)]);
     const auto& n = body.normal_approx[left];
     const auto& m = body.normal_approx[right];
-    if (bend == 0 && n.x * m.x + n.y * m.y + n.z * m.z < 0) refuse("the surface folds back on itself at an edge");
+    if (bend == 0 && n.x * m.x + n.y * m.y + n.z * m.z < 0) return fault("the surface folds back on itself at an edge");
     body.face_edges[left][id % 3] = body.face_edges[right][twin[id] % 3] = static_cast<int>(body.edges.size());
     body.edges.push_back({at.from(id), at.to(id), left, right, bend});
   }
+  return std::nullopt;
 }
 
 void make_vertices(RayBody& body, const std::vector<int>& twin) {
@@ -154,11 +158,11 @@ void number_pieces(RayBody& body) {
 
 }  // namespace
 
-RayBody::RayBody(Triangles surface) : points(std::move(surface.points)), faces(std::move(surface.faces)) {
-  if (faces.empty()) refuse("a body without faces");
+std::optional<exact::Refusal> RayBody::measure_faces() {
+  if (faces.empty()) return fault("a body without faces");
   for (const auto& [a, b, c] : faces) {
     normals.push_back(exact::cross(points[b] - points[a], points[c] - points[a]));
-    if (exact::is_zero(normals.back())) refuse("a face without area");
+    if (exact::is_zero(normals.back())) return fault("a face without area");
     normal_approx.push_back(exact::approx(normals.back()));
   }
   low = high = points[faces[0][0]];
@@ -173,10 +177,20 @@ RayBody::RayBody(Triangles surface) : points(std::move(surface.points)), faces(s
     if (c > exact::kRayLimit || c < -exact::kRayLimit)
       throw Error(ErrorCode::kOutOfRange, "a coordinate exceeds 2^38 grid steps, the limit of ray maps");
   }
-  const std::vector<int> twin = twins(*this);
-  make_edges(*this, twin);
-  make_vertices(*this, twin);
-  number_pieces(*this);
+  return std::nullopt;
+}
+
+exact::Tried<RayBody> RayBody::of(Triangles surface) {
+  RayBody out;
+  out.points = std::move(surface.points);
+  out.faces = std::move(surface.faces);
+  if (const Fault found = out.measure_faces()) return *found;
+  const exact::Tried<std::vector<int>> twin = twins(out);
+  if (!twin) return twin.refusal();
+  if (const Fault found = make_edges(out, *twin)) return *found;
+  make_vertices(out, *twin);
+  number_pieces(out);
+  return out;
 }
 
 int RayBody::euler() const {

@@ -10,8 +10,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "exact/number/tried.h"
 #include "exact/solid/ray_sign.h"
 #include "space/polytope/solid.h"
 
@@ -65,11 +68,19 @@ struct RayBody {
   int pieces = 0;
   Point low, high;
 
-  explicit RayBody(Triangles surface);
+  /// Refused (kGeometry) where the triangles are no closed surface that lies about a solid.
+  static exact::Tried<RayBody> of(Triangles surface);
+  /// The same; the error instead of the refusal.
+  explicit RayBody(Triangles surface) : RayBody(of(std::move(surface)).or_throw()) {}
 
   const Point& corner(int face, int k) const { return points[faces[face][k]]; }
   /// V - E + F over 2: the Euler characteristic of a bounded solid with this boundary.
   int euler() const;
+
+ private:
+  RayBody() = default;
+  /// The faces' normals and the box; what is wrong with a face.
+  std::optional<exact::Refusal> measure_faces();
 };
 
 }  // namespace findspace::space

@@ -87,7 +87,7 @@ PairRays::PairRays(const Triangles& a, const RayGrid& grid)
 
 PairRays::~PairRays() = default;
 
-RayRow PairRays::row(int j) const {
+exact::Tried<RayRow> PairRays::try_row(int j) const {
   std::unique_ptr<RowWork> work = spare_->take(*this);
   RayRow row = work->run(j);
   spare_->give(std::move(work));

@@ -42,7 +42,7 @@ class PairRays : public RaySource {
   ~PairRays() override;
 
   const RayGrid& grid() const override { return sheets_->grid(); }
-  RayRow row(int j) const override;
+  exact::Tried<RayRow> try_row(int j) const override;
   const RayCounts& counts() const { return counts_; }
 
  private:

@@ -197,10 +197,11 @@ class Orientation {
   [[noreturn]] void refuse(const Shell& s, double step) const {
     const Point& p = mesh_.vertices[mesh_.faces[s.faces[0]][0]];
     const auto at = [&](std::int64_t c) { return static_cast<double>(c) * step; };
-    throw Error(ErrorCode::kGeometry,
-                fmt::format("a shell of the mesh, at ({:g}, {:g}, {:g}), lies in another of the same sense: turned it "
-                            "would be a cavity, and as it is it adds nothing",
-                            at(p.x), at(p.y), at(p.z)));
+    throw Error(
+        ErrorCode::kGeometry,
+        fmt::format("a shell of the mesh, at ({:g}, {:g}, {:g}), lies in another of the same sense: reversed it "
+                    "would be a cavity, and as it is it adds nothing",
+                    at(p.x), at(p.y), at(p.z)));
   }
 
   Mesh& mesh_;

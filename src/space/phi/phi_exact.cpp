@@ -44,7 +44,7 @@ Real squared_distance_to(const PhiFunction& phi, int f, const RealVector& u) {
 
 PhiAt phi_at(const PhiFunction& phi, const RealVector& u) {
   const Vector near = rounded(u);
-  // The rounding of u moves values by less than the error bound, whose constant has tolerance for it.
+  // The rounding of u moves values by less than the error bound, whose constant allows for it.
   const double threshold = phi.max_form(near) - 4 * phi.error_bound(near);
   PhiAt result;
   Level top;

@@ -140,7 +140,7 @@ void PieceRays::put(const std::vector<Stretch>& stretches, int i, int j, RayRow&
   row.first.push_back(static_cast<int>(row.events.size()));
 }
 
-RayRow PieceRays::row(int j) const {
+exact::Tried<RayRow> PieceRays::try_row(int j) const {
   std::array<RayRow, 2> rows;  // the open set, the closed one
   std::vector<Stretch> all;
   for (int i = 0; i < grid_.nu; ++i) {

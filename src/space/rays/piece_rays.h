@@ -25,7 +25,7 @@ class PieceRays : public RaySource, private RayRoots {
   PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, const RayGrid& grid, Of of = Of::kUnion);
 
   const RayGrid& grid() const override { return grid_; }
-  RayRow row(int j) const override;
+  exact::Tried<RayRow> try_row(int j) const override;
 
   /// Whether a line of the grid may meet the box, given in 1/scale grid steps.
   static bool any_line(const RayGrid& grid, const Vector& low, const Vector& high, std::int64_t scale);

@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/number/tried.h"
 #include "exact/solid/ray_sign.h"
 #include "space/polytope/polytope.h"
 
@@ -85,7 +86,10 @@ class RaySource {
  public:
   virtual ~RaySource() = default;
   virtual const RayGrid& grid() const = 0;
-  virtual RayRow row(int j) const = 0;
+  /// Refused where a search tells the signs and does not within its limit.
+  virtual exact::Tried<RayRow> try_row(int j) const = 0;
+  /// The same; Error(kUnsupported) instead of a refusal.
+  RayRow row(int j) const { return try_row(j).or_throw(); }
   /// Whether a search tells the signs, so that 0 means a place near the front as well as on it.
   virtual bool searched() const { return false; }
 };

@@ -17,9 +17,9 @@ class Constant : public RaySource {
  public:
   Constant(const RayGrid& grid, int sign) : grid_(grid), sign_(static_cast<std::int8_t>(sign)) {}
   const RayGrid& grid() const override { return grid_; }
-  RayRow row(int) const override {
+  exact::Tried<RayRow> try_row(int) const override {
     const auto lines = static_cast<std::size_t>(grid_.nu);
-    return {std::vector<std::int8_t>(lines, sign_), std::vector<int>(lines + 1, 0), {}};
+    return RayRow{std::vector<std::int8_t>(lines, sign_), std::vector<int>(lines + 1, 0), {}};
   }
 
  private:
@@ -33,9 +33,13 @@ class Combined : public RaySource {
       : sources_(std::move(sources)), combine_(std::move(combine)) {}
   const RayGrid& grid() const override { return sources_[0]->grid(); }
   bool searched() const override { return any_searched(sources_); }
-  RayRow row(int j) const override {
+  exact::Tried<RayRow> try_row(int j) const override {
     std::vector<RayRow> rows;
-    for (const RaySourcePointer& s : sources_) rows.push_back(s->row(j));
+    for (const RaySourcePointer& s : sources_) {
+      exact::Tried<RayRow> row = s->try_row(j);
+      if (!row) return row;
+      rows.push_back(*std::move(row));
+    }
     return combined(rows, combine_);
   }
 
@@ -49,10 +53,12 @@ class Greatest : public RaySource {
   explicit Greatest(std::vector<RaySourcePointer> sources) : sources_(std::move(sources)) {}
   const RayGrid& grid() const override { return sources_[0]->grid(); }
   bool searched() const override { return any_searched(sources_); }
-  RayRow row(int j) const override {
+  exact::Tried<RayRow> try_row(int j) const override {
     std::vector<RayRow> rows;
     for (const RaySourcePointer& s : sources_) {
-      rows.push_back(s->row(j));
+      exact::Tried<RayRow> row = s->try_row(j);
+      if (!row) return row;
+      rows.push_back(*std::move(row));
       // Where one is + everywhere the others need not be asked.
       const RayRow& last = rows.back();
       const auto plus = [](std::int8_t sign) { return sign > 0; };

@@ -153,6 +153,7 @@ std::optional<IntervalBox> one_box(const BoxComplex& set) {
 }
 
 std::optional<BoxComplex> hull_of(const BoxComplex& set) {
+  if (set.too_fine()) return std::nullopt;
   IntervalBox all;
   for (const IntervalBox& box : set.boxes()) {
     for (int k = 0; k < 3; ++k) {
@@ -232,13 +233,17 @@ std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxC
   }
 }
 
+std::optional<BoxComplex> coarse(std::optional<BoxComplex> set) {
+  return set && !set->too_fine() ? std::move(set) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<BoxComplex> box_complex(const plane::Shape& shape) {
   if (const Solid* solid = solid_of(shape)) {
     try {
       const auto faces = faces_of(*solid);
-      return faces ? filled(*faces) : std::nullopt;
+      return faces ? coarse(filled(*faces)) : std::nullopt;
     } catch (const Error& e) {
       throw e.place().empty() && !shape.place.empty() ? e.within(shape.place) : e;
     }
@@ -250,7 +255,7 @@ std::optional<BoxComplex> box_complex(const plane::Shape& shape) {
     children.push_back(std::move(*set));
   }
   if (children.empty()) return std::nullopt;
-  auto result = node(shape, children);
+  auto result = coarse(node(shape, children));
   return result ? std::optional(result->simplified()) : std::nullopt;
 }
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "scenery.h"
+
+#include <algorithm>
+#include <set>
+
+#include "motion_arrows.h"
+
+namespace findspace::app {
+
+void add_scenery(const Session& session, io::Picture& picture, const formula::World& world,
+                 const formula::Formula* formula) {
+  picture.step = world.step;
+  picture.unit = session.unit();
+  picture.arrows = motion_arrows(session.scene(), world, formula);
+  std::set<std::string> named;
+  if (formula != nullptr) {
+    for (const formula::Atom& a : formula->atoms()) {
+      named.insert(a.distance.first.begin(), a.distance.first.end());
+      named.insert(a.distance.second.begin(), a.distance.second.end());
+    }
+  }
+  for (const plane::ShapePtr& s : session.scene().shapes) {
+    const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
+    if (moves)
+      picture.moving.push_back({s->name, &world.shapes.at(s->name)});
+    else if (named.empty() || named.count(s->name) != 0)
+      picture.fixed.push_back({s->name, &world.shapes.at(s->name)});
+  }
+}
+
+}  // namespace findspace::app
