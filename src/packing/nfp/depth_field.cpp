@@ -7,11 +7,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace findspace::packing {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// The square of the distance to a segment and its foot.
+double square_to(const Vec from, const Vec to, const Vec way, double inverse_square, Vec t, Vec& foot) {
+  const double along = dot(t - from, way) * inverse_square;
+  foot = along <= 0 ? from : along >= 1 ? to : from + along * way;
+  const Vec off = t - foot;
+  return dot(off, off);
+}
 
 }  // namespace
 
@@ -26,18 +35,11 @@ DepthField::DepthField(NoFitPolygon polygon) : polygon_(std::move(polygon)), cel
     segments_.push_back({edge.from, edge.to, way, square > 0 ? 1 / square : 0, square > 0 ? 1 / std::sqrt(square) : 0,
                          int(e), edge.slit});
   }
-  scratch_.resize(segments_.size());
   if (width <= 0 || height <= 0) return;
-  for (int row = 0; row < kCells; ++row)
-    for (int column = 0; column < kCells; ++column) fill(column, row);
-}
-
-/// The square of the distance to a segment and its foot.
-static double square_to(const Vec from, const Vec to, const Vec way, double inverse_square, Vec t, Vec& foot) {
-  const double along = dot(t - from, way) * inverse_square;
-  foot = along <= 0 ? from : along >= 1 ? to : from + along * way;
-  const Vec off = t - foot;
-  return dot(off, off);
+  std::vector<std::uint32_t> all(segments_.size());
+  std::iota(all.begin(), all.end(), 0u);
+  for (int row = 0; row < kCells; row += kBlock)
+    for (int column = 0; column < kCells; column += kBlock) fill_block(column, row, all);
 }
 
 Nearest DepthField::nearest(const Cell& cell, Vec t) const {
@@ -61,44 +63,59 @@ Nearest DepthField::nearest(const Cell& cell, Vec t) const {
   return result;
 }
 
-void DepthField::fill(int column, int row) {
-  Cell& cell = cells_[std::size_t(row * kCells + column)];
-  const Vec half{0.5 / inverse_x_, 0.5 / inverse_y_};
-  const Vec middle{polygon_.low.x + (2 * column + 1) * half.x, polygon_.low.y + (2 * row + 1) * half.y};
-  const double radius = std::sqrt(dot(half, half));
-  double nearest_square = kFar, side = 0;
+void DepthField::choose(Vec middle, Vec half, const std::vector<std::uint32_t>& from, Choice& choice) {
+  squares_.clear();
+  double least = kFar;
+  choice.side = 0;
   Vec foot;
-  for (std::size_t e = 0; e < segments_.size(); ++e) {
+  for (const std::uint32_t e : from) {
     const Segment& s = segments_[e];
     const double square = square_to(s.from, s.to, s.way, s.inverse_square, middle, foot);
-    scratch_[e] = square;
-    if (square > nearest_square) continue;
+    squares_.push_back(square);
+    if (square > least) continue;
     const double height = s.slit ? 0 : cross(s.way, middle - s.from) * s.inverse_length;
-    if (square == nearest_square && std::abs(height) <= std::abs(side)) continue;
-    nearest_square = square;
-    side = height;
+    if (square == least && std::abs(height) <= std::abs(choice.side)) continue;
+    least = square;
+    choice.side = height;
   }
-  const double distance = std::sqrt(nearest_square);
-  if (distance > radius && side < 0) return;
-  cell.kind = distance > radius ? Kind::kInside : Kind::kMixed;
-  cell.least = float(std::max(0.0, 0.999 * (distance - radius)));
-  const double reach = (distance + 2 * radius) * (distance + 2 * radius);
-  // The greatest distance in the cell to the edge whose greatest is least: what is farther everywhere is never nearest.
-  double least_greatest = kFar;
-  const auto corners = {middle + half, middle - half, Vec{middle.x + half.x, middle.y - half.y},
-                        Vec{middle.x - half.x, middle.y + half.y}};
-  for (std::size_t e = 0; e < segments_.size(); ++e) {
-    if (scratch_[e] > reach) continue;
+  choice.distance = std::sqrt(least);
+  // What is farther everywhere than an edge is at the farthest corner is never nearest.
+  const double radius = std::sqrt(dot(half, half)), reach = choice.distance + 2 * radius;
+  double least_greatest = reach * reach;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    if (squares_[k] > least_greatest) continue;
+    const Segment& s = segments_[from[k]];
     double greatest = 0;
-    const Segment& s = segments_[e];
-    for (const Vec c : corners)
-      greatest = std::max(greatest, square_to(s.from, s.to, s.way, s.inverse_square, c, foot));
+    for (const Vec c : {half, Vec{-half.x, half.y}, Vec{half.x, -half.y}, Vec{-half.x, -half.y}})
+      greatest = std::max(greatest, square_to(s.from, s.to, s.way, s.inverse_square, middle + c, foot));
     least_greatest = std::min(least_greatest, greatest);
   }
-  cell.begin = std::uint32_t(lists_.size());
   const double keep = std::sqrt(least_greatest) + radius;
-  for (std::size_t e = 0; e < segments_.size(); ++e)
-    if (scratch_[e] <= reach && scratch_[e] <= keep * keep) lists_.push_back(std::uint32_t(e));
+  choice.edges.clear();
+  for (std::size_t k = 0; k < from.size(); ++k)
+    if (squares_[k] <= keep * keep) choice.edges.push_back(from[k]);
+}
+
+void DepthField::fill_block(int column, int row, const std::vector<std::uint32_t>& all) {
+  const Vec half{0.5 / inverse_x_, 0.5 / inverse_y_};
+  const auto middle_of = [&](int c, int r, int cells) {
+    return Vec{polygon_.low.x + (2 * c + cells) * half.x, polygon_.low.y + (2 * r + cells) * half.y};
+  };
+  choose(middle_of(column, row, kBlock), double(kBlock) * half, all, block_);
+  for (int r = row; r < row + kBlock; ++r)
+    for (int c = column; c < column + kBlock; ++c)
+      fill(cells_[std::size_t(r * kCells + c)], middle_of(c, r, 1), half, block_.edges);
+}
+
+void DepthField::fill(Cell& cell, Vec middle, Vec half, const std::vector<std::uint32_t>& from) {
+  choose(middle, half, from, cell_);
+  const double radius = std::sqrt(dot(half, half));
+  if (cell_.distance > radius && cell_.side < 0) return;
+  cell.kind = cell_.distance > radius ? Kind::kInside : Kind::kMixed;
+  cell.least = float(std::max(0.0, 0.999 * (cell_.distance - radius)));
+  if (cell.kind == Kind::kMixed) cell.least = 0;
+  cell.begin = std::uint32_t(lists_.size());
+  lists_.insert(lists_.end(), cell_.edges.begin(), cell_.edges.end());
   cell.end = std::uint32_t(lists_.size());
 }
 

@@ -53,21 +53,29 @@ class DepthField {
     bool slit;
   };
 
-  static constexpr int kCells = 40;
+  static constexpr int kCells = 40, kBlock = 5;  // a block of cells shares what its edges can be
   const Cell* at(Vec t) const {
     const double cx = (t.x - polygon_.low.x) * inverse_x_, cy = (t.y - polygon_.low.y) * inverse_y_;
     if (!(cx >= 0 && cy >= 0 && cx < kCells && cy < kCells)) return nullptr;
     return &cells_[std::size_t(int(cy) * kCells + int(cx))];
   }
   Nearest nearest(const Cell& cell, Vec t) const;
-  void fill(int column, int row);
+  /// The edges among `from` that can be nearest within `half` of the point, and the nearest to itself.
+  struct Choice {
+    double distance = 0, side = 0;
+    std::vector<std::uint32_t> edges;
+  };
+  void choose(Vec middle, Vec half, const std::vector<std::uint32_t>& from, Choice& choice);
+  void fill_block(int column, int row, const std::vector<std::uint32_t>& all);
+  void fill(Cell& cell, Vec middle, Vec half, const std::vector<std::uint32_t>& from);
 
   NoFitPolygon polygon_;
   double inverse_x_ = 0, inverse_y_ = 0;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> lists_;
   std::vector<Segment> segments_;
-  std::vector<double> scratch_;
+  std::vector<double> squares_;  // while the cells are made
+  Choice block_, cell_;
 };
 
 }  // namespace findspace::packing

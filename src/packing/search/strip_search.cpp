@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -85,7 +86,10 @@ class Search {
   }
 
   SearchState state() const {
-    SearchState s{seconds(), 0, 0, 0, seconds() - better_at_};
+    SearchState s;
+    s.seconds = seconds();
+    s.processor = double(std::clock()) / CLOCKS_PER_SEC;
+    s.since_better = s.seconds - better_at_;
     if (best_) {
       s.length = best_->length.to_double();
       s.density = area_ / (s.length * table_.height());

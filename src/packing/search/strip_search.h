@@ -25,7 +25,7 @@ struct SearchOptions {
 };
 
 struct SearchState {
-  double seconds = 0;
+  double seconds = 0, processor = 0;  // since the beginning
   double length = 0, density = 0;
   double overlap = 0;       // left in the separation under way
   double since_better = 0;  // seconds
