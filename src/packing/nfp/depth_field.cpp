@@ -28,12 +28,11 @@ DepthField::DepthField(NoFitPolygon polygon) : polygon_(std::move(polygon)), cel
   const double width = polygon_.high.x - polygon_.low.x, height = polygon_.high.y - polygon_.low.y;
   inverse_x_ = width > 0 ? kCells / width : 0;
   inverse_y_ = height > 0 ? kCells / height : 0;
-  for (std::size_t e = 0; e < polygon_.edges.size(); ++e) {
-    const NoFitEdge& edge = polygon_.edges[e];
+  for (const NoFitEdge& edge : polygon_.edges) {
     const Vec way = edge.to - edge.from;
     const double square = dot(way, way);
-    segments_.push_back({edge.from, edge.to, way, square > 0 ? 1 / square : 0, square > 0 ? 1 / std::sqrt(square) : 0,
-                         int(e), edge.slit});
+    const double inverse = square > 0 ? 1 / square : 0;
+    segments_.push_back({edge.from, edge.to, way, inverse, edge.slit ? 0 : std::sqrt(inverse)});
   }
   if (width <= 0 || height <= 0) return;
   std::vector<std::uint32_t> all(segments_.size());
@@ -45,17 +44,17 @@ DepthField::DepthField(NoFitPolygon polygon) : polygon_(std::move(polygon)), cel
 Nearest DepthField::nearest(const Cell& cell, Vec t) const {
   double best = kFar, side = 0;
   Nearest result;
-  for (std::uint32_t k = cell.begin; k < cell.end; ++k) {
+  for (std::uint32_t k = cell.begin; k < cell.begin + cell.count; ++k) {
     const Segment& s = segments_[lists_[k]];
     Vec foot;
     const double square = square_to(s.from, s.to, s.way, s.inverse_square, t, foot);
     if (square > best) continue;
     // Of two edges that share the nearest vertex, the one whose line is farther knows the side.
-    const double height = s.slit ? 0 : cross(s.way, t - s.from) * s.inverse_length;
+    const double height = cross(s.way, t - s.from) * s.inverse_length;
     if (square == best && std::abs(height) <= std::abs(side)) continue;
     best = square;
     side = height;
-    result.edge = s.edge;
+    result.edge = lists_[k];
     result.foot = foot;
   }
   if (cell.kind == Kind::kMixed && side < 0) return {};
@@ -73,7 +72,7 @@ void DepthField::choose(Vec middle, Vec half, const std::vector<std::uint32_t>& 
     const double square = square_to(s.from, s.to, s.way, s.inverse_square, middle, foot);
     squares_.push_back(square);
     if (square > least) continue;
-    const double height = s.slit ? 0 : cross(s.way, middle - s.from) * s.inverse_length;
+    const double height = cross(s.way, middle - s.from) * s.inverse_length;
     if (square == least && std::abs(height) <= std::abs(choice.side)) continue;
     least = square;
     choice.side = height;
@@ -115,8 +114,8 @@ void DepthField::fill(Cell& cell, Vec middle, Vec half, const std::vector<std::u
   cell.least = float(std::max(0.0, 0.999 * (cell_.distance - radius)));
   if (cell.kind == Kind::kMixed) cell.least = 0;
   cell.begin = std::uint32_t(lists_.size());
-  lists_.insert(lists_.end(), cell_.edges.begin(), cell_.edges.end());
-  cell.end = std::uint32_t(lists_.size());
+  for (const std::uint32_t e : cell_.edges) lists_.push_back(std::uint16_t(e));
+  cell.count = std::uint16_t(cell_.edges.size());
 }
 
 }  // namespace findspace::packing

@@ -42,15 +42,15 @@ class DepthField {
  private:
   enum class Kind : std::uint8_t { kOutside, kInside, kMixed };
   struct Cell {
-    std::uint32_t begin = 0, end = 0;
+    std::uint32_t begin = 0;  // in lists_
     float least = 0;
+    std::uint16_t count = 0;
     Kind kind = Kind::kOutside;
   };
-  struct Segment {
+  /// One line of the cache.
+  struct alignas(64) Segment {
     Vec from, to, way;
-    double inverse_square, inverse_length;
-    int edge;
-    bool slit;
+    double inverse_square, inverse_length;  // the last is 0 for slits, which have no side
   };
 
   static constexpr int kCells = 40, kBlock = 5;  // a block of cells shares what its edges can be
@@ -72,7 +72,7 @@ class DepthField {
   NoFitPolygon polygon_;
   double inverse_x_ = 0, inverse_y_ = 0;
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> lists_;
+  std::vector<std::uint16_t> lists_;
   std::vector<Segment> segments_;
   std::vector<double> squares_;  // while the cells are made
   Choice block_, cell_;

@@ -4,6 +4,8 @@
 
 #include "packing/nfp/no_fit_polygon.h"
 
+#include <findspace/error.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -13,6 +15,7 @@
 namespace findspace::packing {
 namespace {
 
+constexpr std::size_t kMostEdges = 65535;  // that a depth field numbers
 constexpr int kSearchDigits = 7;  // of the search's grid, at most
 
 plane::Region region(const SearchShape& shape) {
@@ -80,7 +83,10 @@ SearchShape search_shape(const Polygon& shape, int digits) {
 }
 
 NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b) {
-  return Boundary(plane::contact_map(region(a), region(b)), a.step).take();
+  NoFitPolygon result = Boundary(plane::contact_map(region(a), region(b)), a.step).take();
+  if (result.edges.size() > kMostEdges)
+    throw Error(ErrorCode::kUnsupported, "two parts have too many corners to be packed together");
+  return result;
 }
 
 }  // namespace findspace::packing

@@ -22,8 +22,8 @@ Arrangement::Arrangement(const FieldTable& table, std::vector<Pose> poses, doubl
   const std::size_t n = poses_.size();
   for (auto* side : {&low_x_, &low_y_, &high_x_, &high_y_}) side->resize(n);
   depths_.resize(n);
-  near_.resize(n);
-  least_.resize(n);
+  near_.resize(n + 1);
+  looks_.resize(n);
   reset_weights();
   set_length(length);
 }
@@ -70,44 +70,38 @@ void Arrangement::move(std::size_t i, const Pose& pose) {
   high_y_[i] = pose.at.y + v.high.y;
 }
 
-const std::vector<std::uint32_t>& Arrangement::near(std::size_t i, const Pose& pose) const {
+std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose) const {
   const Variant& v = table_->variants()[pose.variant];
   const double low_x = pose.at.x + v.low.x, low_y = pose.at.y + v.low.y, high_x = pose.at.x + v.high.x,
                high_y = pose.at.y + v.high.y;
-  near_.resize(size());
   std::size_t count = 0;
   for (std::size_t j = 0; j < size(); ++j) {
     near_[count] = std::uint32_t(j);
     count += std::size_t((low_x < high_x_[j]) & (low_x_[j] < high_x) & (low_y < high_y_[j]) & (low_y_[j] < high_y) &
                          (j != i));
   }
-  near_.resize(count);
   looked_at_ += size();
-  return near_;
+  return {near_.data(), count};
 }
 
 double Arrangement::cost(std::size_t i, const Pose& pose, double bound) const {
-  const std::vector<std::uint32_t>& others = near(i, pose);
+  const std::span<const std::uint32_t> others = near(i, pose);
   const double* weights = &weights_[i * size()];
   const double out = excess(pose.variant);
   double sum = out > 0 ? out * strip_weights_[i] : 0;
-  const auto place = [&](std::uint32_t j, const DepthField*& field) {
-    const Pose& other = poses_[j];
-    const bool first = other.variant <= pose.variant;
-    field = first ? &table_->field(other.variant, pose.variant) : &table_->field(pose.variant, other.variant);
-    return first ? pose.at - other.at : other.at - pose.at;
-  };
-  const DepthField* field = nullptr;
   for (std::size_t k = 0; k < others.size(); ++k) {
-    const Vec t = place(others[k], field);
-    least_[k] = weights[others[k]] * field->least(t);
-    sum += least_[k];
+    const Pose& other = poses_[others[k]];
+    const bool first = other.variant <= pose.variant;
+    Look& look = looks_[k];
+    look.field = first ? &table_->field(other.variant, pose.variant) : &table_->field(pose.variant, other.variant);
+    look.at = first ? pose.at - other.at : other.at - pose.at;
+    look.least = weights[others[k]] * look.field->least(look.at);
+    sum += look.least;
   }
   for (std::size_t k = 0; k < others.size(); ++k) {
     if (sum >= bound) return std::numeric_limits<double>::infinity();
-    const Vec t = place(others[k], field);
-    const double depth = field->depth(t);
-    sum += (depth > shallow_ ? weights[others[k]] * depth : 0) - least_[k];
+    const double depth = looks_[k].field->depth(looks_[k].at);
+    sum += (depth > shallow_ ? weights[others[k]] * depth : 0) - looks_[k].least;
   }
   return sum;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "packing/nfp/field_table.h"
@@ -36,7 +37,7 @@ class Arrangement {
   /// The weighted cost of an item at a pose, or something not below `bound` where it is not below.
   double cost(std::size_t i, const Pose& pose, double bound) const;
   /// The other items whose boxes meet that of the item at this pose.
-  const std::vector<std::uint32_t>& near(std::size_t i, const Pose& pose) const;
+  std::span<const std::uint32_t> near(std::size_t i, const Pose& pose) const;
   /// How the item at this pose overlaps item j: the boundary point as a move of the item, and the line of its edge.
   struct Exit {
     double depth = 0;
@@ -60,6 +61,13 @@ class Arrangement {
     double depth;
   };
 
+  /// A pair while its cost is summed up.
+  struct Look {
+    const DepthField* field;
+    Vec at;
+    double least;
+  };
+
   double excess(std::size_t variant) const;
 
   const FieldTable* table_;
@@ -69,7 +77,7 @@ class Arrangement {
   std::vector<double> weights_, strip_weights_, depths_;
   std::vector<Overlap> overlaps_;
   mutable std::vector<std::uint32_t> near_;
-  mutable std::vector<double> least_;
+  mutable std::vector<Look> looks_;
   mutable std::uint64_t looked_at_ = 0;
 };
 

@@ -70,8 +70,7 @@ bool Mover::project_once(std::size_t item, Candidate& c) {
   std::array<Line, kMostLines> lines;
   std::size_t count = 0;
   const Vec from = c.pose.at;
-  const std::vector<std::uint32_t> others = a_.near(item, c.pose);
-  for (const std::uint32_t j : others) {
+  for (const std::uint32_t j : a_.near(item, c.pose)) {
     const Arrangement::Exit exit = a_.exit(c.pose, j);
     if (exit.depth <= 0) continue;
     const Line line{from + exit.move, exit.line, exit.depth * a_.weight(item, j)};
