@@ -17,5 +17,7 @@ Outcome run_describe(const Options& options, Reporter& reporter);
 Outcome run_convert(const Options& options, Reporter& reporter);
 Outcome run_place(const Options& options, Reporter& reporter);
 Outcome run_phi_verb(const Options& options, Reporter& reporter);
+Outcome run_pack(const Options& options, Reporter& reporter);
+Outcome run_verify(const Options& options, Reporter& reporter);
 
 }  // namespace findspace::app

@@ -69,6 +69,8 @@ constexpr VerbEntry kVerbs[] = {
     {"convert", "Answers what a shape or a drawing is in another format.", run_convert},
     {"place", "Answers where several shapes can go together, one after another or all at once.", run_place},
     {"phi", "Answers whether two shapes overlap, touch or lie apart, by their Phi-function.", run_phi_verb},
+    {"pack", "Answers how parts can be packed into a strip that is as short as possible.", run_pack},
+    {"verify", "Answers whether a layout is feasible, exactly: overlaps, the strip, angles and counts.", run_verify},
 };
 
 bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
@@ -120,8 +122,40 @@ std::string thread_count(const std::string& text) {
   return fmt::format("a whole number from 0 to 4096 is meant, not '{}'", text);
 }
 
+/// Of packing problems and layouts.
+void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
+  const bool pack = is(verb, "pack");
+  command
+      .add_option(pack ? "PROBLEM" : "LAYOUT", o.scene,
+                  pack ? "the problem, as nesting JSON" : "the layout: JSON, or an SVG of sparrow")
+      ->required()
+      ->type_name("");
+  if (!pack) command.add_option("PROBLEM", o.shapes, "the problem of a layout in JSON")->expected(0, 1)->type_name("");
+  command.add_option("--height", o.height, "the height of the strip, instead of the file's")
+      ->type_name("H")
+      ->group(kPlane);
+  command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
+  if (!pack) return;
+  command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json or .svg; may be repeated")
+      ->type_name("FILE")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->group(kCommon);
+  command.add_option("--start", o.start, "a layout to begin with: JSON, or an SVG of sparrow")
+      ->type_name("FILE")
+      ->group(kPlane);
+  command.add_option("--seed", o.seed, "another search (default 1)")->type_name("N")->group(kPlane);
+  command.add_option("--work", o.work, "end after N million evaluations a thread: the same result every time")
+      ->type_name("N")
+      ->group(kPlane);
+}
+
+bool is_packing(const VerbEntry& verb) { return is(verb, "pack") || is(verb, "verify"); }
+
 /// What is read, and where the result goes.
 void add_files(CLI::App& command, const VerbEntry& verb, Options& o) {
+  if (is_packing(verb)) return add_packing(command, verb, o);
   command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required()->type_name("");
   if (is(verb, "describe") || is(verb, "convert"))
     command.add_option("SHAPE", o.shapes, "the shape; may be left out where there is one only")
@@ -232,7 +266,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   const plane::ThreadLimit threads(options.threads);
   // A placement minds its limit itself and gives the best result so far.
-  const Deadline deadline(is(verb, "place") ? 0 : options.time_limit);
+  const Deadline deadline(is(verb, "place") || is(verb, "pack") ? 0 : options.time_limit);
   const auto dump = StageDump::from_environment();
   const plane::ObserveStages observe(dump.get());
   Outcome outcome = verb.run(options, reporter);

@@ -30,13 +30,17 @@ struct Options {
   bool all = false;           // of measure: all distances
   bool explain = false;       // of check: which way decided each atom, and how long it took
   bool json = false, quiet = false;
-  std::string side;       // of map and describe in 3D: inner or outer cells about lines, or nothing
-  bool axes = false;      // of these: lines along all three axes, or
-  std::string axis;       // along this one: x, y, z, or nothing
-  int resolution = 0;     // of these and place: lines each way; 0: an exact map, or by
-  std::string spacing;    // how far the lines are apart, a decimal, or nothing
-  unsigned threads = 0;   // 0: one for each core
-  double time_limit = 0;  // seconds; 0: none
+  std::string side;                   // of map and describe in 3D: inner or outer cells about lines, or nothing
+  bool axes = false;                  // of these: lines along all three axes, or
+  std::string axis;                   // along this one: x, y, z, or nothing
+  int resolution = 0;                 // of these and place: lines each way; 0: an exact map, or by
+  std::string spacing;                // how far the lines are apart, a decimal, or nothing
+  unsigned threads = 0;               // 0: one for each core
+  double time_limit = 0;              // seconds; 0: none
+  std::optional<std::string> height;  // of pack and verify: of the strip, instead of the file's
+  std::optional<std::filesystem::path> start;  // of pack: a layout
+  std::uint64_t seed = 1;                      // of pack
+  double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
 };
 
 /// Exit statuses (docs/commands.md).

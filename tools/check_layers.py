@@ -19,7 +19,7 @@ import re
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-LAYERS = ["exact", "plane", "space", "distance", "formula", "planning", "api", "io"]
+LAYERS = ["exact", "plane", "space", "distance", "formula", "planning", "packing", "api", "io"]
 CODE = (".h", ".cpp")
 MOST_FILES = 40  # of a street
 MOST_LINES = 10  # of the README of a layer

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Packing problems and layouts as files: the common nesting JSON (items, demand, allowed_orientations, strip_height),
+// layouts as JSON (docs/nesting.md), and the SVG of sparrow, which holds shapes and transforms both. Numbers are read
+// exactly. Keywords: ESICUP, jagua-rs, sparrow.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "packing/problem/problem.h"
+
+namespace findspace::io {
+
+/// Throws Error. Without `allowed_orientations` a part is not turned. `height` replaces that of the file.
+packing::Problem read_nesting(const std::string& text, const std::string& name,
+                              const std::optional<packing::Fraction>& height = std::nullopt);
+
+/// A layout of this problem.
+packing::Layout read_layout(const std::string& text, const std::string& name, const packing::Problem& problem);
+
+struct ProblemAndLayout {
+  packing::Problem problem;
+  packing::Layout layout;
+};
+
+/// The drawing of a layout that sparrow writes. Its parts may stand at the angles at which they stand.
+ProblemAndLayout read_sparrow_svg(const std::string& text, const std::string& name);
+
+}  // namespace findspace::io

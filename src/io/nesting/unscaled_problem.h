@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A packing problem as its file states it, before all its coordinates stand on one grid.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "packing/problem/problem.h"
+
+namespace findspace::io {
+
+using UnscaledRing = std::vector<std::pair<packing::Fraction, packing::Fraction>>;
+
+struct UnscaledPart {
+  std::string name;
+  int demand = 1;
+  std::vector<UnscaledRing> rings;
+  std::vector<packing::Fraction> angles;
+};
+
+struct UnscaledProblem {
+  std::string name;
+  packing::Fraction height;
+  std::vector<UnscaledPart> parts;
+
+  /// On the decimal grid of its coordinates, six digits finer where parts turn by angles that are not of 90 degrees.
+  packing::Problem on_grid(const std::string& place) &&;
+};
+
+}  // namespace findspace::io

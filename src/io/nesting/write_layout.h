@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Layouts as files: JSON with exact numbers, which read_layout reads back, and a drawing as the strip is cut.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "packing/problem/problem.h"
+
+namespace findspace::io {
+
+struct LayoutFacts {
+  double density = 0, seconds = 0;
+  packing::Fraction lower_bound;
+  bool proven = false;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+};
+
+std::string layout_json(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts);
+std::string layout_svg(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts);
+
+}  // namespace findspace::io

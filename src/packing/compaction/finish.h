@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A layout in doubles made into one that is proved: parts are moved apart by some steps of a fine grid where that costs
+// nearly nothing, put onto the grid, and verified exactly. Contacts along an axis between parts on the grid stay
+// contacts, so stacks without clearance survive. Guarantee: what is returned is feasible by exact predicates.
+// Cost: at most five linear programs and verifications.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "packing/compaction/linear_moves.h"
+#include "packing/problem/problem.h"
+
+namespace findspace::packing {
+
+/// Nothing where the overlaps of the layout are too deep for that.
+std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const std::vector<Pose>& poses,
+                               double length);
+
+/// The poses of a layout, in its order.
+std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Layout& layout);
+
+}  // namespace findspace::packing

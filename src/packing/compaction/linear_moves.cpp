@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/compaction/linear_moves.h"
+
+#include <ClpSimplex.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "exact/number/search_margins.h"
+
+namespace findspace::packing {
+namespace {
+
+constexpr double kTrust = 0.02;  // of the height
+constexpr int kMostSteps = 40;
+constexpr int kMostSeparations = 12;
+
+/// Rows and columns of a program, in units of the strip's height.
+class Program {
+ public:
+  Program(std::size_t items, double height) : height_(height), items_(items) {}
+
+  int add_column(double low, double high, double cost) {
+    low_.push_back(low / height_);
+    high_.push_back(high / height_);
+    cost_.push_back(cost);
+    return int(low_.size()) - 1;
+  }
+  void begin_row(double least) {
+    starts_.push_back(CoinBigIndex(columns_.size()));
+    least_.push_back(least / height_);
+  }
+  void add(int column, double factor) {
+    if (factor == 0) return;
+    columns_.push_back(column);
+    factors_.push_back(factor);
+  }
+  /// False where there is no solution.
+  bool solve() {
+    starts_.push_back(CoinBigIndex(columns_.size()));
+    const int rows = int(least_.size());
+    std::vector<int> lengths;
+    for (int r = 0; r < rows; ++r) lengths.push_back(int(starts_[std::size_t(r) + 1] - starts_[std::size_t(r)]));
+    const CoinPackedMatrix matrix(false, int(low_.size()), rows, CoinBigIndex(columns_.size()), factors_.data(),
+                                  columns_.data(), starts_.data(), lengths.data());
+    const std::vector<double> most(least_.size(), COIN_DBL_MAX);
+    clp_.setLogLevel(0);
+    clp_.setPrimalTolerance(margin::kProgramTolerance);
+    clp_.loadProblem(matrix, low_.data(), high_.data(), cost_.data(), least_.data(), most.data());
+    clp_.dual();
+    return clp_.status() == 0;
+  }
+  double value(int column) const { return clp_.primalColumnSolution()[column] * height_; }
+  int x(std::size_t item) const { return int(2 * item); }
+  int y(std::size_t item) const { return int(2 * item + 1); }
+  int length() const { return int(2 * items_); }
+
+ private:
+  double height_;
+  std::size_t items_;
+  std::vector<double> low_, high_, cost_, least_, factors_;
+  std::vector<int> columns_;
+  std::vector<CoinBigIndex> starts_;
+  ClpSimplex clp_;
+};
+
+}  // namespace
+
+void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, std::size_t b, double trust, Goal goal,
+                               double gap, bool on_grid) {
+  if (poses[a].variant > poses[b].variant) std::swap(a, b);
+  const Vec t = poses[b].at - poses[a].at;
+  const auto& variants = table_.variants();
+  const Variant &va = variants[poses[a].variant], &vb = variants[poses[b].variant];
+  const double reach = 2 * trust + gap;
+  if (t.x - reach > va.high.x - vb.low.x || t.x + reach < va.low.x - vb.high.x) return;
+  if (t.y - reach > va.high.y - vb.low.y || t.y + reach < va.low.y - vb.high.y) return;
+  const DepthField& field = table_.field(poses[a].variant, poses[b].variant);
+  const Nearest inside = field.nearest(t);
+  const double height = table_.height();
+  const bool overlap = inside.depth > height * margin::kNoOverlap;
+  const Vec free = inside.depth > 0 ? inside.foot : t;
+  free_room(field.polygon(), free, reach + (overlap ? inside.depth : 0), height, planes_);
+  for (const HalfPlane& h : planes_) {
+    const double lacks = h.offset - dot(h.normal, t);
+    const bool slanted = h.normal.x != 0 && h.normal.y != 0;
+    const double wanted = goal == Goal::kLoosen && (slanted || !on_grid) ? gap : 0;
+    const bool soft = (goal == Goal::kSeparate && lacks > 0) || wanted > 0;
+    rows_.push_back({a, b, h, soft ? lacks + wanted : std::min(lacks, 0.0), soft});
+  }
+}
+
+void LinearMoves::collect(const std::vector<Pose>& poses, double trust, Goal goal, double gap, bool on_grid) {
+  rows_.clear();
+  for (std::size_t a = 0; a < poses.size(); ++a)
+    for (std::size_t b = a + 1; b < poses.size(); ++b) collect_pair(poses, a, b, trust, goal, gap, on_grid);
+}
+
+bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double trust, Goal goal, double gap) {
+  Program program(poses.size(), table_.height());
+  const auto& variants = table_.variants();
+  for (const Pose& p : poses) {
+    const Variant& v = variants[p.variant];
+    const double right = goal == Goal::kSeparate ? length - v.high.x - p.at.x : trust;
+    program.add_column(std::clamp(-v.low.x - p.at.x, -trust, 0.0), std::clamp(right, 0.0, trust), 0);
+    program.add_column(std::clamp(-v.low.y - p.at.y, -trust, 0.0),
+                       std::clamp(table_.height() - v.high.y - p.at.y, 0.0, trust), 0);
+  }
+  const double most = goal == Goal::kLoosen ? length + trust : length;
+  program.add_column(goal == Goal::kSeparate ? length : 0, most, 1);
+  for (std::size_t i = 0; i < poses.size() && goal != Goal::kSeparate; ++i) {
+    program.begin_row(poses[i].at.x + variants[poses[i].variant].high.x);
+    program.add(program.length(), 1);
+    program.add(program.x(i), -1);
+  }
+  std::vector<int> slacks;
+  for (const Row& row : rows_) {
+    program.begin_row(row.need);
+    program.add(program.x(row.b), row.room.normal.x);
+    program.add(program.y(row.b), row.room.normal.y);
+    program.add(program.x(row.a), -row.room.normal.x);
+    program.add(program.y(row.a), -row.room.normal.y);
+    if (!row.soft) continue;
+    const double greatest = goal == Goal::kLoosen ? std::max(gap, row.need) : table_.height();
+    slacks.push_back(program.add_column(0, greatest, goal == Goal::kLoosen ? 100 : 1));
+    program.add(slacks.back(), 1);
+  }
+  ++solved_;
+  if (!program.solve()) return false;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    poses[i].at = poses[i].at + Vec{program.value(program.x(i)), program.value(program.y(i))};
+  left_ = 0;
+  for (const int slack : slacks) left_ += program.value(slack);
+  if (goal != Goal::kSeparate) length = program.value(program.length());
+  return true;
+}
+
+double LinearMoves::shorten(std::vector<Pose>& poses, double length) {
+  const double trust = kTrust * table_.height();
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double before = length;
+    collect(poses, trust, Goal::kShorten, 0, false);
+    if (!solve(poses, length, trust, Goal::kShorten, 0)) break;
+    if (before - length < margin::kCompactionGain * length) break;
+  }
+  return length;
+}
+
+bool LinearMoves::separate(std::vector<Pose>& poses, double length) {
+  const double trust = kTrust * table_.height(), enough = table_.height() * margin::kNoOverlap;
+  double last = 0;
+  for (int step = 0; step < kMostSeparations; ++step) {
+    collect(poses, trust, Goal::kSeparate, 0, false);
+    if (!solve(poses, length, trust, Goal::kSeparate, 0)) return false;
+    if (left_ <= enough) return true;
+    if (step > 0 && left_ > 0.98 * last) return false;
+    last = left_;
+  }
+  return false;
+}
+
+double LinearMoves::loosen(std::vector<Pose>& poses, double length, double gap, bool on_grid) {
+  const double trust = std::min(kTrust * table_.height(), 1000 * gap);
+  collect(poses, trust, Goal::kLoosen, gap, on_grid);
+  solve(poses, length, trust, Goal::kLoosen, gap);
+  return length;
+}
+
+}  // namespace findspace::packing

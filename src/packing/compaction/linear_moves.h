@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// All parts moved at once by linear programs. Each pair of parts that are near each other keeps to a convex set of free
+// positions (free_room.h), and no part moves farther than the trust region. Shortening minimises the length;
+// separation minimises the depths of the overlaps that are left at a given length. Guarantee: in exact arithmetic no
+// new overlap; in doubles that of the solver. Cost: some milliseconds a program.
+// Source: Li & Milenkovic 1995 (compaction and separation); the solver is CLP. Keywords: linear programming compaction.
+#pragma once
+
+#include <vector>
+
+#include "packing/compaction/free_room.h"
+#include "packing/nfp/field_table.h"
+
+namespace findspace::packing {
+
+class LinearMoves {
+ public:
+  explicit LinearMoves(const FieldTable& table) : table_(table) {}
+
+  /// Shortens a layout without overlaps until it gains no more; the new length.
+  double shorten(std::vector<Pose>& poses, double length);
+  /// Moves parts so that overlaps end, the length unchanged; whether they did.
+  bool separate(std::vector<Pose>& poses, double length);
+  /// Moves parts apart by `gap` where that costs little, at a length that may grow by some gaps; the new length.
+  double loosen(std::vector<Pose>& poses, double length, double gap, bool on_grid);
+  int solved() const { return solved_; }
+
+ private:
+  struct Row {
+    std::size_t a, b;
+    HalfPlane room;
+    double need;  // dot(normal, move of b - move of a) >= need
+    bool soft;
+  };
+  enum class Goal { kShorten, kSeparate, kLoosen };
+
+  void collect(const std::vector<Pose>& poses, double trust, Goal goal, double gap, bool on_grid);
+  void collect_pair(const std::vector<Pose>& poses, std::size_t a, std::size_t b, double trust, Goal goal, double gap,
+                    bool on_grid);
+  /// False where the program has no solution.
+  bool solve(std::vector<Pose>& poses, double& length, double trust, Goal goal, double gap);
+
+  const FieldTable& table_;
+  std::vector<Row> rows_;
+  std::vector<HalfPlane> planes_;
+  double left_ = 0;  // the sum of what soft rows lack
+  int solved_ = 0;
+};
+
+}  // namespace findspace::packing

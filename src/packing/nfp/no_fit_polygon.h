@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The no-fit polygon of two parts in doubles: the boundary of the positions p at which the interiors of A and B + p
+// meet. Slits and single points where B fits into A without clearance are kept as edges with the overlap on both sides.
+// Guarantee: the set is the exact contact map of the kernel, its vertices are rounded once. It steers the search;
+// proofs do not use it. Cost: one Minkowski sum. Source: docs/decisions/0002, 0008. Keywords: NFP, configuration space.
+#pragma once
+
+#include <vector>
+
+#include "packing/problem/problem.h"
+
+namespace findspace::packing {
+
+struct Vec {
+  double x = 0, y = 0;
+
+  friend Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vec operator*(double s, Vec a) { return {s * a.x, s * a.y}; }
+};
+
+inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
+
+/// An edge with the overlap on its left; of a slit on both sides.
+struct NoFitEdge {
+  Vec from, to;
+  bool slit = false;
+};
+
+struct NoFitPolygon {
+  std::vector<NoFitEdge> edges;
+  Vec low, high;  // its box
+};
+
+/// A part as the search sees it: on a grid that machine integers hold, `step` units a grid step.
+struct SearchShape {
+  std::vector<std::vector<std::pair<std::int64_t, std::int64_t>>> rings;
+  double step = 1;
+};
+
+/// The shape on the problem's grid, or on a coarser one where that has too many digits.
+SearchShape search_shape(const Polygon& shape, int digits);
+
+/// In units. Both shapes are on one grid.
+NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b);
+
+}  // namespace findspace::packing

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/problem/problem.h"
+
+#include <findspace/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace findspace::packing {
+namespace {
+
+double twice_area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const LatticePoint p = ring[i] - ring[0], q = ring[(i + 1) % ring.size()] - ring[0];
+    sum += double(p.x) * double(q.y) - double(p.y) * double(q.x);
+  }
+  return sum;
+}
+
+/// +1 where the ring runs counter-clockwise: the turn at its lowest, leftmost vertex.
+int direction(const Ring& ring) {
+  const auto less = [](const LatticePoint& p, const LatticePoint& q) { return p.y != q.y ? p.y < q.y : p.x < q.x; };
+  const std::size_t n = ring.size(), low = std::size_t(std::min_element(ring.begin(), ring.end(), less) - ring.begin());
+  return exact::turn_sign(ring[(low + n - 1) % n], ring[low], ring[(low + 1) % n]);
+}
+
+void drop_repeated(Ring& ring) {
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+}
+
+/// Vertices amid a straight line go, so that the turn at every vertex is one.
+void drop_straight(Ring& ring) {
+  for (std::size_t i = 0; i < ring.size() && ring.size() > 2;) {
+    const std::size_t n = ring.size();
+    const LatticePoint &p = ring[(i + n - 1) % n], &q = ring[i], &r = ring[(i + 1) % n];
+    const bool straight = exact::turn_sign(p, q, r) == 0 && exact::dot_sign(q - p, r - q) > 0;
+    if (straight)
+      ring.erase(ring.begin() + std::ptrdiff_t(i));
+    else
+      ++i;
+  }
+}
+
+bool edges_meet(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
+  const int s = exact::turn_sign(a, b, c), t = exact::turn_sign(a, b, d);
+  const int u = exact::turn_sign(c, d, a), v = exact::turn_sign(c, d, b);
+  if (s * t < 0 && u * v < 0) return true;
+  return (s == 0 && exact::is_between(a, b, c)) || (t == 0 && exact::is_between(a, b, d)) ||
+         (u == 0 && exact::is_between(c, d, a)) || (v == 0 && exact::is_between(c, d, b));
+}
+
+void check_simple(const Ring& ring, const std::string& place) {
+  const std::size_t n = ring.size();
+  const auto fail = [&](const char* why) { throw Error(ErrorCode::kGeometry, why, place); };
+  if (n < 3) fail("an outline has fewer than three corners");
+  for (std::size_t i = 0; i < n; ++i) {
+    if (exact::turn_sign(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) == 0) fail("an outline turns back on itself");
+    for (std::size_t j = i + 2; j < n; ++j)
+      if ((j + 1) % n != i && edges_meet(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]))
+        fail("an outline meets itself");
+  }
+}
+
+LatticePoint quarter_turns(const LatticePoint& p, int quarters) {
+  switch (quarters) {
+    case 1:
+      return {-p.y, p.x};
+    case 2:
+      return {-p.x, -p.y};
+    case 3:
+      return {p.y, -p.x};
+    default:
+      return p;
+  }
+}
+
+LatticePoint turned(const LatticePoint& p, const Fraction& angle) {
+  const int128 d = angle.denominator();
+  if (is_quarter(angle)) return quarter_turns(p, int((angle.numerator() / 90 % 4 + 4) % 4));
+  const long double radians =
+      static_cast<long double>(angle.numerator()) / static_cast<long double>(d) / 180 * std::numbers::pi_v<long double>;
+  const long double c = std::cos(radians), s = std::sin(radians), x = static_cast<long double>(p.x),
+                    y = static_cast<long double>(p.y);
+  return {int128(std::round(c * x - s * y)), int128(std::round(s * x + c * y))};
+}
+
+}  // namespace
+
+std::size_t Problem::items() const {
+  std::size_t count = 0;
+  for (const Part& part : parts) count += std::size_t(part.demand);
+  return count;
+}
+
+Polygon make_polygon(std::vector<Ring> rings, const std::string& place) {
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    drop_repeated(rings[i]);
+    drop_straight(rings[i]);
+    check_simple(rings[i], place);
+    if (direction(rings[i]) != (i == 0 ? 1 : -1)) std::reverse(rings[i].begin(), rings[i].end());
+  }
+  if (rings.empty()) throw Error(ErrorCode::kGeometry, "a part without an outline", place);
+  return {std::move(rings)};
+}
+
+bool is_quarter(const Fraction& angle) { return angle.denominator() == 1 && angle.numerator() % 90 == 0; }
+
+Polygon turned(const Polygon& shape, const Fraction& angle, bool mirrored) {
+  Polygon result = shape;
+  for (Ring& ring : result.rings) {
+    for (LatticePoint& p : ring) p = turned(LatticePoint{mirrored ? -p.x : p.x, p.y}, angle);
+    if (mirrored) std::reverse(ring.begin(), ring.end());
+  }
+  return result;
+}
+
+double twice_area(const Polygon& shape) {
+  double sum = 0;
+  for (const Ring& ring : shape.rings) sum += twice_area(ring);
+  return sum;
+}
+
+double area(const Problem& problem) {
+  double sum = 0;
+  const double steps = double(problem.steps());
+  for (const Part& part : problem.parts) sum += part.demand * (twice_area(part.shape) / 2 / steps / steps);
+  return sum;
+}
+
+}  // namespace findspace::packing

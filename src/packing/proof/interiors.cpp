@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/proof/interiors.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace findspace::packing {
+namespace {
+
+using exact::cross_sign;
+using exact::dot_sign;
+using exact::turn_sign;
+
+/// The directions strictly between `from` and `to`, counter-clockwise.
+struct Sector {
+  LatticePoint from, to;
+};
+
+bool same_direction(const LatticePoint& c, const LatticePoint& d) {
+  return cross_sign(c, d) == 0 && dot_sign(c, d) > 0;
+}
+
+/// Whether d lies in the sector or is its first direction.
+bool from_on(const Sector& s, const LatticePoint& d) {
+  if (same_direction(s.from, d)) return true;
+  if (same_direction(s.to, d)) return false;
+  const int width = cross_sign(s.from, s.to);
+  if (width > 0) return cross_sign(s.from, d) > 0 && cross_sign(d, s.to) > 0;
+  if (width == 0) return cross_sign(s.from, d) > 0;
+  return !(cross_sign(s.to, d) > 0 && cross_sign(d, s.from) > 0);
+}
+
+bool overlap(const Sector& s, const Sector& t) { return from_on(s, t.from) || from_on(t, s.from); }
+
+struct RingEdge {
+  const Ring* ring;
+  std::size_t i;
+
+  const LatticePoint& start() const { return (*ring)[i]; }
+  const LatticePoint& end() const { return (*ring)[(i + 1) % ring->size()]; }
+  const LatticePoint& before() const { return (*ring)[(i + ring->size() - 1) % ring->size()]; }
+  int128 low_x() const { return std::min(start().x, end().x); }
+  int128 high_x() const { return std::max(start().x, end().x); }
+  int128 low_y() const { return std::min(start().y, end().y); }
+  int128 high_y() const { return std::max(start().y, end().y); }
+  bool meets_box(const RingEdge& e) const {
+    return low_x() <= e.high_x() && e.low_x() <= high_x() && low_y() <= e.high_y() && e.low_y() <= high_y();
+  }
+  /// The interior at the start of the edge, and amid it.
+  Sector at_start() const { return {end() - start(), before() - start()}; }
+  Sector amid() const { return {end() - start(), start() - end()}; }
+};
+
+std::vector<RingEdge> edges_of(const Polygon& shape) {
+  std::vector<RingEdge> edges;
+  for (const Ring& ring : shape.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({&ring, i});
+  return edges;
+}
+
+/// The interior at p, where p is the start of the edge or amid it; nothing where it is neither.
+std::optional<Sector> sector_at(const RingEdge& e, const LatticePoint& p) {
+  if (p == e.start()) return e.at_start();
+  if (p == e.end() || turn_sign(e.start(), e.end(), p) != 0 || !exact::is_between(e.start(), e.end(), p))
+    return std::nullopt;
+  return e.amid();
+}
+
+/// Whether both interiors meet next to a point where these edges touch.
+bool enter_at(const RingEdge& e, const RingEdge& f) {
+  if (const auto of_f = sector_at(f, e.start()); of_f && overlap(e.at_start(), *of_f)) return true;
+  const auto of_e = sector_at(e, f.start());
+  return of_e && overlap(*of_e, f.at_start());
+}
+
+bool cross(const RingEdge& e, const RingEdge& f) {
+  return turn_sign(e.start(), e.end(), f.start()) * turn_sign(e.start(), e.end(), f.end()) < 0 &&
+         turn_sign(f.start(), f.end(), e.start()) * turn_sign(f.start(), f.end(), e.end()) < 0;
+}
+
+bool has_vertex_inside(const Polygon& a, const Polygon& b) {
+  for (const Ring& ring : a.rings)
+    for (const LatticePoint& p : ring)
+      if (side_of(b, p) > 0) return true;
+  return false;
+}
+
+}  // namespace
+
+int side_of(const Polygon& shape, const LatticePoint& point) {
+  bool inside = false;
+  for (const Ring& ring : shape.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const LatticePoint &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      if (std::min(p.y, q.y) > point.y || std::max(p.y, q.y) < point.y) continue;
+      const int turn = turn_sign(p, q, point);
+      if (turn == 0 && exact::is_between(p, q, point)) return 0;
+      if ((p.y <= point.y) != (q.y <= point.y)) inside ^= (turn > 0) == (q.y > p.y);
+    }
+  return inside ? 1 : -1;
+}
+
+bool interiors_meet(const Polygon& a, const Polygon& b) {
+  const std::vector<RingEdge> of_a = edges_of(a), of_b = edges_of(b);
+  for (const RingEdge& e : of_a)
+    for (const RingEdge& f : of_b)
+      if (e.meets_box(f) && (cross(e, f) || enter_at(e, f))) return true;
+  return has_vertex_inside(a, b) || has_vertex_inside(b, a);
+}
+
+}  // namespace findspace::packing

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Whether the interiors of two polygons meet. Closed sets that only touch do not count, nor does a part that fits its
+// hole without clearance. They meet where two edges cross, where the sectors of the two interiors at a common point of
+// the boundaries overlap, or where a vertex of one lies inside the other; without these one cannot enter the other.
+// Guarantee: exact, by signs of lattice points alone. Cost: pairs of edges whose boxes meet.
+// Keywords: interior intersection, collision test, weakly simple contact.
+#pragma once
+
+#include "packing/problem/problem.h"
+
+namespace findspace::packing {
+
+bool interiors_meet(const Polygon& a, const Polygon& b);
+
+/// +1 strictly inside, 0 on the boundary, -1 outside.
+int side_of(const Polygon& shape, const LatticePoint& point);
+
+}  // namespace findspace::packing

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/proof/verify.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "packing/nfp/depth_field.h"
+#include "packing/proof/interiors.h"
+#include "plane/base/parallel.h"
+
+namespace findspace::packing {
+namespace {
+
+struct Box {
+  LatticePoint low, high;
+
+  bool meets(const Box& b) const {
+    return low.x < b.high.x && b.low.x < high.x && low.y < b.high.y && b.low.y < high.y;
+  }
+};
+
+Box box_of(const Polygon& shape) {
+  Box box{shape.rings[0][0], shape.rings[0][0]};
+  for (const LatticePoint& p : shape.rings[0]) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+class Check {
+ public:
+  Check(const Problem& problem, const Layout& layout) : problem_(problem), layout_(layout) {
+    common_ =
+        common_multiple(problem.steps(), common_multiple(problem.height.denominator(), layout.length.denominator()));
+    for (const Placed& item : layout.items)
+      common_ = common_multiple(common_multiple(common_, item.x.denominator()), item.y.denominator());
+    for (const Placed& item : layout.items) add(item);
+  }
+
+  Verdict verdict() {
+    count_copies();
+    int128 used = 0;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      check_inside(i);
+      used = std::max(used, boxes_[i].high.x);
+      area_ += twice_area(shapes_[i]) / 2 / double(common_) / double(common_);
+    }
+    check_pairs();
+    result_.used = Fraction(used, common_);
+    const double room = problem_.height.to_double() * layout_.length.to_double();
+    result_.density = room > 0 ? area_ / room : 0;
+    std::stable_sort(result_.faults.begin(), result_.faults.end(),
+                     [](const Fault& f, const Fault& g) { return f.depth > g.depth; });
+    return std::move(result_);
+  }
+
+ private:
+  void add(const Placed& item) {
+    Polygon shape = turned(problem_.parts[item.part].shape, item.angle, item.mirrored);
+    const int128 scale = common_ / problem_.steps();
+    const LatticePoint at{item.x.over(common_), item.y.over(common_)};
+    for (Ring& ring : shape.rings)
+      for (LatticePoint& p : ring) p = LatticePoint{bounded_product(p.x, scale), bounded_product(p.y, scale)} + at;
+    boxes_.push_back(box_of(shape));
+    shapes_.push_back(std::move(shape));
+  }
+
+  void count_copies() {
+    std::vector<int> left(problem_.parts.size());
+    for (std::size_t p = 0; p < left.size(); ++p) left[p] = problem_.parts[p].demand;
+    for (const LeftOut& out : layout_.left_out) left[out.part] -= out.copies;
+    for (std::size_t i = 0; i < layout_.items.size(); ++i) {
+      const Placed& item = layout_.items[i];
+      --left[item.part];
+      const auto& angles = problem_.parts[item.part].angles;
+      const auto same = [&](const Fraction& angle) { return same_angle(angle, item.angle); };
+      if (item.mirrored || std::none_of(angles.begin(), angles.end(), same))
+        result_.faults.push_back({.kind = Fault::Kind::kAngle, .first = i});
+    }
+    for (std::size_t p = 0; p < left.size(); ++p)
+      if (left[p] != 0) result_.faults.push_back({.kind = Fault::Kind::kCount, .first = p, .depth = -double(left[p])});
+  }
+
+  static bool same_angle(const Fraction& a, const Fraction& b) {
+    const Fraction difference = a - b;
+    return difference.denominator() == 1 && difference.numerator() % 360 == 0;
+  }
+
+  void check_inside(std::size_t i) {
+    const Box& box = boxes_[i];
+    const int128 right = layout_.length.over(common_), top = problem_.height.over(common_);
+    const int128 out = std::max({-box.low.x, -box.low.y, box.high.x - right, box.high.y - top});
+    if (out <= 0) return;
+    result_.faults.push_back({.kind = Fault::Kind::kOutside,
+                              .first = i,
+                              .depth = double(out) / double(common_),
+                              .x = layout_.items[i].x.to_double(),
+                              .y = layout_.items[i].y.to_double()});
+  }
+
+  void check_pairs() {
+    std::vector<std::vector<Fault>> found(shapes_.size());
+    plane::parallel_for(shapes_.size(), [&](std::size_t i) {
+      for (std::size_t j = i + 1; j < shapes_.size(); ++j)
+        if (boxes_[i].meets(boxes_[j]) && interiors_meet(shapes_[i], shapes_[j])) found[i].push_back(overlap(i, j));
+    });
+    for (const auto& faults : found) result_.faults.insert(result_.faults.end(), faults.begin(), faults.end());
+  }
+
+  Fault overlap(std::size_t i, std::size_t j) const {
+    const Placed &a = layout_.items[i], &b = layout_.items[j];
+    const auto searched = [&](const Placed& item) {
+      return search_shape(turned(problem_.parts[item.part].shape, item.angle, item.mirrored), problem_.digits);
+    };
+    const DepthField field(no_fit_polygon(searched(a), searched(b)));
+    const Vec off{(b.x - a.x).to_double(), (b.y - a.y).to_double()};
+    const LatticePoint low{std::max(boxes_[i].low.x, boxes_[j].low.x), std::max(boxes_[i].low.y, boxes_[j].low.y)},
+        high{std::min(boxes_[i].high.x, boxes_[j].high.x), std::min(boxes_[i].high.y, boxes_[j].high.y)};
+    return {.kind = Fault::Kind::kOverlap,
+            .first = i,
+            .second = j,
+            .depth = field.depth(off),
+            .x = (double(low.x) + double(high.x)) / 2 / double(common_),
+            .y = (double(low.y) + double(high.y)) / 2 / double(common_)};
+  }
+
+  const Problem& problem_;
+  const Layout& layout_;
+  int128 common_ = 1;  // all coordinates are integers over this
+  std::vector<Polygon> shapes_;
+  std::vector<Box> boxes_;
+  double area_ = 0;
+  Verdict result_;
+};
+
+}  // namespace
+
+Verdict verify(const Problem& problem, const Layout& layout) { return Check(problem, layout).verdict(); }
+
+}  // namespace findspace::packing

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Whether a layout keeps its promises: every part inside the strip, no two interiors meeting, allowed angles, and the
+// right number of copies. Guarantee: exact, on the original shapes; only depths are doubles. Cost: the pairs of parts
+// whose boxes meet. Keywords: layout validation, nesting check.
+#pragma once
+
+#include <vector>
+
+#include "packing/problem/problem.h"
+
+namespace findspace::packing {
+
+struct Fault {
+  enum class Kind { kOverlap, kOutside, kAngle, kCount };
+  Kind kind = Kind::kOverlap;
+  std::size_t first = 0, second = 0;  // kOverlap: items of the layout; kOutside, kAngle: first; kCount: first is a part
+  double depth = 0;                   // kOverlap: penetration depth; kOutside: how far outside; kCount: copies too many
+  double x = 0, y = 0;                // where, of kOverlap and kOutside
+};
+
+struct Verdict {
+  std::vector<Fault> faults;  // the deepest first
+  Fraction used;              // the greatest x of a part
+  double density = 0;         // of the parts in the layout's strip
+
+  bool feasible() const { return faults.empty(); }
+};
+
+Verdict verify(const Problem& problem, const Layout& layout);
+
+}  // namespace findspace::packing

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Parts in a strip of a given length, perhaps overlapping: depths, weighted costs of positions, and the weights that
+// grow where an overlap persists. Cost of a position: the weighted sum of the depths. Where a part is longer than the
+// strip at its angle, the excess counts as an overlap with the strip. Guarantee: none; it is a search's state.
+// Keywords: guided local search, overlap minimisation.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "packing/nfp/field_table.h"
+
+namespace findspace::packing {
+
+class Arrangement {
+ public:
+  Arrangement(const FieldTable& table, std::vector<Pose> poses, double length);
+
+  std::size_t size() const { return poses_.size(); }
+  const FieldTable& table() const { return *table_; }
+  const std::vector<Pose>& poses() const { return poses_; }
+  const Pose& pose(std::size_t i) const { return poses_[i]; }
+  double length() const { return length_; }
+  /// Parts that stick out are moved in.
+  void set_length(double length);
+  void set_poses(const std::vector<Pose>& poses);
+  void move(std::size_t i, const Pose& pose);
+  /// The nearest position of the variant within the strip.
+  Vec inside(std::size_t variant, Vec at) const;
+  /// Where a variant may stand: from the first corner to the second; crossed where it does not fit.
+  Vec least_position(std::size_t variant) const;
+  Vec greatest_position(std::size_t variant) const;
+
+  /// The weighted cost of an item at a pose, or something not below `bound` where it is not below.
+  double cost(std::size_t i, const Pose& pose, double bound) const;
+  /// The other items whose boxes meet that of the item at this pose.
+  std::span<const std::uint32_t> near(std::size_t i, const Pose& pose) const;
+  /// How the item at this pose overlaps item j: the boundary point as a move of the item, and the line of its edge.
+  struct Exit {
+    double depth = 0;
+    Vec move, line;  // to the nearest free position with respect to j; along the edge there
+  };
+  Exit exit(const Pose& pose, std::size_t j) const;
+  double weight(std::size_t i, std::size_t j) const { return weights_[i * size() + j]; }
+
+  /// The sum of all depths; fills depth_of(i), the sum of those of an item.
+  double loss();
+  double depth_of(std::size_t i) const { return depths_[i]; }
+  /// After loss(): weights of overlaps grow, by more the deeper they are; others decay.
+  void update_weights();
+  void reset_weights();
+  /// Pairs of items looked at since the beginning.
+  std::uint64_t looked_at() const { return looked_at_; }
+
+ private:
+  struct Overlap {
+    std::uint32_t i, j;
+    double depth;
+  };
+
+  /// A pair while its cost is summed up.
+  struct Look {
+    const DepthField* field;
+    Vec at;
+    double least;
+  };
+
+  double excess(std::size_t variant) const;
+
+  const FieldTable* table_;
+  std::vector<Pose> poses_;
+  double length_, shallow_;
+  std::vector<double> low_x_, low_y_, high_x_, high_y_;
+  std::vector<double> weights_, strip_weights_, depths_;
+  std::vector<Overlap> overlaps_;
+  mutable std::vector<std::uint32_t> near_;
+  mutable std::vector<Look> looks_;
+  mutable std::uint64_t looked_at_ = 0;
+};
+
+}  // namespace findspace::packing

@@ -1,0 +1,211 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""Packs random small instances and checks every layout in rational arithmetic that knows nothing of the program.
+
+usage: pack_random.py EXECUTABLE [--count N] [--seed S]
+
+Checked: every copy of every part, an allowed angle, inside the strip, the length as stated and not below the lower
+bound, and no two parts with a common area. The area is the sum over signed triangles of both parts, each pair clipped
+exactly. Then one part of each layout is moved at random, and `findspace verify` must agree with the same check."""
+import argparse
+import json
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+
+def area(ring):
+    return sum(a * d - b * c for (a, b), (c, d) in zip(ring, ring[1:] + ring[:1])) / 2
+
+
+def clip(polygon, p, q):
+    """The part of a convex polygon on the left of the line from p to q."""
+    def side(r):
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    result = []
+    for a, b in zip(polygon, polygon[1:] + polygon[:1]):
+        s, t = side(a), side(b)
+        if s >= 0:
+            result.append(a)
+        if s * t < 0:
+            along = s / (s - t)
+            result.append((a[0] + along * (b[0] - a[0]), a[1] + along * (b[1] - a[1])))
+    return result
+
+
+def triangles(rings):
+    """Signed triangles whose sum is the shape; all counter-clockwise."""
+    for ring in rings:
+        for a, b in zip(ring, ring[1:] + ring[:1]):
+            triangle = [ring[0], a, b]
+            twice = area(triangle)
+            if twice:
+                yield (1, triangle) if twice > 0 else (-1, triangle[::-1])
+
+
+def common_area(first, second):
+    total = Fraction(0)
+    for s, t in triangles(first):
+        for u, v in triangles(second):
+            part = v
+            for p, q in zip(t, t[1:] + t[:1]):
+                part = clip(part, p, q)
+                if len(part) < 3:
+                    break
+            else:
+                total += s * u * area(part)
+    return total
+
+
+def turned(ring, degrees):
+    for _ in range(degrees // 90 % 4):
+        ring = [(-y, x) for x, y in ring]
+    return ring
+
+
+def box_ring(w, h):
+    return [(0, 0), (w, 0), (w, h), (0, h)]
+
+
+def random_shape(rng):
+    """Rings of a part on a small lattice: outer, then holes."""
+    kind = rng.randrange(6)
+    w, h = rng.randint(1, 6), rng.randint(1, 6)
+    if kind == 0:
+        return [box_ring(w, h)]
+    if kind == 1:
+        return [[(0, 0), (w, 0), (rng.randint(0, w), h)]]
+    if kind == 2:  # an angle
+        a, b = rng.randint(1, 5), rng.randint(1, 5)
+        return [[(0, 0), (a + 2, 0), (a + 2, 1), (1, 1), (1, b + 1), (0, b + 1)]]
+    if kind == 3:  # a fork
+        return [[(0, 0), (3, 0), (3, h + 1), (2, h + 1), (2, 1), (1, 1), (1, h + 1), (0, h + 1)]]
+    if kind == 4:  # a frame whose hole others may fit exactly
+        return [box_ring(w + 2, h + 2), [(1, 1), (1, h + 1), (w + 1, h + 1), (w + 1, 1)]]
+    return [[(0, 0), (w, -1), (w + 2, h), (1, h + rng.randint(0, 2))]]
+
+
+def moved_somewhere(rng, ring):
+    """A place of the origin anywhere, and corners in tenths sometimes."""
+    x, y = rng.randint(-4, 4), Fraction(rng.randint(-40, 40), rng.choice([1, 10]))
+    return [(Fraction(a) + x, Fraction(b) + y) for a, b in ring]
+
+
+def instance(rng):
+    items = []
+    for k in range(rng.randint(1, 5)):
+        shape = random_shape(rng)
+        shift = moved_somewhere(rng, [(0, 0)])[0]
+        rings = [[(a + shift[0], b + shift[1]) for a, b in ring] for ring in shape]
+        angles = rng.choice([[0], [0, 180], [0, 90, 180, 270], [90]])
+        items.append({"id": f"p{k}", "demand": rng.randint(0, 3) if k else 2, "angles": angles, "rings": rings})
+    return {"height": rng.randint(9, 14), "items": items}
+
+
+def number(value):
+    return float(value) if value.denominator > 1 else int(value)
+
+
+def nesting_json(problem):
+    items = []
+    for item in problem["items"]:
+        rings = [[[number(Fraction(a)), number(Fraction(b))] for a, b in ring] for ring in item["rings"]]
+        shape = {"type": "simple_polygon", "data": rings[0]} if len(rings) == 1 else \
+            {"type": "polygon", "data": {"outer": rings[0], "inner": rings[1:]}}
+        items.append({"id": item["id"], "demand": item["demand"], "allowed_orientations": item["angles"], "shape": shape})
+    return {"name": "random", "strip_height": problem["height"], "items": items}
+
+
+def placed_rings(problem, item):
+    part = next(p for p in problem["items"] if p["id"] == item["part"])
+    x, y = (Fraction(v) for v in item["at"])
+    return [[(a + x, b + y) for a, b in turned(ring, int(item["angle"]))] for ring in part["rings"]]
+
+
+def faults(problem, layout):
+    """What is wrong with a layout, as words."""
+    found = []
+    length, height = Fraction(layout["length"]), problem["height"]
+    shapes = [placed_rings(problem, item) for item in layout["items"]]
+    for part in problem["items"]:
+        count = sum(item["part"] == part["id"] for item in layout["items"])
+        if count != part["demand"]:
+            found.append(f"{count} copies of {part['id']}")
+    for item, rings in zip(layout["items"], shapes):
+        part = next(p for p in problem["items"] if p["id"] == item["part"])
+        if int(item["angle"]) % 360 not in part["angles"]:
+            found.append(f"{item['part']} turned by {item['angle']}")
+        if any(x < 0 or x > length or y < 0 or y > height for x, y in rings[0]):
+            found.append(f"{item['part']} is outside")
+    for i, first in enumerate(shapes):
+        for j in range(i):
+            if common_area(first, shapes[j]) > 0:
+                found.append(f"{layout['items'][i]['part']} and {layout['items'][j]['part']} overlap")
+    return found
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, check=False)
+
+
+def fail(seed, text):
+    sys.exit(f"pack_random: instance {seed}: {text}")
+
+
+def check_instance(program, seed, folder):
+    rng = random.Random(seed)
+    problem = instance(rng)
+    path, out = os.path.join(folder, "problem.json"), os.path.join(folder, "layout.json")
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(nesting_json(problem), file)
+    threads = str(1 + seed % 2)
+    packed = run(program, "pack", path, "--work", "2", "--threads", threads, "-o", out, "-q", "--json")
+    if packed.returncode != 0:
+        fail(seed, f"status {packed.returncode}: {packed.stderr}")
+    layout = json.loads(packed.stdout)["layout"]
+    wrong = faults(problem, layout)
+    if wrong:
+        fail(seed, "; ".join(wrong))
+    ends = [x for item in layout["items"] for x, _ in placed_rings(problem, item)[0]]
+    if Fraction(layout["length"]) != max(ends):
+        fail(seed, f"length {layout['length']}, but the parts end at {max(ends)}")
+    if Fraction(layout["length"]) < Fraction(layout["lower_bound"]):
+        fail(seed, "shorter than the lower bound")
+    for _ in range(3):
+        compare_verdicts(program, seed, folder, path, problem, json.loads(json.dumps(layout)), rng)
+
+
+def compare_verdicts(program, seed, folder, path, problem, layout, rng):
+    """One part moved by little or much: the verdict of the program is that of the check."""
+    item = rng.choice(layout["items"])
+    step = rng.choice([Fraction(1, 3), Fraction(1), Fraction(1, 10**9), Fraction(0)])
+    item["at"] = [str(Fraction(v) + rng.randint(-2, 2) * step) for v in item["at"]]
+    if rng.random() < 0.2:
+        item["angle"] = rng.choice([0, 90, 180, 270, -90])
+    moved = os.path.join(folder, "moved.json")
+    with open(moved, "w", encoding="utf-8") as file:
+        json.dump({"findspace": 1, "layout": layout}, file)
+    verdict = run(program, "verify", moved, path)
+    expected = 1 if faults(problem, layout) else 0
+    if verdict.returncode != expected:
+        fail(seed, f"verify says {verdict.returncode}, the check {expected}: {verdict.stdout}{verdict.stderr}{layout}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("executable")
+    parser.add_argument("--count", type=int, default=40)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        for k in range(arguments.count):
+            check_instance(arguments.executable, arguments.seed * 100000 + k, folder)
+    print(f"{arguments.count} layouts are feasible, and verify agrees on {3 * arguments.count} others")
+
+
+if __name__ == "__main__":
+    main()
