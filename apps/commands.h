@@ -12,6 +12,7 @@ namespace findspace::app {
 
 Outcome run_map(const Options& options, Reporter& reporter);
 Outcome run_check(const Options& options, Reporter& reporter);
+Outcome run_explain(const Options& options, Reporter& reporter);
 Outcome run_measure(const Options& options, Reporter& reporter);
 Outcome run_describe(const Options& options, Reporter& reporter);
 Outcome run_convert(const Options& options, Reporter& reporter);

@@ -27,6 +27,7 @@ constexpr std::string_view kExamples[] = {
     "findspace map scene.json --apply boundary        its boundary",
     "cat scene.json | findspace map -                 the scene from standard input",
     "findspace check scene.json --at 12.5,7           is this position feasible, and why (not)",
+    "findspace explain scene.json                     why nothing is feasible, or the slack of each level",
     "findspace measure scene.json --at 12.5,7         all distances there",
     "findspace describe scene.json board              a shape as a point set",
     "findspace convert scene.json board -o board.wkt  a shape in another format",

@@ -64,6 +64,8 @@ struct VerbEntry {
 constexpr VerbEntry kVerbs[] = {
     {"map", "Answers where the moving shape can go: all its feasible positions.", run_map},
     {"check", "Answers whether a position is feasible: the value and truth of every condition.", run_check},
+    {"explain", "Answers why no position is feasible and what would change that, or how much slack each level has.",
+     run_explain},
     {"measure", "Answers how far the moving shape is from each other shape.", run_measure},
     {"describe", "Answers what a shape is as a point set: its size, parts, holes and boundary.", run_describe},
     {"convert", "Answers what a shape or a drawing is in another format.", run_convert},
@@ -142,9 +144,11 @@ void add_files(CLI::App& command, const VerbEntry& verb, Options& o) {
 /// The position, the angle and the instant that are asked about.
 void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
   const bool phi = is(verb, "phi"), values = is(verb, "check") || is(verb, "measure");
-  if (phi || values || is(verb, "map")) {
+  if (phi || values || is(verb, "map") || is(verb, "explain")) {
     const std::string_view of = is(verb, "map") ? "of maps over angles or time: " : "";
-    const std::string_view otherwise = is(verb, "check") ? "required" : phi ? "default: none" : "default: as drawn";
+    const std::string_view otherwise = is(verb, "check")            ? "required"
+                                       : phi || is(verb, "explain") ? "default: none"
+                                                                    : "default: as drawn";
     command
         .add_option("--at", o.at, fmt::format("{}the position, in the scene's unit, taken exactly ({})", of, otherwise))
         ->type_name("X,Y[,Z]")
