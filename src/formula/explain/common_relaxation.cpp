@@ -85,7 +85,8 @@ Real part_of(const Real& amount) {
 CommonRelaxation common_relaxation(const Solver& solver, const Demands& demands, const std::optional<Real>& enough) {
   Bisection search(solver, demands);
   Real high = enough && enough->sign() > 0 ? *enough : first_amount(solver, demands);
-  const Real part = part_of(high);
+  Real part = part_of(high);
+  const Real finest = solver.world().step / Real(kParts);
   high = Real(floor(high / part) + 1) * part;
   for (int times = 0; !search.room(high); ++times) {
     if (times == kDoublings) return search.found();
@@ -93,7 +94,13 @@ CommonRelaxation common_relaxation(const Solver& solver, const Demands& demands,
   }
   // In whole parts; the last amount without room is one of them.
   int128 without = floor(search.found().lower / part), with = floor(high / part);
-  while (with - without > 1 && with - without > without / kParts) {
+  while ((with - without) * kParts > with && (with - without > 1 || part > finest)) {
+    if (with - without == 1) {
+      part /= Real(10);
+      without *= 10;
+      with *= 10;
+      continue;
+    }
     const int128 middle = without + (with - without) / 2;
     (search.room(Real(middle) * part) ? with : without) = middle;
   }

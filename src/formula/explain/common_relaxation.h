@@ -3,8 +3,8 @@
 //
 // The least t for which the formula holds somewhere when every level moves by t to the side that leaves more room: `<=`
 // up, `>=` down, `=` both ways. The feasible sets grow with t, so bisection encloses it. Guarantee: exact regions
-// decide at both ends, which are decimals a thousandth of `upper` apart, or less. Cost: up to some twenty regions.
-// Keywords: elastic programming, Chebyshev relaxation, bisection.
+// decide at both ends, which are decimals at most a thousandth of `upper` apart, or of a grid step. Cost: some fifteen
+// regions. Keywords: elastic programming, Chebyshev relaxation, bisection.
 #pragma once
 
 #include "formula/explain/explain.h"
