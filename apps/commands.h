@@ -17,6 +17,8 @@ Outcome run_measure(const Options& options, Reporter& reporter);
 Outcome run_describe(const Options& options, Reporter& reporter);
 Outcome run_convert(const Options& options, Reporter& reporter);
 Outcome run_place(const Options& options, Reporter& reporter);
+Outcome run_serve(const Options& options, Reporter& reporter);
+Outcome run_view(const Options& options, Reporter& reporter);
 Outcome run_phi_verb(const Options& options, Reporter& reporter);
 
 }  // namespace findspace::app

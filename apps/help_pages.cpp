@@ -34,6 +34,8 @@ constexpr std::string_view kExamples[] = {
     "findspace convert part.dxf -o part.svg           a drawing in another format",
     "findspace place scene.json -o placed.svg         positions for several shapes",
     "findspace phi scene.json A B --at 3,4            do A and B moved by (3, 4) overlap or touch",
+    "findspace serve --stdio scene.json               answers requests, a line each",
+    "findspace view scene.json                        the scene in the browser, with a part to drag",
 };
 
 constexpr std::string_view kStatus = R"(

@@ -71,9 +71,14 @@ constexpr VerbEntry kVerbs[] = {
     {"convert", "Answers what a shape or a drawing is in another format.", run_convert},
     {"place", "Answers where several shapes can go together, one after another or all at once.", run_place},
     {"phi", "Answers whether two shapes overlap, touch or lie apart, by their Phi-function.", run_phi_verb},
+    {"serve", "Keeps scenes loaded and answers requests of other programs, in JSON-RPC 2.0.", run_serve},
+    {"view", "Opens the scene in the browser: drag the part, see the region, and why not.", run_view},
 };
 
 bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
+
+/// It answers requests until its client leaves.
+bool is_service(const VerbEntry& verb) { return is(verb, "serve") || is(verb, "view"); }
 
 /// Of maps on lines in space.
 void add_lines(CLI::App& command, const VerbEntry& verb, Options& o) {
@@ -215,9 +220,31 @@ void add_forms(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (is(verb, "convert")) add_conversions(command, o);
 }
 
+/// Of verbs that answer requests.
+void add_service(CLI::App& command, const VerbEntry& verb, Options& o) {
+  if (is(verb, "view")) {
+    command.add_option("SCENE", o.scene, "the scene file; its folder is the one that files are read from")
+        ->required()
+        ->type_name("");
+    command.add_option("--port", o.port, "the port on the loopback address (default: any that is free)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 65535).description(""))
+        ->group(kCommon);
+    command.add_flag("--no-open", o.no_open, "print the link and open no browser")->group(kCommon);
+    return;
+  }
+  command.add_option("SCENE", o.scene, "a scene to begin with; its folder is the one that files are read from")
+      ->type_name("");
+  command.add_flag("--stdio", o.stdio, "requests on standard input, a line each; answers on standard output")
+      ->group(kCommon);
+}
+
 void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.get_help_ptr()->group(kCommon);
-  add_files(command, verb, o);
+  if (is_service(verb))
+    add_service(command, verb, o);
+  else
+    add_files(command, verb, o);
   add_question(command, verb, o);
   add_forms(command, verb, o);
   add_lines(command, verb, o);
@@ -235,8 +262,8 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   const plane::ThreadLimit threads(options.threads);
-  // A placement minds its limit itself and gives the best result so far.
-  const Deadline deadline(is(verb, "place") ? 0 : options.time_limit);
+  // A placement minds its limit itself and gives the best result so far; a server has one for each request.
+  const Deadline deadline(is(verb, "place") || is_service(verb) ? 0 : options.time_limit);
   const auto dump = StageDump::from_environment();
   const plane::ObserveStages observe(dump.get());
   Outcome outcome = verb.run(options, reporter);
