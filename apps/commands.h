@@ -12,10 +12,13 @@ namespace findspace::app {
 
 Outcome run_map(const Options& options, Reporter& reporter);
 Outcome run_check(const Options& options, Reporter& reporter);
+Outcome run_explain(const Options& options, Reporter& reporter);
 Outcome run_measure(const Options& options, Reporter& reporter);
 Outcome run_describe(const Options& options, Reporter& reporter);
 Outcome run_convert(const Options& options, Reporter& reporter);
 Outcome run_place(const Options& options, Reporter& reporter);
+Outcome run_serve(const Options& options, Reporter& reporter);
+Outcome run_view(const Options& options, Reporter& reporter);
 Outcome run_phi_verb(const Options& options, Reporter& reporter);
 Outcome run_pack(const Options& options, Reporter& reporter);
 Outcome run_verify(const Options& options, Reporter& reporter);

@@ -27,12 +27,15 @@ constexpr std::string_view kExamples[] = {
     "findspace map scene.json --apply boundary        its boundary",
     "cat scene.json | findspace map -                 the scene from standard input",
     "findspace check scene.json --at 12.5,7           is this position feasible, and why (not)",
+    "findspace explain scene.json                     why nothing is feasible, or the slack of each level",
     "findspace measure scene.json --at 12.5,7         all distances there",
     "findspace describe scene.json board              a shape as a point set",
     "findspace convert scene.json board -o board.wkt  a shape in another format",
     "findspace convert part.dxf -o part.svg           a drawing in another format",
     "findspace place scene.json -o placed.svg         positions for several shapes",
     "findspace phi scene.json A B --at 3,4            do A and B moved by (3, 4) overlap or touch",
+    "findspace serve --stdio scene.json               answers requests, a line each",
+    "findspace view scene.json                        the scene in the browser, with a part to drag",
 };
 
 constexpr std::string_view kStatus = R"(

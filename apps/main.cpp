@@ -64,6 +64,8 @@ struct VerbEntry {
 constexpr VerbEntry kVerbs[] = {
     {"map", "Answers where the moving shape can go: all its feasible positions.", run_map},
     {"check", "Answers whether a position is feasible: the value and truth of every condition.", run_check},
+    {"explain", "Answers why no position is feasible and what would change that, or how much slack each level has.",
+     run_explain},
     {"measure", "Answers how far the moving shape is from each other shape.", run_measure},
     {"describe", "Answers what a shape is as a point set: its size, parts, holes and boundary.", run_describe},
     {"convert", "Answers what a shape or a drawing is in another format.", run_convert},
@@ -71,9 +73,14 @@ constexpr VerbEntry kVerbs[] = {
     {"phi", "Answers whether two shapes overlap, touch or lie apart, by their Phi-function.", run_phi_verb},
     {"pack", "Answers how parts can be packed into a strip that is as short as possible.", run_pack},
     {"verify", "Answers whether a layout is feasible, exactly: overlaps, the strip, angles and counts.", run_verify},
+    {"serve", "Keeps scenes loaded and answers requests of other programs, in JSON-RPC 2.0.", run_serve},
+    {"view", "Opens the scene in the browser: drag the part, see the region, and why not.", run_view},
 };
 
 bool is(const VerbEntry& verb, std::string_view name) { return verb.name == name; }
+
+/// It answers requests until its client leaves.
+bool is_service(const VerbEntry& verb) { return is(verb, "serve") || is(verb, "view"); }
 
 /// Of maps on lines in space.
 void add_lines(CLI::App& command, const VerbEntry& verb, Options& o) {
@@ -176,9 +183,11 @@ void add_files(CLI::App& command, const VerbEntry& verb, Options& o) {
 /// The position, the angle and the instant that are asked about.
 void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
   const bool phi = is(verb, "phi"), values = is(verb, "check") || is(verb, "measure");
-  if (phi || values || is(verb, "map")) {
+  if (phi || values || is(verb, "map") || is(verb, "explain")) {
     const std::string_view of = is(verb, "map") ? "of maps over angles or time: " : "";
-    const std::string_view otherwise = is(verb, "check") ? "required" : phi ? "default: none" : "default: as drawn";
+    const std::string_view otherwise = is(verb, "check")            ? "required"
+                                       : phi || is(verb, "explain") ? "default: none"
+                                                                    : "default: as drawn";
     command
         .add_option("--at", o.at, fmt::format("{}the position, in the scene's unit, taken exactly ({})", of, otherwise))
         ->type_name("X,Y[,Z]")
@@ -245,9 +254,31 @@ void add_forms(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (is(verb, "convert")) add_conversions(command, o);
 }
 
+/// Of verbs that answer requests.
+void add_service(CLI::App& command, const VerbEntry& verb, Options& o) {
+  if (is(verb, "view")) {
+    command.add_option("SCENE", o.scene, "the scene file; its folder is the one that files are read from")
+        ->required()
+        ->type_name("");
+    command.add_option("--port", o.port, "the port on the loopback address (default: any that is free)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 65535).description(""))
+        ->group(kCommon);
+    command.add_flag("--no-open", o.no_open, "print the link and open no browser")->group(kCommon);
+    return;
+  }
+  command.add_option("SCENE", o.scene, "a scene to begin with; its folder is the one that files are read from")
+      ->type_name("");
+  command.add_flag("--stdio", o.stdio, "requests on standard input, a line each; answers on standard output")
+      ->group(kCommon);
+}
+
 void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.get_help_ptr()->group(kCommon);
-  add_files(command, verb, o);
+  if (is_service(verb))
+    add_service(command, verb, o);
+  else
+    add_files(command, verb, o);
   add_question(command, verb, o);
   add_forms(command, verb, o);
   add_lines(command, verb, o);
@@ -265,8 +296,8 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   const plane::ThreadLimit threads(options.threads);
-  // A placement minds its limit itself and gives the best result so far.
-  const Deadline deadline(is(verb, "place") || is(verb, "pack") ? 0 : options.time_limit);
+  // A placement minds its limit itself and gives the best result so far; a server has one for each request.
+  const Deadline deadline(is(verb, "place") || is(verb, "pack") || is_service(verb) ? 0 : options.time_limit);
   const auto dump = StageDump::from_environment();
   const plane::ObserveStages observe(dump.get());
   Outcome outcome = verb.run(options, reporter);

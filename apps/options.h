@@ -29,6 +29,9 @@ struct Options {
   bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
   bool all = false;           // of measure: all distances
   bool explain = false;       // of check: which way decided each atom, and how long it took
+  int port = 0;               // of view; 0: any
+  bool no_open = false;       // of view: print the link only
+  bool stdio = false;         // of serve: requests on standard input
   bool json = false, quiet = false;
   std::string side;                   // of map and describe in 3D: inner or outer cells about lines, or nothing
   bool axes = false;                  // of these: lines along all three axes, or

@@ -72,6 +72,9 @@ Session::Session(const Options& options, Reporter& reporter) : options_(options)
   for (const std::string& note : scene_.notes) reporter.note(note);
 }
 
+Session::Session(const Options& options, Reporter& reporter, io::Scene scene)
+    : options_(options), reporter_(reporter), scene_(std::move(scene)) {}
+
 std::string Session::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
 
 plane::Region Session::region(std::string_view name) const {

@@ -26,6 +26,8 @@ class Session {
  public:
   /// Reads the scene; its notes are said. Throws Error.
   Session(const Options& options, Reporter& reporter);
+  /// Of a scene that is already read.
+  Session(const Options& options, Reporter& reporter, io::Scene scene);
 
   const Options& options() const { return options_; }
   const io::Scene& scene() const { return scene_; }

@@ -97,6 +97,28 @@ std::string region_lines(const CurveNet& net, const Frame& frame) {
   return out;
 }
 
+RegionDrawing region_drawing(const CurveNet& net, const Frame& frame) {
+  const Region& s = net.complex();
+  RegionDrawing out;
+  PathWriter faces(net, frame, {}, PathWriter::Digits::kAll);
+  faces.add_faces();
+  out.faces = faces.data();
+  const std::array<std::string*, 3> texts{&out.closed, &out.open, &out.free};
+  for (const Curve& k : net.curves()) {
+    const EdgeKind kind = kind_of_edge(s, k.half_edges.front() / 2);
+    if (kind == kHidden) continue;
+    PathWriter curve(net, frame, {}, PathWriter::Digits::kAll);
+    curve.add_curve(k);
+    *texts[kind] += curve.data();
+  }
+  const std::array<std::vector<Place>*, 4> places{nullptr, &out.points, &out.full, &out.hollow};
+  for (Index v : net.vertices()) {
+    const VertexKind kind = kind_of_vertex(s, v);
+    if (kind != kPlain) places[kind]->push_back({frame.x(net.at(v)[0]), frame.y(net.at(v)[1])});
+  }
+  return out;
+}
+
 std::string outline(const CurveNet& net, const Frame& frame, std::string_view style, const Place& offset) {
   const Region& s = net.complex();
   PathWriter faces(net, frame, offset), curves(net, frame, offset);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/draw/draw_canvas.h"
 
@@ -25,5 +26,12 @@ std::string region_lines(const CurveNet& net, const Frame& frame);
 
 /// A shape of the scene: fill and outline in the classes NAME and NAME-line, moved by `offset`.
 std::string outline(const CurveNet& net, const Frame& frame, std::string_view style, const plane::Place& offset = {});
+
+/// The same parts for other renderers: path data, and places in the frame.
+struct RegionDrawing {
+  std::string faces, closed, open, free;           // path data, with all digits
+  std::vector<plane::Place> points, full, hollow;  // isolated points; ends that belong; ends that do not
+};
+RegionDrawing region_drawing(const CurveNet& net, const Frame& frame);
 
 }  // namespace findspace::io

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The verb `view`: the scene in a page of the browser, answered by this process.
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+
+#include "commands.h"
+#include "deadline.h"
+#include "serve/json_rpc.h"
+#include "serve/page_server.h"
+
+extern char** environ;
+
+namespace findspace::app {
+namespace {
+
+/// With the system's own program; false where there is none.
+bool open_browser(std::string link) {
+  std::string program = "xdg-open";
+  std::array<char*, 3> arguments{program.data(), link.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0) return false;
+  int status = 0;
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+Outcome run_view(const Options& options, Reporter& reporter) {
+  const std::string page = built_in_page();
+  if (page.empty())
+    throw Error(ErrorCode::kUnsupported,
+                "this program was built without the page; tools/build_page makes it, then build again");
+  const std::filesystem::path scene(options.scene);
+  SceneStore store(scene.parent_path().empty() ? std::filesystem::current_path() : scene.parent_path());
+  reporter.stage("reading the scene");
+  store.keep("scene", io::read_scene(scene));
+  JsonRpc rpc(store);
+  PageServer server(options.port, page, [&](const std::string& request) {
+    const Deadline deadline(options.time_limit);
+    return rpc.answer(request);
+  });
+  reporter.stage("");
+  fmt::print("{}\n", server.link());
+  std::fflush(stdout);
+  if (!options.no_open && !open_browser(server.link())) reporter.note("no browser was opened: open the link above");
+  server.run();
+  return {};
+}
+
+}  // namespace findspace::app

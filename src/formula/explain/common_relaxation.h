@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The least t for which the formula holds somewhere when every level moves by t to the side that leaves more room: `<=`
+// up, `>=` down, `=` both ways. The feasible sets grow with t, so bisection encloses it. Guarantee: exact regions
+// decide at both ends, which are decimals at most a thousandth of `upper` apart, or of a grid step. Cost: some fifteen
+// regions. Keywords: elastic programming, Chebyshev relaxation, bisection.
+#pragma once
+
+#include "formula/explain/explain.h"
+
+namespace findspace::formula {
+
+/// `enough`: an amount that is known to leave room, if one is. Precondition: there is no room for 0.
+CommonRelaxation common_relaxation(const Solver& solver, const Demands& demands,
+                                   const std::optional<exact::Real>& enough);
+
+}  // namespace findspace::formula

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/write/write_explanation.h"
+
+#include <fmt/format.h>
+
+#include "exact/number/real_text.h"
+#include "formula/language/text.h"
+#include "io/draw/draw_layout.h"
+#include "io/write/json_text.h"
+#include "io/write/write_position.h"
+#include "io/write/write_witness.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using formula::LevelChange;
+using Kind = LevelChange::Kind;
+
+/// A change of a level in the words of the formula's writer.
+struct SaidChange {
+  std::string text, becomes;
+  Real level, by;
+  double bound = 0;
+};
+
+SaidChange said(const ExplanationReport& r, const LevelChange& change) {
+  const formula::Demands demands(r.formula);
+  const formula::Atom& atom = r.formula.atoms()[change.atom];
+  const bool minus = formula::negated(atom.distance);
+  SaidChange out{formula::written(atom), "", minus ? -change.level : change.level, abs(change.level - atom.level),
+                 minus ? -change.bound : change.bound};
+  if (change.kind == Kind::kTo && change.proven) out.becomes = formula::written_at(demands, change, r.step);
+  return out;
+}
+
+std::string closed_form_member(const Real& value) {
+  if (!value.is_closed() || Real::parse_decimal(json_number(value.to_double())) == value) return "";
+  return fmt::format(R"( "closed_form": {},)", json_string(exact::RealWriter().text(value)));
+}
+
+std::string change_json(const ExplanationReport& r, const LevelChange& change) {
+  const SaidChange s = said(r, change);
+  std::string out = fmt::format(R"({{"text": {}, )", json_string(s.text));
+  if (change.kind == Kind::kRefused)
+    return out + fmt::format(R"("to": null, "refused": {}}})", json_string(change.refused));
+  if (change.kind != Kind::kTo)
+    return out + fmt::format(R"("to": null, "free": {}}})", truth(change.kind == Kind::kFree));
+  put(out, R"("to": {},{} "by": {}, "reached": {})", json_number(s.level.to_double()), closed_form_member(s.level),
+      json_number(s.by.to_double()), truth(change.reached));
+  if (!change.proven) put(out, R"(, "proven": false, "bound": {})", json_number(s.bound));
+  if (!s.becomes.empty()) put(out, R"(, "becomes": {})", json_string(s.becomes));
+  if (change.at) put(out, R"(, "at": {})", json_point(distance::coordinates(*change.at)));
+  return out + "}";
+}
+
+std::string changes_json(const ExplanationReport& r, const std::vector<LevelChange>& changes) {
+  return list(
+      changes, [&](const LevelChange& c) { return change_json(r, c); }, true);
+}
+
+std::string atoms_json(const ExplanationReport& r, const std::vector<std::size_t>& atoms) {
+  return list(atoms, [&](std::size_t k) { return json_string(formula::written(r.formula.atoms()[k])); });
+}
+
+std::string together_json(const formula::CommonRelaxation& t) {
+  if (!t.upper) return fmt::format(R"({{"lower": {}, "upper": null}})", json_number(t.lower.to_double()));
+  return fmt::format(R"({{"lower": {}, "upper": {}, "at": {}}})", json_number(t.lower.to_double()),
+                     json_number(t.upper->to_double()), json_point(distance::coordinates(*t.at)));
+}
+
+std::string with_unit(double value, std::string_view unit) {
+  return unit.empty() ? shown(value) : fmt::format("{} {}", shown(value), unit);
+}
+
+std::string change_text(const ExplanationReport& r, const LevelChange& change, bool slack) {
+  const SaidChange s = said(r, change);
+  if (change.kind == Kind::kRefused) return fmt::format("  {}: not computed: {}\n", s.text, change.refused);
+  if (change.kind == Kind::kNone) return fmt::format("  {}: no level of it alone makes room\n", s.text);
+  if (change.kind == Kind::kFree) return fmt::format("  {}: can be as tight as you like\n", s.text);
+  std::string out = fmt::format("  {}: ", s.text);
+  if (s.by.sign() == 0 && slack)
+    out += "no slack";
+  else if (s.by.sign() == 0)
+    out += "beyond its level, by as little as you like";
+  else
+    out += fmt::format("{} {}, to {}", slack ? "slack" : "change by", with_unit(s.by.to_double(), r.unit),
+                       (change.reached ? ""
+                        : slack        ? "just before "
+                                       : "just beyond ") +
+                           shown(s.level.to_double()));
+  if (change.at)
+    out +=
+        fmt::format("; {} {}", slack ? "the last position is" : "then", shown_point(distance::coordinates(*change.at)));
+  return out + "\n";
+}
+
+std::string empty_text(const ExplanationReport& r) {
+  std::string out = "no position is feasible\n";
+  if (r.explanation.conflict) {
+    out += "these conditions contradict each other:\n";
+    for (const std::size_t k : r.explanation.conflict->atoms)
+      out += fmt::format("  {}\n", formula::written(r.formula.atoms()[k]));
+  }
+  if (!r.explanation.relax.empty()) out += "the least change of one level that makes room:\n";
+  for (const LevelChange& c : r.explanation.relax) out += change_text(r, c, false);
+  const auto& t = r.explanation.together;
+  if (t && t->upper)
+    out += fmt::format("all levels together: between {} and {}; then {}\n", shown(t->lower.to_double()),
+                       with_unit(t->upper->to_double(), r.unit), shown_point(distance::coordinates(*t->at)));
+  return out;
+}
+
+std::string here_text(const ExplanationReport& r) {
+  const formula::PositionExplanation& here = *r.here;
+  const std::string at = shown_point(distance::coordinates(r.at));
+  if (here.check.holds) return fmt::format("{} is feasible\n", at);
+  std::string out = fmt::format("{} is not feasible; in the way:\n", at);
+  for (const std::size_t k : here.change) {
+    const formula::AtomAt& a = here.check.atoms[k];
+    out += fmt::format("  {}", formula::written(a.atom));
+    if (a.lacks) out += fmt::format(": off by {}", with_unit(*a.lacks, r.unit));
+    out += "\n";
+  }
+  if (here.nearest)
+    out += fmt::format("nearest feasible position {}, {} away\n", shown_point(here.nearest->at),
+                       with_unit(here.nearest->distance.to_double(), r.unit));
+  return out;
+}
+
+}  // namespace
+
+std::string explanation_json(const ExplanationReport& r) {
+  const formula::Explanation& e = r.explanation;
+  std::string out = fmt::format("{{{}\"feasible\": {}", unit_key(r.unit), truth(e.feasible));
+  if (e.conflict)
+    put(out, ",\n  \"conflict\": {}, \"smallest\": {}", atoms_json(r, e.conflict->atoms), truth(e.conflict->smallest));
+  if (!e.feasible) put(out, ",\n  \"relax\": {}", changes_json(r, e.relax));
+  if (e.together) put(out, ",\n  \"relax_all\": {}", together_json(*e.together));
+  if (e.feasible) put(out, ",\n  \"slack\": {}", changes_json(r, e.slack));
+  if (r.here != nullptr) {
+    const auto* near = r.here->nearest ? &*r.here->nearest : nullptr;
+    std::string check = check_json(r.here->check, distance::coordinates(r.at), "", std::nullopt, near);
+    check.pop_back();
+    put(out, ",\n  \"change\": {},\n  \"check\": {}", atoms_json(r, r.here->change), check);
+  }
+  return out + "\n}\n";
+}
+
+std::string explanation_text(const ExplanationReport& r) {
+  std::string out = r.here != nullptr ? here_text(r) : "";
+  if (!r.explanation.feasible) return out + empty_text(r);
+  if (r.here == nullptr) out += "some positions are feasible\n";
+  if (!r.explanation.slack.empty()) out += "how far each level can be tightened:\n";
+  for (const LevelChange& c : r.explanation.slack) out += change_text(r, c, true);
+  return out;
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The result of `explain` as JSON and as text, as docs/results.md describes it: the conflict, the least changes, the
+// slack, and what stands in the way at one position. Levels are those of the words that the formula uses. Keywords:
+// report, infeasibility, slack.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "formula/explain/explain.h"
+
+namespace findspace::io {
+
+/// An explanation beside what it speaks of. `here` may be null.
+struct ExplanationReport {
+  const formula::Formula& formula;
+  const formula::Explanation& explanation;
+  const formula::PositionExplanation* here;
+  exact::RealPoint at;  // of `here`, in the scene's unit
+  exact::Real step;     // one grid step in the scene's unit
+  std::string unit;
+};
+
+std::string explanation_json(const ExplanationReport& report);
+std::string explanation_text(const ExplanationReport& report);
+
+}  // namespace findspace::io

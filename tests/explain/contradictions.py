@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""Scenes whose formulas contradict themselves, explained, and every claim of the explanation asked of `map`.
+
+usage: contradictions.py PROGRAM [--count N] [--seed N]
+
+Each scene is a disc or a box among two to four shapes and three to six random conditions, some joined by `or` and
+`not`. Of the infeasible ones:
+* the conflict alone is infeasible, and feasible without any one of its conditions;
+* "becomes" makes room, and where the level is exact, a level a thousandth short of it does not;
+* with "to": null the other conditions are infeasible alone;
+* all levels moved by "upper" make room, by "lower" they do not.
+Of as many feasible ones, a level moved by less than its slack leaves room, and by more it does not."""
+import argparse
+import json
+import random
+import re
+import subprocess
+import sys
+
+SIDES = {"<=": 1, "<": 1, ">=": -1, ">": -1}
+
+
+def run(program, verb, scene):
+    done = subprocess.run([program, verb, "-", "--json"], input=json.dumps(scene), capture_output=True, text=True)
+    if done.returncode not in (0, 1):
+        sys.exit(f"{verb} ends with {done.returncode}: {done.stderr}\n{json.dumps(scene)}")
+    return json.loads(done.stdout), done.returncode == 0
+
+
+class Condition:
+    """word(B, S) relation level, perhaps written as the negation of the opposite."""
+
+    def __init__(self, rng, shapes):
+        self.word = rng.choice(["gap", "gap", "reach", "margin", "protrusion"])
+        self.shape = rng.choice(shapes)
+        self.relation = rng.choice(["<=", "<=", ">=", ">=", "<", ">", "="])
+        self.level = rng.randint(-4, 14) + rng.choice([0, 0.5])
+        self.negated = self.relation != "=" and rng.random() < 0.2
+
+    def text(self, level=None):
+        level = self.level if level is None else level
+        stated = {"<=": ">", "<": ">=", ">=": "<", ">": "<="}[self.relation] if self.negated else self.relation
+        return f"{'not ' if self.negated else ''}{self.word}(B, {self.shape}) {stated} {level:.12g}"
+
+    def atom(self):
+        return self.text().removeprefix("not ")
+
+    def relaxed(self, by):
+        if self.relation != "=":
+            return self.text(self.level + SIDES[self.relation] * by)
+        name = f"{self.word}(B, {self.shape})"
+        return f"({name} <= {self.level + by:.12g} and {name} >= {self.level - by:.12g})"
+
+
+def shape(rng):
+    x, y, w, h = (rng.randint(-12, 12), rng.randint(-12, 12), rng.randint(3, 9), rng.randint(3, 9))
+    if rng.random() < 0.4:
+        return {"disc": {"center": [x, y], "radius": h}}
+    return {"box": {"min": [x, y], "max": [x + w, y + h]}}
+
+
+class Scene:
+    def __init__(self, rng):
+        self.names = ["S1", "S2", "S3", "S4"][: rng.randint(2, 4)]
+        self.shapes = {name: shape(rng) for name in self.names}
+        self.shapes["B"] = rng.choice([{"disc": {"center": [0, 0], "radius": 1}}, {"box": {"min": [-1, -1], "max": [1, 1]}}])
+        self.conditions = [Condition(rng, self.names) for _ in range(rng.randint(3, 6))]
+        # The last two may be alternatives.
+        self.either = len(self.conditions) > 3 and rng.random() < 0.4
+
+    def scene(self, texts):
+        """`texts`: of each condition; None drops it."""
+        texts = list(texts)
+        if self.either:
+            last = texts[-2:]
+            texts[-2:] = [None if None in last else f"({last[0]} or {last[1]})"]
+        where = " and ".join(t for t in texts if t is not None) or "true"
+        return {"findspace": 1, "unit": "mm", "shapes": self.shapes, "moving": "B", "where": where}
+
+    def texts(self):
+        return [c.text() for c in self.conditions]
+
+    def with_text(self, k, text):
+        texts = self.texts()
+        texts[k] = text
+        return texts
+
+
+class Check:
+    def __init__(self, program):
+        self.program = program
+        self.faults = []
+
+    def room(self, scene, texts):
+        return run(self.program, "map", scene.scene(texts))[1]
+
+    def expect(self, good, scene, what):
+        if not good:
+            self.faults.append(f"{what}\n  {json.dumps(scene.scene(scene.texts()))}")
+
+    def index(self, scene, text):
+        found = [k for k, c in enumerate(scene.conditions) if same(c.atom(), text)]
+        self.expect(len(found) == 1, scene, f"names no condition: {text}")
+        return found[0] if found else 0
+
+    def conflict(self, scene, answer):
+        kept = {self.index(scene, t) for t in answer["conflict"]}
+
+        def only(some):
+            return [t if k in some else None for k, t in enumerate(scene.texts())]
+
+        self.expect(not self.room(scene, only(kept)), scene, f"no conflict: {answer['conflict']}")
+        for k in kept:
+            self.expect(self.room(scene, only(kept - {k})), scene, f"not minimal: {answer['conflict']}")
+        self.expect(answer["smallest"], scene, "smallest is not proved")
+
+    def level(self, scene, change, slack):
+        k = self.index(scene, change["text"])
+        c = scene.conditions[k]
+        if change["to"] is None:
+            if not slack:
+                self.expect(not self.room(scene, scene.with_text(k, None)), scene, f"some level: {change['text']}")
+            return
+        if c.relation == "=" or not change.get("proven", True):
+            return
+        word = "not " if c.negated else ""
+        if "becomes" in change:
+            self.expect(self.room(scene, scene.with_text(k, word + change["becomes"])), scene, f"no room: {change}")
+        short = float(f"{change['to'] - SIDES[c.relation] * 1e-3:.12g}")
+        self.expect(not self.room(scene, scene.with_text(k, c.text(short))), scene, f"not least: {change}")
+
+    def together(self, scene, t):
+        if t["upper"] is None:
+            return
+        for by, room in ((t["upper"], True), (t["lower"], False)):
+            self.expect(self.room(scene, [c.relaxed(by) for c in scene.conditions]) == room, scene, f"{t} at {by}")
+        self.expect(t["upper"] - t["lower"] <= t["upper"] / 500, scene, f"wide: {t}")
+
+
+def same(a, b):
+    """Equal but for the spelling of numbers."""
+    parts = [re.split(r"(-?\d+\.?\d*)$", text) for text in (a, b)]
+    return parts[0][0] == parts[1][0] and float(parts[0][1]) == float(parts[1][1])
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--count", type=int, default=50)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    rng = random.Random(options.seed)
+    check = Check(options.program)
+    left = {True: options.count // 5, False: options.count}
+    while any(left.values()):
+        scene = Scene(rng)
+        if len({c.atom() for c in scene.conditions}) < len(scene.conditions):
+            continue
+        if not left[check.room(scene, scene.texts())]:
+            continue
+        answer, feasible = run(options.program, "explain", scene.scene(scene.texts()))
+        left[feasible] -= 1
+        check.expect(feasible == answer["feasible"], scene, "exit status")
+        if not feasible:
+            check.conflict(scene, answer)
+            check.together(scene, answer["relax_all"])
+        for change in answer["slack" if feasible else "relax"]:
+            check.level(scene, change, feasible)
+    for fault in check.faults:
+        print(fault)
+    print(f"{options.count} contradictions, {len(check.faults)} faults")
+    return 1 if check.faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The lists beside the picture: conditions with their values, what the explanation says, sliders.
+import type { Atom, Change, Explanation } from "./engine";
+import { numbersOf, withNumber } from "./formula";
+import { shown } from "./stage";
+
+export function make<K extends keyof HTMLElementTagNameMap>(name: K, parent: Element, text = "", style = ""): HTMLElementTagNameMap[K] {
+  const made = document.createElement(name);
+  made.textContent = text;
+  if (style) made.className = style;
+  parent.append(made);
+  return made;
+}
+
+export const withUnit = (value: number, unit: string): string => (unit ? `${shown(value)} ${unit}` : shown(value));
+
+const valueText = (value: number | string | null, unit: string): string =>
+  value === null ? "undefined" : typeof value === "number" ? withUnit(value, unit) : value === "-inf" ? "−∞" : value;
+
+export function showAtoms(list: Element, atoms: Atom[], unit: string): void {
+  list.replaceChildren();
+  for (const a of atoms) {
+    const row = make("li", list, "", a.true ? "yes" : "no");
+    make("code", row, a.text);
+    make("span", row, valueText(a.value, unit));
+    if (!a.true) make("small", row, a.lacks === undefined ? "does not hold" : `off by ${withUnit(a.lacks, unit)}`);
+  }
+}
+
+const changeWords = (c: Change, unit: string, slack: boolean): string => {
+  if (c.refused) return `not computed: ${c.refused}`;
+  if (c.to === null) return c.free ? "can be as tight as you like" : "no level of it alone makes room";
+  if (c.by === 0) return slack ? "no slack" : "beyond its level, by as little as you like";
+  const to = typeof c.to === "number" ? withUnit(c.to, unit) : c.to;
+  return `${slack ? "slack" : "change by"} ${withUnit(c.by ?? 0, unit)}, to ${c.reached ? "" : slack ? "just before " : "just beyond "}${to}`;
+};
+
+export interface WhyActions { go(at: [number, number]): void; replace(text: string, by: string): void; canReplace(text: string): boolean }
+
+export function showWhy(box: Element, e: Explanation, unit: string, actions: WhyActions): void {
+  box.replaceChildren();
+  if (e.conflict) {
+    make("p", box, e.conflict.length === 1 ? "This condition contradicts itself:" : "These conditions contradict each other:", "clash");
+    const clash = make("ul", box);
+    for (const text of e.conflict) make("code", make("li", clash, "", "clash"), text);
+  }
+  const slack = e.feasible, changes = (slack ? e.slack : e.relax) ?? [];
+  if (changes.length) make("p", box, slack ? "How far each level can be tightened:" : "The least change of one level that makes room:");
+  const list = make("ul", box);
+  for (const c of changes) {
+    const row = make("li", list);
+    make("code", row, c.text);
+    make("div", row, changeWords(c, unit, slack));
+    const { at, becomes } = c;
+    if (!slack && becomes && actions.canReplace(c.text)) make("button", row, "Change").onclick = () => actions.replace(c.text, becomes);
+    if (at) make("button", row, slack ? "Last position" : "Position").onclick = () => actions.go(at);
+  }
+  if (e.relax_all && e.relax_all.upper !== null)
+    make("p", box, `All levels together: between ${shown(e.relax_all.lower)} and ${withUnit(e.relax_all.upper, unit)}.`);
+}
+
+/// A slider for each number; `moved` gets the whole formula.
+export function showSliders(box: Element, formula: string, moved: (formula: string) => void, done: () => void): void {
+  box.replaceChildren();
+  for (const n of numbersOf(formula)) {
+    const label = make("label", box);
+    const around = formula.slice(Math.max(0, n.start - 26), n.start).replace(/^.*\b(?:and|or)\b/, "");
+    make("span", label, around.trim());
+    const range = make("input", label), number = make("input", label);
+    Object.assign(range, { type: "range", min: `${n.low}`, max: `${n.high}`, step: `${n.step}`, value: `${n.value}`, ariaLabel: `${around} level` });
+    Object.assign(number, { inputMode: "decimal", value: n.text, ariaLabel: `${around} level, as a number` });
+    range.oninput = () => {
+      number.value = range.value;
+      moved(withNumber(formula, n, Number(range.value)));
+    };
+    range.onchange = done;
+    number.onchange = () => {
+      moved(formula.slice(0, n.start) + number.value.trim() + formula.slice(n.end));
+      done();
+    };
+  }
+}
