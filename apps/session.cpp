@@ -12,6 +12,9 @@
 #include <iterator>
 #include <set>
 
+#include "io/board/board_scene.h"
+#include "io/board/read_board.h"
+#include "io/text/read_text.h"
 #include "io/write/write_file.h"
 #include "io/write/write_json.h"
 #include "motion_arrows.h"
@@ -41,8 +44,25 @@ std::string scene_around(const std::filesystem::path& drawing, const Options& o)
   return text + fmt::format("}}}}, \"unit\": {}}}", io::json_string(o.unit.value_or("mm")));
 }
 
+/// What the command line asks of a board.
+io::BoardQuestion question_of_board(const Options& o) {
+  io::BoardQuestion question{o.move, o.where, o.minimize, o.maximize, {}};
+  for (const std::string& angle : o.free) {
+    try {
+      question.angles.push_back(Real::parse_decimal(angle));
+    } catch (const Error& e) {
+      throw Error(ErrorCode::kUsage, fmt::format("--free {}: angles in degrees are meant, such as 0,90", angle));
+    }
+  }
+  return question;
+}
+
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
+  if (is_board(path)) return io::board_scene(io::read_board(io::read_text(path), o.scene), question_of_board(o));
+  if (!o.move.empty() || !o.where.empty() || !o.minimize.empty() || !o.maximize.empty() || !o.free.empty())
+    throw Error(ErrorCode::kUsage,
+                "--move, --where, --minimize, --maximize and --free are for boards; a scene says them itself");
   const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
   if (!drawing && (o.unit || o.id || o.layer || o.index))
     throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
@@ -66,6 +86,8 @@ Error placed(const Error& e, const io::FormulaText& formula) {
 }
 
 }  // namespace
+
+bool is_board(const std::filesystem::path& path) { return path.extension() == ".kicad_pcb"; }
 
 Session::Session(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
   reporter.stage("reading the scene");
@@ -131,6 +153,8 @@ formula::Context Session::context() const {
   context.motion = scene_.motion.given();
   context.unit = scene_.unit;
   context.dimension = scene_.dimension;
+  context.empty = scene_.empty_lists;
+  context.groups = scene_.groups;
   return context;
 }
 
@@ -168,16 +192,33 @@ std::optional<Session::Goal> Session::goal() const {
   }
 }
 
+std::vector<plane::ShapePtr> Session::wanted_shapes() const {
+  if (!scene_.named_only) return scene_.shapes;
+  std::set<std::string> names(scene_.moving.begin(), scene_.moving.end());
+  const auto add = [&](const formula::Distance& d) {
+    names.insert(d.first.begin(), d.first.end());
+    names.insert(d.second.begin(), d.second.end());
+  };
+  const formula::Formula formula = where();
+  for (const formula::Atom& a : formula.atoms()) add(a.distance);
+  if (const auto best = goal()) add(best->objective.distance);
+  std::vector<plane::ShapePtr> out;
+  std::copy_if(scene_.shapes.begin(), scene_.shapes.end(), std::back_inserter(out),
+               [&](const plane::ShapePtr& s) { return names.count(s->name) > 0; });
+  return out;
+}
+
 formula::World Session::world() const {
   reporter_.stage("building the shapes");
   formula::World world;
-  std::vector<plane::Region> built = regions(scene_.shapes);
-  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(scene_.shapes[k]->name, std::move(built[k]));
+  const std::vector<plane::ShapePtr> shapes = wanted_shapes();
+  std::vector<plane::Region> built = regions(shapes);
+  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(shapes[k]->name, std::move(built[k]));
   world.moving = scene_.moving;
   world.step = step();
   world.motion = motion();
   world.instant = instant();
-  for (const plane::ShapePtr& s : scene_.shapes) {
+  for (const plane::ShapePtr& s : shapes) {
     if (!s->collection) continue;
     std::vector<plane::Region> parts = regions(s->children);
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -200,6 +241,8 @@ formula::Motion Session::motion() const {
 
 void Session::add_scenery(io::Picture& picture, const formula::World& world, const formula::Formula* formula) const {
   picture.step = world.step;
+  picture.y_down = scene_.y_down;
+  for (int c : {0, 1}) picture.home[c] = static_cast<double>(scene_.drawn_at[c]) * scene_.grid.step_size();
   picture.unit = unit();
   picture.arrows = motion_arrows(scene_, world, formula);
   std::set<std::string> named;
@@ -213,7 +256,7 @@ void Session::add_scenery(io::Picture& picture, const formula::World& world, con
     const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
     if (moves)
       picture.moving.push_back({s->name, &world.shapes.at(s->name)});
-    else if (named.empty() || named.count(s->name) != 0)
+    else if ((named.empty() || named.count(s->name) != 0) && world.shapes.count(s->name) != 0)
       picture.fixed.push_back({s->name, &world.shapes.at(s->name)});
   }
 }

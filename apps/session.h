@@ -75,6 +75,8 @@ class Session {
 
  private:
   formula::Motion motion() const;
+  /// The shapes that are built: all, or those of which the scene's formulas speak.
+  std::vector<plane::ShapePtr> wanted_shapes() const;
   /// position_anywhere() within the grid's range.
   std::vector<exact::Real> coordinates(std::size_t count) const;
 
@@ -82,6 +84,9 @@ class Session {
   Reporter& reporter_;
   io::Scene scene_;
 };
+
+/// Whether the file is a circuit board of KiCad.
+bool is_board(const std::filesystem::path& path);
 
 /// How a verb writes its result in one format, e.g. {".svg", ...}.
 using Writers = std::map<std::string, std::function<std::string()>>;
