@@ -30,7 +30,7 @@ namespace findspace::app {
 namespace {
 
 constexpr const char* kAbout = "Where can this part go? The exact set of its positions, from a scene file.";
-constexpr const char *kCommon = "Common", *kPlane = "In the plane", *kSpace = "In space";
+constexpr const char *kCommon = "Common", *kPlane = "In the plane", *kSpace = "In space", *kBoard = "On a board";
 
 /// Help for people: an entry a line, wrapped at 100 columns, without the types of arguments.
 class HelpFormatter : public CLI::Formatter {
@@ -163,7 +163,9 @@ bool is_packing(const VerbEntry& verb) { return is(verb, "pack") || is(verb, "ve
 /// What is read, and where the result goes.
 void add_files(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (is_packing(verb)) return add_packing(command, verb, o);
-  command.add_option("SCENE", o.scene, "the scene file; - reads standard input")->required()->type_name("");
+  command.add_option("SCENE", o.scene, "the scene file, or a board of KiCad; - reads standard input")
+      ->required()
+      ->type_name("");
   if (is(verb, "describe") || is(verb, "convert"))
     command.add_option("SHAPE", o.shapes, "the shape; may be left out where there is one only")
         ->expected(0, 1)
@@ -239,6 +241,21 @@ void add_conversions(CLI::App& command, Options& o) {
       ->group(kPlane);
 }
 
+/// What is asked of a board, which says no question itself.
+void add_board(CLI::App& command, const VerbEntry& verb, Options& o) {
+  if (is(verb, "describe") || is(verb, "convert") || is(verb, "phi")) return;
+  const auto text = [&](const char* name, auto& value, const char* about, const char* type) {
+    return command.add_option(name, value, about)->type_name(type)->group(kBoard);
+  };
+  text("--move", o.move, "the parts that move together, by reference", "PART[,PART]")->delimiter(',');
+  text("--where", o.where, "the formula that must hold", "FORMULA");
+  if (is(verb, "map")) {
+    text("--minimize", o.minimize, "the objective to make least", "OBJECTIVE");
+    text("--maximize", o.maximize, "the objective to make greatest", "OBJECTIVE");
+    text("--free", o.free, "angles to add to the part's own, in degrees (default: none)", "DEG[,DEG]")->delimiter(',');
+  }
+}
+
 /// What a region or a shape is made into.
 void add_forms(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (is(verb, "map"))
@@ -281,6 +298,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
     add_files(command, verb, o);
   add_question(command, verb, o);
   add_forms(command, verb, o);
+  add_board(command, verb, o);
   add_lines(command, verb, o);
   command.add_option("--threads", o.threads, "threads to use, 0 to 4096 (default 0: one for each core)")
       ->type_name("N")

@@ -138,7 +138,7 @@ Map solve(const Session& session, const formula::Solver& solver, const formula::
 }
 
 std::string title(const Session& session) {
-  std::string out = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
+  std::string out = fmt::format("Positions of {}", session.scene().moving_text());
   if (const auto goal = session.goal()) {
     out += fmt::format(" with the {} {}", goal->sense == distance::Sense::kMinimum ? "least" : "greatest", goal->text);
   }
@@ -194,7 +194,7 @@ Outcome map_of_time(const Session& session, const formula::Solver& solver, const
     return bounded ? bounded_json(std::move(text), io::intervals_json(outer, exact::Real(1), "")) : text;
   };
   write_outputs(session.options(), {{".json", json}});
-  const std::string text = intervals_text(fmt::format("Instants with {} at {}", fmt::join(session.scene().moving, ", "),
+  const std::string text = intervals_text(fmt::format("Instants with {} at {}", session.scene().moving_text(),
                                                       session.options().at.value_or("0,0")),
                                           intervals, exact::Real(1), "");
   return {session.options().json ? json() : text, !intervals.empty() ? kDone : outer.empty() ? kEmpty : kLimit};

@@ -22,6 +22,8 @@ struct Options {
   std::optional<std::string> angle;  // of check and measure: degrees the moving shape is rotated by, taken exactly
   std::optional<std::string> time;   // an instant of the motion, a decimal
   std::optional<std::string> min_distance, max_distance;  // of phi: allowed distances, decimals
+  std::vector<std::string> move, free;         // of a board: parts that move; angles they may have, in degrees
+  std::string where, minimize, maximize;       // of a board: formulas
   std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
   std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
   std::optional<unsigned> index;

@@ -59,7 +59,7 @@ std::string pages(const Session& session, const PoseStack& stack, const formula:
 }
 
 std::string stack_text(const Session& session, const PoseStack& stack) {
-  std::string out = fmt::format("Positions of {}, angle by angle\n", fmt::join(session.scene().moving, ", "));
+  std::string out = fmt::format("Positions of {}, angle by angle\n", session.scene().moving_text());
   for (const PoseSlice& s : stack.slices)
     out += fmt::format("  at {}°: {}{}\n", io::shown(s.degrees.to_double()), area_text(s.region, session.step()),
                        s.outer ? ", possible within " + area_text(*s.outer, session.step()) : "");

@@ -67,7 +67,7 @@ std::string angles_text(const std::vector<io::DegreeInterval>& angles) {
 /// `outer` may be null.
 std::string rotations_text(const Session& session, const std::vector<io::DegreeInterval>& angles,
                            const plane::RotationMap* outer) {
-  std::string out = fmt::format("Angles of {}, in degrees\n", fmt::join(session.scene().moving, ", "));
+  std::string out = fmt::format("Angles of {}, in degrees\n", session.scene().moving_text());
   const std::string possible = outer != nullptr ? angles_text(io::degree_intervals(*outer)) : "";
   out += !angles.empty() ? angles_text(angles) : possible.empty() ? "  none: proven empty\n" : "  none certain\n";
   if (!possible.empty()) out += "possible\n" + possible;
@@ -101,7 +101,7 @@ std::vector<Station> stations(const formula::World& world, const exact::RealPoin
 std::string picture(const Session& session, const formula::World& world, const formula::Formula& formula,
                     const exact::RealPoint& at, const std::vector<io::DegreeInterval>& angles) {
   io::Picture p;
-  p.title = fmt::format("Angles of {}{}", fmt::join(session.scene().moving, ", "), angles.empty() ? ": none" : "");
+  p.title = fmt::format("Angles of {}{}", session.scene().moving_text(), angles.empty() ? ": none" : "");
   p.subtitle = session.scene().where.text;
   p.of_positions = false;
   p.position = {plane::Twofold(at.x).value(), plane::Twofold(at.y).value()};

@@ -13,6 +13,9 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
                  const formula::Formula* formula) {
   picture.step = world.step;
   picture.unit = session.unit();
+  picture.y_down = session.scene().y_down;
+  for (int c : {0, 1})
+    picture.home[c] = static_cast<double>(session.scene().drawn_at[c]) * session.scene().grid.step_size();
   picture.arrows = motion_arrows(session.scene(), world, formula);
   std::set<std::string> named;
   if (formula != nullptr) {
@@ -25,7 +28,7 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
     const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
     if (moves)
       picture.moving.push_back({s->name, &world.shapes.at(s->name)});
-    else if (named.empty() || named.count(s->name) != 0)
+    else if ((named.empty() || named.count(s->name) != 0) && world.shapes.count(s->name) != 0)
       picture.fixed.push_back({s->name, &world.shapes.at(s->name)});
   }
 }

@@ -10,8 +10,12 @@
 #include <charconv>
 #include <iostream>
 #include <iterator>
+#include <set>
 
 #include "asked_numbers.h"
+#include "io/board/board_scene.h"
+#include "io/board/read_board.h"
+#include "io/text/read_text.h"
 #include "io/write/write_file.h"
 #include "io/write/write_json.h"
 #include "plane/base/parallel.h"
@@ -40,8 +44,25 @@ std::string scene_around(const std::filesystem::path& drawing, const Options& o)
   return text + fmt::format("}}}}, \"unit\": {}}}", io::json_string(o.unit.value_or("mm")));
 }
 
+/// What the command line asks of a board.
+io::BoardQuestion question_of_board(const Options& o) {
+  io::BoardQuestion question{o.move, o.where, o.minimize, o.maximize, {}};
+  for (const std::string& angle : o.free) {
+    try {
+      question.angles.push_back(Real::parse_decimal(angle));
+    } catch (const Error& e) {
+      throw Error(ErrorCode::kUsage, fmt::format("--free {}: angles in degrees are meant, such as 0,90", angle));
+    }
+  }
+  return question;
+}
+
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
+  if (is_board(path)) return io::board_scene(io::read_board(io::read_text(path), o.scene), question_of_board(o));
+  if (!o.move.empty() || !o.where.empty() || !o.minimize.empty() || !o.maximize.empty() || !o.free.empty())
+    throw Error(ErrorCode::kUsage,
+                "--move, --where, --minimize, --maximize and --free are for boards; a scene says them itself");
   const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
   if (!drawing && (o.unit || o.id || o.layer || o.index))
     throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
@@ -65,6 +86,8 @@ Error placed(const Error& e, const io::FormulaText& formula) {
 }
 
 }  // namespace
+
+bool is_board(const std::filesystem::path& path) { return path.extension() == ".kicad_pcb"; }
 
 Session::Session(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
   reporter.stage("reading the scene");
@@ -133,6 +156,8 @@ formula::Context Session::context() const {
   context.motion = scene_.motion.given();
   context.unit = scene_.unit;
   context.dimension = scene_.dimension;
+  context.empty = scene_.empty_lists;
+  context.groups = scene_.groups;
   return context;
 }
 
@@ -184,16 +209,33 @@ formula::Motion motion_of(const io::Scene& scene) {
 
 }  // namespace
 
+std::vector<plane::ShapePtr> Session::wanted_shapes() const {
+  if (!scene_.named_only) return scene_.shapes;
+  std::set<std::string> names(scene_.moving.begin(), scene_.moving.end());
+  const auto add = [&](const formula::Distance& d) {
+    names.insert(d.first.begin(), d.first.end());
+    names.insert(d.second.begin(), d.second.end());
+  };
+  const formula::Formula formula = where();
+  for (const formula::Atom& a : formula.atoms()) add(a.distance);
+  if (const auto best = goal()) add(best->objective.distance);
+  std::vector<plane::ShapePtr> out;
+  std::copy_if(scene_.shapes.begin(), scene_.shapes.end(), std::back_inserter(out),
+               [&](const plane::ShapePtr& s) { return names.count(s->name) > 0; });
+  return out;
+}
+
 formula::World Session::world() const {
   reporter_.stage("building the shapes");
   formula::World world;
-  std::vector<plane::Region> built = regions(scene_.shapes);
-  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(scene_.shapes[k]->name, std::move(built[k]));
+  const std::vector<plane::ShapePtr> shapes = wanted_shapes();
+  std::vector<plane::Region> built = regions(shapes);
+  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(shapes[k]->name, std::move(built[k]));
   world.moving = scene_.moving;
   world.step = step();
   world.motion = motion_of(scene_);
   world.instant = asked_instant(*this);
-  for (const plane::ShapePtr& s : scene_.shapes) {
+  for (const plane::ShapePtr& s : shapes) {
     if (!s->collection) continue;
     std::vector<plane::Region> parts = regions(s->children);
     for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -62,10 +62,16 @@ class Session {
   bool in_space() const { return scene_.dimension == 3; }
 
  private:
+  /// The shapes that are built: all, or those of which the scene's formulas speak.
+  std::vector<plane::ShapePtr> wanted_shapes() const;
+
   const Options& options_;
   Reporter& reporter_;
   io::Scene scene_;
 };
+
+/// Whether the file is a circuit board of KiCad.
+bool is_board(const std::filesystem::path& path);
 
 /// How a verb writes its result in one format, e.g. {".svg", ...}.
 using Writers = std::map<std::string, std::function<std::string()>>;

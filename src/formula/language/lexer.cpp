@@ -66,6 +66,12 @@ std::size_t name_length(std::string_view text) {
       ++length;
       continue;
     }
+    // A point within a name, as of the pad U3.14.
+    if (length > 0 && text[length] == '.' && length + 1 < text.size() &&
+        (is_plain(text[length + 1]) || is_digit(static_cast<unsigned char>(text[length + 1])))) {
+      ++length;
+      continue;
+    }
     const Character c = decode(text.substr(length));
     if (!is_letter(c.code) && !(length > 0 && is_digit(c.code))) break;
     length += c.size;

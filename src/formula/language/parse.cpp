@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "formula/language/evaluate.h"
 #include "formula/language/parse_call.h"
 #include "formula/language/parse_number.h"
 #include "formula/language/text.h"
@@ -79,7 +80,28 @@ class Grammar {
     if (cursor_.accept_word("false")) return Node{Op::kFalse, 0, {}};
     if (cursor_.at_word("argmin")) return argmin();
     if (find_predicate(cursor_.peek().text) != nullptr) return predicate();
+    if (calls_.at_between()) return between();
     return distance_first();
+  }
+
+  /// between(G, H) >= number: true where neither list has a shape that moves.
+  Node between() {
+    std::optional<Term> term = calls_.between();
+    if (!cursor_.at(K::kRelation))
+      cursor_.fail_syntax("a relation is meant after 'between': between(G, H) >= 0.2, found {}", cursor_.found());
+    const Relation relation = cursor_.take().relation;
+    const Number number = level_number();
+    if (!term) return Node{Op::kTrue, 0, {}};
+    return add(comparison(*std::move(term), relation, number));
+  }
+
+  /// A distance to the empty set: +infinity.
+  Node of_nothing(const Atom& atom) {
+    const Kind kind = atom.distance.kind;
+    if (atom.minimum || (kind != Kind::kGamma1 && kind != Kind::kD1 && kind != Kind::kEta1) ||
+        (kind == Kind::kEta1 && !atom.distance.second.empty()))
+      cursor_.fail_syntax("this distance to an empty list is not defined; those of gap, distance and margin are");
+    return Node{holds(atom, 1) ? Op::kTrue : Op::kFalse, 0, {}};
   }
 
   void check_depth(int depth) const {
@@ -87,6 +109,7 @@ class Grammar {
   }
 
   Node add(Atom atom) {
+    if (atom.distance.first.empty() || atom.distance.second.empty()) return of_nothing(atom);
     atoms_.push_back(std::move(atom));
     return Node{Op::kAtom, atoms_.size() - 1, {}};
   }
@@ -248,6 +271,8 @@ Objective parse_objective(std::string_view text, const Context& context) {
   if (!read_coordinate(cursor, context, objective) && !read_point(cursor, context, objective)) {
     if (!cursor.at(K::kName)) cursor.fail_syntax(kForms, cursor.found());
     Term term = CallReader(cursor, context).distance();
+    if (term.distance.first.empty() || term.distance.second.empty())
+      cursor.fail(ErrorCode::kBadValue, term.span, "a distance to an empty list is no objective");
     objective.distance = std::move(term.distance);
     objective.negated = term.negated;
   }

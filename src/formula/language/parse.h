@@ -22,6 +22,7 @@
 // the length times the number of known names.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,9 +40,11 @@ struct Context {
   std::vector<std::string> moving;    // those that move, all together unless `independent`
   std::vector<std::string> extra;     // further names that stand still: `other` in a placement's `pairs`
   std::vector<std::string> placed{};  // those that are placed themselves: not to be named in `each` and `pairs`
-  bool independent = false;           // each moving shape has its own position (a placement's `constraints`)
-  bool motion = false;                // the scene has a motion: `inf` and `sup` mean something
-  std::optional<Unit> unit;           // the scene's unit; without one, numbers may not carry units
+  std::vector<std::string> empty{};   // lists without a shape in them: the empty set
+  std::map<std::string, std::vector<std::string>> groups{};  // lists of shapes, also of those that move
+  bool independent = false;  // each moving shape has its own position (a placement's `constraints`)
+  bool motion = false;       // the scene has a motion: `inf` and `sup` mean something
+  std::optional<Unit> unit;  // the scene's unit; without one, numbers may not carry units
   int dimension = 2;
 };
 

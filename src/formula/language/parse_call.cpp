@@ -54,7 +54,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// All known shapes, in the order given.
 std::vector<std::string> known_names(const Context& context) {
   std::vector<std::string> out = context.shapes;
-  for (const auto* more : {&context.moving, &context.extra}) {
+  for (const auto* more : {&context.moving, &context.extra, &context.empty}) {
     for (const std::string& name : *more) {
       if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
     }
@@ -82,6 +82,7 @@ bool moves(const Cursor& cursor, const Context& context, const std::vector<std::
 /// One argument moves and the other stands still; or both move, each on its own.
 void check_roles(const Cursor& cursor, const Context& context, const Call& call) {
   const Span both{call.first_span.begin, call.second_span.end};
+  if (call.first.empty() || call.second.empty()) return;  // to the empty set the distance is known
   if (call.first == call.second)
     cursor.fail(ErrorCode::kBadValue, both, "a distance of '{}' to itself", joined(call.first));
   const bool first_moves = moves(cursor, context, call.first, call.first_span),
@@ -115,8 +116,10 @@ std::size_t NameSet::slot(std::string_view name) const {
 }
 
 CallReader::CallReader(Cursor& cursor, const Context& context)
-    : cursor_(cursor), context_(context), known_(context.shapes.size() + context.moving.size() + context.extra.size()) {
-  for (const auto* names : {&context.shapes, &context.moving, &context.extra})
+    : cursor_(cursor),
+      context_(context),
+      known_(context.shapes.size() + context.moving.size() + context.extra.size() + context.empty.size()) {
+  for (const auto* names : {&context.shapes, &context.moving, &context.extra, &context.empty})
     for (const std::string& name : *names) known_.add(name);
 }
 
@@ -274,9 +277,73 @@ void CallReader::direction(Call& call, std::string_view word, bool is_predicate)
 }
 
 std::vector<std::string> CallReader::shapes(std::string_view word) {
+  const auto is_word = [&](const char* text) { return cursor_.at_word(text) && !known_.contains(text); };
+  if (is_word("others")) {
+    cursor_.take();
+    return standing({});
+  }
+  if (!is_word("all")) return listed_shapes(word);
+  cursor_.take();
+  if (!cursor_.accept_word("except"))
+    cursor_.fail_syntax("'all' takes the shapes to leave out: all except A, found {}", cursor_.found());
+  return standing(listed_shapes(word));
+}
+
+/// The shapes that stand still, lists aside, but those that are left out, alone or in a list.
+std::vector<std::string> CallReader::standing(const std::vector<std::string>& without) const {
+  std::vector<std::string> out;
+  const auto left_out = [&](const std::string& name) {
+    return std::any_of(without.begin(), without.end(), [&](const std::string& w) {
+      const auto list = context_.groups.find(w);
+      return w == name || (list != context_.groups.end() && contains(list->second, name));
+    });
+  };
+  for (const std::string& name : context_.shapes)
+    if (!moves(context_, name) && context_.groups.count(name) == 0 && !left_out(name)) out.push_back(name);
+  return out;
+}
+
+/// Names joined by '+'; of lists without a shape nothing is left.
+std::vector<std::string> CallReader::listed_shapes(std::string_view word) {
   std::vector<std::string> result{shape(word)};
   while (cursor_.accept(K::kPlus)) result.push_back(shape(word));
+  std::erase_if(result, [&](const std::string& name) { return contains(context_.empty, name); });
   return result;
+}
+
+bool CallReader::at_between() const { return cursor_.at_word("between") && cursor_.peek(1).kind == K::kOpen; }
+
+std::optional<Term> CallReader::between() {
+  Term term;
+  term.span.begin = cursor_.peek().span.begin;
+  cursor_.take();
+  const Span open = cursor_.take().span;
+  std::vector<std::string> names{shape("between")};
+  if (!cursor_.accept(K::kComma)) cursor_.fail_syntax("'between' takes two lists of shapes: between(G, H)");
+  names.push_back(shape("between"));
+  if (!cursor_.accept(K::kClose)) cursor_.fail_unclosed(open);
+  term.span.end = cursor_.end();
+  if (context_.independent)
+    cursor_.fail(ErrorCode::kUnsupported, term.span, "'between' stands where one shape moves, not in a placement");
+  Distance& distance = term.distance;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto list = context_.groups.find(names[k]);
+    const std::vector<std::string> members =
+        list == context_.groups.end() ? std::vector<std::string>{names[k]} : list->second;
+    bool has_mover = false;
+    for (const std::string& member : members) {
+      if (!moves(context_, member)) continue;
+      has_mover = true;
+      if (!contains(distance.first, member)) distance.first.push_back(member);
+    }
+    const std::string& other = names[1 - k];
+    if (has_mover && contains(context_.shapes, other) && !moves(context_, other) && !contains(distance.second, other))
+      distance.second.push_back(other);
+  }
+  if (distance.first.empty() || distance.second.empty()) return std::nullopt;
+  distance.kind = Kind::kGamma1;
+  distance.spelled = &plain_name(Kind::kGamma1);
+  return term;
 }
 
 std::string CallReader::shape(std::string_view word) {

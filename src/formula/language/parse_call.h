@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,10 @@ class CallReader {
   bool at_distance() const;
   /// A distance, from its prefix or name to its ')'.
   Term distance();
+  /// Whether a rule between two lists of shapes stands here: between(G, H).
+  bool at_between() const;
+  /// The gap of what moves in one of the lists to the other shapes of the other list; nothing where neither has any.
+  std::optional<Term> between();
   /// A predicate's atom, from its name to its ')'.
   Atom predicate();
 
@@ -59,7 +64,9 @@ class CallReader {
   void last_argument(Call& call, std::string_view word, const Usage& usage, bool is_predicate);
   void direction(Call& call, std::string_view word, bool is_predicate);
   std::vector<std::string> shapes(std::string_view word);
+  std::vector<std::string> listed_shapes(std::string_view word);
   std::string shape(std::string_view word);
+  std::vector<std::string> standing(const std::vector<std::string>& without) const;
   [[noreturn]] void fail_unknown_shape(const Token& token) const;
   /// Fails for a word that is neither distance nor predicate.
   [[noreturn]] void fail_unknown_word() const;

@@ -76,8 +76,9 @@ std::string arrows(const std::vector<Arrow>& all, const Frame& frame, const std:
       data = rotation(seen(a.points.at(0)));
     } else {
       const Place& d = a.points.at(0);
-      data = straight(seen({}), d[0], d[1]);
-      if (a.kind == Arrow::Kind::kBothWays) data += straight(seen({}), -d[0], -d[1]);
+      const double up = frame.y_down ? -d[1] : d[1];
+      data = straight(seen({}), d[0], up);
+      if (a.kind == Arrow::Kind::kBothWays) data += straight(seen({}), -d[0], -up);
     }
     if (!data.empty()) out += fmt::format("<path class=\"arrow\" d=\"{}\"/>\n", data);
   }

@@ -60,7 +60,7 @@ void PathWriter::put(char command, const Place& p) {
 
 void PathWriter::arc_to(const Place& p, double radius, bool ccw) {
   const std::string r = number(radius * frame_.scale);
-  fmt::format_to(std::back_inserter(data_), "A{0} {0} 0 0 {1}", r, ccw ? 0 : 1);
+  fmt::format_to(std::back_inserter(data_), "A{0} {0} 0 0 {1}", r, ccw != frame_.y_down ? 0 : 1);
   put(' ', p);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The frame that maps the scene (y up) to pixels (y down), and paths in it with true arcs. Arcs are given in parts of
-// less than half a circle, which no viewer can mistake. Keywords: vector graphics, elliptical arc command, viewport.
+// The frame that maps the scene (y up, or down where it says so) to pixels (y down), and paths in it with true arcs.
+// Arcs are given in parts of less than half a circle, which no viewer can mistake. Keywords: vector graphics,
+// elliptical arc command, viewport.
 #pragma once
 
 #include <string>
@@ -28,8 +29,13 @@ struct Frame {
   plane::Bounds world;       // what is shown
   double scale = 1;          // pixels per unit
   double left = 0, top = 0;  // of the world's upper left corner, in pixels
+  bool y_down = false;       // the world's y axis runs downwards as well
   double x(double wx) const { return left + (wx - world.low[0]) * scale; }
-  double y(double wy) const { return top + (world.high[1] - wy) * scale; }
+  double y(double wy) const { return top + (y_down ? wy - world.low[1] : world.high[1] - wy) * scale; }
+  double world_x(double px) const { return world.low[0] + (px - left) / scale; }
+  double world_y(double py) const {
+    return y_down ? world.low[1] + (py - top) / scale : world.high[1] - (py - top) / scale;
+  }
   double width() const { return (world.high[0] - world.low[0]) * scale; }
   double height() const { return (world.high[1] - world.low[1]) * scale; }
 };

@@ -104,13 +104,13 @@ bool Labeller::is_free(const Box& b) const {
 }
 
 Labeller::Box Labeller::pixel_box(const LabelledShape& s, const Bounds& b) const {
-  return {{frame_.x(b.low[0] + s.offset[0]), frame_.y(b.high[1] + s.offset[1])},
-          {frame_.x(b.high[0] + s.offset[0]), frame_.y(b.low[1] + s.offset[1])}};
+  const double y[2] = {frame_.y(b.low[1] + s.offset[1]), frame_.y(b.high[1] + s.offset[1])};
+  return {{frame_.x(b.low[0] + s.offset[0]), std::min(y[0], y[1])},
+          {frame_.x(b.high[0] + s.offset[0]), std::max(y[0], y[1])}};
 }
 
 exact::RealPoint Labeller::position(double px, double py, const Place& offset) const {
-  const double x = frame_.world.low[0] + (px - frame_.left) / frame_.scale - offset[0];
-  const double y = frame_.world.high[1] - (py - frame_.top) / frame_.scale - offset[1];
+  const double x = frame_.world_x(px) - offset[0], y = frame_.world_y(py) - offset[1];
   return {Real::from_double(x) / step_, Real::from_double(y) / step_};
 }
 

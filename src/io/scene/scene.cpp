@@ -53,6 +53,10 @@ void read_formulas(const JsonValue& root, const SceneReader& json, Scene& scene)
 
 }  // namespace
 
+std::string Scene::moving_text() const {
+  return moving_name.empty() ? fmt::format("{}", fmt::join(moving, ", ")) : moving_name;
+}
+
 plane::ShapePtr Scene::find(std::string_view name) const {
   auto found = std::find_if(shapes.begin(), shapes.end(), [&](const plane::ShapePtr& s) { return s->name == name; });
   return found == shapes.end() ? nullptr : *found;

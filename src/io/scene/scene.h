@@ -8,6 +8,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -73,8 +74,16 @@ struct Scene {
   Free free;
   Motion motion;
   Placement place;
+  bool y_down = false;                                     // the y axis runs downwards in pictures
+  bool named_only = false;                                 // many shapes: only those that formulas name are built
+  std::vector<std::string> empty_lists;                    // names of groups without a shape that stands still
+  std::map<std::string, std::vector<std::string>> groups;  // names of shapes, also of those that move
+  std::string moving_name;                                 // what moves, for titles; without it the names in `moving`
+  GridPosition drawn_at{};                                 // the position at which `moving` stands as it was drawn
   std::vector<std::string> notes;  // what the reader of the result should know: points rounded, rings turned
 
+  /// What moves, in words: "U3", "A1, A2".
+  std::string moving_text() const;
   /// The shape of that name, or null.
   plane::ShapePtr find(std::string_view name) const;
   /// The same; throws Error(kUnknownName) that proposes the nearest name.

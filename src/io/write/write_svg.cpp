@@ -49,7 +49,7 @@ class PictureWriter {
     for (const NamedRegion& r : p.rotated) moving_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.placed) placed_.emplace_back(r, p.step);
     const plane::Component* c = p.summary != nullptr ? largest(*p.summary) : nullptr;
-    if (!position_ && p.of_positions) position_ = c != nullptr ? c->sample : Place{};
+    if (!position_ && p.of_positions) position_ = c != nullptr ? c->sample : p.home;
   }
 
   std::string run() {
@@ -96,6 +96,7 @@ class PictureWriter {
     }
     const bool unbounded = p_.summary != nullptr && !p_.summary->bounded;
     frame_ = fit(world.value_or(Bounds{{-1, -1}, {1, 1}}), unbounded ? kUnboundedMargin : kMargin, kLeft, top);
+    frame_.y_down = p_.y_down;
   }
 
   std::string map() const {

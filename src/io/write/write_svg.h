@@ -40,6 +40,8 @@ struct Picture {
   std::vector<DimensionLine> dimensions;               // distances at `position`
   std::optional<plane::Place> nearest;                 // another position of `moving`, in dashes
   std::string nearest_text;                            // of it, in the legend
+  bool y_down = false;                                 // the y axis runs downwards
+  plane::Place home{};                                 // where `moving` is drawn if the region is empty
   std::optional<plane::Place> position;                // none: the sample of the region's largest component
 };
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A board as a scene: which shapes a question about it may name, and which of them move. A part has its anchor as its
+// position, so that positions are the board's own coordinates. Its pads move with it. Names: `board`, every part, every
+// pad "U3.14", `holes`, `keepouts`, the copper of a layer "F.Cu", of a net 'net GND', and the lists `parts`, `smd`,
+// `tht`, `front`, `back`, `locked` of parts, without what moves. `others` are the parts that share a side of the board
+// with what moves, and the keep-outs there. Nothing is computed here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/board/board.h"
+#include "io/scene/scene.h"
+
+namespace findspace::io {
+
+/// What the command line asks of a board.
+struct BoardQuestion {
+  std::vector<std::string> move;  // parts; empty: none moves
+  std::string where, minimize, maximize;
+  std::vector<exact::Real> angles;  // degrees as KiCad counts them, from the orientation that the part has
+};
+
+/// Throws Error(kUnknownName) where a part that is to move is none.
+Scene board_scene(const Board& board, const BoardQuestion& question);
+
+}  // namespace findspace::io
