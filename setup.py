@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
-"""Builds the Python module by CMake: `python3 -m pip install --no-build-isolation .` needs no network."""
+"""Builds the Python module by CMake: `python3 -m pip install --no-build-isolation .` needs no network.
+
+FINDSPACE_BUILD names a build folder to use again.
+"""
 import os
 import subprocess
 
@@ -12,7 +15,7 @@ ROOT = os.path.dirname(os.path.abspath(__file__))
 
 class CMakeBuild(build_ext):
     def build_extension(self, ext):
-        folder = os.path.abspath(os.path.join(self.build_temp, "cmake"))
+        folder = os.environ.get("FINDSPACE_BUILD") or os.path.abspath(os.path.join(self.build_temp, "cmake"))
         options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DFINDSPACE_PYTHON=ON",
                    "-DFINDSPACE_TESTS=OFF"]
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, *options], check=True)

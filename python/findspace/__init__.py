@@ -9,14 +9,16 @@
 >>> (11.5, 3) in region, (11.4, 3) in region
 (True, False)
 """
-from ._findspace import (Component, Distance, DistanceValue, Edge, Error, Formula, Optimum, Query, Region, Ring, Shape,
-                         World, clear, cover, covers, depth, disjoint, gap, hausdorff, inside, margin, overlaps,
-                         protrusion, reach, touches, within)
+from ._findspace import (AtomValue, Check, Component, Distance, DistanceValue, Edge, Error, Formula, Interval,
+                         Optimum, Query, Region, Ring, Shape, Stopped, World, clear, cover, covers, depth, diameter,
+                         disjoint, distance, gap, hausdorff, inside, margin, overlaps, protrusion, reach, touches,
+                         within)
 from . import _plot, _shapely
 
-__all__ = ["Component", "Distance", "DistanceValue", "Edge", "Error", "Formula", "Optimum", "Query", "Region", "Ring",
-           "Shape", "World", "clear", "cover", "covers", "depth", "disjoint", "gap", "hausdorff", "inside", "margin",
-           "overlaps", "protrusion", "reach", "shape", "touches", "within"]
+__all__ = ["AtomValue", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Formula", "Interval",
+           "Optimum", "Query", "Region", "Ring", "Shape", "Stopped", "World", "clear", "cover", "covers", "depth",
+           "diameter", "disjoint", "distance", "gap", "hausdorff", "inside", "margin", "overlaps", "protrusion",
+           "reach", "shape", "touches", "within"]
 
 shape = _shapely.shape
 Region.plot = _plot.plot_region

@@ -7,6 +7,9 @@
 #include "numbers.h"
 
 namespace findspace::python {
+
+using namespace words;
+
 namespace {
 
 void bind_words(py::module_& m) {
@@ -19,6 +22,8 @@ void bind_words(py::module_& m) {
   word("cover", cover, "How far around b the shape a reaches; negative where it does not.");
   word("protrusion", protrusion, "The greatest distance of a point of a from b.");
   word("hausdorff", hausdorff, "The Hausdorff distance.");
+  word("distance", distance, "The least distance between points of the two; 0 where they meet.");
+  word("diameter", diameter, "The diameter of both together.");
   word("depth", depth, "The depth of penetration; 0 where the shapes do not overlap.");
 }
 

@@ -26,9 +26,15 @@ void bind_errors(py::module_& m) {
   static py::exception<Error> error(m, "Error", PyExc_ValueError);
   error.attr("__doc__") =
       "Bad input or wrong usage. `message` says what is wrong, `place` where, `code` of what kind it is.";
+  static py::exception<Stopped> stopped(m, "Stopped", error.ptr());
+  stopped.attr("__doc__") = "A question that ended at a limit: `limit` is 'time', 'memory' or 'cancelled'.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
+    } catch (const Stopped& e) {
+      const py::object made = py::reinterpret_borrow<py::object>(stopped)(e.what());
+      made.attr("limit") = e.limit() == Limit::kTime ? "time" : e.limit() == Limit::kMemory ? "memory" : "cancelled";
+      PyErr_SetObject(stopped.ptr(), made.ptr());
     } catch (const Error& e) {
       static const char* const kCodes[] = {"usage",    "syntax",       "unknown name", "bad value",
                                            "geometry", "out of range", "file",         "unsupported"};
