@@ -6,6 +6,7 @@ FINDSPACE_BUILD names a build folder to use again.
 """
 import os
 import subprocess
+import sys
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -17,7 +18,7 @@ class CMakeBuild(build_ext):
     def build_extension(self, ext):
         folder = os.environ.get("FINDSPACE_BUILD") or os.path.abspath(os.path.join(self.build_temp, "cmake"))
         options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DFINDSPACE_PYTHON=ON",
-                   "-DFINDSPACE_TESTS=OFF"]
+                   "-DFINDSPACE_TESTS=OFF", "-DPython3_EXECUTABLE=" + sys.executable]
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, *options], check=True)
         subprocess.run(["cmake", "--build", folder, "--target", "findspace_python"], check=True)
         built = os.path.join(folder, "python", "findspace")

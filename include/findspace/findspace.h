@@ -10,6 +10,7 @@
 //   values.h    what is said about one position
 //   options.h   limits of questions, progress, cancellation
 //   region.h    the answers: exact point sets
+//   space_region.h, phi.h   exact sets of space; Phi-functions with gradients
 //   error.h     what is thrown for bad input
 #pragma once
 
@@ -18,7 +19,9 @@
 #include "findspace/formula.h"
 #include "findspace/number.h"
 #include "findspace/options.h"
+#include "findspace/phi.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
+#include "findspace/space_region.h"
 #include "findspace/values.h"
 #include "findspace/world.h"

@@ -119,6 +119,10 @@ class Shape {
   /// The set itself, of the plane only (Error(kUnsupported)); made when first asked for.
   const Region& region() const;
 
+  /// The set as text that Shape::json brings back on the same grid: the boundary in the plane, the construction in
+  /// space. Error(kUnsupported) for prisms with arcs.
+  std::string exact_json() const;
+
   struct Data;
   explicit Shape(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
   const Data& data() const { return *data_; }

@@ -26,6 +26,7 @@
 #include "findspace/options.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
+#include "findspace/space_region.h"
 #include "findspace/values.h"
 
 namespace findspace {
@@ -72,6 +73,9 @@ class World {
   /// The same, with every atom and its value.
   Check check(const Formula& formula, const Point& p) const;
   Check check(const Formula& formula, const Point3& p) const;
+  /// With the moving shape rotated about a point of its own first. Values are those of the shape whose vertices are put
+  /// on the grid.
+  Check check_rotated(const Formula& formula, const Point& p, const Number& degrees, const Point& about = {0, 0}) const;
 
   // ---- at all positions
   /// {p : the formula holds at p} (docs/formula.md). kUnsupported in space, and for distances in rotation.
@@ -80,6 +84,11 @@ class World {
   SignMap sign_map(std::string_view distance, const Number& level) const;
   /// The least value of an objective (a distance, x, y, "distance to [1, 2]") where the formula holds.
   Optimum minimize(std::string_view objective, const Formula& formula = "true") const;
+  /// {p : the formula holds at p} in space, where it is made of boxes or is a convex polytope; kUnsupported elsewhere.
+  SpaceRegion solve_space(const Formula& formula) const;
+  /// Where the formula holds, in degrees, for the moving shape at p and rotated about a point of its own (in the
+  /// coordinates in which it is drawn). Intervals begin in [0, 360) and may go across 360. Of the plane.
+  std::vector<Interval> angles(const Formula& formula, const Point& p, const Point& about = {0, 0}) const;
   /// In space, where the formula holds along the line through a point; the direction is in integers.
   OnLine on_line(const Formula& formula, const Point3& through, const Point3& direction) const;
   /// A formula, ready for many positions; or the text of a distance, for its values.

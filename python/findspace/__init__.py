@@ -10,15 +10,15 @@
 (True, False)
 """
 from ._findspace import (AtomValue, Check, Component, Distance, DistanceValue, Edge, Error, Formula, Interval,
-                         Optimum, Query, Region, Ring, Shape, Stopped, World, clear, cover, covers, depth, diameter,
-                         disjoint, distance, gap, hausdorff, inside, margin, overlaps, protrusion, reach, touches,
-                         within)
+                         Optimum, Phi, PhiValue, Query, Region, Ring, Shape, SpaceRegion, Stopped, World, clear,
+                         cover, covers, depth, diameter, disjoint, distance, gap, hausdorff, inside, margin, overlaps,
+                         protrusion, reach, touches, within)
 from . import _plot, _shapely
 
 __all__ = ["AtomValue", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Formula", "Interval",
-           "Optimum", "Query", "Region", "Ring", "Shape", "Stopped", "World", "clear", "cover", "covers", "depth",
-           "diameter", "disjoint", "distance", "gap", "hausdorff", "inside", "margin", "overlaps", "protrusion",
-           "reach", "shape", "touches", "within"]
+           "Optimum", "Phi", "PhiValue", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped", "World",
+           "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "gap", "hausdorff", "inside",
+           "margin", "overlaps", "protrusion", "reach", "shape", "touches", "within"]
 
 shape = _shapely.shape
 Region.plot = _plot.plot_region

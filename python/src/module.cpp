@@ -17,6 +17,7 @@ namespace findspace::python {
 void bind_shapes(py::module_& m);
 void bind_regions(py::module_& m);
 void bind_worlds(py::module_& m);
+void bind_space(py::module_& m);
 void bind_formulas(py::module_& m);
 
 namespace {
@@ -58,5 +59,6 @@ PYBIND11_MODULE(_findspace, m) {
   bind_formulas(m);
   bind_shapes(m);
   bind_regions(m);
+  bind_space(m);
   bind_worlds(m);
 }

@@ -221,7 +221,7 @@ void bind_shapes(py::module_& m) {
           "The set itself; of the plane only.")
       .def(py::init<const Region&>(), py::arg("region"))
       .def(py::pickle(
-          [](const Shape& s) { return py::make_tuple(s.region().exact_json(), s.grid().step.text()); },
+          [](const Shape& s) { return py::make_tuple(s.exact_json(), s.grid().step.text()); },
           [](const py::tuple& t) { return Shape::json(t[0].cast<std::string>(), {Number(t[1].cast<std::string>())}); }))
       .def("__repr__", [](const Shape& s) { return s.dimension() == 2 ? "<Shape of the plane>" : "<Shape of space>"; });
 }

@@ -196,8 +196,31 @@ World
 void bind_questions(py::class_<World>& world) {
   world
       .def(
-          "solve", [](const World& w, const Formula& f) { return interruptible([&] { return w.solve(f); }); },
-          py::arg("formula"), "{p : the formula holds at p}, exactly; of the plane.")
+          "solve",
+          [](const World& w, const Formula& f) -> py::object {
+            if (w.dimension() == 3) return py::cast(interruptible([&] { return w.solve_space(f); }));
+            return py::cast(interruptible([&] { return w.solve(f); }));
+          },
+          py::arg("formula"),
+          "{p : the formula holds at p}, exactly: a Region, in space a SpaceRegion where it has one of its forms.")
+      .def(
+          "angles",
+          [](const World& w, const Formula& f, const py::sequence& p, const py::sequence& about) {
+            const Point at = point(p), centre = point(about);
+            return interruptible([&] { return w.angles(f, at, centre); });
+          },
+          py::arg("formula"), py::arg("position"), py::arg("about") = py::make_tuple(0, 0),
+          "Where the formula holds for the moving shape rotated about a point of its own: intervals in degrees.")
+      .def(
+          "check_rotated",
+          [](const World& w, const Formula& f, const py::sequence& p, const py::object& degrees,
+             const py::sequence& about) {
+            const Point at = point(p), centre = point(about);
+            const Number angle = number(degrees);
+            return interruptible([&] { return w.check_rotated(f, at, angle, centre); });
+          },
+          py::arg("formula"), py::arg("position"), py::arg("degrees"), py::arg("about") = py::make_tuple(0, 0),
+          "The formula with the moving shape rotated first, atom by atom.")
       .def("query", py::overload_cast<const Distance&>(&World::query, py::const_), py::arg("distance"))
       .def("query", py::overload_cast<const Formula&>(&World::query, py::const_), py::arg("formula"),
            "A formula, or the text of a distance, ready for many positions.")

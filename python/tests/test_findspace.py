@@ -193,6 +193,44 @@ def test_worlds_of_space():
         query.holds(np.zeros((3, 2)))
 
 
+def test_regions_of_space():
+    world = fs.World({"room": fs.Shape.box((0, 0, 0), (10, 10, 10)), "crate": fs.Shape.box((-1, -1, -1), (1, 1, 1))},
+                     moving="crate")
+    region = world.solve("inside(crate, room, 1)")
+    assert region.volume == 216 and region.bounds == ([2, 2, 2], [8, 8, 8])
+    assert region.vertices.shape == (8, 3) and sorted(map(len, region.faces)) == [4] * 6
+    assert region.contains(np.array([[2, 2, 2], [1.9, 2, 2]])).tolist() == [True, False]
+    assert region.boxes == [([2, 2, 2], [8, 8, 8], [True] * 3, [True] * 3)]
+
+
+def test_solids_pickle():
+    solid = fs.Shape.box((0, 0, 0), (4, 4, 4)) - fs.Shape.ball((2, 2, 2), 1.5)
+    world = fs.World({"a": solid, "b": fs.Shape.box((0, 0, 0), (1, 1, 1))}, moving="b")
+    again = pickle.loads(pickle.dumps(world))
+    at = np.random.default_rng(1).random((50, 3)) * 8 - 2
+    assert (again.query("overlaps(a, b)").holds(at) == world.query("overlaps(a, b)").holds(at)).all()
+
+
+def test_rotation():
+    world = fs.World({"A": fs.Shape.points([[0, 4]]), "B": fs.Shape.polyline([[0, 0], [5, 0]])}, moving="B")
+    angles = world.angles("gap(B, A) <= 0", (0, 0))
+    assert [(i.start, i.end) for i in angles] == [(90, 90)]
+    assert world.check_rotated("touches(B, A)", (0, 0), 90)
+
+
+def test_phi_has_the_gradient_of_its_values():
+    phi = fs.Phi(fs.Shape.polygon([[0, 0], [4, 0], [1, 3]]), fs.Shape.box((0, 0), (1, 2)))
+    at = np.random.default_rng(4).random((200, 2)) * 16 - 6
+    values, gradients = phi.evaluate(at)
+    h = 1e-6
+    for k in range(2):
+        step = np.zeros(2)
+        step[k] = h
+        slope = (phi.evaluate(at + step)[0] - phi.evaluate(at - step)[0]) / (2 * h)
+        assert np.mean(np.abs(slope - gradients[:, k]) < 1e-3) > 0.98
+    assert [float(phi(p)) for p in at[:9].tolist()] == values[:9].tolist()
+
+
 @pytest.mark.parametrize("module", [fs, fs._findspace, fs._shapely])
 def test_examples_in_docstrings(module):
     names = {name: getattr(module, name) for name in dir(module)}

@@ -228,4 +228,90 @@ TEST(PublicSpace, ManyPositionsAndLines) {
   EXPECT_EQ(*world.distance("margin(crate, room)", {5, 5, 8}).value, 1);
 }
 
+TEST(PublicSpace, RegionsOfBoxesAndPolytopes) {
+  const World world = solids();
+  const SpaceRegion free = world.solve_space("inside(crate, room, 1)");
+  EXPECT_EQ(free.form(), SpaceRegion::Form::kBoxes);
+  EXPECT_EQ(*free.volume(), 216);
+  EXPECT_EQ(free.bounds()->low, (Position3{2, 2, 2}));
+  EXPECT_TRUE(free.closed());
+  EXPECT_TRUE(free.contains({2, 2, 2}));
+  EXPECT_FALSE(free.contains({"1.999999", 2, 2}));
+  ASSERT_EQ(free.boxes().size(), 1u);
+  EXPECT_TRUE(free.boxes()[0].low_belongs[0]);
+  EXPECT_EQ(free.surface().faces.size(), 6u);
+  EXPECT_EQ(free.surface().vertices.size(), 8u);
+  EXPECT_NE(free.json().find("216"), std::string::npos);
+  const std::vector<Position3> tip{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+  const World tips({{"A", Shape::polytope(tip)}, {"B", Shape::polytope(tip)}}, "B");
+  const SpaceRegion meets = tips.solve_space("gap(B, A) <= 0");
+  EXPECT_EQ(meets.form(), SpaceRegion::Form::kConvex);
+  EXPECT_EQ(meets.surface().faces.size(), 14u);
+  EXPECT_THROW(world.solve_space("clear(crate, ball) and inside(crate, room)"), Error);
+}
+
+TEST(PublicSpace, ShapesAsTextComeBack) {
+  const Shape part = Shape::subtract({Shape::box({0, 0, 0}, {4, 4, 4}), Shape::interior(Shape::ball({2, 2, 2}, "1.5"))})
+                         .translated(Point3{"0.25", 0, 1});
+  const Shape again = Shape::json(part.exact_json(), part.grid());
+  EXPECT_EQ(again.exact_json(), part.exact_json());
+  const Shape dot = Shape::box({-1, -1, -1}, {1, 1, 1});
+  const World a({{"A", part}, {"B", dot}}, "B"), b({{"A", again}, {"B", dot}}, "B");
+  for (int k = 0; k < 5; ++k)
+    EXPECT_EQ(a.holds("overlaps(B, A)", {2 + k, 2, 3}), b.holds("overlaps(B, A)", {2 + k, 2, 3}));
+}
+
+TEST(PublicWorld, Rotates) {
+  // A bar along x above which a point of A stands: it meets it at a quarter turn alone.
+  const World world({{"A", Shape::points({{0, 4}})}, {"B", Shape::polyline({{0, 0}, {5, 0}})}}, "B");
+  const auto touching = world.angles("gap(B, A) <= 0", {0, 0});
+  ASSERT_EQ(touching.size(), 1u);
+  EXPECT_EQ(touching[0].from, 90);
+  EXPECT_EQ(touching[0].to, 90);
+  const auto clear_of_it = world.angles("gap(B, A) > 0", {0, 0});
+  ASSERT_EQ(clear_of_it.size(), 1u);
+  EXPECT_EQ(*clear_of_it[0].to - *clear_of_it[0].from, 360);
+  EXPECT_FALSE(clear_of_it[0].from_belongs);
+  EXPECT_TRUE(world.check_rotated("touches(B, A)", {0, 0}, 90).holds);
+  EXPECT_EQ(*world.check_rotated("touches(B, A)", {0, 0}, 180).atoms[0].distance.value, 4);
+}
+
+TEST(PublicPhi, OfThePlane) {
+  const Phi phi(Shape::box({0, 0}, {4, 2}), Shape::disc({0, 0}, 1));
+  const Phi::Value beside = phi.at(Point{7, 1});
+  EXPECT_EQ(beside.value, 2);
+  EXPECT_EQ(beside.state, Phi::State::kApart);
+  EXPECT_EQ(beside.gradient, (Place{1, 0}));
+  EXPECT_EQ(phi.at(Point{5, 1}).state, Phi::State::kContact);
+  EXPECT_EQ(phi.at(Point{4, 1}).value, -1);
+  EXPECT_EQ(phi.compare({7, 1}, 2), 0);
+  EXPECT_EQ(phi.compare({7, 1}, "2.0000001"), -1);
+  EXPECT_THROW(phi.compare({7, 1}, -1), Error);
+  EXPECT_THROW(phi.at(Point3{0, 0, 0}), Error);
+  const std::vector<Position> at{{7, 1}, {5, 1}, {2, 7}};
+  std::vector<double> values(3);
+  std::vector<Position> gradients(3);
+  phi.evaluate(at, values, gradients);
+  EXPECT_EQ(values, (std::vector<double>{2, 0, 4}));
+  EXPECT_EQ(gradients[2], (Position{0, 1}));
+}
+
+TEST(PublicPhi, OfSpaceAgreesWithGap) {
+  const Shape a = Shape::unite({Shape::box({0, 0, 0}, {2, 2, 2}), Shape::box({2, 0, 0}, {4, 1, 1})});
+  const Shape b = Shape::box({0, 0, 0}, {1, 1, 1});
+  const Phi phi(a, b);
+  EXPECT_EQ(phi.dimension(), 3);
+  EXPECT_EQ(phi.parts_of_b(), 1u);
+  const World world({{"A", a}, {"B", b}}, "B");
+  for (int x = -3; x < 7; ++x)
+    for (int y = -3; y < 5; ++y) {
+      const double gap = *world.distance("gap(B, A)", Point3{x, y, 1}).value, value = phi.at(Point3{x, y, 1}).value;
+      EXPECT_EQ(gap > 0, value > 0);
+      EXPECT_EQ(gap < 0, value < 0);
+      if (gap > 0) {
+        EXPECT_NEAR(gap, value, 1e-12);
+      }
+    }
+}
+
 }  // namespace

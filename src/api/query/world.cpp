@@ -22,6 +22,7 @@
 #include "plane/build/build.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate_line.h"
+#include "plane/rotation/rotation_map.h"
 
 namespace findspace {
 
@@ -301,6 +302,32 @@ Optimum World::minimize(std::string_view objective, const Formula& formula) cons
                                               distance::Sense::kMinimum, solver);
     return Optimum{best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
                    data_->region(std::move(best.at))};
+  });
+}
+
+std::vector<Interval> World::angles(const Formula& formula, const Point& p, const Point& about) const {
+  const formula::Solver& solver = data_->plane("a map of angles");
+  const exact::RealPoint at = findspace::planar(api::place_of(*data_, p));
+  const exact::RealPoint centre = findspace::planar(api::place_of(*data_, about));
+  return api::limited(data_->options, [&] {
+    const formula::Formula asked = data_->formula(formula.text());
+    const formula::RotationSolver rotated(solver, {at, {}, centre});
+    std::vector<Interval> out;
+    for (const plane::RotationInterval& i : plane::intervals(rotated.maps(asked).feasible(asked))) {
+      const bool across = i.round || exact::compare(i.to, i.from) < 0;
+      out.push_back({i.from.degrees(), i.to.degrees() + (across ? 360 : 0), i.from_in, i.to_in});
+    }
+    return out;
+  });
+}
+
+Check World::check_rotated(const Formula& formula, const Point& p, const Number& degrees, const Point& about) const {
+  const formula::Solver& solver = data_->plane("a rotated shape");
+  const exact::RealPoint at = findspace::planar(api::place_of(*data_, p));
+  const exact::RealPoint centre = findspace::planar(api::place_of(*data_, about));
+  return api::limited(data_->options, [&] {
+    const formula::RotationSolver rotated(solver, {at, api::real_of(degrees), centre});
+    return api::public_check(rotated.check(data_->formula(formula.text())));
   });
 }
 

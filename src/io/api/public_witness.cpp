@@ -17,7 +17,7 @@ std::string shown(const Place& p) {
   return "(" + out + ")";
 }
 
-std::string words(const Feature& f) {
+std::string in_words(const Feature& f) {
   const std::string of = f.part.empty() ? f.shape : fmt::format("{}, part {}", f.shape, f.part);
   switch (f.kind) {
     case Feature::Kind::kVertex:
@@ -35,7 +35,7 @@ std::string words(const Feature& f) {
 }  // namespace
 
 std::string DistanceValue::witness() const {
-  return features.size() == 2 ? fmt::format("{} and {}", words(features[0]), words(features[1])) : "";
+  return features.size() == 2 ? fmt::format("{} and {}", in_words(features[0]), in_words(features[1])) : "";
 }
 
 }  // namespace findspace
