@@ -6,6 +6,7 @@ usage: PYTHONPATH=build/python/python /usr/bin/python3 python/make_stubs.py > py
 """
 import inspect
 import re
+import sys
 
 HEAD = """# SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
@@ -19,24 +20,39 @@ import numpy
 import numpy.typing
 """
 TYPES = [
-    (r"findspace\._findspace\.", ""),
+    (r"findspace\._findspace\.|findspace::", ""),
     (r"numpy\.ndarray\[([a-z0-9.]+)\]", r"numpy.typing.NDArray[\1]"),
     (r"NDArray\[bool\]", "NDArray[numpy.bool_]"),
+    (r"(?:List\[)?\b(float|bool)\[\d\]\]?", r"list[\1]"),
     (r"\bList\[", "list["), (r"\bDict\[", "dict["), (r"\bTuple\[", "tuple["),
-    (r"Optional\[((?:[^\[\]]|\[[^\]]*\])*)\]", r"\1 | None"),
-    (r"Annotated\[list\[float\], FixedSize\(\d\)\]|list\[float\[\d\]\]|(float)\[\d\]", r"list[float]"),
-    (r"list\[bool\[\d\]\]|(bool)\[\d\]", r"list[bool]"),
-    (r"\bSequence\b(?!\[)", "Sequence[Any]"),
+    (r"Optional\[((?:[^\[\]]|\[(?:[^\[\]]|\[[^\]]*\])*\])*)\]", r"\1 | None"),
+    (r"\bsequence\b", "Sequence[Any]"),
     (r"= <[^>]*>", "= ..."), (r"= Formula\('true'\)", "= ..."),
     (r"(?<=: )object\b", "Any"), (r"(?<=-> )object\b", "Any"),
 ]
+# What signatures leave open.
+RESULTS = {
+    "World.solve": "Region | SpaceRegion",
+    "World.on_line": "tuple[list[Interval], bool]",
+    "Query.nearest": "tuple[tuple[float, ...], float, bool] | None",
+    "Region.nearest": "tuple[tuple[float, ...], float, bool] | None",
+    "Region.bounds": "tuple[float, float, float, float] | None",
+    "SpaceRegion.bounds": "tuple[list[float], list[float]] | None",
+    "SpaceRegion.boxes": "list[tuple[list[float], list[float], list[bool], list[bool]]]",
+    "Phi.evaluate": "tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]",
+    "Region.__geo_interface__": "dict[str, Any]",
+    "Shape.__geo_interface__": "dict[str, Any]",
+}
 
 
 def typed(text, argument):
     for pattern, by in TYPES:
         text = re.sub(pattern, by, text)
-    return re.sub(r"(positions|ring|points|vertices|faces|chain): numpy\.typing\.NDArray\[[a-z0-9._]+\]",
-                  r"\1: numpy.typing.ArrayLike", text) if argument else text
+    if not argument:
+        return text
+    text = re.sub(r"(positions|ring|points|vertices|faces): numpy\.typing\.NDArray\[[a-z0-9._]+\]",
+                  r"\1: numpy.typing.ArrayLike", text)
+    return re.sub(r"formula: Formula\b", "formula: Formula | str", text)
 
 
 def signatures(name, doc):
@@ -49,28 +65,40 @@ def signatures(name, doc):
     return [f for f in found if f[0] != "*args, **kwargs"]
 
 
-def function(name, doc, indent):
+def function(name, doc, indent, result_of=None):
     out = []
     found = signatures(name, doc)
     for arguments, result in found:
         if len(found) > 1:
             out.append(f"{indent}@overload")
-        out.append(f"{indent}def {name}({re.sub(r'^self: [A-Za-z]+', 'self', arguments)}) -> {result}: ...")
+        arguments = re.sub(r"^self: [A-Za-z]+", "self", arguments)
+        out.append(f"{indent}def {name}({arguments}) -> {RESULTS.get(result_of, result)}: ...")
     return out
+
+
+SKIPPED = ("__module__", "__doc__", "__new__", "__getstate__", "__setstate__", "__hash__")
+
+
+def result_of_property(cls, name, value):
+    known = f"{cls.__name__}.{name}"
+    match = re.search(r"-> (.*)$", (value.fget.__doc__ or "").strip().split("\n")[0])
+    return RESULTS.get(known) or (typed(match[1], False) if match else "Any")
 
 
 def methods(cls):
     out = []
     for name, value in sorted(vars(cls).items()):
         if isinstance(value, property):
-            result = re.search(r"-> (.*)$", (value.fget.__doc__ or "").strip().splitlines()[0]) if value.fget.__doc__ else None
-            out += ["    @property", f"    def {name}(self) -> {typed(result[1], False) if result else 'Any'}: ..."]
+            out += ["    @property", f"    def {name}(self) -> {result_of_property(cls, name, value)}: ..."]
         elif isinstance(value, staticmethod):
-            lines = function(name, value.__func__.__doc__, "    ")
-            out += [line for def_line in lines for line in
-                    (["    @staticmethod", def_line] if def_line.lstrip().startswith("def") else [def_line])]
-        elif name not in ("__module__", "__doc__", "__new__", "__getstate__", "__setstate__", "__hash__") and hasattr(value, "__doc__"):
-            out += function(name, value.__doc__, "    ")
+            for line in function(name, value.__func__.__doc__, "    "):
+                out += ["    @staticmethod", line]
+        elif inspect.isfunction(value):  # of the Python files
+            rest = ", ".join(f"{p.name}: Any = ..." if p.kind != p.VAR_KEYWORD else f"**{p.name}: Any"
+                             for p in list(inspect.signature(value).parameters.values())[1:])
+            out.append(f"    def {name}(self{', ' + rest if rest else ''}) -> Any: ...")
+        elif name not in SKIPPED and hasattr(value, "__doc__"):
+            out += function(name, value.__doc__, "    ", f"{cls.__name__}.{name}")
     return out or ["    ..."]
 
 
@@ -92,5 +120,6 @@ def stub(module):
 
 
 if __name__ == "__main__":
+    sys.path.pop(0)  # the folder of this file has the Python files alone
     from findspace import _findspace
     print(stub(_findspace), end="")

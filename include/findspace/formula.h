@@ -22,9 +22,11 @@ namespace findspace {
 /// A number, or one with a unit: 0.5, "0.5 mm".
 class Level {
  public:
+  /// A number without a unit, or text that has one.
   template <class T>
   requires std::convertible_to<T, Number> Level(T value)
       : text_(Number(std::move(value)).text()) {}  // NOLINT: implicit on purpose
+  /// As the formula language writes it.
   const std::string& text() const { return text_; }
 
  private:
@@ -35,10 +37,12 @@ class Formula {
  public:
   /// Text of the formula language. Read by the world that it is asked of.
   Formula(std::string text) : text_(std::move(text)) {}  // NOLINT
-  Formula(const char* text) : text_(text) {}             // NOLINT
-  Formula(std::string_view text) : text_(text) {}        // NOLINT
+  /// Text, as well.
+  Formula(const char* text) : text_(text) {}       // NOLINT
+  Formula(std::string_view text) : text_(text) {}  // NOLINT
   const std::string& text() const { return text_; }
 
+  /// Both, either, not.
   friend Formula operator&&(const Formula& a, const Formula& b);
   friend Formula operator||(const Formula& a, const Formula& b);
   friend Formula operator!(const Formula& a);
@@ -64,6 +68,7 @@ class Distance {
   Formula minimal() const;
   const std::string& text() const { return text_; }
 
+  /// Compared with a level.
   friend Formula operator<(const Distance& d, const Level& level) { return d.compared("<", level); }
   friend Formula operator<=(const Distance& d, const Level& level) { return d.compared("<=", level); }
   friend Formula operator==(const Distance& d, const Level& level) { return d.compared("=", level); }

@@ -19,8 +19,11 @@ namespace findspace {
 /// A token: copies are one. Requested from any thread, it ends the questions that have it.
 class Cancel {
  public:
+  /// Ends what has the token.
   void request() const { *requested_ = true; }
+  /// Later questions run again.
   void reset() const { *requested_ = false; }
+  /// Whether it is requested.
   bool requested() const { return *requested_; }
 
  private:
@@ -30,6 +33,7 @@ class Cancel {
 /// While it lives, questions of this thread end when the token is requested, whatever their worlds' options.
 class CancelScope {
  public:
+  /// From now on, in this thread.
   explicit CancelScope(const Cancel& cancel);
   ~CancelScope();
   CancelScope(const CancelScope&) = delete;
@@ -49,16 +53,19 @@ struct Options {
   Cancel cancel{};
 };
 
+/// What a question met.
 enum class Limit { kTime, kMemory, kCancelled };
 
 /// A question that ended at a limit.
 class Stopped : public Error {
  public:
+  /// With a message of that limit.
   explicit Stopped(Limit limit)
       : Error(ErrorCode::kUnsupported, limit == Limit::kTime     ? "the time limit is reached"
                                        : limit == Limit::kMemory ? "the memory limit is reached"
                                                                  : "cancelled"),
         limit_(limit) {}
+  /// Which limit it was.
   Limit limit() const { return limit_; }
 
  private:

@@ -20,14 +20,19 @@ namespace findspace {
 
 /// Flat faces, counter-clockwise seen from outside, by their vertices counted from 0.
 struct Surface {
+  /// Its corners.
   std::vector<Position3> vertices;
+  /// Circuits of corners.
   std::vector<std::vector<int>> faces;
 };
 
 class SpaceRegion {
  public:
+  /// What it is made of.
   enum class Form { kBoxes, kConvex };
+  /// Which of the two it is.
   Form form() const;
+  /// Whether nothing belongs to it; whether all of space does; within some ball; open and closed as a point set.
   bool empty() const;
   bool whole() const;
   bool bounded() const;
@@ -36,6 +41,7 @@ class SpaceRegion {
   /// Nothing where it is unbounded.
   std::optional<double> volume() const;
   struct Bounds3 {
+    /// Its corners.
     Position3 low{}, high{};
   };
   /// Nothing where it is empty or unbounded.
@@ -49,8 +55,11 @@ class SpaceRegion {
 
   /// A product of intervals; infinite where a coordinate has no end.
   struct Box {
+    /// Its corners.
     Position3 low{}, high{};
-    std::array<bool, 3> low_belongs{}, high_belongs{};
+    /// Whether its ends belong to it, for each coordinate.
+    std::array<bool, 3> low_belongs{};
+    std::array<bool, 3> high_belongs{};
   };
   /// Disjoint boxes, flat ones among them, whose union it is; none of the form kConvex.
   std::vector<Box> boxes() const;

@@ -20,7 +20,9 @@ using Place = std::vector<double>;
 
 /// What a point of a witness lies on, in the plane: which vertex, edge or arc of which shape.
 struct Feature {
+  /// What the point lies on; kInside: no boundary.
   enum class Kind { kVertex, kEdge, kArc, kInside };
+  /// Of the point.
   Kind kind = Kind::kVertex;
   std::string shape, part;    // the part of a collection, else empty
   std::vector<Place> points;  // in the shape's own coordinates: a vertex; the ends of an edge; the centre of an arc
@@ -44,27 +46,35 @@ struct DistanceValue {
 /// One comparison of a formula at a position.
 struct AtomValue {
   std::string text;  // "gap(B, A) >= 1"
+  /// Exact, also on a boundary.
   bool holds = false;
+  /// The value that is compared.
   DistanceValue distance;
   std::optional<double> lacks;  // how far the value is from holding, if it does not
 };
 
 /// A formula at a position, atom by atom.
 struct Check {
+  /// Exact, also on a boundary.
   bool holds = false;
+  /// Its comparisons, from left to right.
   std::vector<AtomValue> atoms;
 };
 
 /// The feasible position that is nearest to one of space, or such a one of the closure.
 struct Nearest3 {
+  /// Where it is.
   Position3 at{};
+  /// How far that is.
   double distance = 0;
+  /// Whether it is feasible itself, not only others as near to it as you like.
   bool attained = false;
 };
 
 /// A part of a line of positions through + t * direction, by the length gone.
 struct Interval {
   std::optional<double> from, to;  // nothing: it goes on for ever
+  /// Whether the ends are in the set.
   bool from_belongs = false, to_belongs = false;
 };
 

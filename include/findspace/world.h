@@ -96,6 +96,7 @@ class World {
   Query query(const Distance& distance) const;
 
   // ---- what it was made of
+  /// As they were given, by name; the one that moves; the unit.
   const std::map<std::string, Shape>& shapes() const;
   const std::string& moving() const;
   std::string unit() const;
@@ -121,6 +122,7 @@ class World {
 /// for a formula that is asked its values.
 class Query {
  public:
+  /// Whether the formula holds at one position.
   bool holds(const Point& p) const;
   bool holds(const Point3& p) const;
   template <std::same_as<Position> P>
@@ -146,6 +148,7 @@ class Query {
   std::optional<Region::Nearest> nearest(const Position& from) const;
   std::optional<Nearest3> nearest(const Position3& from) const;
 
+  /// The world that is asked.
   const World& world() const;
   /// What was asked.
   const std::string& text() const;

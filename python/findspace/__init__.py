@@ -27,3 +27,5 @@ Shape.plot = _plot.plot_shape
 Shape._repr_svg_ = _plot.picture_of_shape
 Region.to_shapely = _shapely.to_shapely
 Region.__geo_interface__ = property(_shapely.geo_interface)
+Shape.__geo_interface__ = property(_shapely.geo_interface_of_shape)
+Shape.to_shapely = _shapely.shape_to_shapely

@@ -92,7 +92,8 @@ py::tuple evaluated(const Phi& phi, const Array& at) {
 
 void bind_phi(py::module_& m) {
   py::class_<Phi::Value>(m, "PhiValue", "A Phi-function at a position.")
-      .def_readonly("value", &Phi::Value::value, "Normalised: outside it is the distance.")
+      .def_readonly("value", &Phi::Value::value, "What the gradient is of.")
+      .def_readonly("normalised", &Phi::Value::normalised, "Outside it is the distance.")
       .def_property_readonly(
           "state",
           [](const Phi::Value& v) {
@@ -108,7 +109,7 @@ void bind_phi(py::module_& m) {
            [](const Phi::Value& v) { return "<PhiValue " + std::string(py::repr(py::cast(v.value))) + ">"; });
   py::class_<Phi>(m, "Phi", R"doc(The Phi-function of two shapes, of the translation of the second.
 
-Negative where they overlap, 0 where they touch, the distance where they are apart.
+Negative where they overlap, 0 where they touch, positive where they are apart.
 
 Parameters
 ----------
@@ -143,7 +144,7 @@ array([2., 4.])
           [](const Phi& phi, const py::sequence& u, const py::object& distance) {
             return py::len(u) == 3 ? phi.compare(point3(u), number(distance)) : phi.compare(point(u), number(distance));
           },
-          py::arg("position"), py::arg("distance"), "The sign of Phi - distance, exactly.")
+          py::arg("position"), py::arg("distance"), "The sign of the normalised form minus a distance, exactly.")
       .def_property_readonly("dimension", &Phi::dimension, "2 or 3.");
 }
 

@@ -221,7 +221,8 @@ void bind_questions(py::class_<World>& world) {
           },
           py::arg("formula"), py::arg("position"), py::arg("degrees"), py::arg("about") = py::make_tuple(0, 0),
           "The formula with the moving shape rotated first, atom by atom.")
-      .def("query", py::overload_cast<const Distance&>(&World::query, py::const_), py::arg("distance"))
+      .def("query", py::overload_cast<const Distance&>(&World::query, py::const_), py::arg("distance"),
+           "A distance, ready for many positions.")
       .def("query", py::overload_cast<const Formula&>(&World::query, py::const_), py::arg("formula"),
            "A formula, or the text of a distance, ready for many positions.")
       .def(

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
 """The Python module as a user has it."""
+import ast
 import doctest
+import importlib.util
 import os
+import pathlib
 import pickle
 import signal
 import threading
@@ -229,6 +232,30 @@ def test_phi_has_the_gradient_of_its_values():
         slope = (phi.evaluate(at + step)[0] - phi.evaluate(at - step)[0]) / (2 * h)
         assert np.mean(np.abs(slope - gradients[:, k]) < 1e-3) > 0.98
     assert [float(phi(p)) for p in at[:9].tolist()] == values[:9].tolist()
+
+
+def test_stubs_are_those_of_the_module():
+    folder = pathlib.Path(__file__).parents[1]
+    spec = importlib.util.spec_from_file_location("make_stubs", folder / "make_stubs.py")
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    text = made.stub(fs._findspace)
+    assert text == (folder / "findspace" / "_findspace.pyi").read_text(), "write it anew: python/make_stubs.py"
+    ast.parse(text)
+
+
+def test_every_public_name_is_described():
+    bare = []
+    for name in fs.__all__:
+        value = getattr(fs, name)
+        members = [(name, value)] + ([(f"{name}.{k}", v) for k, v in vars(value).items() if not k.startswith("_")]
+                                     if isinstance(value, type) else [])
+        for place, member in members:
+            text = getattr(member, "__doc__", None) or ""
+            told = [line for line in text.splitlines() if line.strip() and "->" not in line and "Overloaded" not in line]
+            if not told:
+                bare.append(place)
+    assert bare == []
 
 
 @pytest.mark.parametrize("module", [fs, fs._findspace, fs._shapely])

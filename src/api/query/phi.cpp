@@ -75,8 +75,9 @@ Place place(const space::Vector& v) { return {v.x, v.y, v.z}; }
 template <class At>
 Phi::Value public_value(const At& found, const Real& step) {
   static_assert(int(space::State::kApart) == int(Phi::State::kApart));
-  return {found.at.normalised * step.to_double(), Phi::State(int(found.at.state)), place(found.at.gradient),
-          std::size_t(found.pair), found.at.active};
+  return {found.at.phi * step.to_double(), found.at.normalised * step.to_double(),
+          Phi::State(int(found.at.state)), place(found.at.gradient),
+          std::size_t(found.pair),         found.at.active};
 }
 
 template <std::size_t N, class At>
