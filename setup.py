@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
-"""Builds the Python module by CMake: `python3 -m pip install --no-build-isolation .` needs no network."""
+"""Builds the Python module by CMake: `python3 -m pip install --no-build-isolation .` needs no network.
+
+FINDSPACE_BUILD names a build folder to use again.
+"""
 import os
 import subprocess
+import sys
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -12,9 +16,9 @@ ROOT = os.path.dirname(os.path.abspath(__file__))
 
 class CMakeBuild(build_ext):
     def build_extension(self, ext):
-        folder = os.path.abspath(os.path.join(self.build_temp, "cmake"))
+        folder = os.environ.get("FINDSPACE_BUILD") or os.path.abspath(os.path.join(self.build_temp, "cmake"))
         options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DFINDSPACE_PYTHON=ON",
-                   "-DFINDSPACE_TESTS=OFF"]
+                   "-DFINDSPACE_TESTS=OFF", "-DPython3_EXECUTABLE=" + sys.executable]
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, *options], check=True)
         subprocess.run(["cmake", "--build", folder, "--target", "findspace_python"], check=True)
         built = os.path.join(folder, "python", "findspace")

@@ -15,8 +15,10 @@ namespace findspace {
 
 class Contour {
  public:
+  /// Where the ring or chain begins.
   explicit Contour(Point start) : start_(std::move(start)) {}
 
+  /// A segment to a point.
   Contour& line_to(Point end);
   /// The arc of bulge tan(angle / 4), counter-clockwise where it is positive, as in DXF; 0 is a segment.
   Contour& bulge_to(Number bulge, Point end);
@@ -25,11 +27,17 @@ class Contour {
   /// The arc about a centre, counter-clockwise or clockwise, to a point as far from it as the one before.
   Contour& arc_about(Point center, Point end, bool counterclockwise = true);
 
+  /// One segment or arc.
   struct Step {
-    enum class Kind { kLine, kBulge, kThrough, kAboutLeft, kAboutRight } kind;
+    /// How it gets to its end.
+    enum class Kind { kLine, kBulge, kThrough, kAboutLeft, kAboutRight };
+    /// As its makers say.
+    Kind kind;
     Point end, by;  // `by`: the bulge as x, the third point, or the centre
   };
+  /// Where it begins.
   const Point& start() const { return start_; }
+  /// What follows, in order.
   const std::vector<Step>& steps() const { return steps_; }
 
  private:

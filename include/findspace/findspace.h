@@ -7,7 +7,10 @@
 //   shape.h     what there is: polygons, discs, solids, and what operations make of them
 //   formula.h   what is asked: distances compared with levels, as objects or as text
 //   world.h     which shape moves, and the questions: distances, sign maps, formulas, optima, queries
+//   values.h    what is said about one position
+//   options.h   limits of questions, progress, cancellation
 //   region.h    the answers: exact point sets
+//   space_region.h, phi.h   exact sets of space; Phi-functions with gradients
 //   error.h     what is thrown for bad input
 #pragma once
 
@@ -15,6 +18,10 @@
 #include "findspace/error.h"
 #include "findspace/formula.h"
 #include "findspace/number.h"
+#include "findspace/options.h"
+#include "findspace/phi.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
+#include "findspace/space_region.h"
+#include "findspace/values.h"
 #include "findspace/world.h"

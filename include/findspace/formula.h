@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Formulas as objects, in the words of the formula language (docs/formula.md):
+//     using namespace findspace::words;
 //     gap("chip", "holes") >= "0.5 mm" && inside("chip", "board", 1) && !touches("chip", "rim")
 // Shapes are named; the world that a formula is asked of knows them. A Formula is its text, so text and objects mix.
 // Guarantee: an atom that was made can be read: its level, unit and directions are checked where it is built
@@ -21,9 +22,11 @@ namespace findspace {
 /// A number, or one with a unit: 0.5, "0.5 mm".
 class Level {
  public:
+  /// A number without a unit, or text that has one.
   template <class T>
   requires std::convertible_to<T, Number> Level(T value)
       : text_(Number(std::move(value)).text()) {}  // NOLINT: implicit on purpose
+  /// As the formula language writes it.
   const std::string& text() const { return text_; }
 
  private:
@@ -34,10 +37,12 @@ class Formula {
  public:
   /// Text of the formula language. Read by the world that it is asked of.
   Formula(std::string text) : text_(std::move(text)) {}  // NOLINT
-  Formula(const char* text) : text_(text) {}             // NOLINT
-  Formula(std::string_view text) : text_(text) {}        // NOLINT
+  /// Text, as well.
+  Formula(const char* text) : text_(text) {}       // NOLINT
+  Formula(std::string_view text) : text_(text) {}  // NOLINT
   const std::string& text() const { return text_; }
 
+  /// Both, either, not.
   friend Formula operator&&(const Formula& a, const Formula& b);
   friend Formula operator||(const Formula& a, const Formula& b);
   friend Formula operator!(const Formula& a);
@@ -57,12 +62,13 @@ class Distance {
   /// Rotated about a point; the value is in degrees.
   Distance rotating(const Point& about) const { return with("rotating", about); }
   /// The least and the greatest value over the time of a motion.
-  Distance inf() const { return {"inf " + text_}; }
-  Distance sup() const { return {"sup " + text_}; }
+  Distance inf() const { return Distance("inf " + text_); }
+  Distance sup() const { return Distance("sup " + text_); }
   /// distance -> min
   Formula minimal() const;
   const std::string& text() const { return text_; }
 
+  /// Compared with a level.
   friend Formula operator<(const Distance& d, const Level& level) { return d.compared("<", level); }
   friend Formula operator<=(const Distance& d, const Level& level) { return d.compared("<=", level); }
   friend Formula operator==(const Distance& d, const Level& level) { return d.compared("=", level); }
@@ -71,12 +77,16 @@ class Distance {
   friend Formula operator>(const Distance& d, const Level& level) { return d.compared(">", level); }
 
  private:
-  Distance(std::string text) : text_(std::move(text)) {}
+  explicit Distance(std::string text) : text_(std::move(text)) {}
   Distance with(std::string_view mode, const Point& vector) const;
   Formula compared(std::string_view relation, const Level& level) const;
 
   std::string text_;
 };
+
+/// The words of the formula language: `using namespace findspace::words`. A name is that of a shape, or of several as
+/// one: "a + b".
+namespace words {
 
 /// Separation, or minus the depth of penetration.
 inline Distance gap(std::string_view a, std::string_view b) { return {"gap", a, b}; }
@@ -88,18 +98,29 @@ inline Distance margin(std::string_view a, std::string_view b) { return {"margin
 inline Distance cover(std::string_view a, std::string_view b) { return {"cover", a, b}; }
 /// The greatest distance of a point of a from b.
 inline Distance protrusion(std::string_view a, std::string_view b) { return {"protrusion", a, b}; }
+/// The greater protrusion of the two.
 inline Distance hausdorff(std::string_view a, std::string_view b) { return {"hausdorff", a, b}; }
+/// The least distance between points of the two; 0 where they meet.
+inline Distance distance(std::string_view a, std::string_view b) { return {"distance", a, b}; }
+/// The depth of penetration; 0 where they do not overlap.
 inline Distance depth(std::string_view a, std::string_view b) { return {"depth", a, b}; }
+/// The diameter of both together.
+inline Distance diameter(std::string_view a, std::string_view b) { return {"diameter", a, b}; }
 
-/// gap < 0, = 0, > 0
+/// gap < 0: the insides meet.
 Formula overlaps(std::string_view a, std::string_view b);
+/// gap = 0: only boundaries meet.
 Formula touches(std::string_view a, std::string_view b);
+/// gap > 0: no common point.
 Formula disjoint(std::string_view a, std::string_view b);
-/// gap >= level, <= level
+/// gap >= level: at least so far apart.
 Formula clear(std::string_view a, std::string_view b, const Level& level = 0);
+/// gap <= level: at most so far apart.
 Formula within(std::string_view a, std::string_view b, const Level& level);
-/// margin, cover >= level
+/// margin >= level: a inside b with so much to spare.
 Formula inside(std::string_view a, std::string_view b, const Level& level = 0);
+/// cover >= level: a around b with so much to spare.
 Formula covers(std::string_view a, std::string_view b, const Level& level = 0);
 
+}  // namespace words
 }  // namespace findspace

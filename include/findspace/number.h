@@ -16,10 +16,12 @@ namespace findspace {
 
 class Number {
  public:
+  /// An integer.
   template <std::integral T>
   Number(T value) : text_(std::to_string(value)) {}  // NOLINT: implicit on purpose
   /// Error(kBadValue) for one that is not finite.
-  Number(double value);                                       // NOLINT
+  Number(double value);  // NOLINT
+  /// A decimal as written: "-1.25", "3e-2".
   Number(const char* decimal) : text_(decimal) {}             // NOLINT
   Number(std::string decimal) : text_(std::move(decimal)) {}  // NOLINT
   /// Text that is no number is refused where it is used, with Error(kSyntax).
@@ -29,12 +31,17 @@ class Number {
   std::string text_;
 };
 
+/// A point of the plane, exactly.
 struct Point {
+  /// Coordinates.
   Number x, y;
 };
+/// A point of space, exactly.
 struct Point3 {
+  /// Coordinates.
   Number x, y, z;
 };
+/// The corners of a closed ring, in order.
 using Ring = std::vector<Point>;
 
 /// A place of the plane or of space in doubles.
@@ -43,6 +50,7 @@ using Position3 = std::array<double, 3>;
 
 /// The size of the grid on which a shape's coordinates lie, in its unit. What is off the grid is rounded to it once.
 struct Grid {
+  /// The distance of neighbouring grid lines.
   Number step = "0.000001";
 };
 

@@ -42,16 +42,19 @@ class Exact {
 };
 
 struct ExactPoint {
+  /// Coordinates.
   Exact x, y;
 };
 
 /// A box whose closure holds a set, and the least such.
 struct Bounds {
+  /// Its corners.
   Position low{}, high{};
 };
 
 class Region {
  public:
+  /// Whether nothing belongs to it.
   bool empty() const;
   /// The whole plane.
   bool whole() const;
@@ -78,32 +81,36 @@ class Region {
 
   /// A vertex of the boundary, or an isolated point of the set or of its complement.
   struct Vertex {
+    /// Rounded; exact() has it in full.
     Position at;
+    /// To the set.
     bool belongs = false;
   };
   /// A segment or an arc of the boundary without its ends.
   struct Edge {
     std::size_t start = 0, end = 0;  // in vertices(); equal for a whole circle
+    /// Whether it is in the set itself.
     bool belongs = false;
     bool left_belongs = false, right_belongs = false;  // what lies beside it
     bool arc = false;                                  // counter-clockwise from start to end
     Position center{};                                 // of an arc
-    double radius = 0;
-    double angle = 0;  // it spans, in radians
+    double radius = 0;                                 // of an arc
+    double angle = 0;                                  // it spans, in radians
   };
   /// An edge as a part of a ring: which, and whether it is gone along from start to end.
   struct Side {
-    std::size_t edge = 0;
-    bool forward = true;
+    std::size_t edge = 0;  // in edges()
+    bool forward = true;   // from its start to its end
   };
+  /// A closed boundary, the set on its left.
   using Ring = std::vector<Side>;
   /// A connected part of the point set.
   struct Component {
     int dimension = 0;           // 2: it has an area; 1: curves alone; 0: a point
     std::optional<double> area;  // nothing where it is unbounded
-    std::size_t holes = 0;
-    Position sample{};  // a point of it, inside where it has an inside
-    std::optional<Bounds> bounds;
+    std::size_t holes = 0;       // bounded components of its complement
+    Position sample{};           // a point of it, inside where it has an inside
+    std::optional<Bounds> bounds;  // nothing where it is unbounded
     /// The boundaries of its faces, the face on the left: the outer one of a face counter-clockwise, then its holes.
     std::vector<Ring> rings;
     std::vector<std::size_t> curves;    // edges without area beside them
@@ -119,10 +126,11 @@ class Region {
 
   /// The nearest point of the closure, and whether it belongs to the set. Nothing of the empty set.
   struct Nearest {
-    Position at{};
-    double distance = 0;
-    bool attained = false;
+    Position at{};          // where it is
+    double distance = 0;    // how far that is
+    bool attained = false;  // whether it belongs to the set
   };
+  /// Nothing of the empty set.
   std::optional<Nearest> nearest(const Position& to) const;
   /// Points of the inside, evenly spread by a seed; fewer than `count` never. Error(kUnsupported) where the region has
   /// no area, or an unbounded one.

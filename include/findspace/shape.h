@@ -75,6 +75,7 @@ class Shape {
   Shape(const Region& region);  // NOLINT: implicit on purpose
 
   // ---- made of others; of shapes on different grids on one that holds both
+  /// What belongs to any of them, or to all.
   static Shape unite(const std::vector<Shape>& shapes);
   static Shape intersect(const std::vector<Shape>& shapes);
   /// The first without the others; of closed sets it is not closed.
@@ -112,12 +113,19 @@ class Shape {
   Grid grid() const;
   /// How many of the points given were off the grid, and the farthest that one was moved, in the shape's unit.
   struct Rounded {
+    /// How many points.
     std::size_t points = 0;
+    /// How far the farthest was moved.
     double largest = 0;
   };
+  /// What was rounded when it was made.
   Rounded rounded() const;
   /// The set itself, of the plane only (Error(kUnsupported)); made when first asked for.
   const Region& region() const;
+
+  /// The set as text that Shape::json brings back on the same grid: the boundary in the plane, the construction in
+  /// space. Error(kUnsupported) for prisms with arcs.
+  std::string exact_json() const;
 
   struct Data;
   explicit Shape(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

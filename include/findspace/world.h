@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A world of named shapes, one of which moves by a translation p, and the questions about it: distances at a position,
-// their sign maps, the region in which a formula holds, and optima over it. p is in the world's unit; at p = (0, 0) the
-// moving shape is where it is drawn. What is computed for one question (no-fit polygons, trees) is kept for the next.
-// Questions from many threads are safe. Guarantee: truths, signs and regions are exact at every real position; values
-// are rounded once (docs/distances.md says of which that is not true). Cost: shapes are built by the constructor, maps
-// of two shapes when they are first asked for, after that a question costs one overlay, or the work at one position.
-// Errors: findspace::Error, kUnknownName and kSyntax for a formula with its line and column, kUnsupported for what is
-// not computed. Source: Pustylnik, arXiv:0808.2931. Keywords: configuration space, feasible region, solver.
+// A world of named shapes of the plane or of space, one of which moves by a translation p, and the questions about it:
+// distances at a position, their sign maps, the region in which a formula holds, and optima over it. p is in the
+// world's unit; at p = 0 the moving shape is where it is drawn. What is computed for one question (no-fit polygons,
+// trees) is kept for the next, and for the world that it becomes when other shapes change. A World is a value: copies
+// are cheap, a change to one leaves the others as they are. Questions from many threads are safe. Guarantee: truths,
+// signs and regions are exact at every real position; values say their bounds. Cost: shapes are built by the
+// constructor, maps of two shapes when they are first asked for, after that a question costs one overlay, or the work
+// at one position. Errors: findspace::Error, kUnknownName and kSyntax for a formula with its line and column,
+// kUnsupported for what is not computed; Stopped at a limit of the options. Source: Pustylnik, arXiv:0808.2931.
+// Keywords: configuration space, feasible region, solver, interactive layout.
 #pragma once
 
 #include <concepts>
@@ -21,19 +23,16 @@
 
 #include "findspace/error.h"
 #include "findspace/formula.h"
+#include "findspace/options.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
+#include "findspace/space_region.h"
+#include "findspace/values.h"
 
 namespace findspace {
 
 struct WorldOptions {
   std::string unit;  // um mm cm m in mil, or empty
-};
-
-/// The value of a distance, in the unit, and where it is attained.
-struct DistanceValue {
-  std::optional<double> value;  // nothing: undefined, +infinity
-  std::string witness;          // "vertex (1, 2) of B and edge (0, 0) to (4, 0) of A", or empty
 };
 
 struct Optimum {
@@ -46,55 +45,113 @@ class Query;
 
 class World {
  public:
-  /// `moving` is one of the names. Distances are those of the shapes' closures. Throws what is wrong with a shape:
-  /// kGeometry, kBadValue, kOutOfRange, kUnknownName, kSyntax, kFile; kUnsupported for shapes of space.
+  /// `moving` is one of the names. All shapes are of the plane, or all of space. Distances are those of the shapes'
+  /// closures. Throws what is wrong with a shape: kGeometry, kBadValue, kOutOfRange, kUnknownName, kSyntax, kFile.
   World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options = {});
 
-  /// A distance in its formula text, e.g. "gamma1(B, A)" or "margin(B, A)" (docs/formula.md), at p; in degrees where it
-  /// is one in rotation ("gamma1(B, A, rotating=(0, 0))").
+  // ---- changes; what does not speak of the shape is kept. Queries that were made keep the world that they had
+  /// A shape that is new, or replaces that of its name.
+  void set(const std::string& name, const Shape& shape);
+  /// Not the moving one. kUnknownName for none of that name.
+  void remove(const std::string& name);
+  /// A shape elsewhere.
+  void move(const std::string& name, const Point& by);
+  void move(const std::string& name, const Point3& by);
+  /// The same world with other limits.
+  World with(const Options& options) const;
+
+  // ---- at a position
+  /// A distance in its formula text, e.g. "gap(B, A)" (docs/formula.md), at p; in degrees where it is one in rotation
+  /// ("gap(B, A, rotating=(0, 0))").
   DistanceValue distance(std::string_view distance, const Point& p) const;
-  /// The sign of the distance minus the level, in the unit, at every position. kUnsupported for those in rotation.
-  SignMap sign_map(std::string_view distance, const Number& level) const;
-  /// {p : the formula holds at p} (docs/formula.md). kUnsupported for formulas with distances in rotation.
-  Region solve(const Formula& formula) const;
-  /// Whether p is in that set, without making it.
+  DistanceValue distance(std::string_view distance, const Point3& p) const;
+  DistanceValue distance(const Distance& d, const Point& p) const { return distance(d.text(), p); }
+  DistanceValue distance(const Distance& d, const Point3& p) const { return distance(d.text(), p); }
+  /// Whether the formula holds at p, without a map of all positions.
   bool holds(const Formula& formula, const Point& p) const;
+  bool holds(const Formula& formula, const Point3& p) const;
+  /// The same, with every atom and its value.
+  Check check(const Formula& formula, const Point& p) const;
+  Check check(const Formula& formula, const Point3& p) const;
+  /// With the moving shape rotated about a point of its own first. Values are those of the shape whose vertices are put
+  /// on the grid.
+  Check check_rotated(const Formula& formula, const Point& p, const Number& degrees, const Point& about = {0, 0}) const;
+
+  // ---- at all positions
+  /// {p : the formula holds at p} (docs/formula.md). kUnsupported in space, and for distances in rotation.
+  Region solve(const Formula& formula) const;
+  /// The sign of the distance minus the level, in the unit, at every position. kUnsupported as for solve.
+  SignMap sign_map(std::string_view distance, const Number& level) const;
   /// The least value of an objective (a distance, x, y, "distance to [1, 2]") where the formula holds.
   Optimum minimize(std::string_view objective, const Formula& formula = "true") const;
-  /// The formula, ready for many positions.
+  /// {p : the formula holds at p} in space, where it is made of boxes or is a convex polytope; kUnsupported elsewhere.
+  SpaceRegion solve_space(const Formula& formula) const;
+  /// Where the formula holds, in degrees, for the moving shape at p and rotated about a point of its own (in the
+  /// coordinates in which it is drawn). Intervals begin in [0, 360) and may go across 360. Of the plane.
+  std::vector<Interval> angles(const Formula& formula, const Point& p, const Point& about = {0, 0}) const;
+  /// In space, where the formula holds along the line through a point; the direction is in integers.
+  OnLine on_line(const Formula& formula, const Point3& through, const Point3& direction) const;
+  /// A formula, ready for many positions; or the text of a distance, for its values.
   Query query(const Formula& formula) const;
-  /// What it was made of.
+  Query query(const Distance& distance) const;
+
+  // ---- what it was made of
+  /// As they were given, by name; the one that moves; the unit.
   const std::map<std::string, Shape>& shapes() const;
   const std::string& moving() const;
   std::string unit() const;
-  /// A shape as a point set, open ends and all. kUnknownName for none of that name.
+  /// 2 or 3.
+  int dimension() const;
+  const Options& options() const;
+  /// A shape as a point set of the plane, open ends and all. kUnknownName for none of that name.
   Region shape(const std::string& name) const;
 
   struct Data;
   const Data& data() const { return *data_; }
 
  private:
+  explicit World(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
   std::shared_ptr<const Data> data_;
 };
 
-/// A formula over a world, to be asked at many positions. Immutable, cheap to copy; asking from many threads is safe.
-/// Guarantee: exact, as World::holds. Cost: the first question about many positions makes the region of the formula,
-/// after that a position costs 10 to 100 ns; a single position makes no region.
+/// A formula or a distance over a world, to be asked at many positions. Immutable, cheap to copy; asking from many
+/// threads is safe. Guarantee: exact, as World::holds. Cost: in the plane the first question about many positions makes
+/// the region of the formula, after that a position costs 10 to 100 ns; values, and positions in space, cost as much as
+/// single ones. Spans are answered by all threads. Error(kBadValue) for a distance that is asked whether it holds, and
+/// for a formula that is asked its values.
 class Query {
  public:
+  /// Whether the formula holds at one position.
   bool holds(const Point& p) const;
+  bool holds(const Point3& p) const;
   template <std::same_as<Position> P>
   bool holds(const P& p) const {
     return holds_at(p);
   }
-  /// Of each position, with all threads; `out` is as long as `positions`.
+  /// Of each position; `out` is as long as `positions`.
   void holds(std::span<const Position> positions, std::span<bool> out) const;
-  /// {p : the formula holds at p}.
+  void holds(std::span<const Position3> positions, std::span<bool> out) const;
+
+  /// The distance at a position, with its bounds.
+  DistanceValue value(const Point& p) const;
+  DistanceValue value(const Point3& p) const;
+  /// The distance at each position, rounded; inf where it is undefined (of a margin or a cover -inf). `out` is as long
+  /// as `positions`.
+  void values(std::span<const Position> positions, std::span<double> out) const;
+  void values(std::span<const Position3> positions, std::span<double> out) const;
+
+  /// {p : the formula holds at p}, of the plane.
   const Region& region() const;
-  const World& world() const;
-  const Formula& formula() const;
-  /// The nearest feasible position, or of the closure of those; nothing where the formula holds nowhere.
+  /// The nearest feasible position, or of the closure of those; nothing where the formula holds nowhere. In space only
+  /// where the region is made of boxes or is a convex polytope (kUnsupported).
   std::optional<Region::Nearest> nearest(const Position& from) const;
+  std::optional<Nearest3> nearest(const Position3& from) const;
+
+  /// The world that is asked.
+  const World& world() const;
+  /// What was asked.
+  const std::string& text() const;
 
   struct Data;
   explicit Query(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

@@ -9,14 +9,16 @@
 >>> (11.5, 3) in region, (11.4, 3) in region
 (True, False)
 """
-from ._findspace import (Component, Distance, DistanceValue, Edge, Error, Formula, Optimum, Query, Region, Ring, Shape,
-                         World, clear, cover, covers, depth, disjoint, gap, hausdorff, inside, margin, overlaps,
+from ._findspace import (AtomValue, Check, Component, Distance, DistanceValue, Edge, Error, Formula, Interval,
+                         Optimum, Phi, PhiValue, Query, Region, Ring, Shape, SpaceRegion, Stopped, World, clear,
+                         cover, covers, depth, diameter, disjoint, distance, gap, hausdorff, inside, margin, overlaps,
                          protrusion, reach, touches, within)
 from . import _plot, _shapely
 
-__all__ = ["Component", "Distance", "DistanceValue", "Edge", "Error", "Formula", "Optimum", "Query", "Region", "Ring",
-           "Shape", "World", "clear", "cover", "covers", "depth", "disjoint", "gap", "hausdorff", "inside", "margin",
-           "overlaps", "protrusion", "reach", "shape", "touches", "within"]
+__all__ = ["AtomValue", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Formula", "Interval",
+           "Optimum", "Phi", "PhiValue", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped", "World",
+           "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "gap", "hausdorff", "inside",
+           "margin", "overlaps", "protrusion", "reach", "shape", "touches", "within"]
 
 shape = _shapely.shape
 Region.plot = _plot.plot_region
@@ -25,3 +27,5 @@ Shape.plot = _plot.plot_shape
 Shape._repr_svg_ = _plot.picture_of_shape
 Region.to_shapely = _shapely.to_shapely
 Region.__geo_interface__ = property(_shapely.geo_interface)
+Shape.__geo_interface__ = property(_shapely.geo_interface_of_shape)
+Shape.to_shapely = _shapely.shape_to_shapely

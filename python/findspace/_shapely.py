@@ -39,7 +39,6 @@ _MAKERS = {
 }
 
 
-
 def geo_interface(self, bound=None):
     """The closure as GeoJSON; arcs become chords within a thousandth of the size."""
     if not self.bounded:
@@ -103,3 +102,13 @@ def to_shapely(self, bound=None):
     """
     from shapely.geometry import shape as made
     return made(geo_interface(self, bound))
+
+
+def geo_interface_of_shape(self):
+    """The closure of a shape of the plane as GeoJSON; arcs become chords within a thousandth of the size."""
+    return geo_interface(self.region)
+
+
+def shape_to_shapely(self, bound=None):
+    """A shapely geometry of the closure of a shape of the plane; see Region.to_shapely."""
+    return to_shapely(self.region, bound)

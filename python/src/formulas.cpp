@@ -7,6 +7,9 @@
 #include "numbers.h"
 
 namespace findspace::python {
+
+using namespace words;
+
 namespace {
 
 void bind_words(py::module_& m) {
@@ -19,6 +22,8 @@ void bind_words(py::module_& m) {
   word("cover", cover, "How far around b the shape a reaches; negative where it does not.");
   word("protrusion", protrusion, "The greatest distance of a point of a from b.");
   word("hausdorff", hausdorff, "The Hausdorff distance.");
+  word("distance", distance, "The least distance between points of the two; 0 where they meet.");
+  word("diameter", diameter, "The diameter of both together.");
   word("depth", depth, "The depth of penetration; 0 where the shapes do not overlap.");
 }
 
@@ -45,7 +50,7 @@ void bind_predicates(py::module_& m) {
 void bind_formulas(py::module_& m) {
   py::class_<Formula>(m, "Formula", "A formula of the formula language, as text or put together with & | ~.")
       .def(py::init<std::string>(), py::arg("text"))
-      .def_property_readonly("text", &Formula::text)
+      .def_property_readonly("text", &Formula::text, "In the formula language.")
       .def("__and__", [](const Formula& a, const Formula& b) { return a && b; })
       .def("__or__", [](const Formula& a, const Formula& b) { return a || b; })
       .def("__invert__", [](const Formula& a) { return !a; })
@@ -59,7 +64,7 @@ void bind_formulas(py::module_& m) {
   py::class_<Distance>(m, "Distance", "A distance of two shapes; comparing it with a level makes a Formula.")
       .def(py::init<std::string_view, std::string_view, std::string_view>(), py::arg("word"), py::arg("first"),
            py::arg("second"))
-      .def_property_readonly("text", &Distance::text)
+      .def_property_readonly("text", &Distance::text, "In the formula language.")
       .def(
           "along", [](const Distance& d, const py::sequence& v) { return d.along(point(v)); }, py::arg("direction"),
           "Moved both ways along a direction.")

@@ -17,6 +17,7 @@ namespace findspace::python {
 void bind_shapes(py::module_& m);
 void bind_regions(py::module_& m);
 void bind_worlds(py::module_& m);
+void bind_space(py::module_& m);
 void bind_formulas(py::module_& m);
 
 namespace {
@@ -26,9 +27,15 @@ void bind_errors(py::module_& m) {
   static py::exception<Error> error(m, "Error", PyExc_ValueError);
   error.attr("__doc__") =
       "Bad input or wrong usage. `message` says what is wrong, `place` where, `code` of what kind it is.";
+  static py::exception<Stopped> stopped(m, "Stopped", error.ptr());
+  stopped.attr("__doc__") = "A question that ended at a limit: `limit` is 'time', 'memory' or 'cancelled'.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
+    } catch (const Stopped& e) {
+      const py::object made = py::reinterpret_borrow<py::object>(stopped)(e.what());
+      made.attr("limit") = e.limit() == Limit::kTime ? "time" : e.limit() == Limit::kMemory ? "memory" : "cancelled";
+      PyErr_SetObject(stopped.ptr(), made.ptr());
     } catch (const Error& e) {
       static const char* const kCodes[] = {"usage",    "syntax",       "unknown name", "bad value",
                                            "geometry", "out of range", "file",         "unsupported"};
@@ -52,5 +59,6 @@ PYBIND11_MODULE(_findspace, m) {
   bind_formulas(m);
   bind_shapes(m);
   bind_regions(m);
+  bind_space(m);
   bind_worlds(m);
 }

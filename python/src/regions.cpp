@@ -44,29 +44,32 @@ py::array_t<bool> contains(const Region& region, const Array& at) {
   return out;
 }
 
-std::vector<std::size_t> isolated(const Region::Component& c) { return c.isolated; }
-
 void bind_parts(py::module_& m) {
   py::class_<EdgeOf>(m, "Edge", "A segment or an arc of a boundary, in the direction in which it is met.")
-      .def_readonly("start", &EdgeOf::start)
-      .def_readonly("end", &EdgeOf::end)
+      .def_readonly("start", &EdgeOf::start, "Where it begins; a whole circle begins and ends in one point.")
+      .def_readonly("end", &EdgeOf::end, "Where it ends.")
       .def_property_readonly(
           "belongs", [](const EdgeOf& e) { return e.edge.belongs; }, "Whether it is in the set.")
-      .def_property_readonly("is_arc", [](const EdgeOf& e) { return e.edge.arc; })
-      .def_property_readonly("center",
-                             [](const EdgeOf& e) { return e.edge.arc ? std::optional(e.edge.center) : std::nullopt; })
-      .def_property_readonly("radius",
-                             [](const EdgeOf& e) { return e.edge.arc ? std::optional(e.edge.radius) : std::nullopt; })
+      .def_property_readonly(
+          "is_arc", [](const EdgeOf& e) { return e.edge.arc; }, "Whether it is an arc of a circle.")
+      .def_property_readonly(
+          "center", [](const EdgeOf& e) { return e.edge.arc ? std::optional(e.edge.center) : std::nullopt; },
+          "Of an arc, else None.")
+      .def_property_readonly(
+          "radius", [](const EdgeOf& e) { return e.edge.arc ? std::optional(e.edge.radius) : std::nullopt; },
+          "Of an arc, else None.")
       .def_property_readonly(
           "angle", [](const EdgeOf& e) { return e.edge.angle; }, "That an arc spans, in radians.")
-      .def_readonly("counterclockwise", &EdgeOf::ccw);
+      .def_readonly("counterclockwise", &EdgeOf::ccw, "Which way an arc is met.");
   py::class_<RingOf>(m, "Ring", "A closed boundary, the set on its left.")
-      .def_property_readonly("edges",
-                             [](const RingOf& r) {
-                               std::vector<EdgeOf> out;
-                               for (const Region::Side& s : r.sides) out.push_back(edge_of(r.region, s));
-                               return out;
-                             })
+      .def_property_readonly(
+          "edges",
+          [](const RingOf& r) {
+            std::vector<EdgeOf> out;
+            for (const Region::Side& s : r.sides) out.push_back(edge_of(r.region, s));
+            return out;
+          },
+          "In order; the set lies on the left.")
       .def_property_readonly(
           "vertices",
           [](const RingOf& r) {
@@ -82,16 +85,19 @@ void bind_parts(py::module_& m) {
           "2: it has an area; 1: curves alone; 0: a point.")
       .def_property_readonly(
           "area", [](const ComponentOf& c) { return c.get().area; }, "None where it is unbounded.")
-      .def_property_readonly("holes", [](const ComponentOf& c) { return c.get().holes; })
+      .def_property_readonly(
+          "holes", [](const ComponentOf& c) { return c.get().holes; }, "Bounded components of its complement.")
       .def_property_readonly(
           "sample", [](const ComponentOf& c) { return c.get().sample; },
           "A point of it, inside where it has an inside.")
-      .def_property_readonly("rings",
-                             [](const ComponentOf& c) {
-                               std::vector<RingOf> out;
-                               for (const Region::Ring& r : c.get().rings) out.push_back({c.region, r});
-                               return out;
-                             })
+      .def_property_readonly(
+          "rings",
+          [](const ComponentOf& c) {
+            std::vector<RingOf> out;
+            for (const Region::Ring& r : c.get().rings) out.push_back({c.region, r});
+            return out;
+          },
+          "Outer ring first, then its holes, face by face.")
       .def_property_readonly(
           "curves",
           [](const ComponentOf& c) {
@@ -100,11 +106,14 @@ void bind_parts(py::module_& m) {
             return out;
           },
           "Edges without area beside them.")
-      .def_property_readonly("points", [](const ComponentOf& c) {
-        std::vector<Position> out;
-        for (const std::size_t v : c.get().isolated) out.push_back(c.region.vertices()[v].at);
-        return array_of(out);
-      });
+      .def_property_readonly(
+          "points",
+          [](const ComponentOf& c) {
+            std::vector<Position> out;
+            for (const std::size_t v : c.get().isolated) out.push_back(c.region.vertices()[v].at);
+            return array_of(out);
+          },
+          "Isolated points, shape (n, 2).");
 }
 
 void bind_sets(py::class_<Region>& region) {
@@ -113,10 +122,10 @@ void bind_sets(py::class_<Region>& region) {
       .def(py::self - py::self)
       .def("__eq__", [](const Region& a, const Region& b) { return a == b; })
       .def("__invert__", &Region::complement)
-      .def("complement", &Region::complement)
-      .def("interior", &Region::interior)
-      .def("closure", &Region::closure)
-      .def("boundary", &Region::boundary)
+      .def("complement", &Region::complement, "What does not belong to it.")
+      .def("interior", &Region::interior, "Its points with a disc around them in it.")
+      .def("closure", &Region::closure, "With all of its boundary.")
+      .def("boundary", &Region::boundary, "The closure without the interior.")
       .def("regularized", &Region::regularized, "The closure of the interior.")
       .def(
           "offset", [](const Region& r, const py::object& radius) { return r.offset(number(radius)); },
@@ -124,13 +133,13 @@ void bind_sets(py::class_<Region>& region) {
 }
 
 void bind_questions(py::class_<Region>& region) {
-  region.def_property_readonly("empty", &Region::empty)
+  region.def_property_readonly("empty", &Region::empty, "Whether nothing belongs to it.")
       .def_property_readonly("whole", &Region::whole, "The whole plane.")
-      .def_property_readonly("open", &Region::open)
-      .def_property_readonly("closed", &Region::closed)
-      .def_property_readonly("bounded", &Region::bounded)
+      .def_property_readonly("open", &Region::open, "As a point set of the plane.")
+      .def_property_readonly("closed", &Region::closed, "As a point set of the plane.")
+      .def_property_readonly("bounded", &Region::bounded, "Within some disc.")
       .def_property_readonly("area", &Region::area, "None where it is unbounded.")
-      .def_property_readonly("holes", &Region::holes)
+      .def_property_readonly("holes", &Region::holes, "Bounded components of the complement.")
       .def_property_readonly(
           "bounds",
           [](const Region& r) -> py::object {
@@ -139,12 +148,14 @@ void bind_questions(py::class_<Region>& region) {
             return py::make_tuple(b->low[0], b->low[1], b->high[0], b->high[1]);
           },
           "(min x, min y, max x, max y), or None.")
-      .def_property_readonly("components",
-                             [](const Region& r) {
-                               std::vector<ComponentOf> out;
-                               for (std::size_t k = 0; k < r.components().size(); ++k) out.push_back({r, k});
-                               return out;
-                             })
+      .def_property_readonly(
+          "components",
+          [](const Region& r) {
+            std::vector<ComponentOf> out;
+            for (std::size_t k = 0; k < r.components().size(); ++k) out.push_back({r, k});
+            return out;
+          },
+          "Connected parts, unbounded first, then by dimension, then from left to right.")
       .def("contains", &contains, py::arg("positions"), "Of each position, shape (n, 2): exact, on boundaries too.")
       .def("__contains__", [](const Region& r, const py::sequence& p) { return r.contains(point(p)); })
       .def(

@@ -165,16 +165,21 @@ void bind_operations(py::class_<Shape>& shape) {
              return Shape::subtract({a, b});
            })
       .def("__invert__", [](const Shape& a) { return Shape::complement(a); })
-      .def_static("unite", &Shape::unite, py::arg("shapes"))
-      .def_static("intersect", &Shape::intersect, py::arg("shapes"))
+      .def_static("unite", &Shape::unite, py::arg("shapes"), "What belongs to any of them.")
+      .def_static("intersect", &Shape::intersect, py::arg("shapes"), "What belongs to all of them.")
       .def_static("subtract", &Shape::subtract, py::arg("shapes"), "The first without the others.")
       .def_static("minkowski_sum", &Shape::minkowski_sum, py::arg("a"), py::arg("b"), "{a + b}")
       .def_static("minkowski_difference", &Shape::minkowski_difference, py::arg("a"), py::arg("b"),
                   "The intersection of all a + q, q in b.")
-      .def("complement", [](const Shape& s) { return Shape::complement(s); })
-      .def("interior", [](const Shape& s) { return Shape::interior(s); })
-      .def("closure", [](const Shape& s) { return Shape::closure(s); })
-      .def("boundary", [](const Shape& s) { return Shape::boundary(s); })
+      .def(
+          "complement", [](const Shape& s) { return Shape::complement(s); }, "What does not belong to it.")
+      .def(
+          "interior", [](const Shape& s) { return Shape::interior(s); },
+          "Its points with a disc or ball around them in it.")
+      .def(
+          "closure", [](const Shape& s) { return Shape::closure(s); }, "With all of its boundary.")
+      .def(
+          "boundary", [](const Shape& s) { return Shape::boundary(s); }, "The closure without the interior.")
       .def(
           "regularized", [](const Shape& s) { return Shape::regularize(s); }, "The closure of the interior.")
       .def(
@@ -189,14 +194,21 @@ void bind_operations(py::class_<Shape>& shape) {
           [](const Shape& s, const py::sequence& by) {
             return py::len(by) == 3 ? s.translated(point3(by)) : s.translated(point(by));
           },
-          py::arg("by"))
+          py::arg("by"), "Moved by (x, y), or (x, y, z).")
       .def(
           "rotated",
-          [](const Shape& s, const py::object& degrees, const py::sequence& about) {
-            return s.rotated(number(degrees), point(about));
+          [](const Shape& s, const py::object& degrees, const py::object& about, const std::string& axis) {
+            const auto center = [&] {
+              return about.is_none() ? py::sequence(py::make_tuple(0, 0, 0)) : py::sequence(about);
+            };
+            if (s.dimension() == 2)
+              return s.rotated(number(degrees), about.is_none() ? Point{0, 0} : point(py::sequence(about)));
+            if (axis != "x" && axis != "y" && axis != "z") throw py::value_error("axis is 'x', 'y' or 'z'");
+            return s.rotated(number(degrees), Shape::Axis(axis[0] - 'x'), point3(center()));
           },
-          py::arg("degrees"), py::arg("about") = py::make_tuple(0, 0),
-          "Counter-clockwise about a point; exact for multiples of 90 degrees, else each vertex is rounded once.");
+          py::arg("degrees"), py::arg("about") = py::none(), py::arg("axis") = "z",
+          "Counter-clockwise about a point, in space about an axis through it; exact for multiples of 90 degrees, else "
+          "each vertex is rounded once.");
 }
 
 }  // namespace
@@ -221,7 +233,7 @@ void bind_shapes(py::module_& m) {
           "The set itself; of the plane only.")
       .def(py::init<const Region&>(), py::arg("region"))
       .def(py::pickle(
-          [](const Shape& s) { return py::make_tuple(s.region().exact_json(), s.grid().step.text()); },
+          [](const Shape& s) { return py::make_tuple(s.exact_json(), s.grid().step.text()); },
           [](const py::tuple& t) { return Shape::json(t[0].cast<std::string>(), {Number(t[1].cast<std::string>())}); }))
       .def("__repr__", [](const Shape& s) { return s.dimension() == 2 ? "<Shape of the plane>" : "<Shape of space>"; });
 }

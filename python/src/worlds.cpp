@@ -1,54 +1,288 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
+#include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
 #include "arrays.h"
 #include "findspace/world.h"
+#include "interruptible.h"
 #include "numbers.h"
 
 namespace findspace::python {
 namespace {
 
-py::array_t<bool> holds(const Query& query, const Array& at) {
-  const std::span<const Position> all = positions(at);
-  py::array_t<bool> out(py::ssize_t(all.size()));
-  const std::span<bool> answers(out.mutable_data(), all.size());
-  const py::gil_scoped_release release;
-  query.holds(all, answers);
+/// (x, y) or (x, y, z), exactly.
+template <class Ask>
+auto at_point(const py::sequence& p, const Ask& ask) {
+  if (py::len(p) == 3) {
+    const Point3 at = point3(p);
+    return interruptible([&] { return ask(at); });
+  }
+  const Point at = point(p);
+  return interruptible([&] { return ask(at); });
+}
+
+/// The answers at each row of an array of shape (n, 2) or (n, 3).
+template <class Out>
+py::array_t<Out> at_rows(const Query& query, const Array& at,
+                         void (Query::*planar)(std::span<const Position>, std::span<Out>) const,
+                         void (Query::*solid)(std::span<const Position3>, std::span<Out>) const) {
+  const bool in_space = query.world().dimension() == 3;
+  const std::size_t count = in_space ? rows<Position3>(at, "positions").size() : positions(at).size();
+  py::array_t<Out> out{py::ssize_t(count)};
+  const std::span<Out> answers(out.mutable_data(), count);
+  interruptible([&] {
+    if (in_space)
+      (query.*solid)(rows<Position3>(at, "positions"), answers);
+    else
+      (query.*planar)(positions(at), answers);
+    return true;
+  });
   return out;
 }
 
+py::object nearest(const Query& query, const py::sequence& from) {
+  const auto told = [](const auto& found) {
+    return found ? py::object(py::make_tuple(py::tuple(py::cast(found->at)), found->distance, found->attained))
+                 : py::none();
+  };
+  if (query.world().dimension() == 3) {
+    const auto at = from.cast<Position3>();
+    return told(interruptible([&] { return query.nearest(at); }));
+  }
+  const auto at = from.cast<Position>();
+  return told(interruptible([&] { return query.nearest(at); }));
+}
+
+void bind_values(py::module_& m) {
+  py::class_<DistanceValue>(m, "DistanceValue", "The value of a distance at a position, with its bounds.")
+      .def_readonly("value", &DistanceValue::value, "None: undefined, +infinity.")
+      .def_readonly("exact", &DistanceValue::exact, "Whether the number is known exactly; `value` is that rounded.")
+      .def_readonly("lower", &DistanceValue::lower, "The true value is not less.")
+      .def_readonly("upper", &DistanceValue::upper, "The true value is not more.")
+      .def_readonly("closed_form", &DistanceValue::closed_form, "An exact value as text, where it has one.")
+      .def_readonly("in_degrees", &DistanceValue::in_degrees, "Whether it is an angle, of a distance in rotation.")
+      .def_readonly("nearest", &DistanceValue::nearest, "Of signed distances the nearest position where they are 0.")
+      .def_readonly("points", &DistanceValue::points, "Two points that take the distance, or none.")
+      .def_property_readonly("witness", &DistanceValue::witness, "What these points lie on, in words.")
+      .def("__float__",
+           [](const DistanceValue& d) { return d.value.value_or(std::numeric_limits<double>::infinity()); })
+      .def("__repr__",
+           [](const DistanceValue& d) { return "<DistanceValue " + std::string(py::str(py::cast(d.value))) + ">"; });
+  py::class_<AtomValue>(m, "AtomValue", "One comparison of a formula at a position.")
+      .def_readonly("text", &AtomValue::text, "The comparison.")
+      .def_readonly("holds", &AtomValue::holds, "Exact, also on a boundary.")
+      .def_readonly("distance", &AtomValue::distance, "The value that is compared.")
+      .def_readonly("lacks", &AtomValue::lacks, "How far the value is from holding; None where it holds.");
+  py::class_<Check>(m, "Check", "A formula at a position, atom by atom.")
+      .def_readonly("holds", &Check::holds, "Exact, also on a boundary.")
+      .def_readonly("atoms", &Check::atoms, "Its comparisons, from left to right.")
+      .def("__bool__", [](const Check& c) { return c.holds; });
+  py::class_<Optimum>(m, "Optimum", "The least value of an objective over a region.")
+      .def_readonly("value", &Optimum::value, "The infimum; None where there is none.")
+      .def_readonly("attained", &Optimum::attained, "Whether a position of the region takes it.")
+      .def_readonly("at", &Optimum::at, "The positions, as a region.");
+  py::class_<Interval>(m, "Interval", "A part of a line, by the length gone.")
+      .def_readonly("start", &Interval::from, "None: it goes on for ever.")
+      .def_readonly("end", &Interval::to, "None: it goes on for ever.")
+      .def_readonly("start_belongs", &Interval::from_belongs, "Whether the start is in the set.")
+      .def_readonly("end_belongs", &Interval::to_belongs, "Whether the end is in the set.")
+      .def("__repr__", [](const Interval& i) {
+        const auto end = [](const std::optional<double>& v, const char* none) {
+          return v ? std::string(py::repr(py::cast(*v))) : std::string(none);
+        };
+        return (i.from_belongs ? "[" : "(") + end(i.from, "-inf") + ", " + end(i.to, "inf") +
+               (i.to_belongs ? "]" : ")");
+      });
+}
+
 void bind_query(py::module_& m) {
-  py::class_<Query>(m, "Query", "A formula over a world, to be asked at many positions.")
-      .def("holds", &holds, py::arg("positions"), "Of each position, shape (n, 2), a bool. Exact; uses all threads.")
-      .def(py::pickle([](const Query& q) { return py::make_tuple(q.world(), q.formula().text()); },
-                      [](const py::tuple& t) { return t[0].cast<World>().query(t[1].cast<std::string>()); }))
-      .def_property_readonly("region", &Query::region, py::call_guard<py::gil_scoped_release>(),
-                             "{p : the formula holds at p}.")
+  py::class_<Query>(m, "Query", R"doc(A formula or a distance over a world, to be asked at many positions.
+
+Examples
+--------
+>>> import findspace as fs
+>>> world = fs.World({"A": fs.Shape.box((0, 0), (10, 10)), "B": fs.Shape.box((-1, -1), (1, 1))}, moving="B")
+>>> world.query("inside(B, A)").holds([[5, 5], [9, 9], [9.5, 5]])
+array([ True,  True, False])
+>>> world.query("gap(B, A)").values([[14, 5], [14, 15]])
+array([3., 5.])
+)doc")
       .def(
-          "nearest",
-          [](const Query& q, const Position& from) -> py::object {
-            const auto found = q.nearest(from);
-            return found ? py::object(py::make_tuple(found->at, found->distance, found->attained)) : py::none();
+          "holds", [](const Query& q, const Array& at) { return at_rows<bool>(q, at, &Query::holds, &Query::holds); },
+          py::arg("positions"), "Of each position, an array of shape (n, 2) or (n, 3), a bool. Exact; all threads.")
+      .def(
+          "values",
+          [](const Query& q, const Array& at) { return at_rows<double>(q, at, &Query::values, &Query::values); },
+          py::arg("positions"), "The distance at each position, rounded; inf where it is undefined. All threads.")
+      .def(
+          "value",
+          [](const Query& q, const py::sequence& p) {
+            return at_point(p, [&](const auto& at) { return q.value(at); });
           },
-          py::arg("from_"), "(position, distance, attained) of the nearest feasible position, or None.");
+          py::arg("position"), "The distance at one position, with its bounds.")
+      .def(py::pickle([](const Query& q) { return py::make_tuple(q.world(), q.text()); },
+                      [](const py::tuple& t) { return t[0].cast<World>().query(t[1].cast<std::string>()); }))
+      .def_property_readonly("text", &Query::text, "What was asked.")
+      .def_property_readonly("world", &Query::world, "The world that is asked.")
+      .def_property_readonly(
+          "region", [](const Query& q) { return interruptible([&] { return q.region(); }); },
+          "{p : the formula holds at p}, of the plane.")
+      .def("nearest", &nearest, py::arg("position"),
+           "(position, distance, attained) of the nearest feasible position, or None.")
+      .def("__repr__", [](const Query& q) { return "<Query " + q.text() + ">"; });
+}
+
+World made(const std::map<std::string, Shape>& shapes, const std::string& moving, const std::string& unit) {
+  return interruptible([&] { return World(shapes, moving, {unit}); });
+}
+
+World limited(const World& w, unsigned threads, double seconds, std::size_t memory, const py::object& progress) {
+  Options options;
+  options.threads = threads;
+  options.seconds = seconds;
+  options.memory = memory;
+  if (!progress.is_none()) {
+    // Worlds are copied where the interpreter's lock is not held.
+    const std::shared_ptr<const py::object> told(new py::object(progress), [](const py::object* o) {
+      const py::gil_scoped_acquire held;
+      delete o;
+    });
+    options.progress = [told](double part) {
+      const py::gil_scoped_acquire held;
+      (*told)(part);
+    };
+  }
+  return w.with(options);
+}
+
+void bind_changes(py::class_<World>& world) {
+  world
+      .def("set", &World::set, py::arg("name"), py::arg("shape"), py::call_guard<py::gil_scoped_release>(),
+           "A shape that is new, or replaces that of its name; what does not speak of it is kept.")
+      .def("remove", &World::remove, py::arg("name"), "Without a shape; not the moving one.")
+      .def(
+          "move",
+          [](World& w, const std::string& name, const py::sequence& by) {
+            if (py::len(by) == 3)
+              w.move(name, point3(by));
+            else
+              w.move(name, point(by));
+          },
+          py::arg("name"), py::arg("by"), "A shape elsewhere.")
+      .def("limited", &limited, py::arg("threads") = 0, py::arg("seconds") = 0.0, py::arg("memory") = 0,
+           py::arg("progress") = py::none(),
+           R"doc(The same world with limits for each question.
+
+Parameters
+----------
+threads : int
+    0: one for each core.
+seconds : float
+    0: no limit.
+memory : int
+    Bytes that the process has in memory; 0: no limit.
+progress : callable, optional
+    Called with a part from 0 to 1, in questions about many positions.
+
+Returns
+-------
+World
+    Its questions raise `Stopped` at a limit.
+)doc");
+}
+
+void bind_questions(py::class_<World>& world) {
+  world
+      .def(
+          "solve",
+          [](const World& w, const Formula& f) -> py::object {
+            if (w.dimension() == 3) return py::cast(interruptible([&] { return w.solve_space(f); }));
+            return py::cast(interruptible([&] { return w.solve(f); }));
+          },
+          py::arg("formula"),
+          "{p : the formula holds at p}, exactly: a Region, in space a SpaceRegion where it has one of its forms.")
+      .def(
+          "angles",
+          [](const World& w, const Formula& f, const py::sequence& p, const py::sequence& about) {
+            const Point at = point(p), centre = point(about);
+            return interruptible([&] { return w.angles(f, at, centre); });
+          },
+          py::arg("formula"), py::arg("position"), py::arg("about") = py::make_tuple(0, 0),
+          "Where the formula holds for the moving shape rotated about a point of its own: intervals in degrees.")
+      .def(
+          "check_rotated",
+          [](const World& w, const Formula& f, const py::sequence& p, const py::object& degrees,
+             const py::sequence& about) {
+            const Point at = point(p), centre = point(about);
+            const Number angle = number(degrees);
+            return interruptible([&] { return w.check_rotated(f, at, angle, centre); });
+          },
+          py::arg("formula"), py::arg("position"), py::arg("degrees"), py::arg("about") = py::make_tuple(0, 0),
+          "The formula with the moving shape rotated first, atom by atom.")
+      .def("query", py::overload_cast<const Distance&>(&World::query, py::const_), py::arg("distance"),
+           "A distance, ready for many positions.")
+      .def("query", py::overload_cast<const Formula&>(&World::query, py::const_), py::arg("formula"),
+           "A formula, or the text of a distance, ready for many positions.")
+      .def(
+          "holds",
+          [](const World& w, const Formula& f, const py::sequence& p) {
+            return at_point(p, [&](const auto& at) { return w.holds(f, at); });
+          },
+          py::arg("formula"), py::arg("position"), "Whether the formula holds at p, exactly, without a map.")
+      .def(
+          "check",
+          [](const World& w, const Formula& f, const py::sequence& p) {
+            return at_point(p, [&](const auto& at) { return w.check(f, at); });
+          },
+          py::arg("formula"), py::arg("position"), "The same, with every comparison and its value.")
+      .def(
+          "distance",
+          [](const World& w, const Distance& d, const py::sequence& p) {
+            return at_point(p, [&](const auto& at) { return w.distance(d, at); });
+          },
+          py::arg("distance"), py::arg("position"))
+      .def(
+          "distance",
+          [](const World& w, const std::string& d, const py::sequence& p) {
+            return at_point(p, [&](const auto& at) { return w.distance(d, at); });
+          },
+          py::arg("distance"), py::arg("position"), "The value of a distance, its bounds and its witness.")
+      .def(
+          "on_line",
+          [](const World& w, const Formula& f, const py::sequence& through, const py::sequence& direction) {
+            const Point3 from = point3(through), along = point3(direction);
+            const OnLine found = interruptible([&] { return w.on_line(f, from, along); });
+            return py::make_tuple(found.intervals, found.exact);
+          },
+          py::arg("formula"), py::arg("through"), py::arg("direction"),
+          "(intervals, exact): where the formula holds on a line of space; the direction is in integers.")
+      .def(
+          "minimize",
+          [](const World& w, const std::string& objective, const Formula& f) {
+            return interruptible([&] { return w.minimize(objective, f); });
+          },
+          py::arg("objective"), py::arg("formula") = Formula("true"),
+          "The least value of an objective where the formula holds.")
+      .def("shape", &World::shape, py::arg("name"), "A shape as a region.");
 }
 
 }  // namespace
 
 void bind_worlds(py::module_& m) {
-  py::class_<DistanceValue>(m, "DistanceValue", "The value of a distance at a position.")
-      .def_readonly("value", &DistanceValue::value, "None: undefined, +infinity.")
-      .def_readonly("witness", &DistanceValue::witness)
-      .def("__repr__",
-           [](const DistanceValue& d) { return "<DistanceValue " + std::string(py::str(py::cast(d.value))) + ">"; });
-  py::class_<Optimum>(m, "Optimum", "The least value of an objective over a region.")
-      .def_readonly("value", &Optimum::value)
-      .def_readonly("attained", &Optimum::attained)
-      .def_readonly("at", &Optimum::at);
+  bind_values(m);
   bind_query(m);
-  py::class_<World>(m, "World", R"doc(Named shapes, one of which moves by a translation p.
+  py::class_<World> world(m, "World", R"doc(Named shapes, one of which moves by a translation p.
+
+Parameters
+----------
+shapes : dict of str to Shape
+    All of the plane, or all of space.
+moving : str
+    One of the names.
+unit : str, optional
+    um mm cm m in mil.
 
 Examples
 --------
@@ -58,28 +292,22 @@ Examples
 64.0
 >>> world.distance("gap(B, A)", (14, 5)).value
 3.0
-)doc")
-      .def(py::init([](const std::map<std::string, Shape>& shapes, const std::string& moving, const std::string& unit) {
-             return World(shapes, moving, {unit});
-           }),
-           py::arg("shapes"), py::arg("moving"), py::arg("unit") = "", py::call_guard<py::gil_scoped_release>())
+>>> world.move("A", (2, 0))
+>>> world.distance("gap(B, A)", (14, 5)).value
+1.0
+)doc");
+  world.def(py::init(&made), py::arg("shapes"), py::arg("moving"), py::arg("unit") = "")
       .def(py::pickle([](const World& w) { return py::make_tuple(w.shapes(), w.moving(), w.unit()); },
                       [](const py::tuple& t) {
-                        return World(t[0].cast<std::map<std::string, Shape>>(), t[1].cast<std::string>(),
-                                     {t[2].cast<std::string>()});
+                        return made(t[0].cast<std::map<std::string, Shape>>(), t[1].cast<std::string>(),
+                                    t[2].cast<std::string>());
                       }))
-      .def("solve", &World::solve, py::arg("formula"), py::call_guard<py::gil_scoped_release>(),
-           "{p : the formula holds at p}, exactly.")
-      .def("query", &World::query, py::arg("formula"), "The formula, ready for many positions.")
-      .def(
-          "holds", [](const World& w, const Formula& f, const py::sequence& p) { return w.holds(f, point(p)); },
-          py::arg("formula"), py::arg("position"), "Whether p is feasible, exactly, without making the region.")
-      .def(
-          "distance", [](const World& w, std::string_view d, const py::sequence& p) { return w.distance(d, point(p)); },
-          py::arg("distance"), py::arg("position"), "The value of a distance and its witness.")
-      .def("minimize", &World::minimize, py::arg("objective"), py::arg("formula") = Formula("true"),
-           "The least value of an objective where the formula holds.")
-      .def("shape", &World::shape, py::arg("name"), "A shape as a region.");
+      .def_property_readonly("shapes", &World::shapes, "By name.")
+      .def_property_readonly("moving", &World::moving, "The name of the shape that moves.")
+      .def_property_readonly("unit", &World::unit, "The unit of length, or ''.")
+      .def_property_readonly("dimension", &World::dimension, "2 or 3.");
+  bind_changes(world);
+  bind_questions(world);
 }
 
 }  // namespace findspace::python

@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
 """The Python module as a user has it."""
+import ast
 import doctest
+import importlib.util
+import os
+import pathlib
 import pickle
+import signal
+import threading
+import time
 
 import numpy as np
 import pytest
@@ -124,6 +131,131 @@ def test_solids():
     assert fs.Shape.mesh(vertices, faces).dimension == 3
     with pytest.raises(fs.Error):
         fs.Shape.mesh(vertices, faces[:3])
+
+
+def test_values_of_many_positions(world):
+    at = np.random.default_rng(2).random((500, 2)) * 100
+    query = world.query("gap(peg, plate)")
+    assert query.values(at).tolist() == [world.distance("gap(peg, plate)", p).value for p in at.tolist()]
+    assert world.query(fs.margin("peg", "table")).values([[50, 30]]).tolist() == [26]
+    with pytest.raises(fs.Error, match="distance"):
+        query.holds(at)
+    value = world.distance(fs.gap("peg", "plate"), (90, 60))
+    assert value.exact and value.lower <= value.value <= value.upper and value.closed_form == "sqrt(145)"
+    assert "of plate" in value.witness and float(value) == value.value
+
+
+def test_worlds_change(world):
+    before = world.query("clear(peg, plate)")
+    world.move("plate", (0, 30))
+    assert not before.holds([[50, 13]])[0] and world.query("clear(peg, plate)").holds([[50, 13]])[0]
+    world.set("disc", fs.Shape.disc((10, 10), 5))
+    assert world.distance("gap(peg, disc)", (30, 10)).value == 9
+    world.remove("disc")
+    assert sorted(world.shapes) == ["peg", "plate", "table"]
+
+
+def test_limits_and_progress(world):
+    with pytest.raises(fs.Stopped) as caught:
+        world.limited(seconds=1e-9).solve("clear(peg, plate)")
+    assert caught.value.limit == "time" and isinstance(caught.value, fs.Error)
+    seen = []
+    world.limited(threads=1, progress=seen.append).query("gap(peg, plate)").values(np.zeros((1000, 2)))
+    assert seen == sorted(seen) and seen[-1] == 1
+    def fail(part):
+        raise KeyError(part)
+    with pytest.raises(KeyError):
+        world.limited(progress=fail).query("gap(peg, plate)").values(np.zeros((1000, 2)))
+
+
+def test_ctrl_c_ends_a_question(world):
+    at = np.random.default_rng(2).random((2_000_000, 2)) * 100
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        world.query("gap(peg, plate)").values(at)
+    assert time.monotonic() - begun < 5
+    assert world.query("gap(peg, plate)").values(at[:5]).shape == (5,)
+
+
+def test_worlds_of_space():
+    world = fs.World({"room": fs.Shape.box((0, 0, 0), (10, 10, 10)), "ball": fs.Shape.ball((5, 5, 5), 1),
+                      "crate": fs.Shape.box((-1, -1, -1), (1, 1, 1))}, moving="crate")
+    at = np.array([[5, 5, 9], [5, 5, 8.5], [1, 1, 1]])
+    query = world.query("inside(crate, room) and clear(crate, ball, 2)")
+    assert query.holds(at).tolist() == [True, False, True]
+    assert (pickle.loads(pickle.dumps(query)).holds(at) == query.holds(at)).all()
+    assert world.query("gap(crate, ball)").values(at)[:2].tolist() == [2, 1.5]
+    check = world.check("clear(crate, ball, 2)", (5, 5, 8))
+    assert not check and check.atoms[0].lacks == 1
+    intervals, exact = world.on_line("inside(crate, room) and disjoint(crate, ball)", (5, 5, 0), (0, 0, 1))
+    assert exact and str(intervals) == "[[1.0, 3.0), (7.0, 9.0]]"
+    assert world.query("inside(crate, room)").nearest((0, 5, 12))[0] == (1, 5, 9)
+    with pytest.raises(ValueError, match=r"\(n, 3\)"):
+        query.holds(np.zeros((3, 2)))
+
+
+def test_regions_of_space():
+    world = fs.World({"room": fs.Shape.box((0, 0, 0), (10, 10, 10)), "crate": fs.Shape.box((-1, -1, -1), (1, 1, 1))},
+                     moving="crate")
+    region = world.solve("inside(crate, room, 1)")
+    assert region.volume == 216 and region.bounds == ([2, 2, 2], [8, 8, 8])
+    assert region.vertices.shape == (8, 3) and sorted(map(len, region.faces)) == [4] * 6
+    assert region.contains(np.array([[2, 2, 2], [1.9, 2, 2]])).tolist() == [True, False]
+    assert region.boxes == [([2, 2, 2], [8, 8, 8], [True] * 3, [True] * 3)]
+
+
+def test_solids_pickle():
+    solid = fs.Shape.box((0, 0, 0), (4, 4, 4)) - fs.Shape.ball((2, 2, 2), 1.5)
+    world = fs.World({"a": solid, "b": fs.Shape.box((0, 0, 0), (1, 1, 1))}, moving="b")
+    again = pickle.loads(pickle.dumps(world))
+    at = np.random.default_rng(1).random((50, 3)) * 8 - 2
+    assert (again.query("overlaps(a, b)").holds(at) == world.query("overlaps(a, b)").holds(at)).all()
+
+
+def test_rotation():
+    world = fs.World({"A": fs.Shape.points([[0, 4]]), "B": fs.Shape.polyline([[0, 0], [5, 0]])}, moving="B")
+    angles = world.angles("gap(B, A) <= 0", (0, 0))
+    assert [(i.start, i.end) for i in angles] == [(90, 90)]
+    assert world.check_rotated("touches(B, A)", (0, 0), 90)
+
+
+def test_phi_has_the_gradient_of_its_values():
+    phi = fs.Phi(fs.Shape.polygon([[0, 0], [4, 0], [1, 3]]), fs.Shape.box((0, 0), (1, 2)))
+    at = np.random.default_rng(4).random((200, 2)) * 16 - 6
+    values, gradients = phi.evaluate(at)
+    h = 1e-6
+    for k in range(2):
+        step = np.zeros(2)
+        step[k] = h
+        slope = (phi.evaluate(at + step)[0] - phi.evaluate(at - step)[0]) / (2 * h)
+        assert np.mean(np.abs(slope - gradients[:, k]) < 1e-3) > 0.98
+    assert [float(phi(p)) for p in at[:9].tolist()] == values[:9].tolist()
+
+
+def test_stubs_are_those_of_the_module():
+    folder = pathlib.Path(__file__).parents[1]
+    spec = importlib.util.spec_from_file_location("make_stubs", folder / "make_stubs.py")
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    text = made.stub(fs._findspace)
+    assert text == (folder / "findspace" / "_findspace.pyi").read_text(), "write it anew: python/make_stubs.py"
+    ast.parse(text)
+
+
+def test_every_public_name_is_described():
+    bare = []
+    for name in fs.__all__:
+        value = getattr(fs, name)
+        members = [(name, value)] + ([(f"{name}.{k}", v) for k, v in vars(value).items() if not k.startswith("_")]
+                                     if isinstance(value, type) else [])
+        for place, member in members:
+            text = getattr(member, "__doc__", None) or ""
+            told = [line for line in text.splitlines() if line.strip() and "->" not in line and "Overloaded" not in line]
+            if not told:
+                bare.append(place)
+    assert bare == []
 
 
 @pytest.mark.parametrize("module", [fs, fs._findspace, fs._shapely])

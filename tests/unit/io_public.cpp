@@ -21,7 +21,7 @@ TEST(Public, DistancesOfBoxes) {
   EXPECT_DOUBLE_EQ(*world.distance("eta1(B, A)", {0, 0}).value, -2);
   EXPECT_DOUBLE_EQ(*world.distance("margin(B, A)", {0, 0}).value, 2);
   EXPECT_EQ(world.distance("delta1(B, A)", {0, 0}).value, std::nullopt);
-  EXPECT_NE(world.distance("gamma1(B, A)", {6, 5}).witness.find("vertex (4, 3) of A"), std::string::npos);
+  EXPECT_NE(world.distance("gamma1(B, A)", {6, 5}).witness().find("vertex (4, 3) of A"), std::string::npos);
 }
 
 TEST(Public, RegionsAreExact) {

@@ -16,6 +16,7 @@
 namespace {
 
 using namespace findspace;
+using namespace findspace::words;
 
 std::string message_of(const std::function<void()>& act) {
   try {

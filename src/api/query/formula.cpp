@@ -46,21 +46,24 @@ std::string call(std::string_view word, std::string_view a, std::string_view b, 
   return fmt::format("{}({}, {}{})", word, quoted(a), quoted(b), rest);
 }
 
-/// Refuses an atom that no world could read: its names are all known here, and each moves by itself.
+/// Refuses an atom that no world could read: its names are all known here, and those of the first shape move.
 Formula checked(std::string atom) {
   formula::Context any;
-  any.independent = any.motion = true;
+  any.motion = true;
   any.unit = formula::Unit::kMillimetre;
-  for (std::size_t i = 0, open = 0; i < atom.size(); ++i) {
+  bool open = false, first = true;
+  for (std::size_t i = 0; i < atom.size(); ++i) {
     if (atom[i] == '"') {
-      open = 1 - open;
+      open = !open;
       if (open) any.shapes.emplace_back();
     } else if (open) {
       if (atom[i] == '\\') ++i;
       any.shapes.back() += atom[i];
+    } else if (atom[i] == ',' && first) {
+      any.moving = any.shapes;
+      first = false;
     }
   }
-  any.moving = any.shapes;
   formula::parse_formula(atom, any);
   return Formula(std::move(atom));
 }
@@ -82,13 +85,15 @@ Distance Distance::with(std::string_view mode, const Point& vector) const {
   std::string text = text_;
   text.insert(text.rfind(')'), fmt::format(", {}=({}, {})", mode, vector.x.text(), vector.y.text()));
   checked(text + " >= 0");
-  return {std::move(text)};
+  return Distance(std::move(text));
 }
 
 Formula Distance::minimal() const { return checked(text_ + " -> min"); }
 Formula Distance::compared(std::string_view relation, const Level& level) const {
   return checked(fmt::format("{} {} {}", text_, relation, level.text()));
 }
+
+namespace words {
 
 Formula overlaps(std::string_view a, std::string_view b) { return checked(call("overlaps", a, b)); }
 Formula touches(std::string_view a, std::string_view b) { return checked(call("touches", a, b)); }
@@ -106,4 +111,5 @@ Formula covers(std::string_view a, std::string_view b, const Level& level) {
   return checked(call("covers", a, b, with_level(level)));
 }
 
+}  // namespace words
 }  // namespace findspace

@@ -75,6 +75,18 @@ std::int8_t sign_at(const PreparedWorld& world, const SignMap& wanted, const Rea
   return decided_sign(world, wanted, p).sign;
 }
 
+bool holds_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
+  std::vector<std::optional<std::int8_t>> known(formula.sign_maps().size());
+  std::int32_t at = formula.entry();
+  while (at >= 0) {
+    const Instruction& step = formula.program()[std::size_t(at)];
+    auto& sign = known[step.sign_map];
+    if (!sign) sign = sign_at(world, formula.sign_maps()[step.sign_map], p);
+    at = (step.accepted >> (*sign + 1) & 1u) != 0 ? step.on_true : step.on_false;
+  }
+  return at == Instruction::kTrue;
+}
+
 Check check_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
   const std::size_t count = formula.sign_maps().size();
   std::vector<std::int8_t> signs(count);

@@ -23,6 +23,9 @@ DecidedSign decided_sign(const PreparedWorld& world, const SignMap& wanted, cons
 /// The sign alone.
 std::int8_t sign_at(const PreparedWorld& world, const SignMap& wanted, const exact::RealPoint& p);
 
+/// Whether the formula holds at p, in grid steps; no more signs are found than decide it.
+bool holds_at(const PreparedWorld& world, const Formula& formula, const exact::RealPoint& p);
+
 /// Every atom of the formula at p, in grid steps, and whether the formula holds there.
 Check check_at(const PreparedWorld& world, const Formula& formula, const exact::RealPoint& p);
 

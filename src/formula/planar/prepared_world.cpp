@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "distance/planar/shape_pair.h"
 #include "findspace/error.h"
 #include "plane/complex/overlay.h"
@@ -23,16 +25,49 @@ distance::Extremum LeastValues::keep(const std::string& text, distance::Extremum
   return known_.emplace(text, std::move(value)).first->second;
 }
 
-PreparedWorld::PreparedWorld(World world) : world_(std::move(world)) {
-  // Distances are those of closed sets.
-  for (auto& [name, region] : world_.shapes) {
-    region = plane::closure(std::move(region));
-    const auto box = plane::is_bounded(region) ? plane::extent(region) : std::nullopt;
-    if (!box) continue;
-    boxes_.emplace(name, *box);
-    if (region.faces[0].inner.size() + region.faces[0].isolated.size() > 1)
-      boundary_components_.emplace(name, plane::BoundaryComponents(region));
+void LeastValues::take_over(const LeastValues& others, const std::vector<std::string>& without) {
+  std::scoped_lock lock(guard_, others.guard_);
+  for (const auto& [text, value] : others.known_) {
+    const auto named = [&text = text](const std::string& name) { return text.find(name) != std::string::npos; };
+    if (std::none_of(without.begin(), without.end(), named)) known_.emplace(text, value);
   }
+}
+
+PreparedWorld::PreparedWorld(World world) : world_(std::move(world)) {
+  for (const auto& [name, region] : world_.shapes) prepare(name);
+}
+
+PreparedWorld::PreparedWorld(const PreparedWorld& before, ShapeChanges changes)
+    : world_(before.world_), boxes_(before.boxes_), boundary_components_(before.boundary_components_) {
+  std::vector<std::string> names;
+  for (auto& [name, region] : changes) {
+    names.push_back(name);
+    boxes_.erase(name);
+    boundary_components_.erase(name);
+    if (region)
+      world_.shapes.insert_or_assign(name, *std::move(region));
+    else
+      world_.shapes.erase(name);
+    if (region) prepare(name);
+  }
+  const auto changed = [&](const std::vector<std::string>& of) {
+    return std::any_of(of.begin(), of.end(), [&](const std::string& name) { return changes.count(name) != 0; });
+  };
+  least_values_.take_over(before.least_values_, names);
+  const std::lock_guard lock(before.guard_);
+  for (const auto& [of, pair] : before.pairs_)
+    if (!changed(of.first) && !changed(of.second)) pairs_.emplace(of, pair);
+}
+
+/// Distances are those of closed sets.
+void PreparedWorld::prepare(const std::string& name) {
+  plane::Region& region = world_.shapes.at(name);
+  region = plane::closure(std::move(region));
+  const auto box = plane::is_bounded(region) ? plane::extent(region) : std::nullopt;
+  if (!box) return;
+  boxes_.emplace(name, *box);
+  if (region.faces[0].inner.size() + region.faces[0].isolated.size() > 1)
+    boundary_components_.emplace(name, plane::BoundaryComponents(region));
 }
 
 plane::Region PreparedWorld::shape(const std::vector<std::string>& names) const {

@@ -41,15 +41,22 @@ class LeastValues {
   std::optional<distance::Extremum> find(const std::string& text) const;
   /// The first that was kept under this text.
   distance::Extremum keep(const std::string& text, distance::Extremum value);
+  /// Those whose text has none of the names in it.
+  void take_over(const LeastValues& others, const std::vector<std::string>& without);
 
  private:
   mutable std::mutex guard_;
   std::map<std::string, distance::Extremum> known_;
 };
 
+/// Shapes in grid steps that are new, or replace others of their name; nothing: it is removed.
+using ShapeChanges = std::map<std::string, std::optional<plane::Region>>;
+
 class PreparedWorld {
  public:
   explicit PreparedWorld(World world);
+  /// The same world but for some shapes; what does not speak of these is taken over. Cost: a copy of the others.
+  PreparedWorld(const PreparedWorld& before, ShapeChanges changes);
 
   const World& world() const { return world_; }
   const exact::Real& step() const { return world_.step; }
@@ -71,6 +78,8 @@ class PreparedWorld {
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
 
  private:
+  void prepare(const std::string& name);
+
   World world_;
   std::map<std::string, plane::PieceBox> boxes_;                          // of the bounded shapes
   std::map<std::string, plane::BoundaryComponents> boundary_components_;  // of those that have several

@@ -27,6 +27,10 @@ Check Solver::check(const Formula& formula, const RealPoint& p) const {
   return check_at(prepared_, formula, prepared_.steps(p));
 }
 
+bool Solver::holds(const Formula& formula, const RealPoint& p) const {
+  return holds_at(prepared_, formula, prepared_.steps(p));
+}
+
 DistanceAt Solver::distance_at(const Distance& wanted, const RealPoint& p) const {
   return formula::distance_at(prepared_, wanted, prepared_.steps(p));
 }

@@ -21,6 +21,8 @@ namespace findspace::formula {
 class Solver {
  public:
   explicit Solver(World world) : prepared_(std::move(world)) {}
+  /// The same but for some shapes (PreparedWorld).
+  Solver(const Solver& before, ShapeChanges changes) : prepared_(before.prepared_, std::move(changes)) {}
 
   const World& world() const { return prepared_.world(); }
   const PreparedWorld& prepared() const { return prepared_; }
@@ -33,6 +35,7 @@ class Solver {
 
   /// One position (position_check.h, measure.h, nearest_feasible.h).
   Check check(const Formula& formula, const exact::RealPoint& p) const;
+  bool holds(const Formula& formula, const exact::RealPoint& p) const;
   DistanceAt distance_at(const Distance& wanted, const exact::RealPoint& p) const;
   std::vector<DistanceAt> measure(const exact::RealPoint& p, const Formula& formula = {}) const;
   exact::Tried<std::optional<NearestFeasible>> nearest_feasible(const Formula& formula,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "api/query/world_data.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"
 #include "plane/query/measure_cells_twofold.h"
@@ -41,21 +42,6 @@ std::string feature_json(const FeatureAt& f) {
   return out + ", \"inside\": true}";
 }
 
-std::string feature_words(const FeatureAt& f) {
-  const std::string of = f.part.empty() ? f.shape : fmt::format("{}, part {}", f.shape, f.part);
-  switch (f.kind) {
-    case FeatureAt::Kind::kVertex:
-      return fmt::format("vertex {} of {}", shown_point(f.points[0]), of);
-    case FeatureAt::Kind::kEdge:
-      return fmt::format("edge {} to {} of {}", shown_point(f.points[0]), shown_point(f.points[1]), of);
-    case FeatureAt::Kind::kArc:
-      return fmt::format("arc about {} of {}", shown_point(f.points[0]), of);
-    case FeatureAt::Kind::kInside:
-      break;
-  }
-  return fmt::format("the inside of {}", of);
-}
-
 }  // namespace
 
 std::string json_point(const distance::Coordinates& p) { return "[" + joined(p, json_number) + "]"; }
@@ -76,8 +62,9 @@ std::string witness_members(const formula::DistanceAt& d) {
 }
 
 std::string witness_words(const formula::DistanceAt& d) {
-  if (d.features.size() != 2) return "";
-  return fmt::format("{} and {}", feature_words(d.features[0]), feature_words(d.features[1]));
+  DistanceValue value;
+  value.features = api::features_of(d);
+  return value.witness();
 }
 
 }  // namespace findspace::io

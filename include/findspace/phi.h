@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The Phi-function of two shapes A and B as a function of the translation u of B: negative where their interiors meet,
+// 0 where they touch, positive where they are apart. Of flat parts it is the greatest of linear functions (the max
+// form), of round ones the distance outside. The normalised form is the distance of A and B + u outside. It has a
+// gradient, and says which facet of which pair of convex parts is active, so that optimisers of smooth functions can
+// use it. Guarantee: state and `compare` are exact at every real position; values have a relative error of 2^-50, also
+// next to contact. Inside unions minus the value is a lower bound of the true depth (docs/phi.md). Cost: building takes
+// one surface for each pair of convex parts; a value takes a filter over their facets. Errors: kUnsupported for shapes
+// that are no unions of convex parts (in the plane arcs that bound no disc). Source: Stoyan et al., docs/phi.md.
+// Keywords: phi-function, signed distance, no-fit polygon, penetration depth, gradient.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "findspace/number.h"
+#include "findspace/shape.h"
+#include "findspace/values.h"
+
+namespace findspace {
+
+class Phi {
+ public:
+  /// A stands still, B moves. Both of the plane, or both of space.
+  Phi(const Shape& a, const Shape& b);
+
+  /// Of the two shapes: their interiors meet, only their boundaries meet, they have no common point.
+  enum class State { kOverlap, kContact, kApart };
+  struct Value {
+    /// Of Phi.
+    double value = 0;
+    /// Of the normalised form: outside the distance.
+    double normalised = 0;
+    /// Exact.
+    State state = State::kContact;
+    Place gradient;           // of `value`: two or three coordinates; of length 1, or 0 where it is not defined
+    std::size_t pair = 0;     // the convex part of A times the number of those of B, plus that of B
+    std::vector<int> active;  // facets (edges in the plane) of the pair that are highest, ties included
+  };
+  /// Where B is translated by u.
+  Value at(const Point& u) const;
+  Value at(const Point3& u) const;
+  /// Value and gradient at each position, side by side; `values` and `gradients` are as long as `positions`.
+  void evaluate(std::span<const Position> positions, std::span<double> values, std::span<Position> gradients) const;
+  void evaluate(std::span<const Position3> positions, std::span<double> values, std::span<Position3> gradients) const;
+
+  /// The sign of the normalised form minus a distance, for a distance >= 0, exactly: not negative where B + u is at
+  /// least so far from A.
+  int compare(const Point& u, const Number& distance) const;
+  int compare(const Point3& u, const Number& distance) const;
+
+  /// 2 or 3.
+  int dimension() const;
+  /// Convex parts of A and of B.
+  std::size_t parts_of_a() const;
+  std::size_t parts_of_b() const;
+
+  struct Data;
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace findspace

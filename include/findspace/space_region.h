@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Exact sets of positions in space as values: unions of boxes (solids with faces along the axes), or what one convex
+// polytope, perhaps grown by a ball, cuts out of space. Slits, lines and points without volume are kept. Guarantee:
+// which positions belong is exact; sizes are the exact ones rounded. Keywords: feasible region, boundary
+// representation, H-representation.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "findspace/number.h"
+
+namespace findspace {
+
+/// Flat faces, counter-clockwise seen from outside, by their vertices counted from 0.
+struct Surface {
+  /// Its corners.
+  std::vector<Position3> vertices;
+  /// Circuits of corners.
+  std::vector<std::vector<int>> faces;
+};
+
+class SpaceRegion {
+ public:
+  /// What it is made of.
+  enum class Form { kBoxes, kConvex };
+  /// Which of the two it is.
+  Form form() const;
+  /// Whether nothing belongs to it; whether all of space does; within some ball; open and closed as a point set.
+  bool empty() const;
+  bool whole() const;
+  bool bounded() const;
+  bool open() const;
+  bool closed() const;
+  /// Nothing where it is unbounded.
+  std::optional<double> volume() const;
+  struct Bounds3 {
+    /// Its corners.
+    Position3 low{}, high{};
+  };
+  /// Nothing where it is empty or unbounded.
+  std::optional<Bounds3> bounds() const;
+  /// The number of connected parts.
+  std::size_t components() const;
+
+  /// Exact, on boundaries too.
+  bool contains(const Point3& p) const;
+  void contains(std::span<const Position3> positions, std::span<bool> inside) const;
+
+  /// A product of intervals; infinite where a coordinate has no end.
+  struct Box {
+    /// Its corners.
+    Position3 low{}, high{};
+    /// Whether its ends belong to it, for each coordinate.
+    std::array<bool, 3> low_belongs{};
+    std::array<bool, 3> high_belongs{};
+  };
+  /// Disjoint boxes, flat ones among them, whose union it is; none of the form kConvex.
+  std::vector<Box> boxes() const;
+  /// The boundary of the closure of its interior; a ball around a polytope is not part of it.
+  Surface surface() const;
+  /// As `findspace map --json` writes it (docs/results.md).
+  std::string json() const;
+
+  struct Data;
+  explicit SpaceRegion(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace findspace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Questions under the limits of their options. Guarantee: a question that meets a limit throws Stopped, and nothing
+// else changes. Cost: none without limits.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <type_traits>
+
+#include "findspace/options.h"
+#include "plane/base/work_limit.h"
+
+namespace findspace::api {
+
+/// The limits of one question, from when it begins, and those of the thread that asks.
+class Watch : public plane::WorkLimit {
+ public:
+  explicit Watch(const Options& options) : options_(options) {}
+  void poll() override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const Options& options_;
+  plane::WorkLimit* const outer_ = plane::work_limit();
+  const Clock::time_point begun_ = Clock::now();
+  std::atomic<std::int64_t> memory_due_{0};  // milliseconds from the beginning
+};
+
+/// What `question` says, within the limits.
+template <class F>
+auto limited(const Options& options, const F& question) -> std::invoke_result_t<F> {
+  std::optional<std::invoke_result_t<F>> out;
+  Watch watch(options);
+  plane::with_threads(options.threads, [&] {
+    const plane::LimitWork here(&watch);
+    watch.poll();
+    out.emplace(question());
+  });
+  return *std::move(out);
+}
+
+/// Reports parts of a question about many positions.
+class Progress {
+ public:
+  Progress(const Options& options, std::size_t blocks) : options_(options), blocks_(blocks) {}
+  /// Another block is answered.
+  void add();
+
+ private:
+  const Options& options_;
+  const std::size_t blocks_;
+  std::mutex guard_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace findspace::api

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Answers at a position in doubles, with the bounds that they have.
+
+#include <cmath>
+
+#include "api/query/world_data.h"
+#include "formula/language/text.h"
+
+namespace findspace::api {
+namespace {
+
+using exact::Real;
+
+double below(const Real& v) {
+  const double d = v.to_double();
+  return Real::from_double(d) > v ? std::nextafter(d, -exact::kInfinity) : d;
+}
+double above(const Real& v) { return -below(-v); }
+
+Place place(const distance::Coordinates& p) {
+  Place out;
+  for (const Real& c : p) out.push_back(c.to_double());
+  return out;
+}
+
+Feature feature(const formula::FeatureAt& f) {
+  static_assert(int(formula::FeatureAt::Kind::kInside) == int(Feature::Kind::kInside));
+  Feature out{Feature::Kind(int(f.kind)), f.shape, f.part, {}, f.radius.to_double()};
+  for (const distance::Coordinates& p : f.points) out.points.push_back(place(p));
+  return out;
+}
+
+void set_bounds(const distance::SceneAnswer& a, DistanceValue& out) {
+  out.exact = a.proven && !a.minus_infinity;
+  if (a.minus_infinity) {
+    out.lower = out.upper = -exact::kInfinity;
+    return;
+  }
+  const distance::Enclosure e = a.bounds();
+  out.lower = e.lower ? below(*e.lower) : -exact::kInfinity;
+  out.upper = e.upper ? above(*e.upper) : exact::kInfinity;
+}
+
+}  // namespace
+
+std::vector<Feature> features_of(const formula::DistanceAt& d) {
+  std::vector<Feature> out;
+  if (d.features.size() == 2)
+    for (const formula::FeatureAt& f : d.features) out.push_back(feature(f));
+  return out;
+}
+
+DistanceValue public_value(const formula::DistanceAt& d) {
+  if (!d.refused.empty()) throw Error(ErrorCode::kUnsupported, d.text + ": " + d.refused);
+  DistanceValue out;
+  out.in_degrees = d.in_degrees;
+  out.value = d.value();
+  if (!d.answer) {
+    out.exact = true;
+    out.lower = out.upper = exact::kInfinity;
+    return out;
+  }
+  set_bounds(*d.answer, out);
+  out.closed_form = d.closed_form().value_or("");
+  if (d.answer->nearest) out.nearest = place(*d.answer->nearest);
+  if (d.answer->witness.size() == 2)
+    for (const auto& w : d.answer->witness) out.points.push_back(place(w.at));
+  out.features = features_of(d);
+  return out;
+}
+
+Check public_check(const formula::Check& check) {
+  Check out{check.holds, {}};
+  for (const formula::AtomAt& a : check.atoms) {
+    formula::DistanceAt value = a.distance;
+    value.refused.clear();  // the truth is known without the value
+    out.atoms.push_back({formula::written(a.atom), a.holds, public_value(value), a.lacks});
+    if (!a.distance.refused.empty()) {
+      out.atoms.back().distance.exact = false;
+      out.atoms.back().distance.lower = -exact::kInfinity;
+    }
+  }
+  return out;
+}
+
+}  // namespace findspace::api

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Worlds: made, changed, and asked.
+
+#include "findspace/world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "api/query/world_data.h"
+#include "api/values/region_data.h"
+#include "formula/language/lexer.h"
+#include "formula/language/text.h"
+#include "formula/planar/feasible_near.h"
+#include "formula/planar/optimize.h"
+#include "formula/planar/position_functions.h"
+#include "formula/planar/solve_rotation.h"
+#include "formula/solid/solve_rays.h"
+#include "plane/base/parallel.h"
+#include "plane/build/build.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/locate_line.h"
+#include "plane/rotation/rotation_map.h"
+
+namespace findspace {
+
+using distance::Coordinates;
+using exact::Real;
+
+namespace {
+
+exact::RealPoint planar(const Coordinates& p) { return {p[0], p[1]}; }
+space::RealVector solid(const Coordinates& p) { return {p[0], p[1], p[2]}; }
+
+std::optional<formula::Unit> unit_of(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  if (const auto unit = formula::find_unit(name)) return unit;
+  throw Error(ErrorCode::kUnknownName,
+              fmt::format("unknown unit '{}'; the units are {}", name, fmt::join(formula::kUnitNames, ", ")));
+}
+
+[[noreturn]] void unknown_shape(const formula::Context& context, const std::string& name) {
+  const std::string near = formula::question(name, context.shapes);
+  throw Error(ErrorCode::kUnknownName,
+              fmt::format("there is no shape '{}'{}", name,
+                          near.empty() ? "; the shapes are " + formula::listed(context.shapes) : near));
+}
+
+formula::Context context_of(const std::map<std::string, Shape>& shapes, const std::string& moving,
+                            const std::string& unit) {
+  formula::Context context;
+  for (const auto& [name, shape] : shapes) context.shapes.push_back(name);
+  if (shapes.count(moving) == 0) unknown_shape(context, moving);
+  context.moving = {moving};
+  context.unit = unit_of(unit);
+  context.dimension = shapes.at(moving).dimension();
+  for (const auto& [name, shape] : shapes)
+    if (shape.dimension() != context.dimension)
+      throw Error(ErrorCode::kBadValue, "shapes of the plane and of space in one world",
+                  fmt::format("shape '{}'", name));
+  return context;
+}
+
+plane::Grid grid_of(const std::map<std::string, Shape>& shapes) {
+  plane::Grid grid = shapes.begin()->second.data().grid;
+  for (const auto& [name, shape] : shapes) grid = api::common_grid(grid, shape.data().grid);
+  return grid;
+}
+
+plane::Region region_on(const Shape& shape, const plane::Grid& grid, const std::string& name) {
+  try {
+    if (shape.data().grid.step() == grid.step()) return shape.region().data().cells;
+    return plane::build(*api::tree_on(shape, grid), grid.step_size()).region;
+  } catch (const Error& e) {
+    throw e.within(fmt::format("shape '{}'", name));
+  }
+}
+
+std::shared_ptr<const formula::Solver> planar_solver(const World::Data& data) {
+  formula::World world;
+  for (const auto& [name, shape] : data.shapes) world.shapes.emplace(name, region_on(shape, data.grid, name));
+  world.moving = data.context.moving;
+  world.step = data.grid.step();
+  return std::make_shared<const formula::Solver>(std::move(world));
+}
+
+formula::SpaceShape solid_on(const plane::Shape& tree) {
+  auto made = formula::try_space_shape(tree);
+  if (made) return *std::move(made);
+  formula::SpaceShape none;
+  none.refused = made.refusal().error.what();  // its surface may do
+  return none;
+}
+
+/// Shapes of `before` whose trees are the same are taken over.
+std::shared_ptr<const formula::SpaceSolver> solid_solver(const World::Data& data, const World::Data* before) {
+  formula::SpaceWorld world;
+  auto rays = std::make_shared<formula::RayWorld>();
+  rays->moving = world.moving = data.context.moving;
+  rays->step = world.step = data.grid.step();
+  for (const auto& [name, shape] : data.shapes) {
+    const plane::ShapePtr tree = api::tree_on(shape, data.grid);
+    const auto known = before ? before->shapes.find(name) : data.shapes.end();
+    const bool same = before && known != before->shapes.end() && &known->second.data() == &shape.data() &&
+                      before->grid.step() == data.grid.step();
+    rays->shapes.emplace(name, same ? before->solid->world().rays->shapes.at(name) : formula::RayShape(tree));
+    world.shapes.emplace(name, same ? before->solid->world().shapes.at(name) : solid_on(*tree));
+  }
+  world.rays = std::move(rays);
+  return std::make_shared<const formula::SpaceSolver>(std::move(world));
+}
+
+void make_solver(World::Data& data, const World::Data* before = nullptr) {
+  if (data.dimension() == 2)
+    data.planar = planar_solver(data);
+  else
+    data.solid = solid_solver(data, before);
+}
+
+/// The world with one shape other than before; null: without it.
+std::shared_ptr<const World::Data> changed(const World::Data& before, const std::string& name, const Shape* shape) {
+  auto data = std::make_shared<World::Data>(before);
+  if (shape)
+    data->shapes.insert_or_assign(name, *shape);
+  else
+    data->shapes.erase(name);
+  data->context = context_of(data->shapes, before.moving(), before.unit());
+  if (shape) data->grid = api::common_grid(before.grid, shape->data().grid);
+  if (data->dimension() == 2 && before.planar && data->grid.step() == before.grid.step()) {
+    formula::ShapeChanges changes;
+    changes[name] = shape ? std::optional(region_on(*shape, data->grid, name)) : std::nullopt;
+    data->planar = std::make_shared<const formula::Solver>(*before.planar, std::move(changes));
+  } else {
+    make_solver(*data, &before);
+  }
+  return data;
+}
+
+}  // namespace
+
+namespace api {
+
+Coordinates place_of(const World::Data& world, const Point& p) {
+  if (world.dimension() != 2) throw Error(ErrorCode::kBadValue, "a position of this world has three coordinates");
+  return {real_of(p.x), real_of(p.y)};
+}
+Coordinates place_of(const World::Data& world, const Point3& p) {
+  if (world.dimension() != 3) throw Error(ErrorCode::kBadValue, "a position of this world has two coordinates");
+  return {real_of(p.x), real_of(p.y), real_of(p.z)};
+}
+Coordinates place_of(const World::Data& world, std::span<const double> p) {
+  if (std::size_t(world.dimension()) != p.size())
+    throw Error(ErrorCode::kBadValue, fmt::format("a position of this world has {} coordinates", world.dimension()));
+  Coordinates out;
+  for (const double c : p) out.push_back(plane::decimal_of(c));
+  return out;
+}
+
+bool rotating(const formula::Formula& f) {
+  return std::any_of(f.atoms().begin(), f.atoms().end(),
+                     [](const formula::Atom& a) { return a.distance.mode == formula::Mode::kRotation; });
+}
+
+}  // namespace api
+
+// ---- World::Data
+
+const formula::Solver& World::Data::plane(std::string_view what) const {
+  if (!planar) throw Error(ErrorCode::kUnsupported, fmt::format("{}: only in the plane", what));
+  return *planar;
+}
+
+const formula::SpaceSolver& World::Data::space(std::string_view what) const {
+  if (!solid) throw Error(ErrorCode::kUnsupported, fmt::format("{}: only in space", what));
+  return *solid;
+}
+
+const Shape& World::Data::shape(const std::string& name) const {
+  const auto found = shapes.find(name);
+  if (found == shapes.end()) unknown_shape(context, name);
+  return found->second;
+}
+
+formula::Objective World::Data::distance(std::string_view text) const {
+  formula::Objective wanted = formula::parse_objective(text, context);
+  if (wanted.kind != formula::Objective::Kind::kDistance)
+    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", text));
+  return wanted;
+}
+
+bool World::Data::holds(const formula::Formula& f, const Coordinates& p) const {
+  if (solid) return solid->check(f, findspace::solid(p)).holds;
+  return api::rotating(f) ? check(f, p).holds : planar->holds(f, findspace::planar(p));
+}
+
+formula::Check World::Data::check(const formula::Formula& f, const Coordinates& p) const {
+  if (solid) return solid->check(f, findspace::solid(p));
+  const exact::RealPoint at = findspace::planar(p);
+  return api::rotating(f) ? formula::RotationSolver(*planar, {at, {}, {}}).check(f) : planar->check(f, at);
+}
+
+formula::DistanceAt World::Data::value(const formula::Objective& wanted, const Coordinates& p) const {
+  // Undefined is +infinity, so minus that is -infinity.
+  const auto signed_as_wanted = [&](formula::DistanceAt d) {
+    if (!wanted.negated) return d;
+    if (d.answer || !d.refused.empty()) return formula::minus(std::move(d));
+    d.answer = distance::lowest_answer<Coordinates>(d.way);
+    return d;
+  };
+  const formula::Distance& d = wanted.distance;
+  if (solid) {
+    const Real& step = grid.step();
+    const auto found = solid->try_value(d, space::scaled(1 / step, findspace::solid(p))).or_throw();
+    return signed_as_wanted(
+        formula::distance_at(formula::text(d), found ? std::optional(distance::in_scene(*found, step)) : std::nullopt));
+  }
+  if (d.mode != formula::Mode::kRotation) return signed_as_wanted(planar->distance_at(d, findspace::planar(p)));
+  const formula::Formula atom(formula::compare(d, formula::Relation::kGreaterEqual, Real()));
+  return signed_as_wanted(check(atom, p).atoms.front().distance);
+}
+
+Region World::Data::region(plane::Region cells) const { return api::make_region(std::move(cells), grid, unit()); }
+
+// ---- World
+
+World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options) {
+  auto data = std::make_shared<Data>(Data{shapes, {}, context_of(shapes, moving, options.unit)});
+  data->grid = grid_of(shapes);
+  make_solver(*data);
+  data_ = std::move(data);
+}
+
+void World::set(const std::string& name, const Shape& shape) { data_ = changed(*data_, name, &shape); }
+
+void World::remove(const std::string& name) {
+  data_->shape(name);
+  if (name == moving()) throw Error(ErrorCode::kBadValue, fmt::format("'{}' is the shape that moves", name));
+  data_ = changed(*data_, name, nullptr);
+}
+
+void World::move(const std::string& name, const Point& by) { set(name, data_->shape(name).translated(by)); }
+void World::move(const std::string& name, const Point3& by) { set(name, data_->shape(name).translated(by)); }
+
+World World::with(const Options& options) const {
+  auto data = std::make_shared<Data>(*data_);
+  data->options = options;
+  return World(std::move(data));
+}
+
+namespace {
+
+template <class P>
+DistanceValue distance_of(const World::Data& data, std::string_view text, const P& p) {
+  return api::limited(data.options,
+                      [&] { return api::public_value(data.value(data.distance(text), api::place_of(data, p))); });
+}
+template <class P>
+bool holds_of(const World::Data& data, const Formula& formula, const P& p) {
+  return api::limited(data.options, [&] { return data.holds(data.formula(formula.text()), api::place_of(data, p)); });
+}
+template <class P>
+Check check_of(const World::Data& data, const Formula& formula, const P& p) {
+  return api::limited(data.options, [&] {
+    return api::public_check(data.check(data.formula(formula.text()), api::place_of(data, p)));
+  });
+}
+
+}  // namespace
+
+DistanceValue World::distance(std::string_view d, const Point& p) const { return distance_of(*data_, d, p); }
+DistanceValue World::distance(std::string_view d, const Point3& p) const { return distance_of(*data_, d, p); }
+bool World::holds(const Formula& f, const Point& p) const { return holds_of(*data_, f, p); }
+bool World::holds(const Formula& f, const Point3& p) const { return holds_of(*data_, f, p); }
+Check World::check(const Formula& f, const Point& p) const { return check_of(*data_, f, p); }
+Check World::check(const Formula& f, const Point3& p) const { return check_of(*data_, f, p); }
+
+Region World::solve(const Formula& formula) const {
+  const formula::Solver& solver = data_->plane("the region of a formula");
+  return api::limited(data_->options,
+                      [&] { return data_->region(formula::feasible_near(solver, data_->formula(formula.text()))); });
+}
+
+SignMap World::sign_map(std::string_view distance, const Number& level) const {
+  const formula::Solver& solver = data_->plane("a sign map");
+  const formula::Objective wanted = data_->distance(distance);
+  const Real at = Real::parse_decimal(level.text()) / data_->grid.step();
+  return api::limited(data_->options, [&] {
+    plane::SignMap map =
+        formula::objective_distance(solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);
+    if (wanted.negated) map = plane::remark(std::move(map), [](plane::Mark m) { return plane::Mark(-m); });
+    return SignMap(std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->grid, data_->unit()}));
+  });
+}
+
+Optimum World::minimize(std::string_view objective, const Formula& formula) const {
+  const formula::Solver& solver = data_->plane("an optimum");
+  const formula::Objective wanted = formula::parse_objective(objective, data_->context);
+  return api::limited(data_->options, [&] {
+    formula::Optimum best = formula::optimize(formula::feasible_near(solver, data_->formula(formula.text())), wanted,
+                                              distance::Sense::kMinimum, solver);
+    return Optimum{best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
+                   data_->region(std::move(best.at))};
+  });
+}
+
+std::vector<Interval> World::angles(const Formula& formula, const Point& p, const Point& about) const {
+  const formula::Solver& solver = data_->plane("a map of angles");
+  const exact::RealPoint at = findspace::planar(api::place_of(*data_, p));
+  const exact::RealPoint centre = findspace::planar(api::place_of(*data_, about));
+  return api::limited(data_->options, [&] {
+    const formula::Formula asked = data_->formula(formula.text());
+    const formula::RotationSolver rotated(solver, {at, {}, centre});
+    std::vector<Interval> out;
+    for (const plane::RotationInterval& i : plane::intervals(rotated.maps(asked).feasible(asked))) {
+      const bool across = i.round || exact::compare(i.to, i.from) < 0;
+      out.push_back({i.from.degrees(), i.to.degrees() + (across ? 360 : 0), i.from_in, i.to_in});
+    }
+    return out;
+  });
+}
+
+Check World::check_rotated(const Formula& formula, const Point& p, const Number& degrees, const Point& about) const {
+  const formula::Solver& solver = data_->plane("a rotated shape");
+  const exact::RealPoint at = findspace::planar(api::place_of(*data_, p));
+  const exact::RealPoint centre = findspace::planar(api::place_of(*data_, about));
+  return api::limited(data_->options, [&] {
+    const formula::RotationSolver rotated(solver, {at, api::real_of(degrees), centre});
+    return api::public_check(rotated.check(data_->formula(formula.text())));
+  });
+}
+
+OnLine World::on_line(const Formula& formula, const Point3& through, const Point3& direction) const {
+  const formula::SpaceSolver& solver = data_->space("positions on a line");
+  const Coordinates from = api::place_of(*data_, through), along = api::place_of(*data_, direction);
+  const Real& step = data_->grid.step();
+  return api::limited(data_->options, [&] {
+    const auto found = solver.feasible_on(data_->formula(formula.text()),
+                                          {space::scaled(1 / step, findspace::solid(from)), findspace::solid(along)});
+    OnLine out;
+    out.exact = found.side == formula::Side::kExact;
+    const auto end = [](const std::optional<Real>& t) { return t ? std::optional(t->to_double()) : std::nullopt; };
+    for (const plane::LineInterval& i : plane::intervals(found.marks, step))
+      out.intervals.push_back({end(i.from), end(i.to), i.from_in, i.to_in});
+    return out;
+  });
+}
+
+Region World::shape(const std::string& name) const {
+  data_->plane("a shape as a region");
+  return data_->region(region_on(data_->shape(name), data_->grid, name));
+}
+
+const std::map<std::string, Shape>& World::shapes() const { return data_->shapes; }
+const std::string& World::moving() const { return data_->moving(); }
+std::string World::unit() const { return data_->unit(); }
+int World::dimension() const { return data_->dimension(); }
+const Options& World::options() const { return data_->options; }
+
+}  // namespace findspace

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What stands behind a public World: shapes on one grid, the names that formulas may use, and the solver of the plane
+// or of space. Positions are coordinates in the world's unit, two or three. Threads: safe.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "api/query/limits.h"
+#include "api/values/shape_data.h"
+#include "findspace/world.h"
+#include "formula/language/parse.h"
+#include "formula/planar/solve.h"
+#include "formula/solid/solve_space.h"
+
+namespace findspace {
+
+struct World::Data {
+  std::map<std::string, Shape> shapes;
+  plane::Grid grid;
+  formula::Context context;
+  Options options{};
+  std::shared_ptr<const formula::Solver> planar{};  // one of these two
+  std::shared_ptr<const formula::SpaceSolver> solid{};
+
+  int dimension() const { return context.dimension; }
+  std::string unit() const { return context.unit ? std::string(formula::name(*context.unit)) : ""; }
+  const std::string& moving() const { return context.moving.front(); }
+  /// kUnsupported in space.
+  const formula::Solver& plane(std::string_view what) const;
+  const formula::SpaceSolver& space(std::string_view what) const;
+  /// kUnknownName.
+  const Shape& shape(const std::string& name) const;
+
+  formula::Formula formula(std::string_view text) const { return formula::parse_formula(text, context); }
+  /// Throws where the text is a coordinate or no objective at all.
+  formula::Objective distance(std::string_view text) const;
+
+  bool holds(const formula::Formula& f, const distance::Coordinates& p) const;
+  formula::Check check(const formula::Formula& f, const distance::Coordinates& p) const;
+  formula::DistanceAt value(const formula::Objective& wanted, const distance::Coordinates& p) const;
+  /// That of a region of the plane.
+  Region region(plane::Region cells) const;
+};
+
+namespace api {
+
+/// kBadValue for as many coordinates as the world has not.
+distance::Coordinates place_of(const World::Data& world, const Point& p);
+distance::Coordinates place_of(const World::Data& world, const Point3& p);
+/// The decimals that doubles stand for.
+distance::Coordinates place_of(const World::Data& world, std::span<const double> p);
+
+/// A distance in rotation is among the atoms.
+bool rotating(const formula::Formula& f);
+/// What the two points of a witness lie on; none where that is not known.
+std::vector<Feature> features_of(const formula::DistanceAt& d);
+/// Throws Error(kUnsupported) for a value that is refused.
+DistanceValue public_value(const formula::DistanceAt& d);
+Check public_check(const formula::Check& check);
+
+}  // namespace api
+}  // namespace findspace

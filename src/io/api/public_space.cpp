@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Public sets of space as surfaces and as text; shapes of space as the text that brings them back.
+
+#include <fmt/format.h>
+
+#include "api/query/space_region_data.h"
+#include "formula/language/text.h"
+#include "io/mesh/space_surface.h"
+#include "io/write/write_json_space.h"
+#include "space/polytope/solid.h"
+
+namespace findspace {
+
+using exact::Real;
+
+Surface SpaceRegion::surface() const {
+  const auto& convex = data_->region.convex;
+  io::Surface made =
+      convex ? io::convex_surface(convex->set, data_->step) : io::box_surface(data_->region.boxes, data_->step);
+  return {std::move(made.vertices), std::move(made.faces)};
+}
+
+std::string SpaceRegion::json() const {
+  const auto& convex = data_->region.convex;
+  return convex ? io::space_json(convex->set, data_->summary, data_->step, data_->unit)
+                : io::space_json(data_->region.boxes, data_->summary, data_->step, data_->unit);
+}
+
+namespace {
+
+/// A tree of solids as a scene states it, every number in full.
+class SolidText {
+ public:
+  explicit SolidText(const Real& step) : step_(step) {}
+
+  std::string tree(const plane::Shape& shape) const {
+    using Kind = plane::Shape::Kind;
+    if (const space::Solid* solid = space::solid_of(shape)) return primitive(*solid);
+    switch (shape.kind) {
+      case Kind::kTranslate:
+        return fmt::format("{{\"translate\": [{}, {}, {}], \"of\": {}}}", length(Real(shape.points[0].x)),
+                           length(Real(shape.points[0].y)), length(Real(shape.lift)), tree(*shape.children[0]));
+      case Kind::kOffset:
+        return fmt::format("{{\"offset\": {}, \"of\": {}}}", length(shape.amount), tree(*shape.children[0]));
+      default:
+        return node(shape);
+    }
+  }
+
+ private:
+  std::string length(const Real& steps) const {
+    std::string text = formula::decimal_text(steps * step_);
+    if (text.empty()) throw Error(ErrorCode::kUnsupported, "a length that is no decimal cannot be written");
+    return text;
+  }
+
+  std::string node(const plane::Shape& shape) const {
+    static const std::map<plane::Shape::Kind, const char*> kWords{
+        {plane::Shape::Kind::kUnion, "union"},
+        {plane::Shape::Kind::kIntersection, "intersection"},
+        {plane::Shape::Kind::kDifference, "difference"},
+        {plane::Shape::Kind::kComplement, "complement"},
+        {plane::Shape::Kind::kInterior, "interior"},
+        {plane::Shape::Kind::kClosure, "closure"},
+        {plane::Shape::Kind::kBoundary, "boundary"},
+        {plane::Shape::Kind::kRegularize, "regularize"},
+        {plane::Shape::Kind::kMirror, "mirror"},
+        {plane::Shape::Kind::kMinkowskiSum, "minkowski_sum"},
+        {plane::Shape::Kind::kMinkowskiDifference, "minkowski_difference"},
+        {plane::Shape::Kind::kHull, "hull"}};
+    const auto word = kWords.find(shape.kind);
+    if (word == kWords.end()) throw Error(ErrorCode::kUnsupported, "this construction of solids cannot be written");
+    std::vector<std::string> operands;
+    for (const plane::ShapePtr& child : shape.children) operands.push_back(tree(*child));
+    const bool several = shape.kind == plane::Shape::Kind::kUnion || shape.kind == plane::Shape::Kind::kIntersection ||
+                         shape.kind == plane::Shape::Kind::kDifference ||
+                         shape.kind == plane::Shape::Kind::kMinkowskiSum ||
+                         shape.kind == plane::Shape::Kind::kMinkowskiDifference;
+    const std::string list = fmt::format("{}", fmt::join(operands, ", "));
+    return fmt::format("{{\"{}\": {}}}", word->second, several ? "[" + list + "]" : list);
+  }
+
+  std::string vertices(const std::vector<space::Point>& points) const {
+    std::vector<std::string> out;
+    for (const space::Point& p : points)
+      out.push_back(fmt::format("[{}, {}, {}]", length(Real(p.x)), length(Real(p.y)), length(Real(p.z))));
+    return fmt::format("[{}]", fmt::join(out, ", "));
+  }
+
+  std::string ring(const plane::Contour& contour) const {
+    std::vector<std::string> out;
+    for (const plane::ContourEdge& e : contour) {
+      if (e.arc) throw Error(ErrorCode::kUnsupported, "a prism with arcs cannot be written");
+      out.push_back(fmt::format("[{}, {}]", length(Real(e.start.x)), length(Real(e.start.y))));
+    }
+    return fmt::format("[{}]", fmt::join(out, ", "));
+  }
+
+  std::string primitive(const space::Solid& solid) const {
+    using Form = space::Solid::Form;
+    std::vector<std::string> parts;
+    switch (solid.form) {
+      case Form::kPolytope:
+        return fmt::format("{{\"polytope\": {}}}", vertices(solid.mesh.vertices));
+      case Form::kBall: {
+        const std::string center = vertices({solid.mesh.vertices[0]});
+        return fmt::format("{{\"ball\": {{\"center\": {}, \"radius\": {}}}}}", center.substr(1, center.size() - 2),
+                           length(solid.radius));
+      }
+      case Form::kPrism:
+        for (std::size_t k = 1; k < solid.contours.size(); ++k) parts.push_back(ring(solid.contours[k]));
+        return fmt::format("{{\"prism\": {{\"polygon\": {}, \"holes\": [{}], \"z\": [{}, {}]}}}}",
+                           ring(solid.contours[0]), fmt::join(parts, ", "), length(Real(solid.low)),
+                           length(Real(solid.high)));
+      case Form::kMesh:
+        break;
+    }
+    for (const auto& face : solid.mesh.faces) parts.push_back(fmt::format("[{}]", fmt::join(face, ", ")));
+    return fmt::format("{{\"mesh\": {{\"vertices\": {}, \"faces\": [{}]}}}}", vertices(solid.mesh.vertices),
+                       fmt::join(parts, ", "));
+  }
+
+  const Real& step_;
+};
+
+}  // namespace
+
+std::string Shape::exact_json() const {
+  return dimension() == 2 ? region().exact_json() : SolidText(data_->grid.step()).tree(*data_->tree);
+}
+
+}  // namespace findspace
