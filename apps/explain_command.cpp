@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
+#include "asked_numbers.h"
 #include "commands.h"
 #include "io/write/write_explanation.h"
 #include "session.h"
@@ -18,7 +19,7 @@ Outcome run_explain(const Options& options, Reporter& reporter) {
   reporter.stage("explaining");
   const formula::Explanation explanation = formula::explain(solver, formula);
   std::optional<formula::PositionExplanation> here;
-  const exact::RealPoint at = session.position();
+  const exact::RealPoint at = asked_position(session);
   if (options.at) here = formula::explain_at(solver, formula, at);
   const io::ExplanationReport report{formula, explanation,         here ? &*here : nullptr,
                                      at,      solver.world().step, session.unit()};

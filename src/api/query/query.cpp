@@ -164,8 +164,9 @@ struct Query::Data {
     const World::Data& of = world.data();
     return api::limited(of.options, [&] {
       const Coordinates p = api::place_of(of, from);
-      return of.solid ? formula::nearest_feasible(*of.solid, asked(), {p[0], p[1], p[2]})
-                      : of.planar->nearest_feasible(asked(), {p[0], p[1]});
+      return (of.solid ? formula::nearest_feasible(*of.solid, asked(), {p[0], p[1], p[2]})
+                       : of.planar->nearest_feasible(asked(), {p[0], p[1]}))
+          .or_throw();
     });
   }
 };

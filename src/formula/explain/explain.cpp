@@ -8,7 +8,6 @@
 #include <set>
 #include <span>
 
-#include "exact/number/tried.h"
 #include "formula/explain/common_relaxation.h"
 #include "formula/language/text.h"
 #include "formula/planar/optimize.h"
@@ -109,13 +108,15 @@ class Explainer {
     LevelChange out;
     out.atom = k;
     const Objective objective{Objective::Kind::kDistance, demands_.formula().atoms()[k].distance, false, {}, {}};
-    const auto tried = exact::tried([&] { return optimize(region, objective, sense, solver_); });
-    if (!tried) {
+    Optimum best;
+    try {
+      best = optimize(region, objective, sense, solver_);
+    } catch (const Error& refusal) {  // no other way is tried: the answer says why this level has none
+      if (refusal.code() != ErrorCode::kUnsupported) throw;
       out.kind = Kind::kRefused;
-      out.refused = tried.refusal().error.message();
+      out.refused = refusal.message();
       return out;
     }
-    const Optimum& best = *tried;
     if (!best.value) {
       out.kind = best.unbounded ? Kind::kFree : Kind::kNone;
       return out;
@@ -207,7 +208,7 @@ PositionExplanation explain_at(const Solver& solver, const Formula& formula, con
     met[k] = out.check.atoms[k].holds == plain;
   }
   out.change = find_correction(demands, met);
-  out.nearest = solver.nearest_feasible(formula, p);
+  out.nearest = solver.nearest_feasible(formula, p).or_throw();
   return out;
 }
 
