@@ -4,12 +4,14 @@
 // The command line as values, and what a verb gives back.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/text/read_limits.h"
 #include "io/text/spool.h"
 
 namespace findspace::app {
@@ -30,13 +32,17 @@ struct Options {
   bool all = false;           // of measure: all distances
   bool explain = false;       // of check: which way decided each atom, and how long it took
   bool json = false, quiet = false;
-  std::string side;       // of map and describe in 3D: inner or outer cells about lines, or nothing
-  bool axes = false;      // of these: lines along all three axes, or
-  std::string axis;       // along this one: x, y, z, or nothing
-  int resolution = 0;     // of these and place: lines each way; 0: an exact map, or by
-  std::string spacing;    // how far the lines are apart, a decimal, or nothing
-  unsigned threads = 0;   // 0: one for each core
-  double time_limit = 0;  // seconds; 0: none
+  std::string side;                // of map and describe in 3D: inner or outer cells about lines, or nothing
+  bool axes = false;               // of these: lines along all three axes, or
+  std::string axis;                // along this one: x, y, z, or nothing
+  int resolution = 0;              // of these and place: lines each way; 0: an exact map, or by
+  std::string spacing;             // how far the lines are apart, a decimal, or nothing
+  unsigned threads = 0;            // 0: one for each core
+  double time_limit = 0;           // seconds; 0: none
+  std::uint64_t memory_limit = 0;  // bytes; 0: none
+  bool no_files = false;           // shapes come from the scene alone, or
+  std::filesystem::path root;      // from files in this folder
+  std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWork;  // io/text/read_limits.h
 };
 
 /// Exit statuses (docs/commands.md).

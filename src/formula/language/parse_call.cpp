@@ -113,8 +113,14 @@ std::size_t NameSet::slot(std::string_view name) const {
   return at;
 }
 
+/// Units of work for a further shape of a union: its maps and regions are kept.
+constexpr std::uint64_t kSummand = 10'000;
+
 CallReader::CallReader(Cursor& cursor, const Context& context)
-    : cursor_(cursor), context_(context), known_(context.shapes.size() + context.moving.size() + context.extra.size()) {
+    : cursor_(cursor),
+      context_(context),
+      work_(context.work_limit),
+      known_(context.shapes.size() + context.moving.size() + context.extra.size()) {
   for (const auto* names : {&context.shapes, &context.moving, &context.extra})
     for (const std::string& name : *names) known_.add(name);
 }
@@ -272,7 +278,10 @@ void CallReader::direction(Call& call, std::string_view word, bool is_predicate)
 
 std::vector<std::string> CallReader::shapes(std::string_view word) {
   std::vector<std::string> result{shape(word)};
-  while (cursor_.accept(K::kPlus)) result.push_back(shape(word));
+  while (cursor_.accept(K::kPlus)) {
+    work_.charge(kSummand, "a formula with so many shapes in one place");
+    result.push_back(shape(word));
+  }
   return result;
 }
 

@@ -122,7 +122,7 @@ SignMap World::sign_map(std::string_view distance, const Number& level) const {
   const formula::Objective wanted = data_->distance(distance);
   const exact::Real at = exact::Real::parse_decimal(level.text()) / data_->grid.step();
   plane::SignMap map =
-      formula::objective_distance(data_->solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);
+      formula::position_function(data_->solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);
   if (wanted.negated) map = plane::remark(std::move(map), [](plane::Mark m) { return plane::Mark(-m); });
   return SignMap(std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->grid, data_->unit()}));
 }

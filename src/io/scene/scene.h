@@ -15,6 +15,7 @@
 
 #include "exact/number/real.h"
 #include "io/text/formula_text.h"
+#include "io/text/read_limits.h"
 #include "io/text/units.h"
 #include "plane/contour/shape.h"
 
@@ -73,6 +74,7 @@ struct Scene {
   Free free;
   Motion motion;
   Placement place;
+  std::uint64_t work_limit = plane::kUsualWork;  // of each shape and each formula (plane/base/work.h)
   std::vector<std::string> notes;  // what the reader of the result should know: points rounded, rings turned
 
   /// The shape of that name, or null.
@@ -81,14 +83,14 @@ struct Scene {
   plane::ShapePtr shape(std::string_view name) const;
 };
 
-struct ReadOptions {
-  bool files = true;  // whether shapes may come from other files
-};
-
-/// Throws Error. Shapes in files are looked for beside the scene.
+/// Throws Error. Shapes in files are looked for beside the scene. The scene itself need not lie in the root.
 Scene read_scene(const std::filesystem::path& path, const ReadOptions& options = {});
 /// A scene from memory: `folder` is where its files are, `name` what messages call it.
 Scene read_scene_text(std::string_view text, const std::filesystem::path& folder, const std::string& name,
                       const ReadOptions& options = {});
+
+/// The scene of one shape alone, given as the JSON that would stand under its name; places count from its beginning.
+Scene read_shape_text(std::string_view text, const exact::Real& grid, const std::filesystem::path& folder,
+                      const std::string& name, const ReadOptions& options = {});
 
 }  // namespace findspace::io
