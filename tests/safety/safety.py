@@ -329,8 +329,8 @@ class Limits(SafetyTest):
     def test_placement_ends_in_time(self):
         part = {"polygon": [[0, 0], [7, 1], [9, 5], [4, 3], [1, 9]]}
         scene = self.scene({"A": {"box": {"min": [0, 0], "max": [60, 60]}}, "P": part},
-                           place={"shapes": ["P"], "count": 30, "each": "inside(P, A)", "pairs": "gap(P, other) >= 0.1",
-                                  "minimize": ["x"], "method": "sequential"})
+                           place={"shapes": ["P"], "count": {"P": 30}, "each": "inside(self, A)",
+                                  "pairs": "gap(self, other) >= 0.1", "minimize": ["x"]})
         result = self.run_program("place", scene, "--time-limit", "2", "--json")
         self.assertIn(result.status, (0, 1, 4), result.err)
 
