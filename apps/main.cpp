@@ -19,9 +19,10 @@
 #include <vector>
 
 #include "commands.h"
-#include "deadline.h"
 #include "formula/language/names.h"
 #include "help_pages.h"
+#include "limits.h"
+#include "option_checks.h"
 #include "plane/base/parallel.h"
 #include "stage_dump.h"
 #include "support_table.h"
@@ -31,6 +32,7 @@ namespace {
 
 constexpr const char* kAbout = "Where can this part go? The exact set of its positions, from a scene file.";
 constexpr const char *kCommon = "Common", *kPlane = "In the plane", *kSpace = "In space", *kBoard = "On a board";
+constexpr const char* kLimits = "Limits";
 
 /// Help for people: an entry a line, wrapped at 100 columns, without the types of arguments.
 class HelpFormatter : public CLI::Formatter {
@@ -111,22 +113,6 @@ void add_lines(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->check(CLI::IsMember({"inner", "outer"}).description(""))
       ->excludes(axes)
       ->group(kSpace);
-}
-
-/// What is wrong with a time limit, or nothing. The system's clock takes no more than 1e9.
-std::string seconds(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc{} && end == text.data() + text.size() && value >= 0 && value <= 1e9) return "";
-  return fmt::format("a number of seconds from 0 to 1e9 is meant, not '{}'", text);
-}
-
-/// What is wrong with a number of threads, or nothing.
-std::string thread_count(const std::string& text) {
-  int value = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc{} && end == text.data() + text.size() && value >= 0 && value <= 4096) return "";
-  return fmt::format("a whole number from 0 to 4096 is meant, not '{}'", text);
 }
 
 /// Of packing problems and layouts.
@@ -290,6 +276,32 @@ void add_service(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->group(kCommon);
 }
 
+/// What one run may read and cost (docs/security.md).
+void add_limits(CLI::App& command, Options& o) {
+  const auto size = [&](const char* name, std::uint64_t& value, const char* about, const char* type) {
+    command
+        .add_option_function<std::string>(
+            name, [&value](const std::string& t) { value = *size_of(t); }, about)
+        ->type_name(type)
+        ->check(size_text)
+        ->group(kLimits);
+  };
+  command.add_option("--time-limit", o.time_limit, "give up after S seconds (default 0: never)")
+      ->type_name("S")
+      ->check(seconds)
+      ->group(kLimits);
+  size("--memory-limit", o.memory_limit, "give up beyond SIZE bytes of memory, such as 500M or 2G (default: none)",
+       "SIZE");
+  size("--input-limit", o.input_limit, "read SIZE bytes at most, unpacked (default 256M)", "SIZE");
+  size("--work-limit", o.work_limit, "refuse input that costs more than N units of work (default 20M)", "N");
+  auto* none = command.add_flag("--no-files", o.no_files, "take no shapes from files that the scene names");
+  none->group(kLimits);
+  command.add_option("--root", o.root, "take shapes only from files in the folder DIR, wherever links lead")
+      ->type_name("DIR")
+      ->excludes(none)
+      ->group(kLimits);
+}
+
 void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.get_help_ptr()->group(kCommon);
   if (is_service(verb))
@@ -304,18 +316,13 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->type_name("N")
       ->check(thread_count)
       ->group(kCommon);
-  command.add_option("--time-limit", o.time_limit, "give up after S seconds (default 0: never)")
-      ->type_name("S")
-      ->check(seconds)
-      ->group(kCommon);
+  add_limits(command, o);
   command.add_flag("-q,--quiet", o.quiet, "no notes, and no summary where files are written")->group(kCommon);
   command.footer(help_examples(verb.name));
 }
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   const plane::ThreadLimit threads(options.threads);
-  // A placement minds its limit itself and gives the best result so far; a server has one for each request.
-  const Deadline deadline(is(verb, "place") || is(verb, "pack") || is_service(verb) ? 0 : options.time_limit);
   const auto dump = StageDump::from_environment();
   const plane::ObserveStages observe(dump.get());
   Outcome outcome = verb.run(options, reporter);
@@ -329,10 +336,9 @@ int report(Reporter& reporter) {
     throw;
   } catch (const Error& e) {
     reporter.error(e);
-    return e.code() == ErrorCode::kUsage ? kUsage : kBadInput;
+    return status_of(e);
   } catch (const std::bad_alloc&) {
-    reporter.error("out of memory");
-    return kLimit;
+    end_out_of_memory();
   } catch (const std::exception& e) {
     reporter.error(
         fmt::format("internal error: {}\nThis is a bug of findspace. Please report it with the scene.", e.what()));
@@ -346,12 +352,14 @@ int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   reporter.stage("");
   const bool wanted = options.json || !options.quiet || options.outputs.empty();
   const auto put = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); };
+  begin_printing();
   if (wanted && outcome.stream) outcome.stream(put);
   if (wanted) put(outcome.text);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     reporter.error("standard output cannot be written");
     return kBadInput;
   }
+  end_limits();
   return outcome.status;
 }
 
@@ -449,6 +457,11 @@ int program(int argc, char** argv) {
     const std::string name = app.get_subcommands().front()->get_name();
     const VerbEntry& verb =
         *std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const VerbEntry& v) { return is(v, name); });
+    // A placement and a packing end in time by themselves, with the best result so far; a server has a limit for each
+    // request.
+    Options limited = options;
+    if (is_service(verb)) limited.time_limit = 0;
+    set_limits(limited, is(verb, "place") || is(verb, "pack"));
     return finish(run(verb, options, reporter), options, reporter);
   } catch (...) {
     return report(reporter);
@@ -459,7 +472,7 @@ int program(int argc, char** argv) {
 }  // namespace findspace::app
 
 int main(int argc, char** argv) {
-  findspace::app::end_on_interrupt();
+  findspace::app::end_on_signals();
   try {
     return findspace::app::program(argc, argv);
   } catch (...) {

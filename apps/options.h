@@ -4,12 +4,14 @@
 // The command line as values, and what a verb gives back.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/text/read_limits.h"
 #include "io/text/spool.h"
 
 namespace findspace::app {
@@ -35,14 +37,18 @@ struct Options {
   bool no_open = false;       // of view: print the link only
   bool stdio = false;         // of serve: requests on standard input
   bool json = false, quiet = false;
-  std::string side;                   // of map and describe in 3D: inner or outer cells about lines, or nothing
-  bool axes = false;                  // of these: lines along all three axes, or
-  std::string axis;                   // along this one: x, y, z, or nothing
-  int resolution = 0;                 // of these and place: lines each way; 0: an exact map, or by
-  std::string spacing;                // how far the lines are apart, a decimal, or nothing
-  unsigned threads = 0;               // 0: one for each core
-  double time_limit = 0;              // seconds; 0: none
-  std::optional<std::string> height;  // of pack and verify: of the strip, instead of the file's
+  std::string side;                // of map and describe in 3D: inner or outer cells about lines, or nothing
+  bool axes = false;               // of these: lines along all three axes, or
+  std::string axis;                // along this one: x, y, z, or nothing
+  int resolution = 0;              // of these and place: lines each way; 0: an exact map, or by
+  std::string spacing;             // how far the lines are apart, a decimal, or nothing
+  unsigned threads = 0;            // 0: one for each core
+  double time_limit = 0;           // seconds; 0: none
+  std::uint64_t memory_limit = 0;  // bytes; 0: none
+  bool no_files = false;           // shapes come from the scene alone, or
+  std::filesystem::path root;      // from files in this folder
+  std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWork;  // io/text/read_limits.h
+  std::optional<std::string> height;           // of pack and verify: of the strip, instead of the file's
   std::optional<std::filesystem::path> start;  // of pack: a layout
   std::uint64_t seed = 1;                      // of pack
   double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit

@@ -9,6 +9,7 @@
 #include "findspace/error.h"
 #include "io/write/write_json.h"
 #include "io/write/write_placement.h"
+#include "limits.h"
 #include "placement_problem.h"
 #include "plane/query/moved.h"
 #include "plane/query/summary.h"
@@ -131,7 +132,7 @@ Outcome run_place(const Options& options, Reporter& reporter) {
   if (session.in_space()) return place_space(session);
   check_outputs(options, {".svg", ".json"});
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
-  const planning::Limit limit(options.time_limit);
+  const planning::Limit limit(options.time_limit * kSearching);
   const Problem problem = placement_problem(session);
   reporter.stage("placing");
   const planning::Relations relations(problem);

@@ -13,6 +13,7 @@
 #include "io/write/write_json_rays.h"
 #include "io/write/write_json_space.h"
 #include "io/write/write_placement.h"
+#include "limits.h"
 #include "placement_demands.h"
 #include "planning/solid/space_sequence.h"
 #include "planning/solid/space_simultaneous.h"
@@ -231,7 +232,7 @@ Outcome place_space(const Session& session) {
   std::vector<std::string> endings{".json"};
   endings.insert(endings.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   check_outputs(options, endings);
-  const planning::Limit limit(options.time_limit);
+  const planning::Limit limit(options.time_limit * kSearching);
   const SpaceProblem problem = problem_of(session);
   session.reporter().stage("placing");
   const bool all_at_once = session.scene().place.method == io::Placement::Method::kSimultaneous;

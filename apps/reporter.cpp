@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 namespace findspace::app {
 namespace {
@@ -17,6 +18,19 @@ bool wants_colour() {
   const char* no = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe)
   const char* term = std::getenv("TERM");    // NOLINT(concurrency-mt-unsafe)
   return (no == nullptr || *no == '\0') && !(term != nullptr && std::string_view(term) == "dumb");
+}
+
+/// With control characters as \xNN, but for ends of lines: a file may hold any.
+std::string visible(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < ' ' && c != '\n') || byte == 0x7f)
+      out += fmt::format("\\x{:02x}", byte);
+    else
+      out += c;
+  }
+  return out;
 }
 
 void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
@@ -39,7 +53,7 @@ void Reporter::error(std::string_view text) {
 }
 
 void Reporter::error(const Error& e) {
-  error(std::string_view(e.what()));
+  error(visible(e.place().empty() ? e.message() : e.place() + ": " + e.message()));
   for (const auto& p : e.geometry()) say(fmt::format("  at ({}, {})\n", p[0], p[1]));
 }
 

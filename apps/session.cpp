@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <iostream>
-#include <iterator>
 #include <set>
 
 #include "asked_numbers.h"
@@ -66,12 +64,16 @@ io::Scene read(const Options& o) {
   const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
   if (!drawing && (o.unit || o.id || o.layer || o.index))
     throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
+  io::ReadOptions limits{!o.no_files, o.root, o.input_limit, o.work_limit};
   if (o.scene == "-") {
-    const std::string text(std::istreambuf_iterator<char>(std::cin), {});
-    return io::read_scene_text(text, std::filesystem::current_path(), "standard input");
+    const std::filesystem::path folder = std::filesystem::current_path();
+    if (limits.root.empty()) limits.root = folder;  // whoever writes into the pipe may be anyone
+    return io::read_scene_text(io::read_standard_input(o.input_limit), folder, "standard input", limits);
   }
-  if (!drawing) return io::read_scene(path);
-  return io::read_scene_text(scene_around(path, o), path.parent_path(), path.filename().string());
+  if (!drawing) return io::read_scene(path, limits);
+  limits.files = true;  // the one that is named
+  limits.root.clear();
+  return io::read_scene_text(scene_around(path, o), path.parent_path(), path.filename().string(), limits);
 }
 
 /// "LINE:COLUMN" within the formula, as a place in the scene file.
@@ -108,8 +110,9 @@ plane::Region Session::region(std::string_view name) const {
 std::vector<plane::Region> Session::regions(const std::vector<plane::ShapePtr>& shapes) const {
   if (scene_.dimension != 2) throw Error(ErrorCode::kUnsupported, "the scene has 3D shapes", scene_.file);
   std::vector<plane::BuildResult> built(shapes.size());
-  plane::parallel_for(shapes.size(),
-                      [&](std::size_t k) { built[k] = plane::build(*shapes[k], scene_.grid.step_size()); });
+  plane::parallel_for(shapes.size(), [&](std::size_t k) {
+    built[k] = plane::build(*shapes[k], scene_.grid.step_size(), scene_.work_limit);
+  });
   std::vector<plane::Region> out;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const plane::Rounding& moved = built[k].rounding;
@@ -158,6 +161,7 @@ formula::Context Session::context() const {
   context.dimension = scene_.dimension;
   context.empty = scene_.empty_lists;
   context.groups = scene_.groups;
+  context.work_limit = scene_.work_limit;
   return context;
 }
 

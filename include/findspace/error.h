@@ -21,7 +21,8 @@ enum class ErrorCode {
   kGeometry,     // a shape that is not what it claims to be (self-intersection, zero area, hole outside)
   kOutOfRange,   // a coordinate too large for the grid
   kFile,         // a file that is missing, truncated or of an unknown kind
-  kUnsupported   // a valid request outside what the program computes
+  kUnsupported,  // a valid request outside what the program computes
+  kLimit         // more input or work than is allowed: exit status 4
 };
 
 class Error : public std::runtime_error {

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace findspace;
   std::string_view text(reinterpret_cast<const char*>(data), size);
   io::ReadContext context;
-  context.files = false;
+  context.options.files = false;
   context.unit = io::Unit::kMillimetre;
   char first = text.empty() ? ' ' : text[0];
   auto reader = first == '<'                   ? io::read_svg

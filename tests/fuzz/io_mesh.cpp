@@ -16,7 +16,7 @@ namespace {
 void read_as(const std::string& bytes, const char* ending) {
   using namespace findspace;
   io::ReadContext context;
-  context.files = false;
+  context.options.files = false;
   context.unit = io::Unit::kMillimetre;
   try {
     space::Mesh mesh =

@@ -288,7 +288,7 @@ SignMap World::sign_map(std::string_view distance, const Number& level) const {
   const Real at = Real::parse_decimal(level.text()) / data_->grid.step();
   return api::limited(data_->options, [&] {
     plane::SignMap map =
-        formula::objective_distance(solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);
+        formula::position_function(solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);
     if (wanted.negated) map = plane::remark(std::move(map), [](plane::Mark m) { return plane::Mark(-m); });
     return SignMap(std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->grid, data_->unit()}));
   });

@@ -22,6 +22,7 @@
 // the length times the number of known names.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@
 #include "findspace/error.h"
 #include "formula/language/formula.h"
 #include "formula/language/units.h"
+#include "plane/base/work.h"
 
 namespace findspace::formula {
 
@@ -46,6 +48,7 @@ struct Context {
   bool motion = false;       // the scene has a motion: `inf` and `sup` mean something
   std::optional<Unit> unit;  // the scene's unit; without one, numbers may not carry units
   int dimension = 2;
+  std::uint64_t work_limit = plane::kUsualWork;  // of a formula (plane/base/work.h)
 };
 
 inline constexpr int kDeepest = 200;

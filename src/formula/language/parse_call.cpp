@@ -115,9 +115,13 @@ std::size_t NameSet::slot(std::string_view name) const {
   return at;
 }
 
+/// Units of work for a further shape of a union: its maps and regions are kept.
+constexpr std::uint64_t kSummand = 10'000;
+
 CallReader::CallReader(Cursor& cursor, const Context& context)
     : cursor_(cursor),
       context_(context),
+      work_(context.work_limit),
       known_(context.shapes.size() + context.moving.size() + context.extra.size() + context.empty.size()) {
   for (const auto* names : {&context.shapes, &context.moving, &context.extra, &context.empty})
     for (const std::string& name : *names) known_.add(name);
@@ -306,7 +310,10 @@ std::vector<std::string> CallReader::standing(const std::vector<std::string>& wi
 /// Names joined by '+'; of lists without a shape nothing is left.
 std::vector<std::string> CallReader::listed_shapes(std::string_view word) {
   std::vector<std::string> result{shape(word)};
-  while (cursor_.accept(K::kPlus)) result.push_back(shape(word));
+  while (cursor_.accept(K::kPlus)) {
+    work_.charge(kSummand, "a formula with so many shapes in one place");
+    result.push_back(shape(word));
+  }
   std::erase_if(result, [&](const std::string& name) { return contains(context_.empty, name); });
   return result;
 }

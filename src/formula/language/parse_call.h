@@ -73,6 +73,7 @@ class CallReader {
 
   Cursor& cursor_;
   const Context& context_;
+  plane::Work work_;
   NameSet known_;  // shapes, by names in the context
 };
 

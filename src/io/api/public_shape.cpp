@@ -21,21 +21,27 @@ namespace {
 
 /// A shape as a scene would have it.
 Shape scene_shape(std::string_view text, const Grid& grid, const std::string& name) {
-  const io::Scene scene = io::read_scene_text(
-      fmt::format("{{\"findspace\": 1, \"grid\": {}, \"shapes\": {{\"shape\": {}}}}}", grid.step.text(), text),
-      std::filesystem::current_path(), name);
+  const io::Scene scene =
+      io::read_shape_text(text, exact::Real::parse_decimal(grid.step.text()), std::filesystem::current_path(), name);
   return api::make_shape(scene.shapes[0], scene.grid, scene.dimension);
+}
+
+/// The same of a text that is made here: a place in it tells nobody anything.
+Shape made_shape(const char* kind, std::string_view value, const Grid& grid, const std::string& name) {
+  try {
+    return scene_shape(fmt::format("{{\"{}\": {}}}", kind, io::json_string(value)), grid, name);
+  } catch (const Error& e) {
+    Error plain(e.code(), e.message(), name);
+    for (const auto& p : e.geometry()) plain.at(p[0], p[1]);
+    throw plain;
+  }
 }
 
 }  // namespace
 
 Shape Shape::json(std::string_view text, const Grid& grid) { return scene_shape(text, grid, "shape"); }
-Shape Shape::path(std::string_view data, const Grid& grid) {
-  return scene_shape(fmt::format("{{\"path\": {}}}", io::json_string(data)), grid, "path");
-}
-Shape Shape::file(const std::string& path, const Grid& grid) {
-  return scene_shape(fmt::format("{{\"file\": {}}}", io::json_string(path)), grid, path);
-}
+Shape Shape::path(std::string_view data, const Grid& grid) { return made_shape("path", data, grid, "path"); }
+Shape Shape::file(const std::string& path, const Grid& grid) { return made_shape("file", path, grid, path); }
 
 std::string Region::json() const {
   return io::region_json(data_->cells, data_->summary(), data_->grid.step(), data_->unit);

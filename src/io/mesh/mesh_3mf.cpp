@@ -9,7 +9,9 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <new>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 
 #include "io/mesh/zip_archive.h"
@@ -112,11 +114,21 @@ class Reader {
     const auto found = objects_.find(id);
     if (found == objects_.end()) bad_value(fmt::format("there is no object {}", id));
     if (depth > kMostDepth) bad_value(fmt::format("object {} is a component of itself, or of too many", id));
-    if (const pugi::xml_node mesh = found->second.child("mesh")) return triangles(mesh, placed);
+    if (const pugi::xml_node mesh = found->second.child("mesh")) {
+      if (!placed_.insert(id).second) charge_again(mesh);
+      return triangles(mesh, placed);
+    }
     for (const pugi::xml_node& part : found->second.child("components").children("component")) {
       if (++components_ > kMostComponents) bad_value("there are more than 100,000 components");
       object(whole(part, "objectid"), placed.after(transform(part)), depth + 1);
     }
+  }
+
+  /// What one file repeats is not bounded by its length.
+  void charge_again(const pugi::xml_node& mesh) {
+    const auto count = [](const pugi::xml_node& list) { return std::distance(list.begin(), list.end()); };
+    const auto parts = count(mesh.child("vertices")) + count(mesh.child("triangles"));
+    out_.charge(kAgain * static_cast<std::uint64_t>(parts), "placing one mesh so often");
   }
 
   void triangles(const pugi::xml_node& mesh, const Transform& placed) {
@@ -139,13 +151,16 @@ class Reader {
   }
 
   static constexpr int kMostComponents = 100000;
+  static constexpr std::uint64_t kAgain = 10;  // units for a vertex or a triangle
   MeshBuilder& out_;
   std::map<long, pugi::xml_node> objects_;
+  std::set<long> placed_;
   int components_ = 0;
 };
 
 pugi::xml_node root(pugi::xml_document& document, std::string_view xml) {
   const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
+  if (parsed.status == pugi::status_out_of_memory) throw std::bad_alloc();
   if (!parsed) throw Error(ErrorCode::kSyntax, fmt::format("the model is not XML: {}", parsed.description()));
   const pugi::xml_node model = document.child("model");
   if (!model) throw Error(ErrorCode::kSyntax, "the model file has no <model>");
@@ -153,8 +168,8 @@ pugi::xml_node root(pugi::xml_document& document, std::string_view xml) {
 }
 
 /// The member that the package names as its model.
-std::string model_name(const ZipArchive& archive) {
-  const auto relations = archive.member("_rels/.rels");
+std::string model_name(const ZipArchive& archive, ReadContext& context) {
+  const auto relations = archive.member("_rels/.rels", context);
   pugi::xml_document document;
   if (!relations || !document.load_buffer(relations->data(), relations->size())) return kModel;
   for (const pugi::xml_node& r : document.child("Relationships").children("Relationship")) {
@@ -211,9 +226,9 @@ void put_mesh(pugi::xml_node mesh, const Surface& s, double factor) {
 
 }  // namespace
 
-Model3mf open_3mf(std::string_view bytes) {
+Model3mf open_3mf(std::string_view bytes, ReadContext& context) {
   const ZipArchive archive(bytes);
-  auto xml = archive.member(model_name(archive));
+  auto xml = archive.member(model_name(archive, context), context);
   if (!xml) throw Error(ErrorCode::kFile, "the package has no 3D model");
   pugi::xml_document document;
   const pugi::xml_node model = root(document, *xml);

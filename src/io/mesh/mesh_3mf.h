@@ -21,7 +21,7 @@ struct Model3mf {
   std::string xml;
   exact::Real millimetres;  // of the file's unit
 };
-Model3mf open_3mf(std::string_view bytes);
+Model3mf open_3mf(std::string_view bytes, ReadContext& context);
 void read_3mf(const Model3mf& model, MeshBuilder& out);
 
 /// `unit` as scenes name it; empty: millimetres.

@@ -11,12 +11,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <optional>
 
 #include "io/mesh/mesh_3mf.h"
 #include "io/mesh/read_mesh_ply.h"
+#include "io/text/file_kind.h"
 #include "space/mesh/mesh.h"
 
 namespace findspace::io {
@@ -173,7 +173,7 @@ int MeshBuilder::index(const TextLines& lines, long index) const {
 space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, ReadContext& context,
                        const MeshScale& scale) {
   if (ending == ".3mf") {
-    const Model3mf model = open_3mf(bytes);
+    const Model3mf model = open_3mf(bytes, context);
     MeshBuilder builder(context, scale(model.millimetres));
     read_3mf(model, builder);
     return std::move(builder.mesh());
@@ -193,12 +193,9 @@ space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, Read
 }
 
 space::Mesh read_mesh(const std::filesystem::path& path, ReadContext& context, const MeshScale& scale) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) throw Error(ErrorCode::kFile, "cannot read the file", path.string());
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string bytes = context.take_file(path);
+  const std::string ending = lower_ending(path.extension().string());
+  require_kind(bytes, ending, path.string());
   try {
     space::Mesh mesh = parse_mesh(bytes, ending, context, scale);
     for (const std::string& note : space::clean(mesh, context.grid.step_size())) {

@@ -158,6 +158,7 @@ void read_ply(const std::string& bytes, MeshBuilder& out) {
   const Header header = read_header(lines);
   Data data(bytes, lines, header.encoding);
   for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;  // no data, however many it counts
     for (long i = 0; i < element.count; ++i) {
       if (element.name == "vertex")
         read_vertex(element, data, lines, out);

@@ -48,6 +48,8 @@ class MeshBuilder {
   void face(std::vector<int> circuit) { mesh_.faces.push_back(std::move(circuit)); }
   /// The index, if there is such a vertex.
   int index(const TextLines& lines, long index) const;
+  /// Counts work beyond that of the file's own bytes. Throws Error(kLimit).
+  void charge(std::uint64_t units, std::string_view what) { context_.work.charge(units, what); }
   std::size_t size() const { return mesh_.vertices.size(); }
   space::Mesh& mesh() { return mesh_; }
 

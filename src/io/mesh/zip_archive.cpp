@@ -79,14 +79,14 @@ ZipArchive::ZipArchive(std::string_view bytes) {
 
 ZipArchive::~ZipArchive() { zip_discard(static_cast<zip_t*>(archive_)); }
 
-std::optional<std::string> ZipArchive::member(const std::string& name) const {
+std::optional<std::string> ZipArchive::member(const std::string& name, ReadContext& context) const {
   auto* archive = static_cast<zip_t*>(archive_);
   const zip_int64_t at = zip_name_locate(archive, name.c_str(), ZIP_FL_NOCASE);
   if (at < 0) return std::nullopt;
   zip_stat_t stat;
   if (zip_stat_index(archive, static_cast<zip_uint64_t>(at), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0)
     bad_file("the archive's member " + name + " cannot be read");
-  if (stat.size > kMostMember) bad_file("the archive's member " + name + " is larger than a gigabyte");
+  context.take_bytes(stat.size, "the archive's member " + name);
   zip_file_t* file = zip_fopen_index(archive, static_cast<zip_uint64_t>(at), 0);
   if (!file) bad_file("the archive's member " + name + " cannot be read");
   std::string content(static_cast<std::size_t>(stat.size), '\0');
@@ -109,7 +109,7 @@ namespace {
 std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>&) { missing(); }
 ZipArchive::ZipArchive(std::string_view) { missing(); }
 ZipArchive::~ZipArchive() = default;
-std::optional<std::string> ZipArchive::member(const std::string&) const { missing(); }
+std::optional<std::string> ZipArchive::member(const std::string&, ReadContext&) const { missing(); }
 
 #endif
 

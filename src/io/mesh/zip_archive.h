@@ -3,7 +3,7 @@
 //
 // ZIP archives in memory, by libzip. Written archives carry no time, so the same content gives the same bytes. A build
 // without libzip says so with Error(kUnsupported). Errors: Error(kFile) for what is no whole archive, for members that
-// are missing, encrypted, damaged or larger than kMostMember. Keywords: container, deflate, OPC package.
+// are missing, encrypted or damaged, and kLimit for those too large. Keywords: container, deflate, OPC package.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace findspace::io {
+#include "io/text/read_context.h"
 
-inline constexpr std::uint64_t kMostMember = std::uint64_t{1} << 30;
+namespace findspace::io {
 
 /// Members by name and content, in order.
 std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& members);
@@ -28,8 +28,9 @@ class ZipArchive {
   ZipArchive(const ZipArchive&) = delete;
   ZipArchive& operator=(const ZipArchive&) = delete;
 
-  /// The content of a member; nothing if there is none of that name.
-  std::optional<std::string> member(const std::string& name) const;
+  /// The content of a member, whose bytes the context counts before they are unpacked; nothing if there is none of that
+  /// name.
+  std::optional<std::string> member(const std::string& name, ReadContext& context) const;
 
  private:
   void* archive_ = nullptr;

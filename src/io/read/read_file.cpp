@@ -8,9 +8,9 @@
 #include <array>
 
 #include "findspace/error.h"
+#include "io/text/file_kind.h"
 #include "io/text/outline_shapes.h"
 #include "io/text/read_cells.h"
-#include "io/text/read_text.h"
 
 namespace findspace::io {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 /// A result with its exact cells, or GeoJSON.
 plane::ShapePtr read_json(std::string_view text, const std::string& name, const FileChoice& choice,
                           ReadContext& context) {
-  const JsonValue root = parse_json(text, name);
+  const JsonValue root = parse_json(text, name, context.work);
   const JsonValue* exact = root.is(JsonValue::Kind::kObject) ? root.find("exact") : nullptr;
   if (exact == nullptr) return read_geojson(text, name, choice, context);
   refuse_choice(choice.id.has_value(), "id", "exact cells", name);
@@ -38,24 +38,23 @@ struct Format {
 constexpr std::array<Format, 5> kFormats{
     {{".svg", read_svg}, {".dxf", read_dxf}, {".wkt", read_wkt}, {".geojson", read_geojson}, {".json", read_json}}};
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : char(c); });
-  return text;
-}
-
 }  // namespace
 
 plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context) {
   std::string name = path.string();
-  if (!context.files) throw Error(ErrorCode::kUnsupported, "shapes from files are switched off here", name);
-  std::string ending = lower(path.extension().string());
-  for (const Format& format : kFormats) {
-    if (format.ending == ending) return format.read(read_text(path), name, choice, context);
+  const std::string ending = lower_ending(path.extension().string());
+  const auto format =
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
+  if (format == kFormats.end()) {
+    throw Error(ErrorCode::kFile,
+                fmt::format("a file of unknown kind '{}'; 2D shapes come from .svg .dxf .wkt .geojson .json, and 3D "
+                            "shapes from .stl .obj .off .ply .3mf",
+                            ending),
+                name);
   }
-  throw Error(ErrorCode::kFile,
-              fmt::format("a file of unknown kind '{}'; 2D shapes come from .svg .dxf .wkt .geojson .json", ending),
-              name);
+  const std::string text = context.take_file(path);
+  require_kind(text, ending, name);
+  return format->read(text, name, choice, context);
 }
 
 exact::Real file_scale(const std::optional<exact::Real>& millimetres, const std::string& name, const FileChoice& choice,

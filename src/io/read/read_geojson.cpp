@@ -19,6 +19,10 @@ using plane::Shape;
 using plane::ShapePtr;
 using Kind = JsonValue::Kind;
 
+constexpr const char* kTypes =
+    "Point, MultiPoint, LineString, MultiLineString, Polygon, MultiPolygon, GeometryCollection, Feature and "
+    "FeatureCollection";
+
 class GeoJsonReader {
  public:
   GeoJsonReader(const std::string& name, const FileChoice& choice, ReadContext& context, Real scale)
@@ -101,7 +105,8 @@ class GeoJsonReader {
     } else if (kind == "MultiLineString") {
       for (const JsonValue& item : list(coordinates, "\"coordinates\"")) line(item, outline);
     } else {
-      json_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is no type of GeoJSON", kind), {}, value);
+      json_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is no type of GeoJSON; the types are {}", kind, kTypes), {},
+                 value);
     }
     return json_.placed({}, value, [&] { return lines_of(outline.take(), context_, place(value)); });
   }
@@ -150,7 +155,7 @@ class GeoJsonReader {
 
 ShapePtr read_geojson(std::string_view text, const std::string& name, const FileChoice& choice, ReadContext& context) {
   refuse_choice(choice.layer.has_value(), "layer", "GeoJSON", name);
-  JsonValue root = parse_json(text, name);
+  JsonValue root = parse_json(text, name, context.work);
   Real scale = file_scale(std::nullopt, name, choice, context);
   return chosen(GeoJsonReader(name, choice, context, scale).read(root), name, choice);
 }

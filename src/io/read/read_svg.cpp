@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
+#include <new>
 #include <pugixml.hpp>
 #include <set>
 
@@ -54,6 +56,7 @@ class SvgReader {
   ShapePtr read() {
     pugi::xml_document document;
     pugi::xml_parse_result result = document.load_buffer(text_.data(), text_.size());
+    if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
     if (!result) {
       throw Error(ErrorCode::kSyntax, fmt::format("this is not proper XML: {}", result.description()),
                   text_place(text_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), name_));
@@ -73,6 +76,7 @@ class SvgReader {
   /// Whether what is met lies in the chosen element and layer, or in a part that is not drawn.
   struct Inside {
     bool id, layer, undrawn;
+    std::uint64_t operations = 0;  // of the transforms on the way to it
   };
 
   std::string place(const pugi::xml_node& node) const {
@@ -113,10 +117,13 @@ class SvgReader {
     if (group) see_layer(node, id, inside);
     if (!group && !leaf) return skip(kind, inside);
     try {
-      Affine own = map * read_svg_transform(node.attribute("transform").value());
+      Affine own = map * read_svg_transform(node.attribute("transform").value(), inside.operations, context_.work);
       if (kind == "svg") own = own * nested_origin(node);
       if (group) return walk_children(node, own, inside, depth + 1);
-      if (inside.id && inside.layer && !inside.undrawn) add(node, own, id);
+      if (inside.id && inside.layer && !inside.undrawn) {
+        charge(node, inside.operations);
+        add(node, own, id);
+      }
     } catch (const Error& e) {
       if (group || e.place().find(name_) != std::string::npos) throw;
       throw e.within(place(node));
@@ -142,6 +149,16 @@ class SvgReader {
   Affine nested_origin(const pugi::xml_node& node) const {
     if (node.attribute("viewBox")) throw Error(ErrorCode::kUnsupported, "a nested <svg> with a viewBox", place(node));
     return Affine::translation(svg_length(node, "x", 0), svg_length(node, "y", 0));
+  }
+
+  /// Many transforms make long numbers, and every point of the element costs as much as they are long.
+  void charge(const pugi::xml_node& node, std::uint64_t operations) {
+    constexpr std::uint64_t kUsual = 8, kPoint = 8;  // operations, and letters
+    if (operations <= kUsual) return;
+    for (const char* name : {"d", "points"}) {
+      const std::string_view text = node.attribute(name).value();
+      context_.work.charge(operations * text.size() / kPoint, "an element under so many transforms");
+    }
   }
 
   void add(const pugi::xml_node& node, const Affine& map, const std::string& id) {

@@ -133,9 +133,14 @@ Real svg_length(const pugi::xml_node& node, const char* name, const Real& missin
   return Real::parse_decimal(text.substr(0, length));
 }
 
-Affine read_svg_transform(std::string_view text) {
+/// Units of work for each operation before, by each operation after.
+constexpr std::uint64_t kLonger = 4;
+
+Affine read_svg_transform(std::string_view text, std::uint64_t& operations, plane::Work& work) {
   Affine all;
   while (!(text = trim(text)).empty()) {
+    ++operations;
+    work.charge(kLonger * operations * operations, "a chain of so many transforms");
     std::size_t open = text.find('('), close = text.find(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
       throw Error(ErrorCode::kSyntax, fmt::format("the transform '{}' is incomplete", text.substr(0, 40)));

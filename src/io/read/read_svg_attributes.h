@@ -4,6 +4,7 @@
 // Single elements of SVG and their attributes. Used by read_svg.cpp only.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <pugixml.hpp>
 #include <string_view>
@@ -16,7 +17,9 @@ namespace findspace::io {
 /// A length attribute in user units; `missing` where it is absent. Throws Error for units and percentages.
 exact::Real svg_length(const pugi::xml_node& node, const char* name, const exact::Real& missing);
 /// `translate scale rotate matrix skewX skewY`, in any sequence.
-Affine read_svg_transform(std::string_view text);
+/// The transform that an attribute states. `operations` counts those on the way from the root: numbers grow with each,
+/// so each costs as many units as the square of how many there are.
+Affine read_svg_transform(std::string_view text, std::uint64_t& operations, plane::Work& work);
 /// How many millimetres one user unit of the drawing is, if its width or height states a unit.
 std::optional<exact::Real> svg_millimetres(const pugi::xml_node& root);
 /// Draws a path, polygon, polyline, line, rect, circle or ellipse.

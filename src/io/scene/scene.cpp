@@ -71,13 +71,14 @@ plane::ShapePtr Scene::shape(std::string_view name) const {
 
 Scene read_scene_text(std::string_view text, const std::filesystem::path& folder, const std::string& name,
                       const ReadOptions& options) {
-  JsonValue root = parse_json(text, name);
-  ReadContext context;
+  ReadContext context(options);
   context.folder = folder;
-  context.files = options.files;
+  context.take_bytes(text.size(), name);
+  const JsonValue root = parse_json(text, name, context.work);
   SceneReader json(name, context);
   Scene scene;
   scene.file = name;
+  scene.work_limit = options.work_limit;
   read_header(root, json, scene);
   ShapeReader shapes(json, json.need(root, "shapes", {}));
   scene.shapes = shapes.all();
@@ -88,8 +89,30 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& folder
   return scene;
 }
 
+Scene read_shape_text(std::string_view text, const exact::Real& grid, const std::filesystem::path& folder,
+                      const std::string& name, const ReadOptions& options) {
+  ReadContext context(options);
+  context.folder = folder;
+  context.grid = Grid(grid);
+  context.take_bytes(text.size(), name);
+  JsonValue root;
+  root.kind = JsonValue::Kind::kObject;
+  root.keys = {"shape"};
+  root.items.push_back(parse_json(text, name, context.work));
+  const SceneReader json(name, context);
+  ShapeReader shapes(json, root);
+  Scene scene;
+  scene.file = name;
+  scene.grid = context.grid;
+  scene.work_limit = options.work_limit;
+  scene.shapes = shapes.all();
+  scene.dimension = shapes.dimension();
+  scene.notes = context.summary();
+  return scene;
+}
+
 Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  return read_scene_text(read_text(path), path.parent_path(), path.string(), options);
+  return read_scene_text(read_text(path, options.input_limit), path.parent_path(), path.string(), options);
 }
 
 }  // namespace findspace::io

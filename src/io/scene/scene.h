@@ -16,6 +16,7 @@
 
 #include "exact/number/real.h"
 #include "io/text/formula_text.h"
+#include "io/text/read_limits.h"
 #include "io/text/units.h"
 #include "plane/contour/shape.h"
 
@@ -80,6 +81,7 @@ struct Scene {
   std::map<std::string, std::vector<std::string>> groups;  // names of shapes, also of those that move
   std::string moving_name;                                 // what moves, for titles; without it the names in `moving`
   GridPosition drawn_at{};                                 // the position at which `moving` stands as it was drawn
+  std::uint64_t work_limit = plane::kUsualWork;  // of each shape and each formula (plane/base/work.h)
   std::vector<std::string> notes;  // what the reader of the result should know: points rounded, rings turned
 
   /// What moves, in words: "U3", "A1, A2".
@@ -90,14 +92,14 @@ struct Scene {
   plane::ShapePtr shape(std::string_view name) const;
 };
 
-struct ReadOptions {
-  bool files = true;  // whether shapes may come from other files
-};
-
-/// Throws Error. Shapes in files are looked for beside the scene.
+/// Throws Error. Shapes in files are looked for beside the scene. The scene itself need not lie in the root.
 Scene read_scene(const std::filesystem::path& path, const ReadOptions& options = {});
 /// A scene from memory: `folder` is where its files are, `name` what messages call it.
 Scene read_scene_text(std::string_view text, const std::filesystem::path& folder, const std::string& name,
                       const ReadOptions& options = {});
+
+/// The scene of one shape alone, given as the JSON that would stand under its name; places count from its beginning.
+Scene read_shape_text(std::string_view text, const exact::Real& grid, const std::filesystem::path& folder,
+                      const std::string& name, const ReadOptions& options = {});
 
 }  // namespace findspace::io

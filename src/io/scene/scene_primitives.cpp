@@ -9,6 +9,7 @@
 #include "io/read/read_file.h"
 #include "io/scene/scene_shapes.h"
 #include "io/scene/scene_space.h"
+#include "io/text/file_kind.h"
 #include "io/text/outline_shapes.h"
 #include "io/text/read_cells.h"
 #include "io/text/svg_path.h"
@@ -157,24 +158,12 @@ FileChoice read_choice(ShapeReader& reader, const JsonValue& object, const Label
   return choice;
 }
 
-bool is_space_file(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  for (std::string_view known : {".stl", ".obj", ".off", ".ply", ".3mf"}) {
-    if (ending == known) return true;
-  }
-  return false;
-}
-
 ShapePtr build_file(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
   const SceneReader& json = reader.json();
   std::filesystem::path path = json.context().folder / json.text(value, "\"file\"", label);
-  if (is_space_file(path)) {
-    if (!json.context().files)
-      json.fail(ErrorCode::kUnsupported, "shapes from files are switched off here", label, value);
-    return build_space_file(reader, path, read_choice(reader, object, label), value, label);
-  }
-  reader.use_dimension(2, label, value);
+  const std::string ending = lower_ending(path.extension().string());
+  if (is_space_ending(ending)) return build_space_file(reader, path, read_choice(reader, object, label), value, label);
+  if (is_plane_ending(ending)) reader.use_dimension(2, label, value);
   FileChoice choice = read_choice(reader, object, label);
   return json.placed(label, value, [&] { return read_shape_file(path, choice, json.context()); });
 }

@@ -172,7 +172,7 @@ class TokenStream {
 /// Takes the reader's events; the numbers it computes are not used.
 class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
-  TreeBuilder(std::string_view text, const std::string& name) : tokens_(text, name) {}
+  TreeBuilder(std::string_view text, const std::string& name, plane::Work& work) : tokens_(text, name), work_(work) {}
 
   JsonValue run() {
     using namespace rapidjson;
@@ -217,6 +217,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   }
 
   JsonValue* begin(JsonValue::Kind kind) {
+    work_.charge(kJsonValue, "a JSON text of so many values");
     JsonValue* value = open_.empty() ? &root_ : &item_of(*open_.back());
     value->kind = kind;
     start_ = tokens_.token_start();
@@ -240,6 +241,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   }
 
   TokenStream tokens_;
+  plane::Work& work_;
   std::size_t start_ = 0;  // of the last token
   JsonValue root_;
   std::vector<JsonValue*> open_;
@@ -282,9 +284,13 @@ bool is_wide(std::string_view text) {
 
 }  // namespace
 
-JsonValue parse_json(std::string_view text, const std::string& name) {
+JsonValue parse_json(std::string_view text, const std::string& name, plane::Work& work) {
   if (is_wide(text)) throw Error(ErrorCode::kSyntax, "this is not JSON in UTF-8 but looks like UTF-16 or UTF-32", name);
-  return TreeBuilder(text, name).run();
+  try {
+    return TreeBuilder(text, name, work).run();
+  } catch (const Error& e) {
+    throw e.place().empty() ? e.within(name) : e;
+  }
 }
 
 }  // namespace findspace::io

@@ -8,9 +8,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "plane/base/work.h"
 
 namespace findspace::io {
 
@@ -31,7 +34,8 @@ struct JsonValue {
   const char* kind_name() const;
 };
 
-/// Throws Error(kSyntax) at "name:line:column".
-JsonValue parse_json(std::string_view text, const std::string& name);
+/// Throws Error(kSyntax) at "name:line:column", and kLimit where there are too many values: one costs kJsonValue units.
+JsonValue parse_json(std::string_view text, const std::string& name, plane::Work& work);
+inline constexpr std::uint64_t kJsonValue = 2;
 
 }  // namespace findspace::io

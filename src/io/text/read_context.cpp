@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "io/text/read_text.h"
+
 namespace findspace::io {
 namespace {
 
@@ -12,6 +14,22 @@ std::string count(std::int64_t n, const char* one, const char* many) {
 }
 
 }  // namespace
+
+std::string ReadContext::take_file(const std::filesystem::path& path) {
+  if (!options.files) throw Error(ErrorCode::kUnsupported, "shapes from files are switched off here", path.string());
+  std::string text = read_text(path, bytes_left, options.root);
+  bytes_left -= text.size();
+  return text;
+}
+
+void ReadContext::take_bytes(std::uint64_t bytes, const std::string& what) {
+  if (bytes > bytes_left) {
+    throw Error(ErrorCode::kLimit, fmt::format("{} unpacks to {} bytes; {} bytes of input are allowed, which "
+                                               "--input-limit raises",
+                                               what, bytes, options.input_limit));
+  }
+  bytes_left -= bytes;
+}
 
 std::vector<std::string> ReadContext::summary() const {
   std::vector<std::string> all = notes;

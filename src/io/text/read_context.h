@@ -10,14 +10,20 @@
 #include <string>
 #include <vector>
 
+#include "io/text/read_limits.h"
 #include "io/text/units.h"
 
 namespace findspace::io {
 
 struct ReadContext {
-  std::filesystem::path folder;  // where relative file names start
-  bool files = true;             // whether other files may be read
-  std::optional<Unit> unit;      // the scene's
+  ReadContext() = default;
+  explicit ReadContext(const ReadOptions& o) : options(o), work(o.work_limit), bytes_left(o.input_limit) {}
+
+  ReadOptions options;
+  plane::Work work;                        // of reading
+  std::uint64_t bytes_left = kUsualInput;  // of all files
+  std::filesystem::path folder;            // where relative file names start
+  std::optional<Unit> unit;                // the scene's
   Grid grid;
 
   RoundingLog rounding;
@@ -25,6 +31,11 @@ struct ReadContext {
   std::int64_t turned_rings = 0;     // outer rings given clockwise
   std::int64_t grown_arcs = 0;       // whose ends were further apart than twice their radius
   std::vector<std::string> notes;    // anything else
+
+  /// The bytes of a file of shapes; they count. Throws Error (read_text.h), kUnsupported where files are switched off.
+  std::string take_file(const std::filesystem::path& path);
+  /// Counts bytes that were packed in a file. Throws Error(kLimit).
+  void take_bytes(std::uint64_t bytes, const std::string& what);
 
   /// All of it in words, e.g. "12 points rounded to the grid, largest move 3.1e-07 mm".
   std::vector<std::string> summary() const;

@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A whole file as bytes.
+// A whole file as bytes: the only place that opens files to read them. Guarantee: all bytes up to the end of the file,
+// or an Error. Only regular files are opened, so that nothing waits and nothing is endless. Keywords: fstat, FIFO,
+// symbolic link, directory traversal.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
+#include "io/text/read_limits.h"
+
 namespace findspace::io {
 
-/// Throws Error(kFile) where it is missing, a folder, or cannot be read to its end.
-std::string read_text(const std::filesystem::path& path);
+/// The bytes of a regular file, `most_bytes` at most. With a `root`, the file itself lies in this folder, wherever
+/// links lead. Throws Error: kFile where it is missing, no regular file, outside, or cannot be read to its end; kLimit
+/// where it is longer.
+std::string read_text(const std::filesystem::path& path, std::uint64_t most_bytes = kUsualInput,
+                      const std::filesystem::path& root = {});
+
+/// The same of standard input, which may be a pipe.
+std::string read_standard_input(std::uint64_t most_bytes = kUsualInput);
 
 }  // namespace findspace::io

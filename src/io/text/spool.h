@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Text that may be longer than memory should hold: it is kept in a file without a name until it is copied where it
-// belongs. Guarantee: the same bytes; Error(kFile) where the disk does not take them. Keywords: temporary file, stream.
+// Text that may be longer than memory should hold: it is kept in a file without a name, in the folder TMPDIR or /tmp,
+// until it is copied where it belongs. Guarantee: the same bytes; Error(kFile) where the disk does not take them.
+// Keywords: temporary file, stream.
 #pragma once
 
 #include <cstdio>

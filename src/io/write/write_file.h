@@ -22,7 +22,14 @@ struct FileText {
   std::function<void(const Sink&)> make = {};  // gives what is too long for memory, instead of the text
 };
 
-/// Throws Error(kFile) with the path and the system's reason.
+/// Throws Error(kFile) with the path and the system's reason. A file that is replaced keeps its mode; a read-only one
+/// is not replaced.
 void write_files(const std::vector<FileText>& files);
+
+/// What write_files has done: nothing yet, a part of what goes to a device, or some of the files, each whole.
+enum class Written { kNothing, kPart, kFiles };
+
+/// For a process that ends within write_files, from a signal handler too: removes its temporary files.
+Written remove_unfinished_files() noexcept;
 
 }  // namespace findspace::io

@@ -33,6 +33,14 @@ bool is_boolean(Kind kind) {
 /// Operands of one overlay at most: an overlay keeps a mark of every operand for every cell.
 constexpr std::size_t kOperands = 32;
 
+/// Units of work (plane/base/work.h).
+constexpr std::uint64_t kCell = 20, kPair = 20;
+
+/// What can have more edges than its operands.
+bool is_construction(Kind kind) {
+  return kind == Kind::kMinkowskiSum || kind == Kind::kMinkowskiDifference || kind == Kind::kOffset;
+}
+
 /// A Boolean tree over the regions it was compiled with.
 struct Expression {
   Kind kind = Kind::kUnion;
@@ -57,7 +65,7 @@ struct Expression {
 
 class Builder {
  public:
-  Builder(const Shape& root, double step) : step_(step) { count_uses(root); }
+  Builder(const Shape& root, double step, std::uint64_t work) : step_(step), work_(work) { count_uses(root); }
 
   Region make(const Shape& shape) {
     try {
@@ -80,6 +88,7 @@ class Builder {
   RegionPtr region(const ShapePtr& shape) {
     if (auto known = built_.find(shape.get()); known != built_.end()) return known->second;
     auto made = std::make_shared<const Region>(make(*shape));
+    if (is_construction(shape->kind)) work_.charge(kCell * made->edges.size(), "a construction of so many edges");
     return built_[shape.get()] = std::move(made);
   }
 
@@ -190,16 +199,40 @@ class Builder {
       case Kind::kMirror:
         return mirrored(*child(s, 0));
       case Kind::kMinkowskiSum:
+        charge_pairs(s);
         return plain_sum(*child(s, 0), *child(s, 1));
       case Kind::kMinkowskiDifference:
+        charge_pairs(s);
         return plain_difference(*child(s, 0), *child(s, 1));
       case Kind::kOffset:
+        charge_offset(s);
         return plain_offset(*child(s, 0), s.amount);
       case Kind::kHull:
         return hull_of(s);
       default:
         return combine(s);
     }
+  }
+
+  /// A sum looks at the edges of one operand with those of the other.
+  void charge_pairs(const Shape& s) {
+    const std::uint64_t a = child(s, 0)->edges.size(), b = child(s, 1)->edges.size();
+    work_.charge(kPair * a * b, "a Minkowski sum or difference of so many edges");
+  }
+
+  /// Numbers of an offset of an offset are sums of roots: each level about triples what it costs to decide about them.
+  void charge_offset(const Shape& s) {
+    constexpr std::uint64_t kDeepest = 24, kEachLevel = 3;
+    std::uint64_t units = child(s, 0)->edges.size() + 1;
+    for (std::uint64_t k = std::min(offset_depth(s), kDeepest); k > 0; --k) units *= kEachLevel;
+    work_.charge(units, "an offset of offsets of so many edges");
+  }
+
+  std::uint64_t offset_depth(const Shape& s) {
+    if (const auto known = depth_.find(&s); known != depth_.end()) return known->second;
+    std::uint64_t deepest = 0;
+    for (const ShapePtr& child : s.children) deepest = std::max(deepest, offset_depth(*child));
+    return depth_[&s] = deepest + (s.kind == Kind::kOffset ? 1 : 0);
   }
 
   /// Of all operands together.
@@ -214,15 +247,17 @@ class Builder {
   RegionPtr child(const Shape& s, std::size_t k) { return region(s.children[k]); }
 
   double step_;
+  Work work_;
   std::unordered_map<const Shape*, std::size_t> uses_;  // as a child, under this root
   std::unordered_map<const Shape*, std::size_t> width_;
+  std::unordered_map<const Shape*, std::uint64_t> depth_;  // of offsets
   std::unordered_map<const Shape*, RegionPtr> built_;
 };
 
 }  // namespace
 
-BuildResult build(const Shape& shape, double step) {
-  Builder builder(shape, step);
+BuildResult build(const Shape& shape, double step, std::uint64_t work) {
+  Builder builder(shape, step, work);
   BuildResult result;
   result.region = builder.make(shape);
   result.rounding = builder.rounding;

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "space/mesh/mesh_orientation.h"
@@ -36,15 +38,24 @@ void weld(Mesh& mesh, std::vector<std::string>& notes) {
 
 /// Takes out corners that repeat the one before, and spurs that run out and back (a b a).
 void take_out_spurs(std::vector<int>& ring) {
-  for (std::size_t i = 0; ring.size() > 2 && i < ring.size();) {
-    const std::size_t next = (i + 1) % ring.size(), after = (i + 2) % ring.size();
-    if (ring[i] != ring[next] && ring[i] != ring[after]) {
-      ++i;
-      continue;
-    }
-    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(next));
-    i = 0;
+  std::vector<int> kept;
+  for (const int v : ring) {
+    if (!kept.empty() && kept.back() == v) continue;
+    if (kept.size() > 1 && kept[kept.size() - 2] == v)
+      kept.pop_back();
+    else
+      kept.push_back(v);
   }
+  std::size_t begin = 0, end = kept.size();  // the same where the end meets the beginning
+  while (end - begin > 2) {
+    if (kept[end - 1] == kept[begin] || kept[end - 2] == kept[begin])
+      --end;
+    else if (kept[end - 1] == kept[begin + 1])
+      ++begin;
+    else
+      break;
+  }
+  ring.assign(kept.begin() + static_cast<std::ptrdiff_t>(begin), kept.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
 /// Drops repeated corners, spurs, and faces without area.
@@ -96,9 +107,48 @@ std::map<MeshEdge, std::pair<int, int>> edge_counts(const Mesh& mesh) {
   return count;
 }
 
+/// Vertices in ascending order of each coordinate, to look up those that may lie on an edge.
+class VertexOrders {
+ public:
+  VertexOrders(const Mesh& mesh, std::vector<int> vertices) : mesh_(mesh) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      order_[axis] = vertices;
+      std::sort(order_[axis].begin(), order_[axis].end(), [&](int v, int w) { return at(axis, v) < at(axis, w); });
+    }
+  }
+
+  /// Calls visit(v) for each vertex in the slab about the edge that holds fewest of them.
+  template <class Visit>
+  void each_near(int a, int b, Visit visit) const {
+    std::span<const int> fewest = slab(0, a, b);
+    for (std::size_t axis = 1; axis < 3; ++axis) {
+      if (const auto s = slab(axis, a, b); s.size() < fewest.size()) fewest = s;
+    }
+    for (const int v : fewest) visit(v);
+  }
+
+ private:
+  std::int64_t at(std::size_t axis, int v) const {
+    const Point& p = mesh_.vertices[v];
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  }
+  std::span<const int> slab(std::size_t axis, int a, int b) const {
+    const std::int64_t low = std::min(at(axis, a), at(axis, b)), high = std::max(at(axis, a), at(axis, b));
+    const auto first =
+        std::partition_point(order_[axis].begin(), order_[axis].end(), [&](int v) { return at(axis, v) < low; });
+    const auto last = std::partition_point(first, order_[axis].end(), [&](int v) { return at(axis, v) <= high; });
+    return {first, last};
+  }
+
+  const Mesh& mesh_;
+  std::array<std::vector<int>, 3> order_;
+};
+
 bool strictly_between(const Point& a, const Point& b, const Point& p) {
-  if (!exact::is_zero(exact::cross(b - a, p - a))) return false;
-  return (a < p && p < b) || (b < p && p < a);
+  if (!((a < p && p < b) || (b < p && p < a))) return false;
+  const auto within = [](std::int64_t u, std::int64_t v, std::int64_t w) { return (u <= w) == (w <= v) || w == v; };
+  if (!within(a.y, b.y, p.y) || !within(a.z, b.z, p.z)) return false;
+  return exact::is_zero(exact::cross(b - a, p - a));
 }
 
 /// Puts the ends of odd edges into the odd edges on which they lie. True if anything changed.
@@ -113,6 +163,8 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  if (ends.empty()) return false;
+  const VertexOrders orders(mesh, ends);
   int split = 0;
   for (auto& face : mesh.faces) {
     std::vector<int> ring;
@@ -120,9 +172,9 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
       ring.push_back(a);
       if (!odd.contains(undirected(a, b))) return;
       std::vector<int> on;
-      for (const int v : ends) {
+      orders.each_near(a, b, [&](int v) {
         if (strictly_between(mesh.vertices[a], mesh.vertices[b], mesh.vertices[v])) on.push_back(v);
-      }
+      });
       const bool rising = mesh.vertices[a] < mesh.vertices[b];
       std::sort(on.begin(), on.end(), [&](int v, int w) { return (mesh.vertices[v] < mesh.vertices[w]) == rising; });
       ring.insert(ring.end(), on.begin(), on.end());

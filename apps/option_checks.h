@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What options accept, as messages for people.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace findspace::app {
+
+/// What is wrong with a time limit, or nothing. The system's clock takes no more than 1e9.
+std::string seconds(const std::string& text);
+/// What is wrong with a number of threads, or nothing.
+std::string thread_count(const std::string& text);
+/// "500M": a whole number, with K, M, G or T for the powers of 1024; nothing where it is none, or 0.
+std::optional<std::uint64_t> size_of(const std::string& text);
+/// What is wrong with such a size, or nothing.
+std::string size_text(const std::string& text);
+
+}  // namespace findspace::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Whether a file is of the kind that its ending names, seen from how it begins. It is asked before a reader sees the
+// file, because a reader's messages show words of it, and no word of a file that is no shape may be shown
+// (docs/security.md). Cost: linear in the text at most. Keywords: magic number, file signature.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace findspace::io {
+
+/// Throws Error(kFile), which shows nothing of the text. `ending` is in small letters: ".svg", ".dxf", ".wkt",
+/// ".geojson", ".json", ".stl", ".obj", ".off", ".ply" or ".3mf".
+void require_kind(std::string_view text, std::string_view ending, const std::string& name);
+
+/// Whether shapes are read from files with that ending; in space or in the plane.
+bool is_space_ending(std::string_view ending);
+bool is_plane_ending(std::string_view ending);
+/// The ending in small letters.
+std::string lower_ending(const std::string& ending);
+
+}  // namespace findspace::io

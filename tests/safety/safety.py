@@ -1,0 +1,404 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""The promises of docs/security.md, asked of the program: safety.py PROGRAM [TEST...].
+
+What a scene may read, what is shown of files, what hostile files may cost, what limits and signals leave behind.
+Each test makes its input. A run that does not end within a minute is killed and counts as failed.
+"""
+
+import json
+import math
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zipfile
+
+PROGRAM = ""
+SECONDS = 60  # no timing: what takes longer hangs
+GIGABYTE = 1 << 30
+SQUARE = [[0, 0], [4, 0], [4, 3], [0, 3]]
+TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+SECRET = "hunter2secret"
+
+
+class Result:
+    def __init__(self, status, out, err, kilobytes):
+        self.status, self.out, self.err, self.kilobytes = status, out, err, kilobytes
+
+
+class SafetyTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="findspace-safety-"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def file(self, name, content):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if isinstance(content, bytes):
+            path.write_bytes(content)
+        else:
+            path.write_text(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+    def scene(self, shapes, **more):
+        return self.file("scene.json", {"findspace": 1, "unit": "mm", "shapes": shapes, **more})
+
+    def of_file(self, name):
+        return self.scene({"A": {"file": str(name)}})
+
+    def run_program(self, *arguments, program=None, **options):
+        out, err = tempfile.TemporaryFile(), tempfile.TemporaryFile()
+        child = subprocess.Popen([program or PROGRAM, *map(str, arguments)], stdout=out, stderr=err, cwd=self.folder,
+                                 **{"stdin": subprocess.DEVNULL, **options})
+        end = time.monotonic() + SECONDS
+        while True:
+            pid, status, usage = os.wait4(child.pid, os.WNOHANG)
+            if pid:
+                break
+            if time.monotonic() > end:
+                child.kill()
+                os.wait4(child.pid, 0)
+                self.fail(f"{arguments} does not end")
+            time.sleep(0.01)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        texts = []
+        for stream in (out, err):
+            stream.seek(0)
+            texts.append(stream.read().decode(errors="replace"))
+            stream.close()
+        return Result(child.returncode, *texts, usage.ru_maxrss)
+
+    def expect(self, status, says, *arguments, **options):
+        result = self.run_program(*arguments, **options)
+        self.assertEqual(result.status, status, result.err[:500])
+        self.assertIn(says, result.err)
+        return result
+
+    def leftovers(self):
+        return sorted(p.name for p in self.folder.iterdir())
+
+
+class Reading(SafetyTest):
+    """What a scene may read."""
+
+    def test_pipe_is_not_waited_for(self):
+        os.mkfifo(self.folder / "pipe.obj")
+        self.expect(3, "not a regular file", "describe", self.of_file("pipe.obj"))
+
+    def test_pipe_as_scene(self):
+        os.mkfifo(self.folder / "pipe.json")
+        self.expect(3, "not a regular file", "describe", "pipe.json")
+
+    def test_device_behind_a_link(self):
+        (self.folder / "zero.dxf").symlink_to("/dev/zero")
+        self.expect(3, "not a regular file", "describe", self.of_file("zero.dxf"))
+
+    def test_folder_as_mesh(self):
+        (self.folder / "part.stl").mkdir()
+        self.expect(3, "this is a folder", "describe", self.of_file("part.stl"))
+
+    @unittest.skipUnless(os.path.exists("/proc/self/mem"), "no file that fails in reading")
+    def test_read_error(self):
+        for name in ("mem.obj", "mem.svg"):
+            (self.folder / name).symlink_to("/proc/self/mem")
+            self.expect(3, "cannot be read to its end", "describe", self.of_file(name))
+
+    def test_standard_input_that_fails(self):
+        folder = os.open(self.folder, os.O_RDONLY)
+        self.addCleanup(os.close, folder)
+        self.expect(3, "cannot be read to its end", "describe", "-", stdin=folder)
+
+    def test_no_files(self):
+        self.file("part.obj", TETRAHEDRON)
+        scene = self.of_file("part.obj")
+        self.expect(0, "", "describe", scene)
+        self.expect(3, "switched off", "describe", scene, "--no-files")
+
+    def test_root_holds_what_may_be_read(self):
+        self.file("in/part.obj", TETRAHEDRON)
+        self.file("out/part.obj", TETRAHEDRON)
+        (self.folder / "in" / "link.obj").symlink_to("../out/part.obj")
+        (self.folder / "out" / "back.obj").symlink_to("../in/part.obj")
+        for name, status in (("in/part.obj", 0), ("out/back.obj", 0), ("out/part.obj", 3), ("in/../out/part.obj", 3),
+                             ("in/link.obj", 3), (self.folder / "out/part.obj", 3)):
+            self.expect(status, "outside the folder" if status else "", "describe", self.of_file(name), "--root", "in")
+
+    def test_folder_whose_name_begins_like_the_root(self):
+        self.file("in/x", "")
+        self.file("in-secret/part.obj", TETRAHEDRON)
+        self.expect(3, "outside the folder", "describe", self.of_file("in-secret/part.obj"), "--root", "in")
+
+    def test_scene_from_a_pipe_reads_its_own_folder(self):
+        self.file("part.obj", TETRAHEDRON)
+        (self.folder / "below").mkdir()
+        scene = '{"findspace": 1, "unit": "mm", "shapes": {"A": {"file": "%s"}}}'
+        for name, status in (("part.obj", 0), ("below/../part.obj", 0), ("/etc/passwd.obj", 3)):
+            with open(self.file("text", scene % name)) as text:
+                self.expect(status, "outside the folder" if status else "", "describe", "-", stdin=text)
+
+    def test_words_of_foreign_files_are_not_shown(self):
+        for ending in ("obj", "off", "ply", "stl", "dxf", "wkt", "svg", "geojson", "json", "3mf"):
+            for text in (f"{SECRET} 1 2\n", f"v {SECRET} 1 2\n", f"0\n{SECRET}\n", f'{{"{SECRET}": 1, "{SECRET}": 2}}',
+                         f"<{SECRET}>"):
+                self.file("foreign." + ending, text)
+                result = self.run_program("describe", self.of_file("foreign." + ending))
+                self.assertEqual(result.status, 3, (ending, text, result.err))
+                self.assertNotIn(SECRET, result.out + result.err, ending)
+
+    def test_bytes_of_zero_do_not_cut_a_message(self):
+        self.file("part.obj", "v 0 0 0\nv 1\0 0 0\n")
+        self.expect(3, "\\x00' is not a number", "describe", self.of_file("part.obj"))
+
+    def test_kinds_that_are_read_are_listed(self):
+        self.scene({"B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}, "A": {"file": "part.step"}})
+        self.expect(3, "3D shapes from .stl", "describe", "scene.json", "A")
+
+    def test_unknown_type_of_geojson(self):
+        self.file("part.geojson", {"type": "Poligon", "coordinates": []})
+        self.expect(3, "'Poligon' is no type of GeoJSON", "describe", self.of_file("part.geojson"))
+
+
+class Costs(SafetyTest):
+    """What hostile input may cost: an answer or a refusal, in little time and memory."""
+
+    def refused(self, *arguments):
+        result = self.expect(4, "-limit raises", *arguments)
+        self.assertLess(result.kilobytes << 10, 2 * GIGABYTE)
+
+    def test_chain_of_rotations(self):
+        self.file("a.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path transform="%s" d="M0 0H9V5Z"/></svg>' %
+                  ("rotate(1) " * 20000))
+        self.refused("describe", "a.svg")
+
+    def test_rotations_of_nested_groups(self):
+        group = '<g transform="%s">' % ("rotate(1) " * 100)
+        self.file("a.svg", '<svg xmlns="http://www.w3.org/2000/svg">%s<path d="M0 0H9V5Z"/>%s</svg>' %
+                  (group * 150, "</g>" * 150))
+        self.refused("describe", "a.svg")
+
+    def test_elements_without_properties(self):
+        self.file("a.ply", "ply\nformat ascii 1.0\nelement junk 20000000000\nelement vertex 4\nproperty float x\n"
+                  "property float y\nproperty float z\nelement face 4\nproperty list uchar int vertex_indices\n"
+                  "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+        result = self.expect(0, "", "describe", self.of_file("a.ply"))
+        self.assertIn("0.166667", result.out)
+
+    def test_face_of_equal_corners(self):
+        self.file("a.obj", TETRAHEDRON + "f" + " 1" * 1000000 + "\n")
+        self.expect(0, "1 face without area", "describe", self.of_file("a.obj"))
+
+    def test_face_of_spurs(self):
+        there = list(range(1, 200001))
+        there += there[-2:0:-1]
+        lines = "".join("v %d 0 0\n" % i for i in range(200000))
+        self.file("a.obj", lines + "f " + " ".join(map(str, there)) + "\n")
+        self.expect(3, "encloses no volume", "describe", self.of_file("a.obj"))
+
+    def test_many_names(self):
+        self.scene({"A": {"polygon": SQUARE}, "B": {"polygon": SQUARE}}, moving="B",
+                   where="gap(B, " + "+".join(["A"] * 50000) + ") >= 0")
+        self.refused("map", "scene.json")
+
+    def test_sums_of_sums(self):
+        shapes = {"S0": {"polygon": [[0, 0], [5, 0], [5, 1], [1, 1], [1, 4], [0, 4]]}}
+        for i in range(24):
+            shapes["S%d" % (i + 1)] = {"minkowski_sum": ["S%d" % i] * 2}
+        self.scene(shapes)
+        self.refused("describe", "scene.json", "S24")
+
+    def test_offsets_of_boundaries(self):
+        shape = {"polygon": [[0, 0], [5, 0], [5, 1], [1, 1], [1, 4], [0, 4]]}
+        for _ in range(60):
+            shape = {"offset": 0.1, "of": {"boundary": shape}}
+        self.scene({"S": shape})
+        self.refused("describe", "scene.json")
+
+    def model(self, name, mesh, more, built):
+        """`mesh` comes in pieces, so that this process stays small: a child begins with its size."""
+        with zipfile.ZipFile(self.folder / name, "w", zipfile.ZIP_DEFLATED) as package:
+            with package.open("3D/3dmodel.model", "w", force_zip64=True) as text:
+                text.write(b'<model unit="millimeter"><resources><object id="1"><mesh>')
+                for piece in mesh:
+                    text.write(piece.encode())
+                text.write(('</mesh></object>%s</resources><build><item objectid="%d"/></build></model>' %
+                            (more, built)).encode())
+
+    def test_package_that_unpacks_to_much(self):
+        self.model("a.3mf", (" " * 1_000_000 for _ in range(900)), "", 1)
+        result = self.expect(4, "--input-limit raises", "describe", self.of_file("a.3mf"))
+        self.assertLess(result.kilobytes, 200_000)
+
+    def test_one_mesh_placed_often(self):
+        n = 1000  # a roof over a strip of n squares
+        vertices = "".join('<vertex x="%d" y="%d" z="%d"/>' % (i, y, z) for i in range(n) for y, z in ((0, 0), (1, 0)))
+        triangles = "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % (i, i + 1, i + 2) for i in range(2 * n - 2))
+        parts = "".join('<component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 %d"/>' % i for i in range(5000))
+        self.model("a.3mf", ["<vertices>%s</vertices><triangles>%s</triangles>" % (vertices, triangles)],
+                   '<object id="2"><components>%s</components></object>' % parts, 2)
+        self.refused("describe", self.of_file("a.3mf"))
+
+    def test_long_json(self):
+        with open(self.folder / "a.json", "w") as text:
+            text.write('{"findspace": 1, "shapes": {"A": {"points": [')
+            for _ in range(200):
+                text.write("[1,2]," * 100_000)
+            text.write("[1,2]]}}}")
+        self.refused("describe", "a.json")
+
+    def test_input_is_counted_over_all_files(self):
+        self.file("part.obj", TETRAHEDRON + "# " + "x" * 60_000 + "\n")
+        self.scene({"A": {"file": "part.obj"}, "B": {"file": "part.obj"}})
+        self.expect(0, "", "describe", "scene.json", "A", "--input-limit", "200K")
+        self.expect(4, "--input-limit raises", "describe", "scene.json", "A", "--input-limit", "100K")
+
+    def test_mesh_whose_vertices_are_off(self):
+        n, lines = 120, ["solid s"]
+        for i in range(n):
+            for j in range(n):
+                for corners in (((0, 0), (1, 0), (1, 1)), ((0, 0), (1, 1), (0, 1))):
+                    lines.append("facet normal 0 0 0\nouter loop")
+                    for k, (a, b) in enumerate(corners):
+                        off = ((7 * i + 13 * j + 5 * k) % 3 - 1) * 2e-5
+                        lines.append("vertex %.5f %.5f %.5f" % (i + a + off, j + b - off, ((i + a) * (j + b) % 7) + off))
+                    lines.append("endloop\nendfacet")
+        self.file("a.stl", "\n".join(lines + ["endsolid"]))
+        self.expect(3, "not closed", "describe", self.of_file("a.stl"))
+
+
+class Limits(SafetyTest):
+    """Limits, signals, and what stands on the disk afterwards."""
+
+    def long_scene(self):
+        """A map that takes many seconds and much memory."""
+        def star(n):
+            turns = [2 * math.pi * i / n for i in range(n)]
+            return [[round((50 + 9 * (i % 3)) * f(t), 4) for f in (math.cos, math.sin)] for i, t in enumerate(turns)]
+
+        return self.scene({"A": {"polygon": star(1500)}, "B": {"polygon": star(1503)}}, moving="B",
+                          where="gap(B, A) >= 0 and gap(B, A) <= 3")
+
+    def test_time_limit(self):
+        self.expect(4, "the time limit is reached; nothing was written", "map", self.long_scene(), "--time-limit", "0.5",
+                    "-o", "a.svg")
+        self.assertEqual(self.leftovers(), ["scene.json"])
+
+    def test_time_limit_of_what_waits_for_its_reader(self):
+        read, write = os.pipe()
+        self.addCleanup(os.close, read)
+        self.scene({"A": {"points": [[i, i] for i in range(20000)]}})
+        child = subprocess.Popen([PROGRAM, "convert", "scene.json", "--json", "--time-limit", "2"], cwd=self.folder,
+                                 stdout=write, stderr=subprocess.PIPE)
+        os.close(write)
+        err = child.communicate(timeout=SECONDS)[1].decode()
+        self.assertEqual(child.returncode, 4, err)
+        self.assertIn("what was printed is not whole", err)
+
+    def test_memory_limit(self):
+        result = self.expect(4, "the memory limit", "map", self.long_scene(), "--memory-limit", "60M")
+        self.assertLess(result.kilobytes, 66 << 10)
+
+    def test_memory_limit_while_reading(self):
+        with open(self.folder / "a.svg", "w") as text:
+            text.write('<svg xmlns="http://www.w3.org/2000/svg">')
+            for _ in range(200):
+                text.write('<path d="M0 0H9V5Z"/>' * 10_000)
+            text.write("</svg>")
+        result = self.expect(4, "the memory limit", "describe", "a.svg", "--memory-limit", "100M")
+        self.assertLess(result.kilobytes, 110 << 10)
+
+    def test_work_limit_is_raised(self):
+        scene = self.scene({"A": {"polygon": SQUARE}, "B": {"polygon": SQUARE}}, moving="B",
+                           where="gap(B, A+A+A+A) >= 0")
+        self.expect(4, "--work-limit raises", "map", scene, "--work-limit", "20000")
+        self.expect(0, "", "map", scene, "--work-limit", "40K")
+
+    def test_sizes_that_mean_nothing(self):
+        scene = self.scene({"A": {"polygon": SQUARE}})
+        for size in ("0", "-1", "1.5G", "12X", "99999999999T", ""):
+            self.expect(2, "--memory-limit", "describe", scene, "--memory-limit=" + size)
+
+    def test_placement_ends_in_time(self):
+        part = {"polygon": [[0, 0], [7, 1], [9, 5], [4, 3], [1, 9]]}
+        scene = self.scene({"A": {"box": {"min": [0, 0], "max": [60, 60]}}, "P": part},
+                           place={"shapes": ["P"], "count": {"P": 30}, "each": "inside(self, A)",
+                                  "pairs": "gap(self, other) >= 0.1", "minimize": ["x"]})
+        result = self.run_program("place", scene, "--time-limit", "2", "--json")
+        self.assertIn(result.status, (0, 1, 4), result.err)
+
+    def ended_by(self, number):
+        """While it waits for the reader of one output, the other stands under its temporary name."""
+        self.scene({"A": {"polygon": SQUARE}})
+        os.mkfifo(self.folder / "pipe.svg")
+        child = subprocess.Popen([PROGRAM, "convert", "scene.json", "-o", "a.json", "-o", "pipe.svg"],
+                                 cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        end = time.monotonic() + SECONDS
+        while not any(name.startswith("a.json.") for name in self.leftovers()):
+            self.assertIsNone(child.poll(), "it ended too early")
+            self.assertLess(time.monotonic(), end)
+        child.send_signal(number)
+        err = child.communicate(timeout=SECONDS)[1].decode()
+        self.assertEqual(child.returncode, 128 + number)
+        self.assertIn("nothing was written", err)
+        self.assertEqual(self.leftovers(), ["pipe.svg", "scene.json"])
+
+    def test_interrupt_while_writing(self):
+        self.ended_by(signal.SIGINT)
+
+    def test_termination_while_writing(self):
+        self.ended_by(signal.SIGTERM)
+
+    def test_ignored_signals_stay_ignored(self):
+        scene = self.long_scene()
+        child = subprocess.Popen([PROGRAM, "map", scene, "--time-limit", "2"], stdout=subprocess.DEVNULL,
+                                 stderr=subprocess.DEVNULL,
+                                 preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        time.sleep(0.5)
+        child.send_signal(signal.SIGHUP)
+        self.assertEqual(child.wait(timeout=SECONDS), 4)
+
+    def test_mode_is_kept(self):
+        scene = self.scene({"A": {"polygon": SQUARE}})
+        out = self.file("a.svg", "old")
+        out.chmod(0o600)
+        self.expect(0, "", "convert", scene, "-o", "a.svg")
+        self.assertEqual(stat.S_IMODE(out.stat().st_mode), 0o600)
+        self.assertNotEqual(out.read_text(), "old")
+
+    def test_read_only_file_is_not_replaced(self):
+        scene = self.scene({"A": {"polygon": SQUARE}})
+        out = self.file("a.svg", "old")
+        out.chmod(0o444)
+        self.expect(3, "Permission denied", "convert", scene, "-o", "a.svg")
+        self.assertEqual(out.read_text(), "old")
+        self.assertEqual(self.leftovers(), ["a.svg", "scene.json"])
+
+    def test_folder_of_spooled_results(self):
+        scene = self.scene({"A": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}}})
+        nowhere = str(self.folder / "nowhere")
+        self.expect(3, nowhere, "describe", scene, "--resolution", "64", "--json", env={"TMPDIR": nowhere})
+
+    @unittest.skipUnless(os.geteuid() == 0 and shutil.which("setpriv"), "threads are limited for other users only")
+    def test_threads_that_cannot_be_started(self):
+        self.folder.chmod(0o755)
+        points = {"S%d" % i: {"polygon": SQUARE} for i in range(50)}
+        self.scene(points).chmod(0o644)
+        program = shutil.copy(PROGRAM, self.folder / "findspace")
+        os.chmod(program, 0o755)
+        result = self.run_program("--reuid=65533", "--clear-groups", program, "describe", "scene.json", "S1", "--threads",
+                                  "4", program="setpriv", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NPROC,
+                                                                                              (1, 1)))
+        self.assertIn(result.status, (0, 4), result.err)
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
