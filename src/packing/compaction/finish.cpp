@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "exact/number/search_margins.h"
 #include "packing/proof/verify.h"
@@ -13,7 +14,25 @@
 namespace findspace::packing {
 namespace {
 
+constexpr double kSnap = 8;  // fine steps
+/// Gaps in steps of the fine grid, and whether contacts along an axis stay.
+constexpr std::pair<double, bool> kLoosenings[] = {{0, true},  {4, true},   {4, false},
+                                                   {32, true}, {32, false}, {512, true}};
 constexpr int kSearchGridDigits = 7;  // to these the search's shapes are those of the problem
+
+struct Corners {
+  LatticePoint low, high;
+};
+
+Corners corners(const Polygon& shape) {
+  const Ring& ring = shape.rings[0];
+  Corners box{ring[0], ring[0]};
+  for (const LatticePoint& p : ring) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
 
 class Finisher {
  public:
@@ -24,19 +43,25 @@ class Finisher {
   double step() const { return 1 / double(power_of_ten(digits_)); }
   bool on_grid() const { return problem_.digits <= std::min(digits_, kSearchGridDigits); }
 
-  Layout rounded(const std::vector<Pose>& poses) const {
+  Layout rounded(const std::vector<Pose>& poses, double snap) const {
     Layout layout;
     std::vector<int> copies(problem_.parts.size());
     for (const Pose& pose : poses) {
       const Variant& v = table_.variants()[pose.variant];
       layout.items.push_back({v.part, ++copies[v.part], v.angle, false, 0, 0});
-      put(layout, pose);
+      put(layout, pose, snap);
     }
     return layout;
   }
 
  private:
-  int128 nearest(double value) const { return int128(std::llround(value * double(power_of_ten(digits_)))); }
+  /// A coordinate on the fine grid; next to the problem's own grid it goes there, where stacks without clearance stand.
+  int128 nearest(double value, double snap) const {
+    const int128 fine = int128(std::llround(value * double(power_of_ten(digits_))));
+    if (snap == 0 || problem_.digits > digits_) return fine;
+    const double steps = double(problem_.steps()), own = std::round(value * steps) / steps;
+    return std::abs(own - value) <= snap * step() ? nearest(own, 0) : fine;
+  }
   /// The least step that is not below a number of grid steps of the problem, and the greatest not above one.
   int128 above(const Fraction& value) const { return -below(0 - value); }
   int128 below(const Fraction& value) const {
@@ -45,18 +70,13 @@ class Finisher {
   }
 
   /// The last item's position: on the grid, above the strip's lower side and behind its end.
-  void put(Layout& layout, const Pose& pose) const {
+  void put(Layout& layout, const Pose& pose, double snap) const {
     Placed& item = layout.items.back();
-    const Ring ring = turned(problem_.parts[item.part].shape, item.angle, false).rings[0];
-    LatticePoint low = ring[0], high = ring[0];
-    for (const LatticePoint& p : ring) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    const auto [low, high] = corners(turned(problem_.parts[item.part].shape, item.angle, false));
     const int128 steps = problem_.steps(), grid = power_of_ten(digits_);
     const int128 bottom = above(Fraction(-low.y, steps)), top = below(problem_.height - Fraction(high.y, steps));
-    item.x = Fraction(std::max(nearest(pose.at.x), above(Fraction(-low.x, steps))), grid);
-    item.y = Fraction(std::max(bottom, std::min(top, nearest(pose.at.y))), grid);
+    item.x = Fraction(std::max(nearest(pose.at.x, snap), above(Fraction(-low.x, steps))), grid);
+    item.y = Fraction(std::max(bottom, std::min(top, nearest(pose.at.y, snap))), grid);
     layout.length = std::max(layout.length, item.x + Fraction(high.x, steps));
   }
 
@@ -70,13 +90,38 @@ class Finisher {
 std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const std::vector<Pose>& poses,
                                double length) {
   const Finisher finisher(problem, table);
-  for (const double steps : {0, 4, 32, 256, 2048}) {
+  for (const auto& [steps, keep_contacts] : kLoosenings) {
     std::vector<Pose> moved = poses;
-    if (steps > 0) LinearMoves(table).loosen(moved, length, steps * finisher.step(), finisher.on_grid());
-    Layout layout = finisher.rounded(moved);
+    if (steps > 0)
+      LinearMoves(table).loosen(moved, length, steps * finisher.step(), keep_contacts && finisher.on_grid());
+    Layout layout = finisher.rounded(moved, kSnap + 2 * steps);
     if (verify(problem, layout).feasible()) return layout;
   }
   return std::nullopt;
+}
+
+Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
+  Layout layout;
+  Fraction column = 0, x = 0, y = 0;
+  for (std::size_t part = 0; part < problem.parts.size(); ++part) {
+    if (problem.parts[part].demand == 0) continue;
+    const Fraction angle = table.variants()[table.variants_of(part)[0]].angle;
+    const Corners box = corners(turned(problem.parts[part].shape, angle, false));
+    const Fraction low_x(box.low.x, problem.steps()), low_y(box.low.y, problem.steps());
+    const Fraction width = Fraction(box.high.x, problem.steps()) - low_x;
+    const Fraction height = Fraction(box.high.y, problem.steps()) - low_y;
+    for (int copy = 1; copy <= problem.parts[part].demand; ++copy) {
+      if (y + height > problem.height) {
+        x = column;
+        y = 0;
+      }
+      layout.items.push_back({part, copy, angle, false, x - low_x, y - low_y});
+      y = y + height;
+      column = std::max(column, x + width);
+    }
+  }
+  layout.length = column;
+  return layout;
 }
 
 std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Layout& layout) {

@@ -4,7 +4,7 @@
 // A layout in doubles made into one that is proved: parts are moved apart by some steps of a fine grid where that costs
 // nearly nothing, put onto the grid, and verified exactly. Contacts along an axis between parts on the grid stay
 // contacts, so stacks without clearance survive. Guarantee: what is returned is feasible by exact predicates.
-// Cost: at most five linear programs and verifications.
+// Cost: at most six linear programs and verifications.
 #pragma once
 
 #include <optional>
@@ -18,6 +18,9 @@ namespace findspace::packing {
 /// Nothing where the overlaps of the layout are too deep for that.
 std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const std::vector<Pose>& poses,
                                double length);
+
+/// Columns of the parts' boxes: feasible always.
+Layout layout_of_boxes(const Problem& problem, const FieldTable& table);
 
 /// The poses of a layout, in its order.
 std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Layout& layout);

@@ -87,8 +87,9 @@ void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, st
     const double lacks = h.offset - dot(h.normal, t);
     const bool slanted = h.normal.x != 0 && h.normal.y != 0;
     const double wanted = goal == Goal::kLoosen && (slanted || !on_grid) ? gap : 0;
-    const bool soft = (goal == Goal::kSeparate && lacks > 0) || wanted > 0;
-    rows_.push_back({a, b, h, soft ? lacks + wanted : std::min(lacks, 0.0), soft});
+    const bool soft = (goal != Goal::kShorten && lacks > 0) || wanted > 0;
+    const double need = soft ? lacks + wanted : std::min(lacks, 0.0);
+    rows_.push_back({a, b, h, need, std::max(wanted, need), soft});
   }
 }
 
@@ -98,7 +99,7 @@ void LinearMoves::collect(const std::vector<Pose>& poses, double trust, Goal goa
     for (std::size_t b = a + 1; b < poses.size(); ++b) collect_pair(poses, a, b, trust, goal, gap, on_grid);
 }
 
-bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double trust, Goal goal, double gap) {
+bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double trust, Goal goal) {
   Program program(poses.size(), table_.height());
   const auto& variants = table_.variants();
   for (const Pose& p : poses) {
@@ -123,7 +124,7 @@ bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double trust, 
     program.add(program.x(row.a), -row.room.normal.x);
     program.add(program.y(row.a), -row.room.normal.y);
     if (!row.soft) continue;
-    const double greatest = goal == Goal::kLoosen ? std::max(gap, row.need) : table_.height();
+    const double greatest = goal == Goal::kLoosen ? row.most_lacking : table_.height();
     slacks.push_back(program.add_column(0, greatest, goal == Goal::kLoosen ? 100 : 1));
     program.add(slacks.back(), 1);
   }
@@ -142,7 +143,7 @@ double LinearMoves::shorten(std::vector<Pose>& poses, double length) {
   for (int step = 0; step < kMostSteps; ++step) {
     const double before = length;
     collect(poses, trust, Goal::kShorten, 0, false);
-    if (!solve(poses, length, trust, Goal::kShorten, 0)) break;
+    if (!solve(poses, length, trust, Goal::kShorten)) break;
     if (before - length < margin::kCompactionGain * length) break;
   }
   return length;
@@ -153,7 +154,7 @@ bool LinearMoves::separate(std::vector<Pose>& poses, double length) {
   double last = 0;
   for (int step = 0; step < kMostSeparations; ++step) {
     collect(poses, trust, Goal::kSeparate, 0, false);
-    if (!solve(poses, length, trust, Goal::kSeparate, 0)) return false;
+    if (!solve(poses, length, trust, Goal::kSeparate)) return false;
     if (left_ <= enough) return true;
     if (step > 0 && left_ > 0.98 * last) return false;
     last = left_;
@@ -164,7 +165,7 @@ bool LinearMoves::separate(std::vector<Pose>& poses, double length) {
 double LinearMoves::loosen(std::vector<Pose>& poses, double length, double gap, bool on_grid) {
   const double trust = std::min(kTrust * table_.height(), 1000 * gap);
   collect(poses, trust, Goal::kLoosen, gap, on_grid);
-  solve(poses, length, trust, Goal::kLoosen, gap);
+  solve(poses, length, trust, Goal::kLoosen);
   return length;
 }
 

@@ -31,7 +31,8 @@ class LinearMoves {
   struct Row {
     std::size_t a, b;
     HalfPlane room;
-    double need;  // dot(normal, move of b - move of a) >= need
+    double need;          // dot(normal, move of b - move of a) >= need,
+    double most_lacking;  // or less by at most this, of soft rows
     bool soft;
   };
   enum class Goal { kShorten, kSeparate, kLoosen };
@@ -40,7 +41,7 @@ class LinearMoves {
   void collect_pair(const std::vector<Pose>& poses, std::size_t a, std::size_t b, double trust, Goal goal, double gap,
                     bool on_grid);
   /// False where the program has no solution.
-  bool solve(std::vector<Pose>& poses, double& length, double trust, Goal goal, double gap);
+  bool solve(std::vector<Pose>& poses, double& length, double trust, Goal goal);
 
   const FieldTable& table_;
   std::vector<Row> rows_;

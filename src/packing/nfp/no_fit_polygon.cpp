@@ -16,7 +16,7 @@ namespace findspace::packing {
 namespace {
 
 constexpr std::size_t kMostEdges = 65535;  // that a depth field numbers
-constexpr int kSearchDigits = 7;  // of the search's grid, at most
+constexpr int kSearchDigits = 7;           // of the search's grid, at most
 
 plane::Region region(const SearchShape& shape) {
   std::vector<plane::Contour> contours;

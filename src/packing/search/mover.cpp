@@ -11,7 +11,7 @@
 namespace findspace::packing {
 namespace {
 
-constexpr int kSpread = 24, kAbout = 12;  // positions at random
+constexpr int kSpread = 40, kAbout = 20;  // positions at random
 constexpr int kMostProjections = 8;
 constexpr std::size_t kMostLines = 4;
 constexpr double kGrow = 1.1, kShrink = 0.5;

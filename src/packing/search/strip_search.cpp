@@ -79,6 +79,7 @@ class Search {
   void offer(const DoubleLayout& layout) {
     offered_ = layout.length;
     std::optional<Layout> proved = finished(problem_, table_, layout.poses, layout.length);
+    if (!proved && !best_) proved = layout_of_boxes(problem_, table_);
     if (!proved || (best_ && best_->length <= proved->length)) return;
     best_ = std::move(proved);
     better_at_ = seconds();
