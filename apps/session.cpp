@@ -59,7 +59,9 @@ io::BoardQuestion question_of_board(const Options& o) {
 
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
-  if (is_board(path)) return io::board_scene(io::read_board(io::read_text(path), o.scene), question_of_board(o));
+  if (is_board(path))
+    return io::board_scene(std::make_shared<const io::Board>(io::read_board(io::read_text(path), o.scene)),
+                           question_of_board(o));
   if (!o.move.empty() || !o.where.empty() || !o.minimize.empty() || !o.maximize.empty() || !o.free.empty())
     throw Error(ErrorCode::kUsage,
                 "--move, --where, --minimize, --maximize and --free are for boards; a scene says them itself");
@@ -252,12 +254,22 @@ void Session::add_scenery(io::Picture& picture, const formula::World& world, con
       named.insert(a.distance.second.begin(), a.distance.second.end());
     }
   }
+  const auto all_of = [&](const std::string& name) {
+    const auto parts = world.parts.find(name);
+    if (!scene_.named_only || parts == world.parts.end())
+      return picture.fixed.push_back({name, &world.shapes.at(name)});
+    for (const auto& [part, region] : parts->second) picture.fixed.push_back({part, &region});
+  };
+  // The names of a board's pads are said where the formula speaks of them.
+  const auto shown_name = [&](const std::string& name) {
+    return scene_.named_only && name.find('.') != std::string::npos && named.count(name) == 0 ? std::string() : name;
+  };
   for (const plane::ShapePtr& s : scene_.shapes) {
     const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
     if (moves)
-      picture.moving.push_back({s->name, &world.shapes.at(s->name)});
+      picture.moving.push_back({shown_name(s->name), &world.shapes.at(s->name)});
     else if ((named.empty() || named.count(s->name) != 0) && world.shapes.count(s->name) != 0)
-      picture.fixed.push_back({s->name, &world.shapes.at(s->name)});
+      all_of(s->name);
   }
 }
 
