@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "asked_numbers.h"
+#include "board_check.h"
 #include "commands.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
@@ -27,6 +28,7 @@ std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& 
 }  // namespace
 
 Outcome run_check(const Options& options, Reporter& reporter) {
+  if (is_board(options.scene) && options.move.empty()) return check_board(Session(options, reporter));
   if (!options.at && !options.angle) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
   const Session session(options, reporter);
   if (session.in_space()) {

@@ -194,9 +194,9 @@ Outcome map_of_time(const Session& session, const formula::Solver& solver, const
     return bounded ? bounded_json(std::move(text), io::intervals_json(outer, exact::Real(1), "")) : text;
   };
   write_outputs(session.options(), {{".json", json}});
-  const std::string text = intervals_text(fmt::format("Instants with {} at {}", session.scene().moving_text(),
-                                                      session.options().at.value_or("0,0")),
-                                          intervals, exact::Real(1), "");
+  const std::string text = intervals_text(
+      fmt::format("Instants with {} at {}", session.scene().moving_text(), session.options().at.value_or("0,0")),
+      intervals, exact::Real(1), "");
   return {session.options().json ? json() : text, !intervals.empty() ? kDone : outer.empty() ? kEmpty : kLimit};
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/draw/draw_layout.h"
 #include "io/write/write_poses.h"
 #include "plane/query/topology.h"
@@ -15,6 +17,23 @@ namespace {
 using planning::PoseSector;
 using planning::PoseSlice;
 using planning::PoseStack;
+
+/// The stack with its angles as they are counted where y runs downwards: counter-clockwise as it is seen.
+PoseStack as_seen(PoseStack stack) {
+  const auto seen = [](const exact::Real& a) { return a.sign() == 0 ? a : exact::Real(360) - a; };
+  for (PoseSlice& s : stack.slices) s.degrees = seen(s.degrees);
+  for (PoseSector& s : stack.sectors) {
+    const exact::Real from = seen(s.to), width = s.to - s.from;  // s.to may be beyond 360
+    s.from = from.sign() < 0 ? from + exact::Real(360) : from;
+    s.to = s.from + width;
+  }
+  const auto zero_first = [](auto& all, auto angle) {
+    std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return angle(a) < angle(b); });
+  };
+  zero_first(stack.slices, [](const PoseSlice& s) { return s.degrees; });
+  zero_first(stack.sectors, [](const PoseSector& s) { return s.from; });
+  return stack;
+}
 
 std::string area_text(const plane::Region& r, const exact::Real& step) {
   const plane::Summary s = plane::summarize(r, step);
@@ -39,12 +58,12 @@ io::Page page(const Session& session, const formula::World& world, const formula
 }
 
 std::string pages(const Session& session, const PoseStack& stack, const formula::World& world,
-                  const formula::Formula& formula, const plane::GridPoint& about) {
+                  const formula::Formula& formula, const plane::GridPoint& about, bool down) {
   std::vector<io::Page> out;
   const exact::RealPoint centre{about.x, about.y};
   plane::Rounding drawn;
   for (const PoseSlice& s : stack.slices) {
-    const formula::World rotated = formula::rotated_world(world, centre, s.degrees, drawn);
+    const formula::World rotated = formula::rotated_world(world, centre, down ? -s.degrees : s.degrees, drawn);
     out.push_back(page(session, rotated, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())), s.region,
                        s.outer ? &*s.outer : nullptr));
     for (const PoseSector& t : stack.sectors) {
@@ -93,10 +112,12 @@ Outcome map_of_poses(const Session& session) {
   formula::World world = session.world();
   for (auto& [name, region] : world.shapes) region = plane::closure(std::move(region));
   session.reporter().stage("solving");
-  const PoseStack stack = planning::pose_stack(world, formula, about, free.angles);
+  PoseStack stack = planning::pose_stack(world, formula, about, free.angles);
+  const bool down = session.scene().board != nullptr;
+  if (down) stack = as_seen(std::move(stack));
   say_rounding(session, stack);
   const auto json = [&] { return io::poses_json(stack, session.step(), session.unit()); };
-  const auto html = [&] { return pages(session, stack, world, formula, about); };
+  const auto html = [&] { return pages(session, stack, world, formula, about, down); };
   write_outputs(session.options(), {{".json", json}, {".html", html}});
   bool empty = true, impossible = true;
   for (const PoseSlice& s : stack.slices) {

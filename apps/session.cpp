@@ -57,7 +57,9 @@ io::BoardQuestion question_of_board(const Options& o) {
 
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
-  if (is_board(path)) return io::board_scene(io::read_board(io::read_text(path), o.scene), question_of_board(o));
+  if (is_board(path))
+    return io::board_scene(std::make_shared<const io::Board>(io::read_board(io::read_text(path), o.scene)),
+                           question_of_board(o));
   if (!o.move.empty() || !o.where.empty() || !o.minimize.empty() || !o.maximize.empty() || !o.free.empty())
     throw Error(ErrorCode::kUsage,
                 "--move, --where, --minimize, --maximize and --free are for boards; a scene says them itself");

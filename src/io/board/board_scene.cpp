@@ -180,6 +180,10 @@ class SceneMaker {
 
 }  // namespace
 
-Scene board_scene(const Board& board, const BoardQuestion& question) { return SceneMaker(board, question).run(); }
+Scene board_scene(std::shared_ptr<const Board> board, const BoardQuestion& question) {
+  Scene scene = SceneMaker(*board, question).run();
+  scene.board = std::move(board);
+  return scene;
+}
 
 }  // namespace findspace::io

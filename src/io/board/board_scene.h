@@ -8,7 +8,7 @@
 // with what moves, and the keep-outs there. Nothing is computed here.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,6 +25,6 @@ struct BoardQuestion {
 };
 
 /// Throws Error(kUnknownName) where a part that is to move is none.
-Scene board_scene(const Board& board, const BoardQuestion& question);
+Scene board_scene(std::shared_ptr<const Board> board, const BoardQuestion& question);
 
 }  // namespace findspace::io

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,8 @@
 #include "plane/contour/shape.h"
 
 namespace findspace::io {
+
+struct Board;
 
 /// What the map ranges over.
 struct Free {
@@ -79,6 +82,7 @@ struct Scene {
   bool named_only = false;                                 // many shapes: only those that formulas name are built
   std::vector<std::string> empty_lists;                    // names of groups without a shape that stands still
   std::map<std::string, std::vector<std::string>> groups;  // names of shapes, also of those that move
+  std::shared_ptr<const Board> board;    // where the scene is one of KiCad
   std::string moving_name;                                 // what moves, for titles; without it the names in `moving`
   GridPosition drawn_at{};                                 // the position at which `moving` stands as it was drawn
   std::uint64_t work_limit = plane::kUsualWork;  // of each shape and each formula (plane/base/work.h)

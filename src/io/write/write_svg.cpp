@@ -126,6 +126,7 @@ class PictureWriter {
     std::vector<LabelledShape> shapes;
     auto add = [&](const std::vector<Drawn>& drawn, const Place& offset) {
       for (const Drawn& d : drawn) {
+        if (d.name.empty()) continue;
         shapes.push_back({d.name, &d.net, plane::summarize(d.net.complex(), p_.step), offset});
       }
     };
@@ -174,7 +175,8 @@ class PictureWriter {
     if (region_) add_region_entries(out);
     if (position_ && !moving_.empty()) {
       std::string names;
-      for (const NamedRegion& r : p_.moving) names += (names.empty() ? "" : ", ") + r.name;
+      for (const NamedRegion& r : p_.moving)
+        if (!r.name.empty()) names += (names.empty() ? "" : ", ") + r.name;
       if (!p_.rotated.empty()) names += ", as drawn and rotated";
       out.push_back({M::kMoving, names});
       out.push_back({M::kPole, fmt::format("at p = ({}, {})", shown((*position_)[0]), shown((*position_)[1]))});
