@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <string_view>
+#include <utility>
 
 #include "options.h"
 
@@ -30,7 +31,7 @@ void end_on_interrupt() {
   sigaction(SIGINT, &action, nullptr);
 }
 
-Deadline::Deadline(double seconds) {
+Deadline::Deadline(double seconds, std::string last_words) : last_words_(std::move(last_words)) {
   if (seconds > 0) watch_ = std::thread([this, seconds] { wait(seconds); });
 }
 
@@ -46,6 +47,7 @@ Deadline::~Deadline() {
 void Deadline::wait(double seconds) {
   std::unique_lock lock(guard_);
   if (ended_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return done_; })) return;
+  [[maybe_unused]] const ssize_t written = write(STDOUT_FILENO, last_words_.data(), last_words_.size());
   end("findspace: the time limit is reached; a map is whole or not at all, so nothing was written\n", kLimit);
 }
 

@@ -7,6 +7,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <thread>
 
 namespace findspace::app {
@@ -18,7 +19,9 @@ void end_on_interrupt();
 class Deadline {
  public:
   /// `seconds` <= 0: none.
-  explicit Deadline(double seconds);
+  explicit Deadline(double seconds) : Deadline(seconds, {}) {}
+  /// Then `last_words` are written to standard output, for programs that wait for an answer there.
+  Deadline(double seconds, std::string last_words);
   ~Deadline();
   Deadline(const Deadline&) = delete;
   Deadline& operator=(const Deadline&) = delete;
@@ -26,6 +29,7 @@ class Deadline {
  private:
   void wait(double seconds);
 
+  std::string last_words_;
   std::mutex guard_;
   std::condition_variable ended_;
   bool done_ = false;

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <exception>
 
+#include "deadline.h"
 #include "io/write/json_text.h"
 
 namespace findspace::app {
@@ -113,6 +114,8 @@ std::string JsonRpc::answer(const JsonValue& request) {
   const std::string named = id_text(id);
   if (!request.is(JsonKind::kObject) || method == nullptr || !method->is(JsonKind::kString))
     return error_text(named, RequestError::kRequest, "a request is an object with \"jsonrpc\", \"id\" and \"method\"");
+  const Deadline deadline(
+      seconds_, late_ == Late::kSilent ? "" : error_text(named, kLimitReached, "the time limit is reached") + "\n");
   std::string out;
   try {
     out = fmt::format(R"({{"jsonrpc": "2.0", "id": {}, "result": {}}})", named,
