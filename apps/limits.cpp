@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <new>
 #include <string_view>
+#include <utility>
 
 #include "io/write/write_file.h"
 
@@ -22,10 +23,11 @@ namespace {
 // With calls only that a signal handler may make.
 
 volatile sig_atomic_t printing = 0;
+std::string_view last_words;  // set while no timer runs
 
-void put(std::string_view text) {
+void put(std::string_view text, int file = STDERR_FILENO) {
   while (!text.empty()) {
-    const ssize_t n = write(STDERR_FILENO, text.data(), text.size());
+    const ssize_t n = write(file, text.data(), text.size());
     if (n <= 0) return;
     text.remove_prefix(static_cast<std::size_t>(n));
   }
@@ -46,6 +48,7 @@ void put(std::string_view text) {
 
 extern "C" void on_signal(int signal) {
   constexpr int kBySignal = 128;
+  if (signal == SIGALRM) put(last_words, STDOUT_FILENO);
   if (signal == SIGALRM) end("the time limit is reached", kLimit);
   end(signal == SIGINT ? "interrupted" : "ended by a signal", kBySignal + signal);
 }
@@ -99,6 +102,17 @@ void set_limits(const Options& options, bool ends_in_time) {
     if (setrlimit(RLIMIT_AS, &most) != 0)
       throw Error(ErrorCode::kUsage, "--memory-limit is above what the system allows this process");
   }
+}
+
+RequestTime::RequestTime(double seconds, std::string words) : last_words_(std::move(words)) {
+  if (seconds <= 0) return;
+  last_words = last_words_;
+  handle(SIGALRM);
+  set_timer(seconds);
+}
+RequestTime::~RequestTime() {
+  set_timer(0);
+  last_words = {};
 }
 
 void begin_printing() { printing = 1; }

@@ -6,6 +6,8 @@
 // are removed. Guarantee: no allocation and no lock on the way out. Keywords: SIGINT, SIGTERM, setitimer, RLIMIT_AS.
 #pragma once
 
+#include <string>
+
 #include "findspace/error.h"
 #include "options.h"
 
@@ -20,6 +22,19 @@ void set_limits(const Options& options, bool ends_in_time);
 inline constexpr double kLate = 0.05;
 /// Of its time, what such a verb may spend before it writes.
 inline constexpr double kSearching = 0.85;
+
+/// While it lives, a time limit of one request: the process ends with status 4 when it is over, after `last_words` on
+/// standard output for the program that waits for an answer there. No seconds, no limit.
+class RequestTime {
+ public:
+  RequestTime(double seconds, std::string last_words);
+  ~RequestTime();
+  RequestTime(const RequestTime&) = delete;
+  RequestTime& operator=(const RequestTime&) = delete;
+
+ private:
+  std::string last_words_;
+};
 
 /// The result is being printed: from now on a part of it may stand there.
 void begin_printing();

@@ -11,6 +11,7 @@
 #include <exception>
 
 #include "io/write/json_text.h"
+#include "limits.h"
 
 namespace findspace::app {
 namespace {
@@ -113,6 +114,8 @@ std::string JsonRpc::answer(const JsonValue& request) {
   const std::string named = id_text(id);
   if (!request.is(JsonKind::kObject) || method == nullptr || !method->is(JsonKind::kString))
     return error_text(named, RequestError::kRequest, "a request is an object with \"jsonrpc\", \"id\" and \"method\"");
+  const RequestTime time(
+      seconds_, late_ == Late::kSilent ? "" : error_text(named, kLimitReached, "the time limit is reached") + "\n");
   std::string out;
   try {
     out = fmt::format(R"({{"jsonrpc": "2.0", "id": {}, "result": {}}})", named,
@@ -134,7 +137,8 @@ std::string JsonRpc::answer(const JsonValue& request) {
 std::string JsonRpc::answer(std::string_view text) {
   JsonValue request;
   try {
-    request = io::parse_json(text, "request");
+    plane::Work work;
+    request = io::parse_json(text, "request", work);
   } catch (const Error& e) {
     return error_text("null", RequestError::kParse, e.what());
   }

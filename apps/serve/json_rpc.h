@@ -20,7 +20,10 @@ std::string limit_error(std::string_view id, std::string_view message);
 
 class JsonRpc {
  public:
-  explicit JsonRpc(SceneStore& store) : store_(store) {}
+  enum class Late { kSaid, kSilent };
+  /// A request that takes longer than `seconds` ends the process (0: none does); an error is written to standard output
+  /// before, unless `late` says not.
+  JsonRpc(SceneStore& store, double seconds, Late late) : store_(store), seconds_(seconds), late_(late) {}
 
   /// The answer on one line; "" where none is due.
   std::string answer(std::string_view request);
@@ -31,6 +34,8 @@ class JsonRpc {
   std::string call_tool(const io::JsonValue& parameters);
 
   SceneStore& store_;
+  double seconds_;
+  Late late_;
 };
 
 }  // namespace findspace::app

@@ -81,6 +81,8 @@ void LoadedScene::set_moving(const std::vector<std::string>& moving) {
   *this = LoadedScene(std::move(other));
 }
 
+std::string LoadedScene::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
+
 std::string LoadedScene::shape_json(const std::string& name, bool drawing) const {
   const bool moves = std::find(scene_.moving.begin(), scene_.moving.end(), name) != scene_.moving.end();
   std::string out = fmt::format(R"({{"name": {}, "moving": {})", io::json_string(name), io::truth(moves));
@@ -91,8 +93,7 @@ std::string LoadedScene::shape_json(const std::string& name, bool drawing) const
 std::string LoadedScene::summary_json(bool drawing) const {
   std::vector<std::string> names;
   for (const plane::ShapePtr& s : scene_.shapes) names.push_back(s->name);
-  const std::string unit = scene_.unit ? std::string(formula::name(*scene_.unit)) : "";
-  return fmt::format(R"({{{}"step": {}, "where": {}, "moving": {}, "shapes": {}}})", io::unit_key(unit),
+  return fmt::format(R"({{{}"step": {}, "where": {}, "moving": {}, "shapes": {}}})", io::unit_key(unit()),
                      io::json_number(solver_->world().step.to_double()), io::json_string(scene_.where.text),
                      io::list(scene_.moving, io::json_string),
                      io::list(names, [&](const std::string& name) { return shape_json(name, drawing); }));
@@ -117,8 +118,7 @@ std::string LoadedScene::drawing_json(const plane::Region& region) const {
 
 std::string LoadedScene::map_json(bool drawing) const {
   const plane::Summary summary = plane::summarize(region(), solver_->world().step);
-  const std::string unit = scene_.unit ? std::string(formula::name(*scene_.unit)) : "";
-  std::string out = io::region_json(region(), summary, solver_->world().step, unit);
+  std::string out = io::region_json(region(), summary, solver_->world().step, unit());
   if (!drawing) return out;
   out.resize(out.rfind('}'));
   return out + ", \"drawing\": " + drawing_json(region()) + "}";
@@ -151,7 +151,7 @@ std::string LoadedScene::check_json(const exact::RealPoint& at, bool wanted, con
   if (near && near->attained && near->distance.sign() > 0 && near->distance <= snap)
     return check_json({near->at[0], near->at[1]}, false, exact::Real());
   const formula::Check check = solver_->check(formula_, at);
-  return io::check_json(check, distance::coordinates(at), "", std::nullopt,
+  return io::check_json(check, distance::coordinates(at), unit(), std::nullopt,
                         near && wanted && !check.holds ? &*near : nullptr);
 }
 
@@ -163,15 +163,15 @@ std::string LoadedScene::nearest_json(const exact::RealPoint& at) const {
 }
 
 std::string LoadedScene::measure_json(const exact::RealPoint& at) const {
-  return io::measure_json(solver_->measure(at, formula_), distance::coordinates(at), "");
+  return io::measure_json(solver_->measure(at, formula_), distance::coordinates(at), unit());
 }
 
 std::string LoadedScene::explain_json(const std::optional<exact::RealPoint>& at) const {
   const formula::Explanation explanation = formula::explain(*solver_, formula_);
   std::optional<formula::PositionExplanation> here;
   if (at) here = formula::explain_at(*solver_, formula_, *at);
-  return io::explanation_json({formula_, explanation, here ? &*here : nullptr, at.value_or(exact::RealPoint{}),
-                               solver_->world().step, scene_.unit ? std::string(formula::name(*scene_.unit)) : ""});
+  return io::explanation_json(
+      {formula_, explanation, here ? &*here : nullptr, at.value_or(exact::RealPoint{}), solver_->world().step, unit()});
 }
 
 }  // namespace findspace::app

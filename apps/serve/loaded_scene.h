@@ -43,6 +43,7 @@ class LoadedScene {
   /// For the parts of the program that take a session.
   template <class Use>
   auto with_session(const io::Scene& scene, const Use& use) const;
+  std::string unit() const;
   /// The region of the formula, made once.
   const plane::Region& region() const;
   std::optional<formula::NearestFeasible> nearest(const exact::RealPoint& at) const;

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "commands.h"
-#include "deadline.h"
 #include "serve/json_rpc.h"
 
 namespace findspace::app {
@@ -43,12 +42,11 @@ Outcome run_serve(const Options& options, Reporter&) {
   SceneStore store(scene.empty() || scene.parent_path().empty() ? std::filesystem::current_path()
                                                                 : scene.parent_path());
   if (!scene.empty()) store.keep("scene", io::read_scene(scene));
-  JsonRpc rpc(store);
+  JsonRpc rpc(store, options.time_limit, JsonRpc::Late::kSaid);
   std::string line;
   bool whole = true;
   while (read_line(line, whole)) {
     if (line.find_first_not_of(" \t\r") == line.npos) continue;
-    const Deadline deadline(options.time_limit);
     const std::string answer = whole ? rpc.answer(line) : limit_error("null", "the request is longer than 64 MiB");
     if (!print_line(answer)) throw Error(ErrorCode::kFile, "standard output cannot be written");
   }

@@ -10,7 +10,6 @@
 #include <cstdio>
 
 #include "commands.h"
-#include "deadline.h"
 #include "serve/json_rpc.h"
 #include "serve/page_server.h"
 
@@ -40,11 +39,8 @@ Outcome run_view(const Options& options, Reporter& reporter) {
   SceneStore store(scene.parent_path().empty() ? std::filesystem::current_path() : scene.parent_path());
   reporter.stage("reading the scene");
   store.keep("scene", io::read_scene(scene));
-  JsonRpc rpc(store);
-  PageServer server(options.port, page, [&](const std::string& request) {
-    const Deadline deadline(options.time_limit);
-    return rpc.answer(request);
-  });
+  JsonRpc rpc(store, options.time_limit, JsonRpc::Late::kSilent);
+  PageServer server(options.port, page, [&](const std::string& request) { return rpc.answer(request); });
   reporter.stage("");
   fmt::print("{}\n", server.link());
   std::fflush(stdout);

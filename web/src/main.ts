@@ -234,8 +234,7 @@ function connectAlone(): void {
 
 /// In the region, if it has a point that says so; else where the part is drawn.
 function firstPlace(): Point {
-  const isolated = map?.isolated[0], vertex = map?.cells.vertices.find((v) => v.in)?.at;
-  return isolated ?? vertex ?? [0, 0];
+  return map?.isolated[0] ?? map?.components[0]?.sample ?? [0, 0];
 }
 
 async function begin(): Promise<void> {

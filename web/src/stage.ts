@@ -18,6 +18,9 @@ const dots = (points: Point[]): string => points.map(([x, y]) => `M${x} ${y}h0`)
 
 export const shown = (value: number): string => Number(value.toPrecision(6)).toString().replace("-", "−");
 
+const around = (b: DOMRect, o: DOMRect): boolean =>
+  b.x <= o.x && b.y <= o.y && b.x + b.width >= o.x + o.width && b.y + b.height >= o.y + o.height;
+
 export class Stage {
   private readonly layers: Record<"shapes" | "region" | "ghost" | "part" | "marks", SVGElement>;
   private box = { x: 0, y: 0, w: 1, h: 1 };
@@ -46,6 +49,7 @@ export class Stage {
     this.layers.part.replaceChildren();
     this.layers.ghost.replaceChildren();
     this.names = [];
+    const fixed: { path: SVGGraphicsElement; b: DOMRect }[] = [];
     for (const s of summary.shapes) {
       const d = s.drawing.faces + s.drawing.free + dots(s.drawing.points);
       if (s.moving) {
@@ -57,6 +61,13 @@ export class Stage {
       const path = element("path", { class: "shape", d }, this.layers.shapes) as SVGGraphicsElement;
       const b = path.getBBox();
       this.names.push({ x: b.x + b.width / 2, y: b.y, text: s.name });
+      fixed.push({ path, b });
+    }
+    // What lies around other shapes is drawn below them, and lighter.
+    fixed.sort((p, q) => q.b.width * q.b.height - p.b.width * p.b.height);
+    for (const { path, b } of fixed) {
+      this.layers.shapes.append(path);
+      if (fixed.some((o) => o.path !== path && around(b, o.b))) path.classList.add("container");
     }
     element("path", { class: "pole", d: "M0 0h0" }, this.layers.part);
     this.place(this.at);
@@ -182,7 +193,7 @@ export class Stage {
       if (!p || !q) continue;
       const style = a.true ? "" : " no";
       element("line", { class: "dimension" + style, x1: `${p[0]}`, y1: `${-p[1]}`, x2: `${q[0]}`, y2: `${-q[1]}` }, g);
-      if (typeof a.value === "number" && a.value !== 0) text("label" + style, (p[0] + q[0]) / 2, -(p[1] + q[1]) / 2 - 5 * unit, shown(a.value));
+      if (typeof a.value === "number" && a.value !== 0) text("label" + style, (p[0] + q[0]) / 2, -(p[1] + q[1]) / 2 - 5 * unit, `${shown(a.value)} ${this.bar.dataset["unit"] ?? ""}`.trim());
     }
   }
 

@@ -11,6 +11,7 @@
 
 #include "io/nesting/unscaled_problem.h"
 #include "io/text/json_tree.h"
+#include "plane/base/work.h"
 
 namespace findspace::io {
 namespace {
@@ -20,7 +21,7 @@ using Kind = JsonValue::Kind;
 
 class Reader {
  public:
-  Reader(const std::string& text, std::string name) : name_(std::move(name)), tree_(parse_json(text, name_)) {}
+  Reader(const std::string& text, std::string name) : name_(std::move(name)), tree_(parse_json(text, name_, work_)) {}
 
   packing::Problem problem(const std::optional<Fraction>& height) const {
     UnscaledProblem result;
@@ -119,6 +120,7 @@ class Reader {
   }
 
   std::string name_;
+  plane::Work work_;
   JsonValue tree_;
 };
 

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""`findspace serve --stdio` as programs meet it, and the description of its requests.
+
+usage: protocol.py PROGRAM
+
+docs/protocol.json is what `rpc.discover` says; `protocol.py PROGRAM --write` writes it anew."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import jsonschema
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PEG = os.path.join(ROOT, "examples", "peg.json")
+DESCRIPTION = os.path.join(ROOT, "docs", "protocol.json")
+PROGRAM = ""
+
+
+def serve(lines, *arguments):
+    """The answers to requests, given as objects or as text, and the exit status."""
+    text = "".join((line if isinstance(line, str) else json.dumps(line)) + "\n" for line in lines)
+    done = subprocess.run([PROGRAM, "serve", "--stdio", *arguments], input=text, capture_output=True, text=True)
+    return [json.loads(line) for line in done.stdout.splitlines()], done.returncode
+
+
+def ask(method, scene=PEG, **parameters):
+    """The result of one request; of an error, the error."""
+    answers, status = serve([{"jsonrpc": "2.0", "id": 1, "method": method, "params": parameters}], scene)
+    assert status == 0 and len(answers) == 1, (answers, status)
+    return answers[0].get("result", answers[0].get("error"))
+
+
+def verb(*arguments):
+    return json.loads(subprocess.run([PROGRAM, *arguments, "--json"], capture_output=True, text=True).stdout)
+
+
+def description():
+    return ask("rpc.discover")
+
+
+class Answers(unittest.TestCase):
+    def test_description_is_the_documented_one(self):
+        with open(DESCRIPTION, encoding="utf-8") as file:
+            self.assertEqual(json.load(file), description())
+
+    def test_parameters_are_schemas_that_requests_meet(self):
+        of = {m["name"]: m["params"] for m in description()["methods"]}
+        for schema in of.values():
+            jsonschema.Draft202012Validator.check_schema(schema)
+        jsonschema.validate({"at": [1, "2.5"], "snap": 1}, of["check"])
+        for wrong in ({}, {"at": [1]}, {"at": [1, 2], "att": 1}, {"at": [1, 2], "nearest": 1}, {"at": [1, 2], "snap": "1"}):
+            with self.assertRaises(jsonschema.ValidationError):
+                jsonschema.validate(wrong, of["check"])
+            self.assertEqual(ask("check", **wrong)["code"], -32602, wrong)
+
+    def test_answers_are_those_of_the_verbs(self):
+        at = "10.5,12"
+        position = [10.5, "12"]
+        self.assertEqual(ask("map"), verb("map", PEG))
+        self.assertEqual(ask("measure", at=position), verb("measure", PEG, "--at", at))
+        self.assertEqual(ask("check", at=position), verb("check", PEG, "--at", at))
+        self.assertEqual(ask("check", at=[1, 1], nearest=True), verb("check", PEG, "--at", "1,1"))
+        self.assertEqual(ask("explain"), verb("explain", PEG))
+        self.assertEqual(ask("explain", at=[1, 1]), verb("explain", PEG, "--at", "1,1"))
+        near = verb("check", PEG, "--at", "1,1")["nearest_feasible"]
+        self.assertEqual(ask("nearest", at=[1, 1])["nearest_feasible"], near)
+
+    def test_numbers_are_exact(self):
+        # The peg fits the hole at 50, 30 only: no double is nearer to 0.1 than its decimal.
+        for at, holds in (([50, 30], True), (["50.00000000000000000001", 30], False), (["5e1", "30.0"], True)):
+            self.assertEqual(ask("check", at=at)["true"], holds)
+
+    def test_snap_is_about_the_exact_place(self):
+        answer = ask("check", at=[50.3, 30.2], snap=1)
+        self.assertEqual((answer["at"], answer["true"]), ([50, 30], True))
+        answer = ask("check", at=[50.3, 30.2], snap=0.1)
+        self.assertEqual((answer["at"], answer["true"]), ([50.3, 30.2], False))
+
+    def test_scenes_stay_loaded(self):
+        answers, status = serve([
+            {"id": 1, "method": "load", "params": {"scene": "a", "path": "peg.json"}},
+            {"id": 2, "method": "set", "params": {"scene": "a", "where": "gap(peg, plate) >= 100"}},
+            {"id": 3, "method": "check", "params": {"scene": "a", "at": [10, 12]}},
+            {"id": 4, "method": "check", "params": {"at": [10, 12]}},
+            {"id": 5, "method": "set", "params": {"scene": "a", "where": "gap(peg, plte) >= 1"}},
+            {"id": 6, "method": "check", "params": {"scene": "a", "at": [200, 12]}},
+            {"id": 7, "method": "set", "params": {"scene": "a", "moving": ["plate"], "where": "inside(plate, table)"}},
+            {"id": 8, "method": "unload", "params": {"scene": "a"}},
+            {"id": 9, "method": "map", "params": {"scene": "a"}},
+        ], PEG)
+        self.assertEqual((status, [a["id"] for a in answers]), (0, list(range(1, 10))))
+        self.assertEqual([answers[k]["result"]["true"] for k in (2, 3, 5)], [False, True, True])
+        error = answers[4]["error"]
+        self.assertEqual((error["code"], error["data"]["line"], error["data"]["column"]), (-32000, 1, 10))
+        self.assertEqual(answers[6]["result"]["moving"], ["plate"])
+        self.assertEqual(answers[8]["error"]["code"], -32602)
+
+    def test_batches_notifications_and_mistakes(self):
+        answers, status = serve([
+            '[{"id": "a", "method": "ping"}, {"method": "ping"}, {"id": 2, "method": "nothing"}]',
+            '{"method": "ping"}', "", "nonsense", "[]", "7", '{"id": 3}',
+        ])
+        self.assertEqual(status, 0)
+        self.assertEqual([a["id"] for a in answers[0]], ["a", 2])
+        self.assertEqual(answers[0][1]["error"]["code"], -32601)
+        self.assertEqual([a["error"]["code"] for a in answers[1:]], [-32700, -32600, -32600, -32600])
+
+    def test_files_lie_below_the_folder(self):
+        for path in ("../README.md", "/etc/passwd", "../examples/../README.md"):
+            self.assertEqual(ask("load", scene=PEG, path=path)["data"]["kind"], "file", path)
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink("/etc/hostname", os.path.join(folder, "link.json"))
+            with open(os.path.join(folder, "scene.json"), "w", encoding="utf-8") as file, open(PEG, encoding="utf-8") as peg:
+                file.write(peg.read())
+            scene = os.path.join(folder, "scene.json")
+            self.assertEqual(ask("load", scene=scene, path="link.json")["data"]["kind"], "file")
+        text = json.dumps({"findspace": 1, "shapes": {"A": {"file": "peg.json"}}, "moving": "A"})
+        self.assertIn("error", ask_raw("load", text=text))
+
+    def test_limits(self):
+        answers, status = serve(['{"id": 1, "method": "ping", "params": "' + "x" * (64 << 20) + '"}', {"id": 2, "method": "ping"}])
+        self.assertEqual((answers[0]["error"]["code"], answers[1]["result"], status), (-32001, {}, 0))
+        swim = os.path.join(ROOT, "examples", "first.json")
+        answers, status = serve([{"id": 1, "method": "map"}], "--time-limit", "0.000001", swim)
+        self.assertEqual((answers[0]["id"], answers[0]["error"]["code"], status), (1, -32001, 4))
+
+    def test_model_context_protocol(self):
+        answers, status = serve([
+            {"jsonrpc": "2.0", "id": 0, "method": "initialize", "params": {"protocolVersion": "2025-06-18"}},
+            {"jsonrpc": "2.0", "method": "notifications/initialized"},
+            {"jsonrpc": "2.0", "id": 1, "method": "tools/list"},
+            {"jsonrpc": "2.0", "id": 2, "method": "tools/call", "params": {"name": "check", "arguments": {"at": [10, 12]}}},
+            {"jsonrpc": "2.0", "id": 3, "method": "tools/call", "params": {"name": "set", "arguments": {"where": "gap("}}},
+            {"jsonrpc": "2.0", "id": 4, "method": "tools/call", "params": {"name": "nothing"}},
+        ], PEG)
+        self.assertEqual((status, len(answers)), (0, 5))
+        self.assertEqual(answers[0]["result"]["serverInfo"]["name"], "findspace")
+        tools = {t["name"]: t["inputSchema"] for t in answers[1]["result"]["tools"]}
+        self.assertEqual(tools, {m["name"]: m["params"] for m in description()["methods"]})
+        called = answers[2]["result"]
+        self.assertEqual(json.loads(called["content"][0]["text"]), called["structuredContent"])
+        self.assertEqual((called["isError"], called["structuredContent"]["true"]), (False, True))
+        self.assertTrue(answers[3]["result"]["isError"])
+        self.assertEqual(answers[4]["error"]["code"], -32601)
+
+
+def ask_raw(method, **parameters):
+    return serve([{"id": 1, "method": method, "params": parameters}], PEG)[0][0]
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    if sys.argv[1:] == ["--write"]:
+        with open(DESCRIPTION, "w", encoding="utf-8") as out:
+            out.write(json.dumps(description(), indent=1) + "\n")
+    else:
+        unittest.main()

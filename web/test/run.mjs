@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The page in a real browser.
+//
+// usage: node test/run.mjs PROGRAM [FOLDER]
+//
+// Pictures of the page go to FOLDER, for people to look at. Chromium is the system's.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { mkdtempSync, mkdirSync, writeFileSync, existsSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import puppeteer from "puppeteer-core";
+
+const program = resolve(process.argv[2] ?? "../build/release/findspace");
+const pictures = process.argv[3] ?? "";
+const folder = mkdtempSync(join(tmpdir(), "findspace_page_"));
+if (pictures) mkdirSync(pictures, { recursive: true });
+
+const kSlot = {
+  findspace: 1, unit: "mm", moving: "peg",
+  shapes: {
+    block: { polygon: [[0, 0], [40, 0], [40, 10], [24, 10], [24, 4], [16, 4], [16, 10], [0, 10]] },
+    room: { box: { min: [-10, -10], max: [50, 40] } },
+    peg: { box: { min: [-4, -4], max: [4, 4] } },
+  },
+  where: "inside(peg, room) and gap(peg, block) >= 0",
+};
+
+function scene(name, content) {
+  const path = join(folder, name);
+  writeFileSync(path, JSON.stringify(content));
+  return path;
+}
+
+/// The program, the link that it prints, and a promise of its end.
+async function view(path) {
+  const child = spawn(program, ["view", path, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
+  const link = await new Promise((done, fail) => {
+    child.stdout.once("data", (d) => done(String(d).trim()));
+    child.once("exit", (code) => fail(new Error(`view ends with ${code}`)));
+  });
+  return { child, link, ended: new Promise((done) => child.once("exit", done)) };
+}
+
+const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
+const running = [];
+
+async function open(path, { dark = false, width = 1280, height = 800 } = {}) {
+  const server = await view(path);
+  running.push(server);
+  return { ...server, page: await openPage(server.link, { dark, width, height }) };
+}
+
+async function openPage(link, { dark = false, width = 1280, height = 800 } = {}) {
+  const page = await browser.newPage();
+  page.faults = [];
+  page.on("pageerror", (e) => page.faults.push(String(e)));
+  page.on("console", (m) => { if (m.type() === "error") page.faults.push(m.text()); });
+  await page.setViewport({ width, height });
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
+  await page.goto(link, { waitUntil: "domcontentloaded" });
+  await page.waitForFunction(() => document.getElementById("verdict").textContent !== "");
+  return page;
+}
+
+const verdict = (page) => page.$eval("#verdict", (e) => e.textContent);
+const at = (page) => page.evaluate(() => [Number(document.getElementById("x").value), Number(document.getElementById("y").value)]);
+const until = (page, test, ...args) => page.waitForFunction(test, { timeout: 10000 }, ...args);
+const setPlace = async (page, x, y) => {
+  await page.evaluate((x, y) => {
+    document.getElementById("x").value = x;
+    document.getElementById("y").value = y;
+    document.getElementById("x").dispatchEvent(new Event("change"));
+  }, x, y);
+  await until(page, (x, y) => document.querySelector("#layer-part").getAttribute("transform") === `translate(${x} ${-y})`, x, y);
+};
+/// Where a place of the scene is on the screen.
+const onScreen = (page, x, y) => page.evaluate((x, y) => {
+  const p = new DOMPoint(x, -y).matrixTransform(document.getElementById("picture").getScreenCTM());
+  return [p.x, p.y];
+}, x, y);
+const shot = async (page, name) => { if (pictures) await page.screenshot({ path: join(pictures, name + ".png") }); };
+
+async function close(opened) {
+  assert.deepEqual(opened.page.faults, []);
+  await opened.page.close();
+  assert.equal(await opened.ended, 0, "the program ends with its last page");
+}
+
+const tests = {
+  async "drag along a slot of no width"() {
+    const opened = await open(scene("slot.json", kSlot)), { page } = opened;
+    await setPlace(page, 20, 16);
+    await page.mouse.move(...(await onScreen(page, 20, 16)));
+    await page.mouse.down();
+    for (const [x, y] of [[20.3, 13], [19.8, 11], [20.2, 9.5]]) {
+      await page.mouse.move(...(await onScreen(page, x, y)));
+      await until(page, (y) => Math.abs(Number(document.getElementById("y").value) - y) < 0.5, y);
+      assert.equal((await at(page))[0], 20);
+      assert.equal(await verdict(page), "Feasible");
+    }
+    await page.mouse.up();
+    await shot(page, "slot-light");
+    await page.mouse.move(...(await onScreen(page, 20, 9.5)));
+    await page.mouse.down();
+    await page.mouse.move(...(await onScreen(page, 30, 6)));
+    await until(page, () => document.getElementById("verdict").className === "bad");
+    assert.match(await verdict(page), /^Not feasible, .* away: gap\(peg, block\) >= 0$/);
+    await page.mouse.up();
+    await shot(page, "clash-light");
+    await page.keyboard.press("n");
+    await until(page, () => document.getElementById("verdict").textContent === "Feasible");
+    await page.evaluate(() => document.getElementById("undo").click());
+    await until(page, () => document.getElementById("verdict").className === "bad");
+    await close(opened);
+  },
+  async "a slider makes the region vanish, and the page says which conditions clash"() {
+    const opened = await open(scene("slot2.json", kSlot), { dark: true }), { page } = opened;
+    await shot(page, "region-dark");
+    await page.evaluate(() => {
+      const range = document.querySelector("#sliders input[type=range]");
+      range.max = "100";
+      range.value = "60";
+      range.dispatchEvent(new Event("input"));
+      range.dispatchEvent(new Event("change"));
+    });
+    await until(page, () => document.getElementById("verdict").textContent === "No position is feasible");
+    await until(page, () => document.querySelectorAll("#why .clash code").length === 2 || document.querySelectorAll("#why li.clash").length === 2);
+    const clash = await page.$$eval("#why li.clash", (all) => all.map((e) => e.textContent));
+    assert.deepEqual(clash, ["inside(peg, room)", "gap(peg, block) >= 60"]);
+    await shot(page, "why-dark");
+    await page.evaluate(() => [...document.querySelectorAll("#why button")].find((b) => b.textContent === "Change").click());
+    await until(page, () => document.getElementById("verdict").textContent !== "No position is feasible");
+    await close(opened);
+  },
+  async "a mistake in the formula is shown at its place"() {
+    const opened = await open(scene("slot3.json", kSlot)), { page } = opened;
+    await page.evaluate(() => {
+      const w = document.getElementById("where");
+      w.value = "inside(peg, rom) and gap(peg, block) >= 0";
+      w.dispatchEvent(new Event("input"));
+    });
+    await until(page, () => document.querySelector("#caret mark")?.textContent === "rom");
+    assert.match(await page.$eval("#mistake", (e) => e.textContent), /did you mean 'room'/);
+    await shot(page, "mistake-light");
+    await close(opened);
+  },
+  async "keys move the part"() {
+    const opened = await open(scene("slot4.json", kSlot)), { page } = opened;
+    await setPlace(page, 20, 20);
+    await page.keyboard.press("ArrowRight");
+    await until(page, () => Number(document.getElementById("x").value) > 20);
+    assert.equal((await at(page))[1], 20);
+    await close(opened);
+  },
+  async "two tabs: the program ends with the second"() {
+    const opened = await open(scene("slot5.json", kSlot));
+    const second = await openPage(opened.link);
+    await opened.page.close();
+    await new Promise((done) => setTimeout(done, 5000));
+    assert.equal(opened.child.exitCode, null);
+    await setPlace(second, 20, 20);
+    await second.close();
+    assert.equal(await opened.ended, 0);
+  },
+  async "a foreign origin, a foreign host and a wrong token are refused"() {
+    const opened = await open(scene("slot6.json", kSlot));
+    const link = new URL(opened.link), token = link.searchParams.get("token");
+    const ask = (headers) => fetch(`${link.origin}/rpc`, { method: "POST", headers, body: '{"id":1,"method":"ping"}' }).then((r) => r.status);
+    assert.equal(await ask({ "X-Findspace-Token": token }), 200);
+    assert.equal(await ask({}), 403);
+    assert.equal(await ask({ "X-Findspace-Token": token.replace(/./g, "0") }), 403);
+    assert.equal(await ask({ "X-Findspace-Token": token, Origin: "http://example.org" }), 403);
+    const other = await fetch(`http://localhost:${link.port}/?token=${token}`).then((r) => r.status);
+    assert.equal(other, 200);
+    const { request } = await import("node:http");
+    const foreign = await new Promise((done) => request({ host: "127.0.0.1", port: link.port, path: `/?token=${token}`, headers: { Host: `example.org:${link.port}` } }, (r) => done(r.statusCode)).end());
+    assert.equal(foreign, 403);
+    await close(opened);
+  },
+  async "a page that stands alone opens from a file"() {
+    const opened = await open(scene("slot7.json", kSlot)), { page } = opened;
+    const session = await page.createCDPSession();
+    await session.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder, eventsEnabled: true });
+    await page.evaluate(() => document.getElementById("save-page").click());
+    const file = join(folder, "findspace.html");
+    for (let k = 0; k < 100 && !existsSync(file); ++k) await new Promise((done) => setTimeout(done, 50));
+    await close(opened);
+    const alone = await openPage("file://" + file);
+    assert.match(await verdict(alone), /Feasible at/);
+    assert.ok(await alone.$("#layer-region .face"));
+    assert.deepEqual(alone.faults, []);
+    await shot(alone, "alone-light");
+    await alone.close();
+  },
+  async "a small screen"() {
+    const opened = await open(scene("slot8.json", kSlot), { width: 360, height: 740 });
+    const wide = await opened.page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= 360, `${wide} pixels wide`);
+    await shot(opened.page, "small-light");
+    await close(opened);
+  },
+};
+
+let failed = 0;
+for (const [name, test] of Object.entries(tests)) {
+  try {
+    await test();
+    console.log(`ok    ${name}`);
+  } catch (e) {
+    ++failed;
+    console.log(`FAILS ${name}\n${e.stack ?? e}`);
+    for (const page of (await browser.pages()).slice(1)) await page.close();
+  }
+}
+await browser.close();
+for (const { child } of running) if (child.exitCode === null) child.kill();
+console.log(`${Object.keys(tests).length} tests, ${failed} fail`);
+process.exit(failed ? 1 : 0);
