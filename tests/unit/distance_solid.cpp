@@ -188,7 +188,7 @@ TEST(BoxPair, LeastValuesAndLevelsOfBoxes) {
   EXPECT_FALSE(pair.sign_map(Which::kGamma1, Real(1)));
 }
 
-/// The sum has 4000 coordinates on two axes.
+/// The sum has 4000 coordinates on each of two axes.
 TEST(BoxPair, RefusesWhatIsTooFine) {
   const auto squares = [](int count, int apart, int side) {
     std::vector<space::IntervalBox> boxes;
@@ -198,7 +198,7 @@ TEST(BoxPair, RefusesWhatIsTooFine) {
     }
     return space::BoxComplex::of_boxes(boxes);
   };
-  const BoxPair pair(squares(20, 7, 3), squares(50, 1000, 500));
+  const BoxPair pair(squares(20, 7, 3), squares(100, 1000, 500));
   EXPECT_FALSE(pair.sign_map(Which::kGamma1, Real()));
   EXPECT_FALSE(pair.value(Which::kGamma1, place(0, 0, 0)));
   EXPECT_FALSE(pair.value(Which::kGamma2, place(0, 0, 0)));
