@@ -188,6 +188,25 @@ TEST(BoxPair, LeastValuesAndLevelsOfBoxes) {
   EXPECT_FALSE(pair.sign_map(Which::kGamma1, Real(1)));
 }
 
+/// The sum has 4000 coordinates on each of two axes.
+TEST(BoxPair, RefusesWhatIsTooFine) {
+  const auto squares = [](int count, int apart, int side) {
+    std::vector<space::IntervalBox> boxes;
+    for (int k = 0; k < count; ++k) {
+      const space::Interval i{Real(apart * k), Real(apart * k + side), true, true};
+      boxes.push_back({{i, i, {Real(0), Real(1), true, true}}});
+    }
+    return space::BoxComplex::of_boxes(boxes);
+  };
+  const BoxPair pair(squares(20, 7, 3), squares(100, 1000, 500));
+  EXPECT_FALSE(pair.sign_map(Which::kGamma1, Real()));
+  EXPECT_FALSE(pair.value(Which::kGamma1, place(0, 0, 0)));
+  EXPECT_FALSE(pair.value(Which::kGamma2, place(0, 0, 0)));
+  EXPECT_FALSE(pair.least(Which::kGamma1));
+  EXPECT_FALSE(pair.directional_map(Which::kGamma1, Real(1), 0, 0));
+  EXPECT_FALSE(pair.directional_least(Which::kGamma1, 0, 0));
+}
+
 /// Rooms joined by a door that is too low: separate boxes of positions, which levels shrink one by one.
 TEST(BoxPair, LevelsOfSeparateBoxes) {
   const auto cube = box_set({{{{0, 0, 0}, {1, 1, 1}}}});

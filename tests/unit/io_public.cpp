@@ -65,7 +65,7 @@ TEST(Public, DistancesInRotationAreDegrees) {
   EXPECT_FALSE(world.holds("gamma1(B, A, turning=(0, 0)) > 90", {0, 0}));
   EXPECT_THROW(world.sign_map("gamma1(B, A, turning=(0, 0))", 5), Error);
   const Distance rotating = Distance("gap", "B", "A").rotating({0, 0});
-  EXPECT_EQ(rotating.text(), "gap(B, A, rotating=(0, 0))");
+  EXPECT_EQ(rotating.text(), R"(gap("B", "A", rotating=(0, 0)))");
   EXPECT_DOUBLE_EQ(*world.distance(rotating.text(), {0, 0}).value, 90);
   EXPECT_TRUE(world.holds(rotating >= 90, {0, 0}));
 }

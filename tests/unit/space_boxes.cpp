@@ -55,6 +55,25 @@ TEST(BoxComplex, CavitiesSlitsAndUnboundedSets) {
   EXPECT_TRUE(summarize(BoxComplex(), Real(1)).empty);
 }
 
+/// Made of too many coordinates a set has no cells, and neither has what is made of it.
+TEST(BoxComplex, TooFineOnesAreRefused) {
+  std::vector<IntervalBox> boxes;
+  for (int k = 0; k < 300; ++k) {
+    const Interval i{Real(2 * k), Real(2 * k + 1), true, true};
+    boxes.push_back({{i, i, i}});
+  }
+  const BoxComplex fine = BoxComplex::of_boxes(boxes), cube = box_set({{{{0, 0, 0}, {1, 1, 1}}}});
+  ASSERT_TRUE(fine.too_fine());
+  EXPECT_FALSE(BoxComplex(fine).checked());
+  EXPECT_TRUE(BoxComplex(cube).checked());
+  const auto any = [](std::span<const Mark> m) { return Mark(m[0] || m[1]); };
+  const RealVector by = place(1, 0, 0);
+  for (const BoxComplex& set :
+       {overlay(std::array<const BoxComplex*, 2>{&cube, &fine}, any), sum(cube, fine), mirrored(fine),
+        translated(fine, by), closure(fine), interior(fine), complement(fine), fine.simplified()})
+    EXPECT_TRUE(set.too_fine());
+}
+
 TEST(BoxComplex, SumOfOpenAndClosedBoxes) {
   const BoxComplex a = box_set({{{{0, 0, 0}, {2, 2, 2}}}}), b = box_set({{{{-1, -1, -1}, {0, 0, 0}}}});
   const BoxComplex open = sum(interior(a), b);

@@ -42,6 +42,19 @@ std::string list(const Items& items, Text text, bool lines = false) {
 
 /// The keys of an extreme value: "minimum" or "maximum", "attained"; where it is not proven "proven", "bound",
 /// "within".
+/// What a summary of a set says whatever its dimension: its kind, then `measures`, its points, box and components.
+template <class Summary, class Point, class Box, class Component>
+void put_set(std::string& out, int dimension, const Summary& s, std::string_view unit, const std::string& measures,
+             const Point& point, const Box& box, const Component& component) {
+  put(out, R"(  "dimension": {}, "empty": {}, "whole": {}, "bounded": {},)", dimension, truth(s.empty), truth(s.whole),
+      truth(s.bounded));
+  put(out, "\n  \"open\": {}, \"closed\": {}, \"regular\": {},\n", truth(s.open), truth(s.closed), truth(s.regular));
+  if (!unit.empty()) put(out, "  \"unit\": {},\n", json_string(unit));
+  put(out, "{}, \"holes\": {},\n", measures, s.holes);
+  put(out, "  \"isolated\": {}, \"bbox\": {},\n", list(s.isolated, point), box(s.bbox));
+  put(out, "  \"components\": {},\n", list(s.components, component, true));
+}
+
 inline void put_extreme(std::string& out, const ExtremeValue& e) {
   const std::string value = e.unbounded && !e.maximum ? "\"-inf\"" : number(e.value);
   put(out, "  \"{}\": {}, \"attained\": {},", e.maximum ? "maximum" : "minimum", value, truth(e.attained));

@@ -34,14 +34,12 @@ std::string component_text(const plane::Component& c) {
 }
 
 void put_summary(std::string& out, const plane::Summary& s, std::string_view unit) {
-  put(out, R"(  "dimension": 2, "empty": {}, "whole": {}, "bounded": {},)", truth(s.empty), truth(s.whole),
-      truth(s.bounded));
-  put(out, "\n  \"open\": {}, \"closed\": {}, \"regular\": {},\n", truth(s.open), truth(s.closed), truth(s.regular));
-  if (!unit.empty()) put(out, "  \"unit\": {},\n", json_string(unit));
-  put(out, "  \"area\": {}, \"dangling_length\": {}, \"crack_length\": {}, \"holes\": {},\n", number(s.area),
-      json_number(s.dangling_length), json_number(s.crack_length), s.holes);
-  put(out, "  \"isolated\": {}, \"bbox\": {},\n", list(s.isolated, pair), box(s.bbox));
-  put(out, "  \"components\": {},\n", list(s.components, component_text, true));
+  const std::string measures = fmt::format(R"(  "area": {}, "dangling_length": {}, "crack_length": {})", number(s.area),
+                                           json_number(s.dangling_length), json_number(s.crack_length));
+  put_set(
+      out, 2, s, unit, measures, [](const Place& p) { return pair(p); },
+      [](const std::optional<Bounds>& b) { return box(b); },
+      [](const plane::Component& c) { return component_text(c); });
 }
 
 std::string curve_text(const CurveNet& net, const Curve& k) {

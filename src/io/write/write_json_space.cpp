@@ -45,16 +45,14 @@ std::string box_text(const space::IntervalBox& b, const Real& step) {
 }
 
 void put_summary(std::string& out, const space::SpaceSummary& s, std::string_view unit) {
-  put(out, R"(  "dimension": 3, "empty": {}, "whole": {}, "bounded": {},)", truth(s.empty), truth(s.whole),
-      truth(s.bounded));
-  put(out, "\n  \"open\": {}, \"closed\": {}, \"regular\": {},\n", truth(s.open), truth(s.closed), truth(s.regular));
-  if (!unit.empty()) put(out, "  \"unit\": {},\n", json_string(unit));
-  put(out, "  \"volume\": {}, \"dangling_area\": {}, \"dangling_length\": {},\n", number(s.volume),
-      json_number(s.dangling_area), json_number(s.dangling_length));
-  put(out, "  \"crack_area\": {}, \"crack_length\": {}, \"holes\": {},\n", json_number(s.crack_area),
-      json_number(s.crack_length), s.holes);
-  put(out, "  \"isolated\": {}, \"bbox\": {},\n", list(s.isolated, triple), box(s.bbox));
-  put(out, "  \"components\": {},\n", list(s.components, solid_component_text, true));
+  const std::string measures = fmt::format(
+      "  \"volume\": {}, \"dangling_area\": {}, \"dangling_length\": {},\n  \"crack_area\": {}, \"crack_length\": {}",
+      number(s.volume), json_number(s.dangling_area), json_number(s.dangling_length), json_number(s.crack_area),
+      json_number(s.crack_length));
+  put_set(
+      out, 3, s, unit, measures, [](const Place3& p) { return triple(p); },
+      [](const std::optional<PlaceBox>& b) { return box(b); },
+      [](const space::SpaceComponent& c) { return solid_component_text(c); });
 }
 
 }  // namespace
