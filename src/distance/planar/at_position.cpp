@@ -19,8 +19,11 @@ std::optional<PlanarAnswer> cut(std::optional<PlanarAnswer> m, bool negated) {
   const PlanarAnswer none = exact_answer(Real(), m ? m->way : Way::kMap);
   if (!m) return negated ? std::optional(none) : std::nullopt;
   if (m->minus_infinity) return negated ? std::nullopt : std::optional(none);
-  if (negated) m->value = -m->value;
-  return m->value.sign() < 0 ? none : m;
+  if (m->proven) {
+    if (negated) m->value = -m->value;
+    return m->value.sign() < 0 ? none : m;
+  }
+  return cut_off(std::move(m), negated);
 }
 
 }  // namespace

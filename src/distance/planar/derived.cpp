@@ -48,7 +48,9 @@ class CutOff : public TDistance {
     auto v = f_->value(p);
     if (!v) return negated_ ? std::optional(exact_answer(floor_, Way::kMap)) : std::nullopt;
     if (v->minus_infinity) return negated_ ? std::nullopt : std::optional(exact_answer(floor_, Way::kMap));
-    if (negated_) v->value = -v->value;
+    if (negated_) v = minus(*std::move(v));
+    for (auto* x : {v->enclosed ? &v->enclosed->lower : nullptr, v->enclosed ? &v->enclosed->upper : nullptr})
+      if (x && *x && **x < floor_) *x = floor_;
     if (v->value < floor_) v->value = floor_;
     return v;
   }
@@ -97,8 +99,7 @@ class Greater : public TDistance {
   std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     auto f = f_->value(p), g = g_->value(p);
     if (!f || !g) return std::nullopt;
-    if (f->minus_infinity || g->minus_infinity) return f->minus_infinity ? g : f;
-    return f->value < g->value ? g : f;
+    return distance::greater(*std::move(f), *std::move(g));
   }
 
   RealPoint seed() const override { return f_->seed(); }

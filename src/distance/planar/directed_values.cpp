@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/planar/farthest_corner.h"
 #include "distance/planar/farthest_place.h"
 #include "exact/number/margins.h"
 #include "plane/base/real_vector.h"
@@ -50,7 +51,7 @@ std::optional<PlanarAnswer> DirectedValues::directed(bool back, const RealPoint&
     auto margin = contacts_.signed_value(back ? Which::kDelta1 : Which::kEta1, s, p);
     if (margin && (margin->minus_infinity || margin->value.sign() <= 0)) return margin;
     farthest = place(back, by, scale * margin::kHardlyOut);
-    if (!farthest) return none;
+    if (!farthest) farthest = farthest_corner(from.region(), to.region(), by, scale * margin::kHardlyOut);
   }
   const FeaturePair near = farthest->nearest ? *farthest->nearest : nearest_point(to, farthest->at);
   Feature out{!back, farthest->cell, farthest->at}, in{back, near.first_cell, near.first};
@@ -59,7 +60,9 @@ std::optional<PlanarAnswer> DirectedValues::directed(bool back, const RealPoint&
     in.at = in.at + p;
     std::swap(out, in);
   }
-  return boundary_answer(farthest->value, {out, in});
+  PlanarAnswer answer = farthest->answer();
+  answer.witness = {out, in};
+  return answer;
 }
 
 double DirectedValues::protrudes(bool back, double px, double py) const {
@@ -81,8 +84,7 @@ std::optional<PlanarAnswer> DirectedValues::hausdorff(const RealPoint& p) const 
   if (!f) return std::nullopt;
   auto g = directed(!back, p, near_value(f->value) - scale * margin::kHardlyOut);
   if (!g) return std::nullopt;
-  if (back) std::swap(f, g);
-  return f->value < g->value ? g : f;
+  return back ? greater(*std::move(g), *std::move(f)) : greater(*std::move(f), *std::move(g));
 }
 
 }  // namespace findspace::distance

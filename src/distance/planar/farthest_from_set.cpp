@@ -25,7 +25,8 @@ using plane::operator+;
 
 namespace {
 
-constexpr MaxMinEffort kCoarse{margin::kMaxMinGuess}, kFine{margin::kMaxMinFine};
+constexpr long kMostRanges = 100000;
+constexpr MaxMinEffort kCoarse{margin::kMaxMinGuess, kMostRanges}, kFine{margin::kMaxMinFine, kMostRanges};
 constexpr std::size_t kMostMaxMins = 10;
 
 bool inside(Mark m) { return m > 0; }
@@ -107,6 +108,8 @@ std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, doubl
   // Only what is more is looked for; all that is about as far would be too much where a ridge touches an edge.
   const double more_than = best ? near_value(best->value) + scale * margin::kNothingMore : least_value;
   take(search.finer({scale, scale * margin::kRoundedPlace, more_than, kFine}));
+  if (!best && search.open() > least_value) best = exact_place({0, 0, 0, {0, 0}}, p);
+  if (best) best->open = search.open();
   return best;
 }
 

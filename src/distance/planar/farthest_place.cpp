@@ -126,6 +126,13 @@ std::optional<FarthestPlace> PlaceSearch::exact_meeting(const Found& f) const {
   return FarthestPlace{near.distance, place, f.cell, near};
 }
 
+PlanarAnswer FarthestPlace::answer() const {
+  const Real most = Real::from_double(open);
+  if (off == 0) return value < most ? enclosed_answer(value, value, most) : exact_answer(value, Way::kFeatures);
+  const Real room = Real::from_double(off);
+  return enclosed_answer(value, std::max(value - room, Real()), std::max(value + room, most));
+}
+
 std::optional<FarthestPlace> PlaceSearch::run() {
   if (a_.empty() || b_.empty()) return std::nullopt;
   walk_boundary();
@@ -137,6 +144,9 @@ std::optional<FarthestPlace> PlaceSearch::run() {
     auto k = f.cell.dimension == 0 ? exact_vertex(f) : exact_meeting(f);
     if (k && (!best || k->value > best->value)) best = std::move(k);
   }
+  if (open_ == 0) return best;
+  if (!best) best = exact_vertex({{}, first_});
+  best->open = open_;
   return best;
 }
 

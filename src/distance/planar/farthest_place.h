@@ -7,9 +7,11 @@
 // then parts of edges (the distance to one part of A is convex along an edge, so its ends bound it), then boxes of the
 // plane in which d has no direction to grow in, for places inside B: a matter of A alone, kept for the next position
 // (max_min_boxes.h). Numbers choose the places; values are exact.
-// Guarantee: as farthest_from_set.h, which also does arcs. Cost: trees are given; a query mostly costs little more than
-// some hundred nearest neighbours. Source: Taha, Hanbury 2015 for early breaks; Alt, Behrends, Blömer 1995 for where
-// the maximum can lie. Keywords: directed Hausdorff distance, branch and bound, medial axis.
+// Guarantee: as farthest_from_set.h, which also does arcs. A search ends after 100,000 steps and 100 for each feature,
+// and says then what is still open; a step is a box, a part of an edge or a square. Cost: trees are given; a query
+// mostly costs little more than some hundred nearest neighbours. Source: Taha, Hanbury 2015 for early breaks; Alt,
+// Behrends, Blömer 1995 for where the maximum can lie. Keywords: directed Hausdorff distance, branch and bound, medial
+// axis.
 #pragma once
 
 #include "distance/planar/max_min_boxes.h"
@@ -22,9 +24,15 @@ struct FarthestPlace {
   exact::RealPoint at;                   // of B + p
   plane::Cell cell;                      // of B; dimension 2: inside
   std::optional<FeaturePair> nearest{};  // the nearest point of A, where it is known
+  double open = 0;                       // where the search ended early: no place is farther than this or the value
+  double off = 0;                        // what the value may be off, where the place is not exact
+
+  /// The value as an answer; what lies beside it where the search ended early.
+  PlanarAnswer answer() const;
 };
 
-/// The farthest place if its value is more than `least_value`. No arcs; `boxes` are those of A.
+/// The farthest place if its value is more than `least_value`, or if the search ended early. No arcs; `boxes` are those
+/// of A.
 std::optional<FarthestPlace> farthest_place(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes,
                                             const exact::RealPoint& p, double least_value);
 

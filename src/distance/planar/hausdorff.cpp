@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "distance/planar/farthest_corner.h"
 #include "exact/number/margins.h"
 #include "plane/complex/overlay.h"
 #include "plane/sum/minkowski.h"
@@ -33,6 +34,16 @@ const SignedDistance& DirectedHausdorff::containment() const {
   return *containment_;
 }
 
+const DirectedHausdorff::Trees& DirectedHausdorff::trees() const {
+  std::call_once(trees_made_, [this] { trees_ = std::make_unique<const Trees>(b_, a_); });
+  return *trees_;
+}
+
+std::optional<FarthestPlace> DirectedHausdorff::greatest(const RealPoint& p, double least_value) const {
+  if (trees().b.has_arcs() || trees().a.has_arcs()) return search_.greatest(p, least_value);
+  return farthest_place(trees().b, trees().a, trees().boxes, p, least_value);
+}
+
 SignMap DirectedHausdorff::sign_map(const Real& level) const {
   if (!defined()) return CellComplex::uniform(1);
   if (level.sign() <= 0) return containment().sign_map(level);
@@ -48,12 +59,12 @@ SignMap DirectedHausdorff::sign_map(const Real& level) const {
 std::optional<PlanarAnswer> DirectedHausdorff::value(const RealPoint& p) const {
   if (!defined()) return std::nullopt;
   double scale = search_.scale(near_value(p.x), near_value(p.y));
-  if (auto h = search_.greatest(p, scale * margin::kClearlyOut)) return exact_answer(h->value, Way::kFeatures);
+  if (auto h = greatest(p, scale * margin::kClearlyOut)) return h->answer();
   // B+p lies in A, or all but: containment decides.
   auto margin = containment().value(p);
   if (margin && (margin->minus_infinity || margin->value.sign() <= 0)) return margin;
-  auto h = search_.greatest(p, scale * margin::kHardlyOut);
-  return exact_answer(h ? h->value : Real(), Way::kFeatures);
+  if (auto h = greatest(p, scale * margin::kHardlyOut)) return h->answer();
+  return farthest_corner(b_, a_, p, scale * margin::kHardlyOut).answer();
 }
 
 RealPoint DirectedHausdorff::seed() const {

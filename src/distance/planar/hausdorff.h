@@ -15,6 +15,7 @@
 #include <mutex>
 
 #include "distance/planar/farthest_from_set.h"
+#include "distance/planar/max_min_boxes.h"
 #include "distance/planar/signed_distance.h"
 #include "distance/planar_features/t_distance.h"
 
@@ -33,11 +34,22 @@ class DirectedHausdorff : public TDistance {
   std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
 
  private:
+  /// For the searches of sets without arcs.
+  struct Trees {
+    FeatureTree b, a;
+    MaxMinBoxes boxes;
+
+    Trees(const plane::Region& moving, const plane::Region& fixed) : b(moving), a(fixed), boxes(a) {}
+  };
+
   const SignedDistance& containment() const;
+  const Trees& trees() const;
+  std::optional<FarthestPlace> greatest(const exact::RealPoint& p, double least_value) const;
 
   plane::Region b_, a_;
   FarthestFromSet search_;
-  mutable std::once_flag made_;
+  mutable std::once_flag made_, trees_made_;
+  mutable std::unique_ptr<const Trees> trees_;
   mutable std::unique_ptr<SignedDistance> containment_;  // eta1, made when first needed
 };
 

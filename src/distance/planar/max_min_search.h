@@ -40,6 +40,8 @@ class MaxMinSearch {
   std::vector<MaxMinPlace> run();
   /// After run(), what that took for places looked at with more effort; the max_mins that are wished for now.
   std::vector<MaxMinPlace> finer(const MaxMinQuery& query);
+  /// What no place left aside is farther than; 0 where all was looked at.
+  double open() const { return todo_.empty() ? 0 : todo_.top().bound; }
 
  private:
   using List = SearchRange::List;

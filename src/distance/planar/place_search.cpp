@@ -30,7 +30,8 @@ PlaceSearch::PlaceSearch(const FeatureTree& b, const FeatureTree& a, const MaxMi
       py_(near_value(p.y)),
       scale_(a.scale() + b.scale() + std::abs(px_) + std::abs(py_)),
       slack_(scale_ * margin::kSameNumber),
-      best_(least_value) {}
+      best_(least_value),
+      left_(kLeastSteps + kStepsPerFeature * long(a.features().size() + b.features().size())) {}
 
 bool PlaceSearch::in_a(Spot at, const FeatureTree::Near& near) const {
   if (auto in = a_.contains(at.x, at.y, near)) return *in;
@@ -65,7 +66,8 @@ Index PlaceSearch::start() {
   const FeatureBox &s = a_.nodes()[0].box, &t = b_.nodes()[0].box;
   const auto v = b_.extreme(t.x0 + t.x1 + 2 * px_ - s.x0 - s.x1, t.y0 + t.y1 + 2 * py_ - s.y0 - s.y1);
   const Seen seen = see({v.x + px_, v.y + py_}, kNone);
-  record(seen, {0, v.vertex});
+  first_ = {0, v.vertex};
+  record(seen, first_);
   return seen.near.feature;
 }
 
@@ -100,6 +102,7 @@ void PlaceSearch::walk_boundary() {
     Entry e = todo.top();
     todo.pop();
     if (e.bound <= best_ + slack_) break;
+    if (spent()) return leave_open(e.bound);
     const FeatureTree::Node& n = b_.nodes()[e.node];
     if (!e.sharp) {
       const FeatureBox box = placed(e.node);
@@ -152,6 +155,10 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
         std::min({std::max(s.near.distance, to_feature(t.at, s.near.feature)),
                   std::max(to_feature(s.at, t.near.feature), t.near.distance), (s.value + t.value + size) / 2});
     if (bound <= best_ + slack_ || size <= scale_ * margin::kShortPart) continue;
+    if (spent()) {
+      leave_open(bound);
+      continue;
+    }
     double covered = (s.inside ? s.near.distance : 0) + (t.inside ? t.near.distance : 0);
     if (covered >= size) continue;  // all inside A
     auto on_part = [&](double m) { return Spot{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)}; };
@@ -164,42 +171,56 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
   }
 }
 
-/// Squares in which the distance to A can have a strict maximum, as far as B + p reaches.
+/// Squares in which the distance to A can have a strict maximum, as far as B + p reaches; the one with the largest
+/// bound first, so that no ridge is walked along step by step.
 void PlaceSearch::search_inside() {
   const auto& faces = b_.region().faces;
   if (std::none_of(faces.begin(), faces.end(), [](const plane::Face& f) { return f.mark > 0; })) return;
-  const FeatureBox reach = placed(0);
-  struct Entry {
-    MaxMinBoxes::Part part;
-    Index guess;
-  };
   plane::ObservedCells seen_cells("squares of the farthest place inside a set", true);
-  std::vector<Entry> stack{{{}, kNone}};
-  while (!stack.empty()) {
-    const Entry e = stack.back();
-    stack.pop_back();
-    const Spot middle = boxes_.middle(e.part);
-    const double half = boxes_.half(e.part), radius = half * std::sqrt(2.0);
-    const FeatureBox box{middle.x - half, middle.y - half, middle.x + half, middle.y + half};
-    if (seen_cells) seen_cells.add_box({box.x0, box.y0, 0}, {box.x1, box.y1, 0});
-    if (box.x0 >= reach.x1 || box.x1 <= reach.x0 || box.y0 >= reach.y1 || box.y1 <= reach.y0) continue;
-    if (e.guess != kNone && most(box, e.guess) <= best_ + slack_) continue;
-    const auto look = boxes_.look(e.part, e.guess);
-    if (look.barren || most(box, look.near.feature) <= best_ + slack_) continue;
-    const auto to_b = b_.nearest(middle.x - px_, middle.y - py_);
-    const bool in = in_b(middle, to_b);
-    if (!in && to_b.distance > radius) continue;
-    const Seen seen{middle, look.inside ? 0 : look.near.distance, look.near, look.inside};
-    if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max_min stays
-    if (half <= scale_ * margin::kExactPlaceBox && !seen.inside) {
-      const bool few = parts_near(middle, seen.value + kMeetingRoom * 4 * radius).size() <= kMostParts;
-      if (few || half <= scale_ * margin::kTinyPlaceBox) {
-        record(seen, {2, 0}, 4 * radius);
-        continue;
-      }
+  std::priority_queue<Square> todo;
+  todo.push({std::numeric_limits<double>::infinity(), {}, kNone});
+  while (!todo.empty()) {
+    const Square e = todo.top();
+    todo.pop();
+    if (e.bound <= best_ + slack_) return;
+    if (spent()) return leave_open(e.bound);
+    if (seen_cells) {
+      const FeatureBox box = box_of(e.part);
+      seen_cells.add_box({box.x0, box.y0, 0}, {box.x1, box.y1, 0});
     }
-    for (int k = 0; k < 4; ++k) stack.push_back({e.part.quarter(k), look.near.feature});
+    const auto nearest = look_inside(e);
+    for (int k = 0; nearest && k < 4; ++k) {
+      const MaxMinBoxes::Part quarter = e.part.quarter(k);
+      const double bound = std::min(e.bound, most(box_of(quarter), *nearest));
+      if (bound > best_ + slack_) todo.push({bound, quarter, *nearest});
+    }
   }
+}
+
+FeatureBox PlaceSearch::box_of(const MaxMinBoxes::Part& part) const {
+  const Spot middle = boxes_.middle(part);
+  const double half = boxes_.half(part);
+  return {middle.x - half, middle.y - half, middle.x + half, middle.y + half};
+}
+
+/// The feature of A nearest to the square's middle, if the square is to be divided.
+std::optional<Index> PlaceSearch::look_inside(const Square& e) {
+  const FeatureBox box = box_of(e.part), reach = placed(0);
+  if (box.x0 >= reach.x1 || box.x1 <= reach.x0 || box.y0 >= reach.y1 || box.y1 <= reach.y0) return std::nullopt;
+  const auto look = boxes_.look(e.part, e.guess);
+  if (look.barren || most(box, look.near.feature) <= best_ + slack_) return std::nullopt;
+  const Spot middle = boxes_.middle(e.part);
+  const double half = boxes_.half(e.part), radius = half * std::sqrt(2.0);
+  const auto to_b = b_.nearest(middle.x - px_, middle.y - py_);
+  const bool in = in_b(middle, to_b);
+  if (!in && to_b.distance > radius) return std::nullopt;
+  const Seen seen{middle, look.inside ? 0 : look.near.distance, look.near, look.inside};
+  if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max_min stays
+  if (half > scale_ * margin::kExactPlaceBox || seen.inside) return look.near.feature;
+  const bool few = parts_near(middle, seen.value + kMeetingRoom * 4 * radius).size() <= kMostParts;
+  if (!few && half > scale_ * margin::kTinyPlaceBox) return look.near.feature;
+  record(seen, {2, 0}, 4 * radius);
+  return std::nullopt;
 }
 
 }  // namespace findspace::distance

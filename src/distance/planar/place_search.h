@@ -14,7 +14,9 @@
 namespace findspace::distance {
 
 inline constexpr std::size_t kMostParts = 10;  // of A at one place: their meetings are all tried
-inline constexpr double kMeetingRoom = 8;      // of a found place's error: so near to it parts of A are to meet
+/// A search ends after this many boxes, parts of edges and squares, and says what is still open.
+inline constexpr long kLeastSteps = 100000, kStepsPerFeature = 100;
+inline constexpr double kMeetingRoom = 8;  // of a found place's error: so near to it parts of A are to meet
 
 /// A place with its distance to A (0 inside A) and the part of A's boundary that is nearest. Where that part is too
 /// close to matter, the value is its distance and `inside` false, wherever the place lies.
@@ -39,6 +41,13 @@ class PlaceSearch {
   std::optional<FarthestPlace> run();
 
  private:
+  /// One that may hold a place of at most `bound`; the nearest feature of the square that it is a quarter of.
+  struct Square {
+    double bound;
+    MaxMinBoxes::Part part;
+    plane::Index guess;
+    bool operator<(const Square& o) const { return bound < o.bound; }
+  };
   bool in_a(Spot at, const FeatureTree::Near& near) const;
   bool in_b(Spot at, const FeatureTree::Near& near) const;
   Seen see(Spot at, plane::Index guess) const;
@@ -51,6 +60,12 @@ class PlaceSearch {
   void visit_edge(const BoundaryFeature& edge, plane::Index guess);
   double split(const Seen& s, const Seen& t) const;
   void search_inside();
+  FeatureBox box_of(const MaxMinBoxes::Part& part) const;
+  std::optional<plane::Index> look_inside(const Square& e);
+  /// Counts a step; true once all are taken.
+  bool spent() { return left_ <= 0 || --left_ <= 0; }
+  /// Something is not looked into that has no place farther than this.
+  void leave_open(double bound) { open_ = std::max(open_, bound); }
   FarthestPlace exact_vertex(const Found& f) const;
   std::vector<BoundaryFeature> parts_near(Spot at, double reach) const;
   bool is_in_b(const Found& f, const exact::RealPoint& at, double tolerance) const;
@@ -60,6 +75,9 @@ class PlaceSearch {
   const MaxMinBoxes& boxes_;
   const exact::RealPoint& p_;
   double px_, py_, scale_, slack_, best_;
+  long left_;
+  plane::Cell first_{};
+  double open_ = 0;  // no place is farther than this or than those found
   std::vector<Found> found_;
 };
 

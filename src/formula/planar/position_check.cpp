@@ -32,10 +32,15 @@ std::optional<DecidedSign> clear_sign(const PreparedWorld& world, const SignMap&
   const auto m = world.pair(r.names)->measure(r.which(), p);
   if (!m) return DecidedSign{1, Way::kFeatures};
   if (m->minus_infinity) return DecidedSign{-1, m->way};
-  const double value = m->value.to_double(), level = (wanted.level / world.step()).to_double();
-  const double size = std::abs(value) + std::abs(level) + world.pair(r.names)->scale(p);
-  if (std::abs(value - level) <= size * margin::kClearOfLevel) return std::nullopt;
-  return DecidedSign{std::int8_t(value > level ? 1 : -1), m->way};
+  const double level = (wanted.level / world.step()).to_double();
+  const distance::Enclosure within = m->bounds();
+  if (!within.lower || !within.upper) return std::nullopt;
+  const double low = within.lower->to_double(), high = within.upper->to_double();
+  const double size = std::max(std::abs(low), std::abs(high)) + std::abs(level) + world.pair(r.names)->scale(p);
+  const double tolerance = size * margin::kClearOfLevel;
+  if (low - level > tolerance) return DecidedSign{1, m->way};
+  if (level - high > tolerance) return DecidedSign{-1, m->way};
+  return std::nullopt;
 }
 
 }  // namespace

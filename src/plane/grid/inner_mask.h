@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
-#include "plane/base/bitmap.h"
 #include "plane/base/lattice_runs.h"
+#include "plane/grid/cell_depths.h"
 
 namespace findspace::plane {
 
@@ -33,17 +33,12 @@ class InnerMask {
   std::int64_t line_of(double v) const { return std::int64_t(std::floor(v * scale_)); }
   std::int64_t border(std::int64_t line) const { return line * side_; }
   /// All cells less than so many columns and rows away are marked; 0 where the cell itself is not.
-  std::int64_t depth(std::int64_t column, std::int64_t row) const {
-    std::int64_t c = column - column0_, r = row - row0_;
-    return c >= 0 && r >= 0 && c < columns_ && r < rows_ ? depth_[std::size_t(r * columns_ + c)] : 0;
-  }
+  std::int64_t depth(std::int64_t column, std::int64_t row) const { return depths_.depth(column, row); }
 
  private:
-  void find_depths(const Bitmap& cells);
-
-  std::int64_t side_, column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
+  std::int64_t side_;
   double scale_;
-  std::vector<std::uint8_t> depth_;
+  CellDepths depths_;
 };
 
 }  // namespace findspace::plane

@@ -4,12 +4,15 @@
 #include "plane/grid/reduced_convolution.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "plane/grid/edge_fan.h"
 
 namespace findspace::plane {
 namespace {
+
+constexpr std::size_t kManyCurves = 3000;  // of a pair: from here on it pays to look which are covered
 
 /// Sums of two corners, each a point once. An open-addressing table of pairs.
 class CornerSums {
@@ -38,8 +41,9 @@ class CornerSums {
 
 class FacePair {
  public:
-  FacePair(ReducedConvolution& out, EdgeFan& a, EdgeFan& b, const std::optional<GridBox>& within, Memory memory)
-      : out_(out), a_(a), b_(b), within_(within), sums_(place_and_count(), memory) {}
+  FacePair(ReducedConvolution& out, EdgeFan& a, EdgeFan& b, const std::optional<GridBox>& within,
+           CoveredCurves* covered, Memory memory)
+      : out_(out), a_(a), b_(b), within_(within), covered_(covered), sums_(place_and_count(), memory) {}
 
   void add(const exact::Geometry& a, const exact::Geometry& b) {
     add_edges(b_, b, a_, false);
@@ -74,9 +78,28 @@ class FacePair {
     return count;
   }
 
+  /// Those that are not covered.
+  std::size_t keep_edges(const EdgeFan& moved, const EdgeFan& fan, int side) {
+    each(moved, fan, [&](Index e, Index v) {
+      const GridPoint by = fan.corners[v].at, p = moved.corners[e].at, q = moved.corners[moved.corners[e].next].at;
+      const CoveredBox box{double(std::min(p.x, q.x) + by.x), double(std::min(p.y, q.y) + by.y),
+                           double(std::max(p.x, q.x) + by.x), double(std::max(p.y, q.y) + by.y)};
+      if (!covered_->covers(box)) kept_[side].push_back({e, v});
+    });
+    return kept_[side].size();
+  }
+
+  template <class Visit>
+  void each_kept(const EdgeFan& moved, const EdgeFan& fan, int side, Visit&& visit) const {
+    if (!covered_) return each(moved, fan, visit);
+    for (const auto& [e, v] : kept_[side]) visit(e, v);
+  }
+
   std::size_t place_and_count() {
     EdgeFan::place(a_, b_);
-    const std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
+    std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
+    if (count < kManyCurves) covered_ = nullptr;
+    if (covered_) count = keep_edges(b_, a_, 0) + keep_edges(a_, b_, 1);
     auto& g = out_.geometry;
     g.supporting_curves.reserve(g.supporting_curves.size() + count);
     g.points.reserve(g.points.size() + 2 * count);
@@ -87,7 +110,7 @@ class FacePair {
 
   void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first) {
     auto& g = out_.geometry;
-    each(moved, fan, [&](Index e, Index v) {
+    each_kept(moved, fan, moved_first ? 1 : 0, [&](Index e, Index v) {
       if (!reaches(moved, e, fan, v)) return;
       const GridCorner& edge = moved.corners[e];
       Index from = moved_first ? sums_.point(g, moved, e, fan, v) : sums_.point(g, fan, v, moved, e);
@@ -103,6 +126,8 @@ class FacePair {
   ReducedConvolution& out_;
   EdgeFan &a_, &b_;
   const std::optional<GridBox>& within_;
+  CoveredCurves* covered_;
+  std::array<std::vector<std::pair<Index, Index>>, 2> kept_;  // edge and corner; edges of B, of A
   CornerSums sums_;
 };
 
@@ -121,13 +146,13 @@ std::size_t corner_count(const GridOperand& o) {
 
 }  // namespace
 
-ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b,
-                                       const std::optional<GridBox>& within) {
+ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b, const std::optional<GridBox>& within,
+                                       CoveredCurves* covered) {
   ReducedConvolution out;
   Arena arena(corner_count(a) + corner_count(b));
   std::pmr::vector<EdgeFan> p = fans(a, arena.memory()), q = fans(b, arena.memory());
   for (EdgeFan& f : p)
-    for (EdgeFan& g : q) FacePair(out, f, g, within, arena.memory()).add(a.geometry, b.geometry);
+    for (EdgeFan& g : q) FacePair(out, f, g, within, covered, arena.memory()).add(a.geometry, b.geometry);
   return out;
 }
 

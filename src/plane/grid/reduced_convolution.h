@@ -12,6 +12,7 @@
 
 #include "plane/complex/arrangement.h"
 #include "plane/grid/boundary_box.h"
+#include "plane/grid/covered_curves.h"
 #include "plane/grid/grid_faces.h"
 
 namespace findspace::plane {
@@ -36,8 +37,10 @@ struct GridOperand {
   const exact::Geometry& geometry;
 };
 
-/// Of all pairs of faces; without curves that miss the box, if there is one.
+/// Of all pairs of faces; without curves that miss the box, if there is one, and where there are many, without those
+/// that lie inside the sum for certain.
 ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b,
-                                       const std::optional<GridBox>& within = std::nullopt);
+                                       const std::optional<GridBox>& within = std::nullopt,
+                                       CoveredCurves* covered = nullptr);
 
 }  // namespace findspace::plane

@@ -33,10 +33,11 @@ bool projection_inside(const CellComplex& c, Index edge, double x, double y) {
     return t > 0 && t < dx * dx + dy * dy;
   }
   const exact::SupportingCurve& k = c.supporting_curve(edge);
-  double dx = x - k.x.value, dy = y - k.y.value, length = std::hypot(dx, dy);
-  if (length == 0) return true;
-  double fx = k.x.value + dx / length * k.z.value;
-  return (dy >= 0) == (e.half > 0) && fx > p.x && fx < q.x;
+  // The direction lies between those of the ends. The foot itself is rounded, which moves it far along an arc where
+  // this is vertical.
+  const double dx = x - k.x.value, dy = y - k.y.value;
+  const auto turn = [&](const exact::Point& end) { return (end.x - k.x.value) * dy - (end.y - k.y.value) * dx; };
+  return e.half * turn(p) <= 0 && e.half * turn(q) >= 0;
 }
 
 double edge_distance(const CellComplex& c, Index edge, double x, double y) {
