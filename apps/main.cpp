@@ -19,11 +19,11 @@
 #include <vector>
 
 #include "commands.h"
-#include "formula/language/names.h"
 #include "help_pages.h"
 #include "limits.h"
 #include "option_checks.h"
 #include "plane/base/parallel.h"
+#include "session.h"
 #include "stage_dump.h"
 #include "support_table.h"
 
@@ -322,6 +322,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
 }
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
+  check_outputs(options, endings_of(verb.name));  // before anything is read
   const plane::ThreadLimit threads(options.threads);
   const auto dump = StageDump::from_environment();
   const plane::ObserveStages observe(dump.get());
@@ -361,12 +362,6 @@ int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   }
   end_limits();
   return outcome.status;
-}
-
-/// "; did you mean 'map'?", or "" where no name is near.
-std::string meant(const std::string& word, const std::vector<std::string>& names) {
-  const std::string near = formula::nearest(word, names);
-  return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
 }
 
 /// "mpa": an unknown verb is answered with the nearest one.

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <string_view>
+
+#include "formula/language/names.h"
+#include "io/mesh/write_mesh.h"
 
 namespace findspace::app {
 
@@ -43,6 +45,22 @@ std::optional<std::uint64_t> size_of(const std::string& text) {
 std::string size_text(const std::string& text) {
   if (size_of(text)) return "";
   return fmt::format("a whole number above 0 is meant, such as 500M or 2G, not '{}'", text);
+}
+
+/// "; did you mean 'map'?", or "" where no name is near.
+std::string meant(const std::string& word, const std::vector<std::string>& names) {
+  const std::string near = formula::nearest(word, names);
+  return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+}
+
+std::vector<std::string> endings_of(std::string_view verb) {
+  if (verb == "check" || verb == "measure") return {".svg", ".json"};
+  std::vector<std::string> all{".json"};
+  if (verb == "phi") all.emplace_back(".txt");
+  if (verb == "map") all.emplace_back(".html");
+  if (verb == "map" || verb == "describe" || verb == "convert") all.emplace_back(".wkt");
+  all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());  // .svg is among them
+  return all;
 }
 
 }  // namespace findspace::app

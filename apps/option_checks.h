@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace findspace::app {
 
@@ -18,5 +20,11 @@ std::string thread_count(const std::string& text);
 std::optional<std::uint64_t> size_of(const std::string& text);
 /// What is wrong with such a size, or nothing.
 std::string size_text(const std::string& text);
+
+/// "; did you mean 'map'?", or "" where no name is near.
+std::string meant(const std::string& word, const std::vector<std::string>& names);
+
+/// Of the files that a verb can write, whatever the scene.
+std::vector<std::string> endings_of(std::string_view verb);
 
 }  // namespace findspace::app

@@ -162,6 +162,14 @@ class Reading(SafetyTest):
         self.scene({"B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}, "A": {"file": "part.step"}})
         self.expect(3, "3D shapes from .stl", "describe", "scene.json", "A")
 
+    def test_ending_of_a_result_is_looked_at_first(self):
+        self.expect(2, "the ending must be one of", "map", "nowhere.json", "-o", "a.doc")
+
+    def test_faces_that_stand_twice(self):
+        self.file("a.obj", TETRAHEDRON + "f 1 3 2\nf 1 2 4\n")
+        result = self.expect(3, "2 faces stand twice", "describe", self.of_file("a.obj"))
+        self.assertIn("3 faces, 2 of one sense and 1 of the other", result.err)
+
     def test_unknown_type_of_geojson(self):
         self.file("part.geojson", {"type": "Poligon", "coordinates": []})
         self.expect(3, "'Poligon' is no type of GeoJSON", "describe", self.of_file("part.geojson"))
@@ -277,13 +285,14 @@ class Costs(SafetyTest):
 class Limits(SafetyTest):
     """Limits, signals, and what stands on the disk afterwards."""
 
+    @staticmethod
+    def star(n):
+        turns = [2 * math.pi * i / n for i in range(n)]
+        return [[round((50 + 9 * (i % 3)) * f(t), 4) for f in (math.cos, math.sin)] for i, t in enumerate(turns)]
+
     def long_scene(self):
         """A map that takes many seconds and much memory."""
-        def star(n):
-            turns = [2 * math.pi * i / n for i in range(n)]
-            return [[round((50 + 9 * (i % 3)) * f(t), 4) for f in (math.cos, math.sin)] for i, t in enumerate(turns)]
-
-        return self.scene({"A": {"polygon": star(1500)}, "B": {"polygon": star(1503)}}, moving="B",
+        return self.scene({"A": {"polygon": self.star(1500)}, "B": {"polygon": self.star(1503)}}, moving="B",
                           where="gap(B, A) >= 0 and gap(B, A) <= 3")
 
     def test_time_limit(self):
@@ -305,6 +314,20 @@ class Limits(SafetyTest):
     def test_memory_limit(self):
         result = self.expect(4, "the memory limit", "map", self.long_scene(), "--memory-limit", "60M")
         self.assertLess(result.kilobytes, 66 << 10)
+
+    def many_shapes(self):
+        """Shapes that are built by several threads."""
+        shapes = {"S%d" % i: {"polygon": self.star(100 + i)} for i in range(50)}
+        return self.scene(shapes, moving="S0", where="gap(S0, S1 + S2 + S3) >= 0")
+
+    def test_any_memory_limit(self):
+        scene = self.many_shapes()
+        statuses = set()
+        for megabytes in (1, 5, 12, 16, 20, 24, 28, 32, 36, 40, 50, 70, 100, 400):
+            result = self.run_program("map", scene, "--threads", "4", "--memory-limit", "%dM" % megabytes)
+            self.assertIn(result.status, (0, 4), (megabytes, result.err))
+            statuses.add(result.status)
+        self.assertEqual(statuses, {0, 4})
 
     def test_memory_limit_while_reading(self):
         with open(self.folder / "a.svg", "w") as text:
@@ -389,14 +412,14 @@ class Limits(SafetyTest):
     @unittest.skipUnless(os.geteuid() == 0 and shutil.which("setpriv"), "threads are limited for other users only")
     def test_threads_that_cannot_be_started(self):
         self.folder.chmod(0o755)
-        points = {"S%d" % i: {"polygon": SQUARE} for i in range(50)}
-        self.scene(points).chmod(0o644)
+        self.many_shapes().chmod(0o644)
         program = shutil.copy(PROGRAM, self.folder / "findspace")
         os.chmod(program, 0o755)
-        result = self.run_program("--reuid=65533", "--clear-groups", program, "describe", "scene.json", "S1", "--threads",
-                                  "4", program="setpriv", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NPROC,
-                                                                                              (1, 1)))
-        self.assertIn(result.status, (0, 4), result.err)
+        result = self.run_program("--reuid=61234", "--clear-groups", program, "map", "scene.json", "--threads", "4",
+                                  program="setpriv",
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NPROC, (1, 1)))
+        self.assertEqual(result.status, 4, result.err)
+        self.assertIn("a thread cannot be started", result.err)
 
 
 if __name__ == "__main__":

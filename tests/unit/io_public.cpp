@@ -55,6 +55,33 @@ TEST(Public, SignMapOfAMargin) {
   EXPECT_THROW(world.sign_map("gamma1(B, A)", "2 mm"), Error);
 }
 
+TEST(Public, SignMapAlongADirection) {
+  const World world = boxes();
+  const SignMap along = world.sign_map("gamma1(B, A, along=(1, 0))", 1);
+  EXPECT_EQ(along.sign({0, 0}), -1);
+  EXPECT_EQ(along.sign({6, 0}), 0);
+  EXPECT_EQ(along.sign({-6, 0}), 0);
+  EXPECT_EQ(along.sign({7, 0}), 1);
+  EXPECT_EQ(along.sign({0, "4.5"}), 1);  // met nowhere along x
+  const SignMap toward = world.sign_map("gamma1(B, A, toward=(1, 0))", 1);
+  EXPECT_EQ(toward.sign({-6, 0}), 0);
+  EXPECT_EQ(toward.sign({6, 0}), 1);
+}
+
+TEST(Public, MistakesAreInWhatTheCallerWrote) {
+  const auto place = [](auto make) {
+    try {
+      make();
+    } catch (const Error& e) {
+      return e.place();
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(place([] { Shape::json("{\"points\": [[0, 4]"); }), "shape:1:20");
+  EXPECT_EQ(place([] { Shape::path("M 0 0 L 1"); }), "path");
+  EXPECT_EQ(place([] { Shape::file("/nowhere/at/all.obj"); }), "/nowhere/at/all.obj");
+}
+
 TEST(Public, DistancesInRotationAreDegrees) {
   // A bar on the x axis above which a point of A stands: it meets it after a quarter turn.
   const World world(

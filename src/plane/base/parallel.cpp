@@ -6,10 +6,24 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <typeinfo>
+
+#include "findspace/error.h"
 #include "plane/base/stage_observer.h"
 #include "plane/base/work_limit.h"
 
 namespace findspace::plane {
+namespace {
+
+/// What oneTBB throws where the system refuses a thread has no type of its own.
+bool is_of_threads(const std::runtime_error& e) {
+  return typeid(e) == typeid(std::runtime_error) && std::string_view(e.what()).starts_with("pthread_create");
+}
+
+}  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
   WorkLimit* const limit = work_limit();
@@ -22,7 +36,13 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& tas
     for (std::size_t k = 0; k < count; ++k) run(k);
     return;
   }
-  tbb::parallel_for(std::size_t{0}, count, run, tbb::simple_partitioner());
+  try {
+    tbb::parallel_for(std::size_t{0}, count, run, tbb::simple_partitioner());
+  } catch (const std::runtime_error& e) {
+    if (!is_of_threads(e)) throw;
+    throw Error(ErrorCode::kLimit,
+                std::string("a thread cannot be started (") + e.what() + "); --threads 1 needs none");
+  }
 }
 
 struct ThreadLimit::Control {

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -186,6 +188,24 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
   return split > 0;
 }
 
+/// Faces that another one repeats, corner by corner.
+std::size_t repeated_faces(const Mesh& mesh) {
+  std::set<std::vector<int>> seen;
+  std::size_t repeated = 0;
+  for (std::vector<int> face : mesh.faces) {
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    if (!seen.insert(std::move(face)).second) ++repeated;
+  }
+  return repeated;
+}
+
+/// Of the faces at an edge: how many there are in all, and more of one sense than of the other.
+std::string faces_at_edge(int all, int surplus) {
+  if (all == 1) return "1 face";
+  if (all == surplus) return fmt::format("{} faces of one sense", all);
+  return fmt::format("{} faces, {} of one sense and {} of the other", all, (all + surplus) / 2, (all - surplus) / 2);
+}
+
 void check_closed(const Mesh& mesh, double step) {
   constexpr int kListed = 6;
   std::string list;
@@ -195,14 +215,16 @@ void check_closed(const Mesh& mesh, double step) {
     const Point &a = mesh.vertices[edge.first], &b = mesh.vertices[edge.second];
     const auto at = [&](std::int64_t c) { return static_cast<double>(c) * step; };
     if (open++ < kListed) {
-      list +=
-          fmt::format("{}({:g}, {:g}, {:g})-({:g}, {:g}, {:g}) in {} face{}", open == 1 ? "" : "; ", at(a.x), at(a.y),
-                      at(a.z), at(b.x), at(b.y), at(b.z), count.second, count.second == 1 ? "" : "s of one sense");
+      list += fmt::format("{}({:g}, {:g}, {:g})-({:g}, {:g}, {:g}) in {}", open == 1 ? "" : "; ", at(a.x), at(a.y),
+                          at(a.z), at(b.x), at(b.y), at(b.z), faces_at_edge(count.second, std::abs(count.first)));
     }
   }
   if (open == 0) return;
   if (open > kListed) list += fmt::format("; and {} more", open - kListed);
-  throw Error(ErrorCode::kGeometry, fmt::format("the mesh is not closed: {} open edges: {}", open, list));
+  std::string twice;
+  if (const std::size_t n = repeated_faces(mesh); n > 0)
+    twice = fmt::format("{} face{} twice; ", n, n == 1 ? " stands" : "s stand");
+  throw Error(ErrorCode::kGeometry, fmt::format("the mesh is not closed: {}{} open edges: {}", twice, open, list));
 }
 
 }  // namespace
