@@ -38,6 +38,7 @@ struct Options {
   unsigned threads = 0;               // 0: one for each core
   double time_limit = 0;              // seconds; 0: none
   std::optional<std::string> height;  // of pack and verify: of the strip, instead of the file's
+  std::string gap = "0", edge = "0";  // of pack and verify: least distances
   std::optional<std::filesystem::path> start;  // of pack: a layout
   std::uint64_t seed = 1;                      // of pack
   double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
