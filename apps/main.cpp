@@ -127,6 +127,10 @@ void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
   command.add_option("--height", o.height, "the height of the strip, instead of the file's")
       ->type_name("H")
       ->group(kPlane);
+  command.add_option("--gap", o.gap, "the least distance of any two parts (default 0)")->type_name("D")->group(kPlane);
+  command.add_option("--edge", o.edge, "the least distance of a part to the sides of the strip (default 0)")
+      ->type_name("D")
+      ->group(kPlane);
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
   if (!pack) return;
   command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json or .svg; may be repeated")

@@ -49,6 +49,7 @@ struct Options {
   std::filesystem::path root;      // from files in this folder
   std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWork;  // io/text/read_limits.h
   std::optional<std::string> height;           // of pack and verify: of the strip, instead of the file's
+  std::string gap = "0", edge = "0";           // of pack and verify: least distances
   std::optional<std::filesystem::path> start;  // of pack: a layout
   std::uint64_t seed = 1;                      // of pack
   double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit

@@ -16,6 +16,7 @@
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/strip_search.h"
+#include "packing_report.h"
 #include "session.h"
 
 namespace findspace::app {
@@ -75,8 +76,7 @@ class Packing {
  public:
   Packing(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
     check_outputs(options, {".json", ".svg"});
-    const auto height = options.height ? std::optional(packing::Fraction::parse(*options.height)) : std::nullopt;
-    problem_ = io::read_nesting(io::read_text(options.scene), options.scene, height);
+    problem_ = io::read_nesting(io::read_text(options.scene), options.scene, nesting_wishes(options));
     bound_ = packing::lower_bound(problem_);
   }
 

@@ -26,8 +26,11 @@ std::string fault_text(const packing::Problem& problem, const packing::Layout& l
     case Fault::Kind::kOverlap:
       return fmt::format("{} and {} overlap by {:.3g} near ({:.6g}, {:.6g})", item(fault.first), item(fault.second),
                          fault.depth, fault.x, fault.y);
+    case Fault::Kind::kGap:
+      return fmt::format("{} and {} are too near each other, near ({:.6g}, {:.6g})", item(fault.first),
+                         item(fault.second), fault.x, fault.y);
     case Fault::Kind::kOutside:
-      return fmt::format("{} is outside the strip by {:.3g}", item(fault.first), fault.depth);
+      return fmt::format("{} is outside the strip or its edges by {:.3g}", item(fault.first), fault.depth);
     case Fault::Kind::kAngle:
       return fmt::format("{} stands at an angle that is not allowed", item(fault.first));
     case Fault::Kind::kCount:
@@ -39,11 +42,16 @@ std::string fault_text(const packing::Problem& problem, const packing::Layout& l
 }
 
 const char* kind_name(Fault::Kind kind) {
-  constexpr const char* kNames[] = {"overlap", "outside", "angle", "count"};
+  constexpr const char* kNames[] = {"overlap", "gap", "outside", "angle", "count"};
   return kNames[std::size_t(kind)];
 }
 
 }  // namespace
+
+io::NestingWishes nesting_wishes(const Options& options) {
+  const auto height = options.height ? std::optional(packing::Fraction::parse(*options.height)) : std::nullopt;
+  return {height, packing::Fraction::parse(options.gap), packing::Fraction::parse(options.edge)};
+}
 
 std::string verdict_text(const packing::Problem& problem, const packing::Layout& layout,
                          const packing::Verdict& verdict) {
@@ -66,7 +74,7 @@ std::string verdict_json(const packing::Problem& problem, const packing::Layout&
     std::string items =
         fmt::format("\"{}\"", fault.kind == Fault::Kind::kCount ? problem.parts[fault.first].name
                                                                 : item_name(problem, layout, fault.first));
-    if (fault.kind == Fault::Kind::kOverlap) items += fmt::format(", \"{}\"", item_name(problem, layout, fault.second));
+    if (fault.kind <= Fault::Kind::kGap) items += fmt::format(", \"{}\"", item_name(problem, layout, fault.second));
     faults += fmt::format("{}\n  {{\"kind\": \"{}\", \"of\": [{}], \"depth\": {}, \"near\": [{}, {}]}}",
                           faults.empty() ? "" : ",", kind_name(fault.kind), items, fault.depth, fault.x, fault.y);
   }

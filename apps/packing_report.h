@@ -6,9 +6,14 @@
 
 #include <string>
 
+#include "io/nesting/read_nesting.h"
+#include "options.h"
 #include "packing/proof/verify.h"
 
 namespace findspace::app {
+
+/// The height, gap and edge of the command line.
+io::NestingWishes nesting_wishes(const Options& options);
 
 std::string verdict_text(const packing::Problem& problem, const packing::Layout& layout,
                          const packing::Verdict& verdict);

@@ -18,8 +18,8 @@ io::ProblemAndLayout read_layout_of(const Options& options) {
   if (std::filesystem::path(options.scene).extension() == ".svg") return io::read_sparrow_svg(text, options.scene);
   if (options.shapes.empty())
     throw Error(ErrorCode::kUsage, "a layout as JSON needs its problem: findspace verify LAYOUT PROBLEM");
-  const auto height = options.height ? std::optional(packing::Fraction::parse(*options.height)) : std::nullopt;
-  packing::Problem problem = io::read_nesting(io::read_text(options.shapes[0]), options.shapes[0], height);
+  packing::Problem problem =
+      io::read_nesting(io::read_text(options.shapes[0]), options.shapes[0], nesting_wishes(options));
   packing::Layout layout = io::read_layout(text, options.scene, problem);
   return {std::move(problem), std::move(layout)};
 }

@@ -6,7 +6,7 @@
 usage: pack_random.py EXECUTABLE [--count N] [--seed S]
 
 Checked: every copy of every part, an allowed angle, inside the strip, the length as stated and not below the lower
-bound, and no two parts with a common area. The area is the sum over signed triangles of both parts, each pair clipped
+bound, no two parts with a common area, and gaps as wide as asked for. The area is the sum over signed triangles of both parts, each pair clipped
 exactly. Then one part of each layout is moved at random, and `findspace verify` must agree with the same check."""
 import argparse
 import json
@@ -103,7 +103,24 @@ def instance(rng):
         rings = [[(a + shift[0], b + shift[1]) for a, b in ring] for ring in shape]
         angles = rng.choice([[0], [0, 180], [0, 90, 180, 270], [90]])
         items.append({"id": f"p{k}", "demand": rng.randint(0, 3) if k else 2, "angles": angles, "rings": rings})
-    return {"height": rng.randint(9, 14), "items": items}
+    gap = rng.choice([0, 0, Fraction(1, 2), Fraction(3, 10)])
+    edge = rng.choice([0, 0, Fraction(1, 2)])
+    return {"height": rng.randint(9, 14) + 2 * edge, "gap": gap, "edge": edge, "items": items}
+
+
+def square_to_segment(p, a, b):
+    way, off = (b[0] - a[0], b[1] - a[1]), (p[0] - a[0], p[1] - a[1])
+    along = Fraction(way[0] * off[0] + way[1] * off[1]) / (way[0] ** 2 + way[1] ** 2)
+    along = min(max(along, Fraction(0)), Fraction(1))
+    return (off[0] - along * way[0]) ** 2 + (off[1] - along * way[1]) ** 2
+
+
+def nearer(first, second, gap):
+    """Whether outlines without common inner points are nearer than the gap."""
+    def sides(rings):
+        return [(a, b) for ring in rings for a, b in zip(ring, ring[1:] + ring[:1])]
+    return any(square_to_segment(p, c, d) < gap ** 2 or square_to_segment(c, p, q) < gap ** 2
+               for p, q in sides(first) for c, d in sides(second))
 
 
 def number(value):
@@ -117,7 +134,7 @@ def nesting_json(problem):
         shape = {"type": "simple_polygon", "data": rings[0]} if len(rings) == 1 else \
             {"type": "polygon", "data": {"outer": rings[0], "inner": rings[1:]}}
         items.append({"id": item["id"], "demand": item["demand"], "allowed_orientations": item["angles"], "shape": shape})
-    return {"name": "random", "strip_height": problem["height"], "items": items}
+    return {"name": "random", "strip_height": number(Fraction(problem["height"])), "items": items}
 
 
 def placed_rings(problem, item):
@@ -139,17 +156,22 @@ def faults(problem, layout):
         part = next(p for p in problem["items"] if p["id"] == item["part"])
         if int(item["angle"]) % 360 not in part["angles"]:
             found.append(f"{item['part']} turned by {item['angle']}")
-        if any(x < 0 or x > length or y < 0 or y > height for x, y in rings[0]):
+        edge = problem["edge"]
+        if any(x < edge or x > length - edge or y < edge or y > height - edge for x, y in rings[0]):
             found.append(f"{item['part']} is outside")
     for i, first in enumerate(shapes):
         for j in range(i):
-            if common_area(first, shapes[j]) > 0:
+            if common_area(first, shapes[j]) > 0 or (problem["gap"] and nearer(first, shapes[j], problem["gap"])):
                 found.append(f"{layout['items'][i]['part']} and {layout['items'][j]['part']} overlap")
     return found
 
 
 def run(program, *arguments):
     return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, check=False)
+
+
+def wishes(problem):
+    return ["--gap", str(number(Fraction(problem["gap"]))), "--edge", str(number(Fraction(problem["edge"])))]
 
 
 def fail(seed, text):
@@ -163,7 +185,7 @@ def check_instance(program, seed, folder):
     with open(path, "w", encoding="utf-8") as file:
         json.dump(nesting_json(problem), file)
     threads = str(1 + seed % 2)
-    packed = run(program, "pack", path, "--work", "2", "--threads", threads, "-o", out, "-q", "--json")
+    packed = run(program, "pack", path, *wishes(problem), "--work", "2", "--threads", threads, "-o", out, "-q", "--json")
     if packed.returncode != 0:
         fail(seed, f"status {packed.returncode}: {packed.stderr}")
     layout = json.loads(packed.stdout)["layout"]
@@ -171,7 +193,7 @@ def check_instance(program, seed, folder):
     if wrong:
         fail(seed, "; ".join(wrong))
     ends = [x for item in layout["items"] for x, _ in placed_rings(problem, item)[0]]
-    if Fraction(layout["length"]) != max(ends):
+    if Fraction(layout["length"]) != max(ends) + problem["edge"]:
         fail(seed, f"length {layout['length']}, but the parts end at {max(ends)}")
     if Fraction(layout["length"]) < Fraction(layout["lower_bound"]):
         fail(seed, "shorter than the lower bound")
@@ -189,7 +211,7 @@ def compare_verdicts(program, seed, folder, path, problem, layout, rng):
     moved = os.path.join(folder, "moved.json")
     with open(moved, "w", encoding="utf-8") as file:
         json.dump({"findspace": 1, "layout": layout}, file)
-    verdict = run(program, "verify", moved, path)
+    verdict = run(program, "verify", moved, path, *wishes(problem))
     expected = 1 if faults(problem, layout) else 0
     if verdict.returncode != expected:
         fail(seed, f"verify says {verdict.returncode}, the check {expected}: {verdict.stdout}{verdict.stderr}{layout}")

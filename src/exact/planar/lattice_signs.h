@@ -52,4 +52,15 @@ inline bool is_between(const LatticePoint& p, const LatticePoint& q, const Latti
   return within(p.x, q.x, r.x) && within(p.y, q.y, r.y);
 }
 
+/// Whether p is nearer than `distance` to the segment from a to b. Differences stay below 2^120.
+inline bool is_nearer(const LatticePoint& p, const LatticePoint& a, const LatticePoint& b, int128 distance) {
+  const auto square = [](const LatticePoint& v) { return multiply(v.x, v.x) + multiply(v.y, v.y); };
+  const LatticePoint way = b - a;
+  const Int256 bound = multiply(distance, distance);
+  if (dot_sign(p - a, way) <= 0) return square(p - a) < bound;
+  if (dot_sign(p - b, way) >= 0) return square(p - b) < bound;
+  const Int256 height = multiply(way.x, p.y - a.y) - multiply(way.y, p.x - a.x);
+  return multiply(height, height) < multiply(bound, square(way));
+}
+
 }  // namespace findspace::exact

@@ -23,10 +23,12 @@ class Reader {
  public:
   Reader(const std::string& text, std::string name) : name_(std::move(name)), tree_(parse_json(text, name_, work_)) {}
 
-  packing::Problem problem(const std::optional<Fraction>& height) const {
+  packing::Problem problem(const NestingWishes& wishes) const {
     UnscaledProblem result;
     if (const JsonValue* named = tree_.find("name")) result.name = named->text;
-    result.height = height ? *height : number(need(tree_, "strip_height"));
+    result.height = wishes.height ? *wishes.height : number(need(tree_, "strip_height"));
+    result.gap = wishes.gap;
+    result.edge = wishes.edge;
     const JsonValue& items = list(need(tree_, "items"));
     for (const JsonValue& item : items.items) result.parts.push_back(part(item));
     return std::move(result).on_grid(name_);
@@ -126,9 +128,8 @@ class Reader {
 
 }  // namespace
 
-packing::Problem read_nesting(const std::string& text, const std::string& name,
-                              const std::optional<packing::Fraction>& height) {
-  return Reader(text, name).problem(height);
+packing::Problem read_nesting(const std::string& text, const std::string& name, const NestingWishes& wishes) {
+  return Reader(text, name).problem(wishes);
 }
 
 packing::Layout read_layout(const std::string& text, const std::string& name, const packing::Problem& problem) {

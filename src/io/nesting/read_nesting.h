@@ -14,9 +14,15 @@
 
 namespace findspace::io {
 
-/// Throws Error. Without `allowed_orientations` a part is not turned. `height` replaces that of the file.
-packing::Problem read_nesting(const std::string& text, const std::string& name,
-                              const std::optional<packing::Fraction>& height = std::nullopt);
+/// What a command line adds: a height instead of the file's, the least distance of parts, and of parts to the strip's
+/// sides.
+struct NestingWishes {
+  std::optional<packing::Fraction> height;
+  packing::Fraction gap, edge;
+};
+
+/// Throws Error. Without `allowed_orientations` a part is not turned.
+packing::Problem read_nesting(const std::string& text, const std::string& name, const NestingWishes& wishes = {});
 
 /// A layout of this problem.
 packing::Layout read_layout(const std::string& text, const std::string& name, const packing::Problem& problem);

@@ -21,8 +21,15 @@ int digits_of(const Fraction& value) {
   return digits;
 }
 
-int grid_digits(const std::vector<UnscaledPart>& parts) {
-  int digits = 0, finer = 0;
+/// A gap is at least a thousand steps, for the polygon about its disc.
+int gap_digits(const Fraction& gap) {
+  int digits = 0;
+  while (gap > 0 && Fraction(1000, packing::power_of_ten(digits)) > gap) ++digits;
+  return digits;
+}
+
+int grid_digits(const std::vector<UnscaledPart>& parts, int least) {
+  int digits = least, finer = 0;
   for (const UnscaledPart& part : parts) {
     for (const UnscaledRing& ring : part.rings)
       for (const auto& [x, y] : ring) digits = std::max({digits, digits_of(x), digits_of(y)});
@@ -37,8 +44,11 @@ packing::Problem UnscaledProblem::on_grid(const std::string& place) && {
   packing::Problem result;
   result.name = std::move(name);
   result.height = height;
-  if (height <= 0) throw Error(ErrorCode::kBadValue, "the strip has no height", place);
-  result.digits = grid_digits(parts);
+  result.gap = gap;
+  result.edge = edge;
+  if (gap < 0 || edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0", place);
+  if (height <= edge + edge) throw Error(ErrorCode::kBadValue, "the strip has no height between its edges", place);
+  result.digits = grid_digits(parts, gap_digits(gap));
   const packing::int128 steps = result.steps();
   for (UnscaledPart& part : parts) {
     std::vector<packing::Ring> rings;

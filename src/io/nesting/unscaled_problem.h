@@ -23,7 +23,7 @@ struct UnscaledPart {
 
 struct UnscaledProblem {
   std::string name;
-  packing::Fraction height;
+  packing::Fraction height, gap, edge;
   std::vector<UnscaledPart> parts;
 
   /// On the decimal grid of its coordinates, six digits finer where parts turn by angles that are not of 90 degrees.

@@ -54,11 +54,13 @@ std::string layout_json(const packing::Problem& problem, const packing::Layout& 
                             quoted(problem.parts[out.part].name), out.copies, quoted(out.why));
   return fmt::format(
       "{{\"findspace\": 1, \"layout\": {{\n"
-      "  \"instance\": {}, \"container\": {{\"strip\": \"{}\"}}, \"length\": \"{}\", \"density\": {:.6f}, "
+      "  \"instance\": {}, \"container\": {{\"strip\": \"{}\"}}, \"gap\": \"{}\", \"edge\": \"{}\", \"length\": "
+      "\"{}\", \"density\": {:.6f}, "
       "\"lower_bound\": \"{}\", \"proven\": {}, {}\n"
       "  \"seed\": {}, \"threads\": {}, \"seconds\": {:.2f},\n  \"items\": [{}],\n  \"left_out\": [{}]}}}}\n",
-      quoted(problem.name), problem.height.text(), layout.length.text(), facts.density, facts.lower_bound.text(),
-      facts.proven, grid, facts.seed, facts.threads, facts.seconds, items, left_out);
+      quoted(problem.name), problem.height.text(), problem.gap.text(), problem.edge.text(), layout.length.text(),
+      facts.density, facts.lower_bound.text(), facts.proven, grid, facts.seed, facts.threads, facts.seconds, items,
+      left_out);
 }
 
 std::string layout_svg(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts) {

@@ -74,10 +74,12 @@ class Finisher {
     Placed& item = layout.items.back();
     const auto [low, high] = corners(turned(problem_.parts[item.part].shape, item.angle, false));
     const int128 steps = problem_.steps(), grid = power_of_ten(digits_);
-    const int128 bottom = above(Fraction(-low.y, steps)), top = below(problem_.height - Fraction(high.y, steps));
-    item.x = Fraction(std::max(nearest(pose.at.x, snap), above(Fraction(-low.x, steps))), grid);
-    item.y = Fraction(std::max(bottom, std::min(top, nearest(pose.at.y, snap))), grid);
-    layout.length = std::max(layout.length, item.x + Fraction(high.x, steps));
+    const Fraction& edge = problem_.edge;
+    const int128 left = above(edge - Fraction(low.x, steps)), bottom = above(edge - Fraction(low.y, steps));
+    const int128 top = below(problem_.height - edge - Fraction(high.y, steps));
+    item.x = Fraction(std::max(nearest(pose.at.x + table_.edge(), snap), left), grid);
+    item.y = Fraction(std::max(bottom, std::min(top, nearest(pose.at.y + table_.edge(), snap))), grid);
+    layout.length = std::max(layout.length, item.x + Fraction(high.x, steps) + edge);
   }
 
   const Problem& problem_;
@@ -102,7 +104,7 @@ std::optional<Layout> finished(const Problem& problem, const FieldTable& table, 
 
 Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
   Layout layout;
-  Fraction column = 0, x = 0, y = 0;
+  Fraction column = problem.edge, x = problem.edge, y = problem.edge;
   for (std::size_t part = 0; part < problem.parts.size(); ++part) {
     if (problem.parts[part].demand == 0) continue;
     const Fraction angle = table.variants()[table.variants_of(part)[0]].angle;
@@ -111,16 +113,16 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
     const Fraction width = Fraction(box.high.x, problem.steps()) - low_x;
     const Fraction height = Fraction(box.high.y, problem.steps()) - low_y;
     for (int copy = 1; copy <= problem.parts[part].demand; ++copy) {
-      if (y + height > problem.height) {
+      if (y + height + problem.edge > problem.height) {
         x = column;
-        y = 0;
+        y = problem.edge;
       }
       layout.items.push_back({part, copy, angle, false, x - low_x, y - low_y});
-      y = y + height;
-      column = std::max(column, x + width);
+      y = y + height + problem.gap;
+      column = std::max(column, x + width + problem.gap);
+      layout.length = std::max(layout.length, x + width + problem.edge);
     }
   }
-  layout.length = column;
   return layout;
 }
 
@@ -130,11 +132,12 @@ std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, cons
     const Polygon shape = turned(problem.parts[item.part].shape, item.angle, false);
     // An angle may look like another one of the part up to a translation; then the pose is that one's.
     const SearchShape mine = search_shape(shape, problem.digits);
-    Pose pose{table.variants_of(item.part)[0], {item.x.to_double(), item.y.to_double()}};
+    Pose pose{table.variants_of(item.part)[0],
+              {(item.x - problem.edge).to_double(), (item.y - problem.edge).to_double()}};
     for (const std::size_t v : table.variants_of(item.part)) {
       const auto off = table.offset_to(v, mine);
       if (!off) continue;
-      pose = {v, {item.x.to_double() + off->x, item.y.to_double() + off->y}};
+      pose = {v, pose.at + *off};
       break;
     }
     poses.push_back(pose);

@@ -74,9 +74,9 @@ void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, st
   const Vec t = poses[b].at - poses[a].at;
   const auto& variants = table_.variants();
   const Variant &va = variants[poses[a].variant], &vb = variants[poses[b].variant];
-  const double reach = 2 * trust + gap;
-  if (t.x - reach > va.high.x - vb.low.x || t.x + reach < va.low.x - vb.high.x) return;
-  if (t.y - reach > va.high.y - vb.low.y || t.y + reach < va.low.y - vb.high.y) return;
+  const double reach = 2 * trust + gap, clearance = reach + 2 * table_.gap();
+  if (t.x - clearance > va.high.x - vb.low.x || t.x + clearance < va.low.x - vb.high.x) return;
+  if (t.y - clearance > va.high.y - vb.low.y || t.y + clearance < va.low.y - vb.high.y) return;
   const DepthField& field = table_.field(poses[a].variant, poses[b].variant);
   const Nearest inside = field.nearest(t);
   const double height = table_.height();

@@ -41,7 +41,10 @@ auto normal_form(const SearchShape& shape) {
 
 }  // namespace
 
-FieldTable::FieldTable(const Problem& problem) : height_(problem.height.to_double()) {
+FieldTable::FieldTable(const Problem& problem)
+    : gap_(problem.gap.to_double()),
+      edge_(problem.edge.to_double()),
+      height_((problem.height - problem.edge - problem.edge).to_double()) {
   of_part_.resize(problem.parts.size());
   for (std::size_t part = 0; part < problem.parts.size(); ++part)
     if (problem.parts[part].demand > 0) add_variants(problem, part);
@@ -74,7 +77,7 @@ std::optional<Vec> FieldTable::offset_to(std::size_t variant, const SearchShape&
 }
 
 const DepthField& FieldTable::make(std::size_t a, std::size_t b) const {
-  auto made = std::make_unique<const DepthField>(no_fit_polygon(variants_[a].shape, variants_[b].shape));
+  auto made = std::make_unique<const DepthField>(no_fit_polygon(variants_[a].shape, variants_[b].shape, gap_));
   const std::lock_guard lock(guard_);
   auto& slot = table_[a * variants_.size() + b];
   if (const DepthField* known = slot.load(std::memory_order_acquire)) return *known;

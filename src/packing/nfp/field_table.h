@@ -23,7 +23,7 @@ struct Variant {
   SearchShape shape;
 };
 
-/// A part where it stands.
+/// A part where it stands, relative to the corner between the edges.
 struct Pose {
   std::size_t variant = 0;
   Vec at;
@@ -34,7 +34,10 @@ class FieldTable {
   /// Throws Error(kBadValue) where a part is higher than the strip at every angle.
   explicit FieldTable(const Problem& problem);
 
+  /// Between the edges.
   double height() const { return height_; }
+  double gap() const { return gap_; }
+  double edge() const { return edge_; }
   const std::vector<Variant>& variants() const { return variants_; }
   const std::vector<std::size_t>& variants_of(std::size_t part) const { return of_part_[part]; }
 
@@ -55,7 +58,7 @@ class FieldTable {
   const DepthField& make(std::size_t a, std::size_t b) const;
   void add_variants(const Problem& problem, std::size_t part);
 
-  double height_;
+  double gap_, edge_, height_;
   std::vector<Variant> variants_;
   std::vector<std::vector<std::size_t>> of_part_;
   mutable std::vector<std::atomic<const DepthField*>> table_;

@@ -7,7 +7,9 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "plane/complex/primitives.h"
 #include "plane/sum/minkowski.h"
@@ -16,6 +18,7 @@ namespace findspace::packing {
 namespace {
 
 constexpr std::size_t kMostEdges = 65535;  // that a depth field numbers
+constexpr int kSides = 32;                 // of the polygon about the disc of a gap
 constexpr int kSearchDigits = 7;           // of the search's grid, at most
 
 plane::Region region(const SearchShape& shape) {
@@ -25,6 +28,20 @@ plane::Region region(const SearchShape& shape) {
     for (const auto& [x, y] : ring) contour.push_back({.start = {x, y}});
   }
   return plane::region_of_rings(contours);
+}
+
+/// A polygon of the grid that holds the disc; its corners are rounded away from the centre.
+SearchShape about_disc(double radius, double step) {
+  SearchShape result;
+  result.step = step;
+  auto& ring = result.rings.emplace_back();
+  const double out = radius / step / std::cos(std::numbers::pi / kSides);
+  const auto away = [](double c) { return std::int64_t(c < 0 ? std::floor(c) : std::ceil(c)); };
+  for (int k = 0; k < kSides; ++k) {
+    const double angle = (2 * k + 1) * std::numbers::pi / kSides;
+    ring.emplace_back(away(out * std::cos(angle)), away(out * std::sin(angle)));
+  }
+  return result;
 }
 
 class Boundary {
@@ -82,8 +99,9 @@ SearchShape search_shape(const Polygon& shape, int digits) {
   return result;
 }
 
-NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b) {
-  NoFitPolygon result = Boundary(plane::contact_map(region(a), region(b)), a.step).take();
+NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double gap) {
+  const plane::Region grown = gap > 0 ? plane::minkowski_sum(region(a), region(about_disc(gap, a.step))) : region(a);
+  NoFitPolygon result = Boundary(plane::contact_map(grown, region(b)), a.step).take();
   if (result.edges.size() > kMostEdges)
     throw Error(ErrorCode::kUnsupported, "two parts have too many corners to be packed together");
   return result;

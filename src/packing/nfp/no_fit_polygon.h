@@ -44,7 +44,8 @@ struct SearchShape {
 /// The shape on the problem's grid, or on a coarser one where that has too many digits.
 SearchShape search_shape(const Polygon& shape, int digits);
 
-/// In units. Both shapes are on one grid.
-NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b);
+/// In units. Both shapes are on one grid. With a gap the positions where B + p is nearer to A are in it too: A is grown
+/// by a polygon of 32 sides about the disc of the gap, so no more than half a per cent of the gap is given away.
+NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double gap);
 
 }  // namespace findspace::packing

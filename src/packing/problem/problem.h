@@ -38,6 +38,8 @@ struct Problem {
   int digits = 0;  // the grid: steps of 10^-digits
   Fraction height;
   std::vector<Part> parts;
+  Fraction gap;   // the least distance of any two parts; at 0 they may touch
+  Fraction edge;  // the least distance of a part to the sides of the strip, its ends among them
 
   int128 steps() const { return power_of_ten(digits); }  // in a unit
   std::size_t items() const;                             // the sum of demands

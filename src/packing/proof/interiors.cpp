@@ -111,4 +111,16 @@ bool interiors_meet(const Polygon& a, const Polygon& b) {
   return has_vertex_inside(a, b) || has_vertex_inside(b, a);
 }
 
+bool are_nearer(const Polygon& a, const Polygon& b, int128 distance) {
+  for (const RingEdge& e : edges_of(a))
+    for (const RingEdge& f : edges_of(b)) {
+      if (e.low_x() - f.high_x() >= distance || f.low_x() - e.high_x() >= distance) continue;
+      if (e.low_y() - f.high_y() >= distance || f.low_y() - e.high_y() >= distance) continue;
+      if (exact::is_nearer(e.start(), f.start(), f.end(), distance) ||
+          exact::is_nearer(f.start(), e.start(), e.end(), distance))
+        return true;
+    }
+  return false;
+}
+
 }  // namespace findspace::packing

@@ -14,6 +14,9 @@ namespace findspace::packing {
 
 bool interiors_meet(const Polygon& a, const Polygon& b);
 
+/// Whether two polygons whose interiors do not meet are nearer than `distance`.
+bool are_nearer(const Polygon& a, const Polygon& b, int128 distance);
+
 /// +1 strictly inside, 0 on the boundary, -1 outside.
 int side_of(const Polygon& shape, const LatticePoint& point);
 

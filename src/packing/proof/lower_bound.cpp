@@ -32,7 +32,7 @@ std::optional<int128> least_width(const Problem& problem, const Part& part) {
     const auto [left, right] = std::minmax_element(
         ring.begin(), ring.end(), [](const LatticePoint& p, const LatticePoint& q) { return p.x < q.x; });
     const auto [bottom, top] = std::minmax_element(ring.begin(), ring.end(), lower);
-    if (Fraction(top->y - bottom->y, problem.steps()) > problem.height) continue;
+    if (Fraction(top->y - bottom->y, problem.steps()) + problem.edge + problem.edge > problem.height) continue;
     least = std::min(least.value_or(right->x - left->x), right->x - left->x);
   }
   return least;
@@ -50,10 +50,11 @@ Fraction lower_bound(const Problem& problem) {
       for (int copy = 0; copy < part.demand; ++copy) area += twice_area(ring);
   }
   const double steps = double(problem.steps());
-  const double length = area.to_double() / 2 / steps / steps / problem.height.to_double();
+  const double length =
+      area.to_double() / 2 / steps / steps / (problem.height - problem.edge - problem.edge).to_double();
   constexpr double kDecimals = 1000000;
   const double safe = std::floor(length * (1 - margin::kRoundings16) * kDecimals);
-  return std::max(widest, Fraction(int128(safe), int128(kDecimals)));
+  return std::max(widest, Fraction(int128(safe), int128(kDecimals))) + problem.edge + problem.edge;
 }
 
 }  // namespace findspace::packing

@@ -5,7 +5,7 @@
 #include "packing/proof/verify.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "packing/nfp/depth_field.h"
 #include "packing/proof/interiors.h"
@@ -17,8 +17,9 @@ namespace {
 struct Box {
   LatticePoint low, high;
 
-  bool meets(const Box& b) const {
-    return low.x < b.high.x && b.low.x < high.x && low.y < b.high.y && b.low.y < high.y;
+  /// Whether the boxes, the gap wider, have common inner points.
+  bool meets(const Box& b, int128 gap) const {
+    return low.x - gap < b.high.x && b.low.x - gap < high.x && low.y - gap < b.high.y && b.low.y - gap < high.y;
   }
 };
 
@@ -36,6 +37,7 @@ class Check {
   Check(const Problem& problem, const Layout& layout) : problem_(problem), layout_(layout) {
     common_ =
         common_multiple(problem.steps(), common_multiple(problem.height.denominator(), layout.length.denominator()));
+    common_ = common_multiple(common_, common_multiple(problem.gap.denominator(), problem.edge.denominator()));
     for (const Placed& item : layout.items)
       common_ = common_multiple(common_multiple(common_, item.x.denominator()), item.y.denominator());
     for (const Placed& item : layout.items) add(item);
@@ -93,7 +95,8 @@ class Check {
   void check_inside(std::size_t i) {
     const Box& box = boxes_[i];
     const int128 right = layout_.length.over(common_), top = problem_.height.over(common_);
-    const int128 out = std::max({-box.low.x, -box.low.y, box.high.x - right, box.high.y - top});
+    const int128 out =
+        problem_.edge.over(common_) + std::max({-box.low.x, -box.low.y, box.high.x - right, box.high.y - top});
     if (out <= 0) return;
     result_.faults.push_back({.kind = Fault::Kind::kOutside,
                               .first = i,
@@ -106,9 +109,26 @@ class Check {
     std::vector<std::vector<Fault>> found(shapes_.size());
     plane::parallel_for(shapes_.size(), [&](std::size_t i) {
       for (std::size_t j = i + 1; j < shapes_.size(); ++j)
-        if (boxes_[i].meets(boxes_[j]) && interiors_meet(shapes_[i], shapes_[j])) found[i].push_back(overlap(i, j));
+        if (const auto fault = pair_fault(i, j)) found[i].push_back(*fault);
     });
     for (const auto& faults : found) result_.faults.insert(result_.faults.end(), faults.begin(), faults.end());
+  }
+
+  std::optional<Fault> pair_fault(std::size_t i, std::size_t j) const {
+    const int128 gap = problem_.gap.over(common_);
+    if (!boxes_[i].meets(boxes_[j], gap)) return std::nullopt;
+    if (interiors_meet(shapes_[i], shapes_[j])) return overlap(i, j);
+    if (gap == 0 || !are_nearer(shapes_[i], shapes_[j], gap)) return std::nullopt;
+    Fault fault{.kind = Fault::Kind::kGap, .first = i, .second = j, .depth = 0, .x = 0, .y = 0};
+    locate(fault);
+    return fault;
+  }
+
+  /// The middle of what the boxes have in common, or of what is between them.
+  void locate(Fault& fault) const {
+    const Box &a = boxes_[fault.first], &b = boxes_[fault.second];
+    fault.x = (double(std::max(a.low.x, b.low.x)) + double(std::min(a.high.x, b.high.x))) / 2 / double(common_);
+    fault.y = (double(std::max(a.low.y, b.low.y)) + double(std::min(a.high.y, b.high.y))) / 2 / double(common_);
   }
 
   Fault overlap(std::size_t i, std::size_t j) const {
@@ -116,16 +136,11 @@ class Check {
     const auto searched = [&](const Placed& item) {
       return search_shape(turned(problem_.parts[item.part].shape, item.angle, item.mirrored), problem_.digits);
     };
-    const DepthField field(no_fit_polygon(searched(a), searched(b)));
+    const DepthField field(no_fit_polygon(searched(a), searched(b), 0));
     const Vec off{(b.x - a.x).to_double(), (b.y - a.y).to_double()};
-    const LatticePoint low{std::max(boxes_[i].low.x, boxes_[j].low.x), std::max(boxes_[i].low.y, boxes_[j].low.y)},
-        high{std::min(boxes_[i].high.x, boxes_[j].high.x), std::min(boxes_[i].high.y, boxes_[j].high.y)};
-    return {.kind = Fault::Kind::kOverlap,
-            .first = i,
-            .second = j,
-            .depth = field.depth(off),
-            .x = (double(low.x) + double(high.x)) / 2 / double(common_),
-            .y = (double(low.y) + double(high.y)) / 2 / double(common_)};
+    Fault fault{.kind = Fault::Kind::kOverlap, .first = i, .second = j, .depth = field.depth(off), .x = 0, .y = 0};
+    locate(fault);
+    return fault;
   }
 
   const Problem& problem_;

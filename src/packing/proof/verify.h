@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Whether a layout keeps its promises: every part inside the strip, no two interiors meeting, allowed angles, and the
+// Whether a layout keeps its promises: every part inside the strip by its edge, no two interiors meeting,
+// gaps as wide as asked for, allowed angles, and the
 // right number of copies. Guarantee: exact, on the original shapes; only depths are doubles. Cost: the pairs of parts
 // whose boxes meet. Keywords: layout validation, nesting check.
 #pragma once
@@ -13,11 +14,12 @@
 namespace findspace::packing {
 
 struct Fault {
-  enum class Kind { kOverlap, kOutside, kAngle, kCount };
+  enum class Kind { kOverlap, kGap, kOutside, kAngle, kCount };
   Kind kind = Kind::kOverlap;
-  std::size_t first = 0, second = 0;  // kOverlap: items of the layout; kOutside, kAngle: first; kCount: first is a part
-  double depth = 0;                   // kOverlap: penetration depth; kOutside: how far outside; kCount: copies too many
-  double x = 0, y = 0;                // where, of kOverlap and kOutside
+  std::size_t first = 0,
+              second = 0;  // kOverlap, kGap: items of the layout; kOutside, kAngle: first; kCount: first is a part
+  double depth = 0;        // kOverlap: penetration depth; kOutside: how far outside; kCount: copies too many
+  double x = 0, y = 0;     // where, but of kAngle and kCount
 };
 
 struct Verdict {

@@ -72,8 +72,9 @@ void Arrangement::move(std::size_t i, const Pose& pose) {
 
 std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose) const {
   const Variant& v = table_->variants()[pose.variant];
-  const double low_x = pose.at.x + v.low.x, low_y = pose.at.y + v.low.y, high_x = pose.at.x + v.high.x,
-               high_y = pose.at.y + v.high.y;
+  const double gap = 1.01 * table_->gap();  // a grown polygon is a little larger than the gap
+  const double low_x = pose.at.x + v.low.x - gap, low_y = pose.at.y + v.low.y - gap,
+               high_x = pose.at.x + v.high.x + gap, high_y = pose.at.y + v.high.y + gap;
   std::size_t count = 0;
   for (std::size_t j = 0; j < size(); ++j) {
     near_[count] = std::uint32_t(j);

@@ -56,7 +56,7 @@ class Builder {
     std::sort(corners.begin(), corners.end(), [](Vec p, Vec q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
     for (const Vec at : corners)
       if (is_free({v, at})) return at;
-    return {layout_.length - shape.low.x, -shape.low.y};
+    return {layout_.length + 1.01 * table_.gap() - shape.low.x, -shape.low.y};
   }
 
   void add_corners(std::size_t v, const Pose& other, std::vector<Vec>& corners) const {

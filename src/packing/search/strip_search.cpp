@@ -31,9 +31,10 @@ class Search {
       : problem_(problem), options_(options), events_(events), stop_(stop), table_(problem), area_(area(problem)) {}
 
   std::optional<Layout> run() {
-    DoubleLayout start = options_.start == nullptr ? first_layout(problem_, table_)
-                                                   : DoubleLayout{poses_of(problem_, table_, *options_.start),
-                                                                  options_.start->length.to_double()};
+    DoubleLayout start = options_.start == nullptr
+                             ? first_layout(problem_, table_)
+                             : DoubleLayout{poses_of(problem_, table_, *options_.start),
+                                            (options_.start->length - problem_.edge - problem_.edge).to_double()};
     offer(start);
     for (unsigned t = 0; t < std::max(1u, options_.threads); ++t)
       islands_.push_back(std::make_unique<Island>(table_, start, options_.seed * 1000003 + t));

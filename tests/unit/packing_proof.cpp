@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Interiors that meet or only touch, fractions, and verdicts about layouts.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include "packing/problem/fraction.h"
+#include "packing/proof/interiors.h"
+#include "packing/proof/lower_bound.h"
+#include "packing/proof/verify.h"
+
+namespace findspace::packing {
+namespace {
+
+Polygon box(int x0, int y0, int x1, int y1) { return make_polygon({{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}, "box"); }
+
+Polygon frame() { return make_polygon({{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 2}, {4, 2}, {4, 4}, {2, 4}}}, "frame"); }
+
+TEST(Interiors, BoxesThatTouch) {
+  EXPECT_FALSE(interiors_meet(box(0, 0, 2, 2), box(2, 0, 4, 2)));
+  EXPECT_FALSE(interiors_meet(box(0, 0, 2, 2), box(2, 2, 4, 4)));
+  EXPECT_FALSE(interiors_meet(box(0, 0, 2, 2), box(2, 1, 4, 7)));
+  EXPECT_FALSE(interiors_meet(box(0, 0, 2, 2), box(5, 5, 7, 7)));
+}
+
+TEST(Interiors, BoxesThatOverlap) {
+  EXPECT_TRUE(interiors_meet(box(0, 0, 2, 2), box(0, 0, 2, 2)));
+  EXPECT_TRUE(interiors_meet(box(0, 0, 9, 9), box(3, 3, 4, 4)));
+  EXPECT_TRUE(interiors_meet(box(0, 0, 9, 9), box(0, 0, 4, 4)));
+  EXPECT_TRUE(interiors_meet(box(0, 2, 9, 4), box(3, 0, 5, 9)));
+  EXPECT_TRUE(interiors_meet(box(0, 0, 4, 2), box(2, 0, 6, 2)));
+}
+
+TEST(Interiors, APartThatFitsItsHole) {
+  EXPECT_FALSE(interiors_meet(frame(), box(2, 2, 4, 4)));
+  EXPECT_FALSE(interiors_meet(frame(), box(2, 2, 3, 4)));
+  EXPECT_TRUE(interiors_meet(frame(), box(2, 2, 5, 4)));
+  EXPECT_TRUE(interiors_meet(frame(), box(1, 1, 5, 5)));
+}
+
+TEST(Interiors, CornersThatCrossAtVertices) {
+  const Polygon diamond = make_polygon({{{0, -2}, {2, 0}, {0, 2}, {-2, 0}}}, "diamond");
+  EXPECT_TRUE(interiors_meet(diamond, box(-2, -2, 2, 2)));
+  EXPECT_TRUE(interiors_meet(diamond, box(0, 0, 5, 5)));
+  EXPECT_FALSE(interiors_meet(diamond, box(2, -1, 5, 1)));
+  // The hypotenuse passes through both corners of the box.
+  const Polygon triangle = make_polygon({{{0, 0}, {4, 4}, {0, 4}}}, "triangle");
+  EXPECT_TRUE(interiors_meet(triangle, box(1, 1, 3, 3)));
+  EXPECT_FALSE(interiors_meet(triangle, box(2, 1, 3, 2)));
+}
+
+TEST(Interiors, FarBeyondSixtyFourBits) {
+  const int128 big = power_of_ten(30);
+  const auto square = [&](int128 x, int128 y) {
+    return make_polygon({{{x, y}, {x + big, y}, {x + big, y + big}, {x, y + big}}}, "square");
+  };
+  EXPECT_FALSE(interiors_meet(square(0, 0), square(big, 0)));
+  EXPECT_TRUE(interiors_meet(square(0, 0), square(big - 1, 0)));
+}
+
+TEST(Fraction, TextsAreExact) {
+  EXPECT_EQ(Fraction::parse("1203.25").text(), "1203.25");
+  EXPECT_EQ(Fraction::parse("-17/3").text(), "-17/3");
+  EXPECT_EQ(Fraction::parse("0.5/0.25"), Fraction(2));
+  EXPECT_EQ(Fraction::parse("1e-3").text(), "0.001");
+  EXPECT_EQ((Fraction::parse("1/3") + Fraction::parse("1/6")).text(), "0.5");
+  EXPECT_LT(Fraction::parse("0.333"), Fraction::parse("1/3"));
+  EXPECT_THROW(Fraction::parse("1/0"), Error);
+  EXPECT_THROW(Fraction::parse("1e99"), Error);
+}
+
+TEST(Polygon, WhatIsNoOutline) {
+  EXPECT_THROW(make_polygon({{{0, 0}, {1, 0}}}, "two corners"), Error);
+  EXPECT_THROW(make_polygon({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}, "crossed"), Error);
+  EXPECT_THROW(make_polygon({{{0, 0}, {2, 0}, {1, 0}}}, "flat"), Error);
+  EXPECT_EQ(make_polygon({{{0, 0}, {0, 2}, {0, 4}, {4, 4}, {4, 0}, {0, 0}}}, "square").rings[0].size(), 4u);
+}
+
+Problem two_squares() {
+  Problem problem;
+  problem.height = 4;
+  problem.parts.push_back({"square", 2, box(0, 0, 3, 3), {0, 90}});
+  return problem;
+}
+
+TEST(Verify, SaysWhatIsWrong) {
+  const Problem problem = two_squares();
+  Layout layout{6, {{0, 1, 0, false, 0, 0}, {0, 2, 0, false, 3, 1}}, {}};
+  EXPECT_TRUE(verify(problem, layout).feasible());
+  EXPECT_EQ(verify(problem, layout).used, Fraction(6));
+  layout.items[1].x = Fraction::parse("8/3");
+  const Verdict overlap = verify(problem, layout);
+  ASSERT_EQ(overlap.faults.size(), 1u);
+  EXPECT_EQ(overlap.faults[0].kind, Fault::Kind::kOverlap);
+  EXPECT_NEAR(overlap.faults[0].depth, 1.0 / 3, 1e-9);
+  layout.items[1] = {0, 2, 45, false, 3, Fraction::parse("1.001")};
+  layout.items.pop_back();
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kCount);
+  layout.left_out.push_back({0, 1, "no room"});
+  EXPECT_TRUE(verify(problem, layout).feasible());
+  layout.items[0].y = Fraction::parse("1.0000000001");
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kOutside);
+  layout.items[0] = {0, 1, 180, false, 3, 3};
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kAngle);
+}
+
+TEST(LowerBound, AreaAndWidestPart) {
+  Problem problem = two_squares();
+  EXPECT_EQ(lower_bound(problem).text(), "4.499999");
+  problem.parts[0].shape = box(0, 0, 5, 4);
+  problem.parts[0].demand = 1;
+  EXPECT_EQ(lower_bound(problem), Fraction(5));
+}
+
+}  // namespace
+}  // namespace findspace::packing

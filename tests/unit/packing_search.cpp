@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Depths of overlaps, linear programs, and searches that must find what is known.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "packing/compaction/finish.h"
+#include "packing/proof/verify.h"
+#include "packing/search/strip_search.h"
+
+namespace findspace::packing {
+namespace {
+
+Polygon box(int w, int h) { return make_polygon({{{0, 0}, {w, 0}, {w, h}, {0, h}}}, "box"); }
+
+Problem problem_of(int height, std::vector<Part> parts) {
+  Problem problem;
+  problem.height = height;
+  problem.parts = std::move(parts);
+  return problem;
+}
+
+Layout found(const Problem& problem, std::uint64_t seed, unsigned threads, double work) {
+  const std::atomic<bool> stop = false;
+  SearchOptions options;
+  options.seed = seed;
+  options.threads = threads;
+  options.work = work;
+  return *search_strip(problem, options, {}, stop);
+}
+
+TEST(DepthField, OfTwoSquares) {
+  const SearchShape square = search_shape(box(2, 2), 0);
+  const DepthField field(no_fit_polygon(square, square, 0));
+  EXPECT_DOUBLE_EQ(field.depth({0, 0}), 2);
+  EXPECT_DOUBLE_EQ(field.depth({1.5, 0.25}), 0.5);
+  EXPECT_EQ(field.depth({2.5, 0}), 0);
+  EXPECT_EQ(field.depth({50, 0}), 0);
+}
+
+TEST(DepthField, IsTheDistanceToTheBoundary) {
+  const Polygon angle = make_polygon({{{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}}}, "angle");
+  const SearchShape a = search_shape(angle, 0), b = search_shape(turned(angle, 180, false), 0);
+  const DepthField field(no_fit_polygon(a, b, 0));
+  for (int i = -60; i < 120; ++i)
+    for (int j = -60; j < 120; ++j) {
+      const Vec at{0.1 * i + 0.013, 0.1 * j + 0.017};
+      double nearest = 1e9;
+      for (const NoFitEdge& e : field.polygon().edges) {
+        const Vec way = e.to - e.from, off = at - e.from;
+        const double along = std::clamp(dot(off, way) / dot(way, way), 0.0, 1.0);
+        const Vec rest = off - along * way;
+        nearest = std::min(nearest, std::sqrt(dot(rest, rest)));
+      }
+      const double depth = field.depth(at);
+      if (depth > 0) {
+        EXPECT_NEAR(depth, nearest, 1e-9);
+      }
+      EXPECT_LE(field.least(at), depth + 1e-9);
+    }
+}
+
+TEST(DepthField, KeepsASlit) {
+  const Polygon frame = make_polygon({{{0, 0}, {6, 0}, {6, 9}, {0, 9}}, {{2, 2}, {4, 2}, {4, 7}, {2, 7}}}, "frame");
+  const DepthField field(no_fit_polygon(search_shape(frame, 0), search_shape(box(2, 2), 0), 0));
+  EXPECT_NEAR(field.depth({2, 3}), 0, 1e-12);
+  EXPECT_NEAR(field.depth({2.25, 3}), 0.25, 1e-12);
+  EXPECT_NEAR(field.depth({2, 1.5}), 0.5, 1e-12);
+}
+
+TEST(LinearMoves, PushBoxesTogether) {
+  const Problem problem = problem_of(3, {{"box", 3, box(2, 3), {0}}});
+  const FieldTable table(problem);
+  std::vector<Pose> poses{{0, {0.3, 0}}, {0, {2.5, 0}}, {0, {4.9, 0}}};
+  EXPECT_NEAR(LinearMoves(table).shorten(poses, 7), 6, 1e-6);
+  EXPECT_TRUE(finished(problem, table, poses, 6).has_value());
+}
+
+TEST(LinearMoves, SeparateAnOverlap) {
+  const Problem problem = problem_of(3, {{"box", 2, box(2, 3), {0}}});
+  const FieldTable table(problem);
+  std::vector<Pose> poses{{0, {0, 0}}, {0, {1.97, 0}}};
+  EXPECT_TRUE(LinearMoves(table).separate(poses, 4));
+  EXPECT_LE(table.depth(poses[0], poses[1]), 1e-8);
+  std::vector<Pose> tight{{0, {0, 0}}, {0, {1.9, 0}}};
+  EXPECT_FALSE(LinearMoves(table).separate(tight, 3.9));
+}
+
+TEST(Search, BoxesWithoutClearance) {
+  const Problem problem = problem_of(4, {{"domino", 8, box(1, 2), {0, 90}}, {"square", 2, box(2, 2), {0}}});
+  const Layout layout = found(problem, 1, 1, 3e7);
+  EXPECT_EQ(layout.length, Fraction(6));
+  EXPECT_TRUE(verify(problem, layout).feasible());
+}
+
+TEST(Search, APartInAHoleWithoutClearance) {
+  const Polygon frame = make_polygon({{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 2}, {4, 2}, {4, 4}, {2, 4}}}, "frame");
+  const Problem problem = problem_of(6, {{"frame", 2, frame, {0}}, {"plug", 2, box(2, 2), {0}}});
+  const Layout layout = found(problem, 1, 1, 3e7);
+  EXPECT_EQ(layout.length, Fraction(12));
+}
+
+TEST(Search, IsRepeated) {
+  const Polygon triangle = make_polygon({{{0, 0}, {5, 0}, {1, 4}}}, "triangle");
+  const Problem problem = problem_of(9, {{"triangle", 7, triangle, {0, 180}}, {"box", 3, box(3, 2), {0, 90}}});
+  for (const unsigned threads : {1u, 2u}) {
+    const Layout once = found(problem, 7, threads, 2e7), again = found(problem, 7, threads, 2e7);
+    EXPECT_EQ(once.length, again.length);
+    for (std::size_t i = 0; i < once.items.size(); ++i) EXPECT_EQ(once.items[i].x, again.items[i].x);
+  }
+}
+
+TEST(Search, WhatCannotBePacked) {
+  const std::atomic<bool> stop = false;
+  EXPECT_FALSE(search_strip(problem_of(3, {{"box", 0, box(1, 1), {0}}}), {}, {}, stop).has_value());
+  EXPECT_THROW(search_strip(problem_of(3, {{"tall", 1, box(1, 4), {0, 180}}}), {}, {}, stop), Error);
+}
+
+TEST(Search, StopsAtOnceWithALayout) {
+  const std::atomic<bool> stop = true;
+  const Problem problem = problem_of(5, {{"box", 6, box(2, 3), {0, 90}}});
+  const auto layout = search_strip(problem, {}, {}, stop);
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_TRUE(verify(problem, *layout).feasible());
+}
+
+}  // namespace
+}  // namespace findspace::packing
