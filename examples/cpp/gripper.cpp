@@ -29,7 +29,7 @@ int main() {
   const Shape finger = Shape::box({-2, -2, 0}, {2, 2, 30});
   const Shape gripper = Shape::unite({finger.translated(Point3{-28, 0, 0}), finger.translated(Point3{28, 0, 0})});
   const World world({{"stone", Shape::mesh(vertices, faces)}, {"gripper", gripper}}, "gripper", {.unit = "mm"});
-  const OnLine free = world.on_line("clear(gripper, stone)", {6, 0, 0}, {0, 0, 1});
+  const OnLine free = world.on_line("clear(gripper, stone)", {9, 0, 0}, {0, 0, 1});
   const DistanceValue gap = world.distance("gap(gripper, stone)", Point3{0, 0, 0});
   std::printf("%zu free stretches beside the middle, gap %.6f there\n", free.intervals.size(), *gap.value);
 }
