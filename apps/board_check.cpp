@@ -41,6 +41,7 @@ class BoardCheck {
  public:
   explicit BoardCheck(const Session& session) : session_(session), board_(*session.scene().board) {
     rules_ = session.scene().where.empty() ? io::FormulaText{kRules, "--where", 1, 1} : session.scene().where;
+    if (session.scene().where.empty() && !board_.keep_outs.empty()) rules_.text += " and clear(self, keepouts)";
     build_bodies();
     build_named();
   }

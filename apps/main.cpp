@@ -239,9 +239,11 @@ void add_board(CLI::App& command, const VerbEntry& verb, Options& o) {
   };
   text("--move", o.move, "the parts that move together, by reference", "PART[,PART]")->delimiter(',');
   text("--where", o.where, "the formula that must hold", "FORMULA");
+  if (is(verb, "map") || is(verb, "place")) text("--minimize", o.minimize, "the objective to make least", "OBJECTIVE");
   if (is(verb, "map")) {
-    text("--minimize", o.minimize, "the objective to make least", "OBJECTIVE");
     text("--maximize", o.maximize, "the objective to make greatest", "OBJECTIVE");
+  }
+  if (is(verb, "map") || is(verb, "place")) {
     text("--free", o.free, "angles to add to the part's own, in degrees (default: none)", "DEG[,DEG]")->delimiter(',');
   }
 }

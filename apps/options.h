@@ -26,6 +26,7 @@ struct Options {
   std::optional<std::string> min_distance, max_distance;  // of phi: allowed distances, decimals
   std::vector<std::string> move, free;         // of a board: parts that move; angles they may have, in degrees
   std::string where, minimize, maximize;       // of a board: formulas
+  bool place = false;                          // the verb is `place`
   std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
   std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
   std::optional<unsigned> index;

@@ -7,6 +7,8 @@
 
 #include "commands.h"
 #include "findspace/error.h"
+#include "io/board/write_board.h"
+#include "io/text/read_text.h"
 #include "io/write/write_json.h"
 #include "io/write/write_placement.h"
 #include "limits.h"
@@ -102,13 +104,14 @@ std::string picture(const Session& session, const Problem& problem, const Answer
   p.step = session.step();
   p.unit = session.unit();
   p.of_positions = false;
-  std::vector<io::NamedRegion> fixed;
+  p.y_down = session.scene().y_down;
   for (const plane::ShapePtr& s : session.scene().shapes) {
     const bool moves = problem.names.count(s->name) != 0 ||
                        std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& b) {
                          return std::find(b.shapes.begin(), b.shapes.end(), s->name) != b.shapes.end();
                        });
-    if (!moves) p.fixed.push_back({s->name, &problem.world.shapes.at(s->name)});
+    if (!moves && problem.world.shapes.count(s->name) > 0)
+      p.fixed.push_back({s->name, &problem.world.shapes.at(s->name)});
   }
   std::vector<plane::Region> moved;
   std::vector<std::string> names;
@@ -125,23 +128,60 @@ std::string picture(const Session& session, const Problem& problem, const Answer
   return io::picture_svg(p);
 }
 
+/// Angles as they are counted where y runs downwards: counter-clockwise as it is seen.
+void count_as_seen(Answer& answer) {
+  for (io::PlacedResult& r : answer.result.placed)
+    if (r.angle) r.angle = -*r.angle;
+  for (auto& r : answer.result.regions)
+    if (r.angle) r.angle = -*r.angle;
+}
+
+/// The board's file with the parts at their new positions.
+std::string board_text(const Session& session, const Problem& problem, const Answer& answer) {
+  std::map<std::string, io::NewPlace> places;
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    const auto& pose = answer.poses[b];
+    if (!pose)
+      throw Error(ErrorCode::kGeometry,
+                  fmt::format("'{}' fits nowhere: no board is written", problem.bodies[b].shapes[0]));
+    const auto x = pose->at.x.integer(), y = pose->at.y.integer();
+    if (!x || !y)
+      throw Error(ErrorCode::kGeometry, fmt::format("'{}' fits at no point of the board's grid: no board is written",
+                                                    problem.bodies[b].shapes[0]));
+    places[problem.bodies[b].shapes[0]] = {{static_cast<std::int64_t>(*x), static_cast<std::int64_t>(*y)},
+                                           -problem.bodies[b].angles[pose->angle]};
+  }
+  return io::moved_board(io::read_text(session.options().scene), session.options().scene, places);
+}
+
+/// The verb for boards knows which of them it is.
+Options as_placement(Options options) {
+  options.place = true;
+  return options;
+}
+
 }  // namespace
 
-Outcome run_place(const Options& options, Reporter& reporter) {
+Outcome run_place(const Options& given, Reporter& reporter) {
+  const Options options = as_placement(given);
   const Session session(options, reporter);
   if (session.in_space()) return place_space(session);
-  check_outputs(options, {".svg", ".json"});
+  const bool board = session.scene().board != nullptr;
+  check_outputs(options, board ? std::vector<std::string>{".svg", ".json", ".kicad_pcb"}
+                               : std::vector<std::string>{".svg", ".json"});
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
   const planning::Limit limit(options.time_limit * kSearching);
   const Problem problem = placement_problem(session);
   reporter.stage("placing");
   const planning::Relations relations(problem);
   const bool one_by_one = session.scene().place.method == io::Placement::Method::kSequential;
-  const Answer answer = one_by_one ? sequential(relations, limit) : simultaneous(relations, limit);
+  Answer answer = one_by_one ? sequential(relations, limit) : simultaneous(relations, limit);
+  if (board) count_as_seen(answer);
   const auto json = [&] { return io::placement_json(answer.result, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, problem, answer); };
   reporter.stage("writing");
-  write_outputs(options, {{".json", json}, {".svg", svg}});
+  const auto copy = [&] { return board_text(session, problem, answer); };
+  write_outputs(options, {{".json", json}, {".svg", svg}, {".kicad_pcb", copy}});
   const ExitStatus status = answer.complete && (one_by_one ? !answer.result.unproven : true) ? kDone
                             : answer.result.unproven                                         ? kLimit
                                                                                              : kEmpty;

@@ -3,6 +3,8 @@
 
 #include "placement_problem.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "placement_demands.h"
@@ -25,13 +27,33 @@ plane::ShapePtr rotated(const plane::ShapePtr& shape, const exact::Real& degrees
   return std::make_shared<const plane::Shape>(std::move(rotation));
 }
 
+/// All shapes of the scene, or of a board, which has many, those that are placed or that conditions and goals name.
+std::vector<plane::ShapePtr> wanted_shapes(const Session& session, const Problem& problem) {
+  const std::vector<plane::ShapePtr>& all = session.scene().shapes;
+  if (!session.scene().named_only) return all;
+  std::set<std::string> names;
+  const auto add = [&](const formula::Distance& d) {
+    names.insert(d.first.begin(), d.first.end());
+    names.insert(d.second.begin(), d.second.end());
+  };
+  for (const auto& body : problem.bodies) names.insert(body.shapes.begin(), body.shapes.end());
+  for (const auto& condition : problem.conditions)
+    for (const formula::Atom& a : condition.formula->atoms()) add(a.distance);
+  for (const formula::Goal& goal : problem.goals)
+    if (goal.objective) add(goal.objective->distance);
+  std::vector<plane::ShapePtr> out;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(out),
+               [&](const plane::ShapePtr& s) { return names.count(s->name) > 0; });
+  return out;
+}
+
 }  // namespace
 
 Problem placement_problem(const Session& session) {
   PlacementDemands asked = placement_demands(session);
   Problem problem{std::move(asked.demands), {}};
   session.reporter().stage("building the shapes");
-  std::vector<plane::ShapePtr> shapes = session.scene().shapes;
+  std::vector<plane::ShapePtr> shapes = wanted_shapes(session, problem);
   for (const RotatedShape& t : asked.rotated)
     shapes.push_back(rotated(session.scene().shape(t.shape), t.degrees, t.name));
   std::vector<plane::Region> built = session.regions(shapes);

@@ -44,7 +44,7 @@ std::string scene_around(const std::filesystem::path& drawing, const Options& o)
 
 /// What the command line asks of a board.
 io::BoardQuestion question_of_board(const Options& o) {
-  io::BoardQuestion question{o.move, o.where, o.minimize, o.maximize, {}};
+  io::BoardQuestion question{o.move, o.where, o.minimize, o.maximize, o.place, {}};
   for (const std::string& angle : o.free) {
     try {
       question.angles.push_back(Real::parse_decimal(angle));
@@ -184,7 +184,13 @@ formula::Goal Session::goal(const io::FormulaText& text, const formula::Context&
   }
 }
 
-formula::Formula Session::where() const { return formula(scene_.where, context()); }
+formula::Formula Session::where() const {
+  const formula::Context known = context();
+  if (scene_.conditions.empty()) return formula(scene_.where, known);
+  std::vector<formula::Formula> all;
+  for (const io::FormulaText& text : scene_.conditions) all.push_back(formula(text, known));
+  return formula::conjunction(all);
+}
 
 std::optional<Session::Goal> Session::goal() const {
   const bool least = !scene_.minimize.empty();

@@ -116,7 +116,7 @@ def call(exe, case, arguments):
     """Runs one verb over the case's scene: exit status, the JSON result or None, what it said."""
     text = case["scene_text"] if "scene_text" in case else json.dumps(case["scene"])
     with tempfile.TemporaryDirectory() as folder:
-        scene = os.path.join(folder, "scene.json")
+        scene = os.path.join(folder, os.path.basename(case.get("scene_file", "scene.json")))
         with open(scene, "w", encoding="utf-8") as file:
             file.write(text)
         for name, content in case.get("files", {}).items():
@@ -317,7 +317,10 @@ def cases(places, only):
         if "scene_file" in case:
             with open(os.path.join(ROOT, case["scene_file"]), encoding="utf-8") as file:
                 case["scene_text"] = file.read()
-            case["scene"] = json.loads(re.sub(r"^\s*//.*$", "", case["scene_text"], flags=re.M))
+            if case["scene_file"].endswith(".json"):
+                case["scene"] = json.loads(re.sub(r"^\s*//.*$", "", case["scene_text"], flags=re.M))
+            else:
+                case["scene"] = {"unit": "mm"}  # of a board
         if not only or re.search(only, case["id"]):
             yield case
 

@@ -58,6 +58,10 @@ class SceneMaker {
     for (const Part& part : board_.parts) add_part(part);
     add_lists();
     add_copper();
+    if (question_.place) {
+      add_placement();
+      return std::move(scene_);
+    }
     scene_.where = formula(question_.where, "--where");
     scene_.minimize = formula(question_.minimize, "--minimize");
     scene_.maximize = formula(question_.maximize, "--maximize");
@@ -94,6 +98,31 @@ class SceneMaker {
     scene_.drawn_at = {anchor_.x, anchor_.y, 0};
   }
 
+  /// One part after another, each at a point of the grid; pads move along where a formula names them.
+  void add_placement() {
+    Placement& place = scene_.place;
+    for (const std::string& name : question_.move) {
+      const Part& part = *board_.find(name);
+      if (part.locked) throw Error(ErrorCode::kBadValue, fmt::format("the part '{}' is locked", name), board_.file);
+      PlacedBody body{name, {name}, {}, 1};
+      for (const std::string& pad : scene_.moving)
+        if (pad.rfind(name + ".", 0) == 0 && is_mentioned(pad)) body.shapes.push_back(pad);
+      for (const exact::Real& a : question_.angles) body.angles.push_back(-a);
+      if (body.angles.empty()) body.angles = {exact::Real(0)};
+      place.bodies.push_back(std::move(body));
+    }
+    scene_.moving.clear();
+    place.each = {"inside(self, board) and clear(self, others)", "the rules for parts", 1, 1};
+    place.pairs = {"clear(self, other)", "the rules for parts", 1, 1};
+    if (!question_.where.empty()) place.constraints.push_back(formula(question_.where, "--where"));
+    if (!question_.minimize.empty()) place.minimize.push_back(formula(question_.minimize, "--minimize"));
+    place.minimize.push_back({"grid", "the grid of the board", 1, 1});
+  }
+
+  bool is_mentioned(const std::string& pad) const {
+    return question_.where.find(pad) != std::string::npos || question_.minimize.find(pad) != std::string::npos;
+  }
+
   void add(const std::string& name, const ShapePtr& shape) {
     if (names_.insert(name).second) scene_.shapes.push_back(named(shape, name));
   }
@@ -103,7 +132,7 @@ class SceneMaker {
     if (!part.body) return;
     const bool moves = movers_.count(&part) > 0;
     const auto put = [&](const std::string& name, const ShapePtr& shape) {
-      add(name, moves ? at_origin(shape, anchor_) : shape);
+      add(name, moves ? at_origin(shape, question_.place ? part.at : anchor_) : shape);
       if (moves) scene_.moving.push_back(name);
     };
     put(part.name, part.body);

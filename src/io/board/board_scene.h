@@ -21,6 +21,7 @@ namespace findspace::io {
 struct BoardQuestion {
   std::vector<std::string> move;  // parts; empty: none moves
   std::string where, minimize, maximize;
+  bool place = false;               // the parts move each on its own, one after another: a placement
   std::vector<exact::Real> angles;  // degrees as KiCad counts them, from the orientation that the part has
 };
 

@@ -24,7 +24,8 @@ struct Change {
 
 /// Millionths of a millimetre as millimetres: "12.5".
 std::string millimetres(std::int64_t steps) {
-  std::string out = fmt::format("{}{}.{:06}", steps < 0 ? "-" : "", std::abs(steps) / 1000000, std::abs(steps) % 1000000);
+  std::string out =
+      fmt::format("{}{}.{:06}", steps < 0 ? "-" : "", std::abs(steps) / 1000000, std::abs(steps) % 1000000);
   while (out.back() == '0') out.pop_back();
   if (out.back() == '.') out.pop_back();
   return out;
@@ -88,8 +89,7 @@ std::string moved_board(std::string_view text, const std::string& file, const st
   }
   if (found < places.size()) throw Error(ErrorCode::kUnknownName, "a part that is to be moved is none", file);
   // Within a footprint (at ...) may stand after its pads.
-  std::stable_sort(changes.begin(), changes.end(),
-                   [](const Change& a, const Change& b) { return a.begin < b.begin; });
+  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.begin < b.begin; });
   std::string out;
   std::size_t done = 0;
   for (const Change& c : changes) {

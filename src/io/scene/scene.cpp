@@ -14,9 +14,9 @@
 namespace findspace::io {
 namespace {
 
-constexpr std::array<std::string_view, 14> kKeys{"$schema", "findspace", "unit",     "grid",     "shapes",
-                                                 "moving",  "where",     "minimize", "maximize", "free",
-                                                 "motion",  "place",     "about",    "angles"};
+constexpr std::array<std::string_view, 16> kKeys{"y",      "groups", "$schema", "findspace", "unit",     "grid",
+                                                 "shapes", "moving", "where",   "minimize",  "maximize", "free",
+                                                 "motion", "place",  "about",   "angles"};
 
 void read_header(const JsonValue& root, const SceneReader& json, Scene& scene) {
   json.expect(root, JsonValue::Kind::kObject, "a scene", {});
@@ -45,8 +45,34 @@ void read_header(const JsonValue& root, const SceneReader& json, Scene& scene) {
   scene.grid = context.grid;
 }
 
+/// A formula, or a list of them that must all hold.
+void read_where(const JsonValue& value, const SceneReader& json, Scene& scene) {
+  const Label label{nullptr, "where"};
+  if (!value.is(JsonValue::Kind::kArray)) {
+    scene.where = json.formula(value, label);
+    return;
+  }
+  if (value.size() == 0) json.fail(ErrorCode::kBadValue, "\"where\" is an empty list", label, value);
+  for (std::size_t i = 0; i < value.size(); ++i)
+    scene.conditions.push_back(json.formula(value.items[i], label.part("condition", i)));
+  for (const FormulaText& text : scene.conditions)
+    scene.where.text += (scene.where.text.empty() ? "(" : " and (") + text.text + ")";
+  scene.where.file = scene.conditions.front().file;
+  scene.where.line = scene.conditions.front().line;
+  scene.where.column = scene.conditions.front().column;
+}
+
+void read_direction_of_y(const JsonValue& value, const SceneReader& json, Scene& scene) {
+  const Label label{nullptr, "y"};
+  const std::string& word = json.text(value, "\"y\"", label);
+  if (word != "up" && word != "down")
+    json.fail(ErrorCode::kBadValue, fmt::format("\"y\" runs \"up\" or \"down\", not '{}'", word), label, value);
+  scene.y_down = word == "down";
+}
+
 void read_formulas(const JsonValue& root, const SceneReader& json, Scene& scene) {
-  if (const JsonValue* value = root.find("where")) scene.where = json.formula(*value, {nullptr, "where"});
+  if (const JsonValue* value = root.find("where")) read_where(*value, json, scene);
+  if (const JsonValue* value = root.find("y")) read_direction_of_y(*value, json, scene);
   if (const JsonValue* value = root.find("minimize")) scene.minimize = json.formula(*value, {nullptr, "minimize"});
   if (const JsonValue* value = root.find("maximize")) scene.maximize = json.formula(*value, {nullptr, "maximize"});
 }

@@ -75,6 +75,7 @@ struct Scene {
   std::vector<plane::ShapePtr> shapes;  // named, in the order of the file
   std::vector<std::string> moving;      // one name, or several that move together; may be empty
   FormulaText where, minimize, maximize;
+  std::vector<FormulaText> conditions;  // of a `where` that is a list: `where` is all of them, joined
   Free free;
   Motion motion;
   Placement place;

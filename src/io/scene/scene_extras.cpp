@@ -252,12 +252,40 @@ Motion read_motion(const JsonValue& value, ShapeReader& shapes) {
   return motion;
 }
 
+/// A group is the union of its shapes that stand still, a collection; the moving ones are its members all the same.
+void read_groups(const JsonValue& value, ShapeReader& shapes, Scene& scene) {
+  const SceneReader& json = shapes.json();
+  json.expect(value, Kind::kObject, "\"groups\"", {});
+  for (std::size_t g = 0; g < value.size(); ++g) {
+    const std::string& name = value.keys[g];
+    const Label label{nullptr, "group", name};
+    if (scene.find(name))
+      json.fail(ErrorCode::kBadValue, fmt::format("'{}' is a shape as well", name), label, value.items[g]);
+    json.expect(value.items[g], Kind::kArray, "a group", label);
+    std::vector<std::string>& members = scene.groups[name];
+    if (value.items[g].size() > 0) members = read_names(value.items[g], shapes, label);
+    plane::Shape all;
+    all.kind = plane::Shape::Kind::kUnion;
+    all.collection = true;
+    all.name = name;
+    all.place = json.place(label, value.items[g]);
+    for (const std::string& member : members)
+      if (std::find(scene.moving.begin(), scene.moving.end(), member) == scene.moving.end())
+        all.children.push_back(scene.find(member));
+    if (all.children.empty())
+      scene.empty_lists.push_back(name);
+    else
+      scene.shapes.push_back(share(std::move(all)));
+  }
+}
+
 }  // namespace
 
 void read_question(const JsonValue& root, ShapeReader& shapes, Scene& scene) {
   const SceneReader& json = shapes.json();
   if (const JsonValue* moving = root.find("moving"))
     scene.moving = read_names(*moving, shapes, Label{nullptr, "moving"});
+  if (const JsonValue* groups = root.find("groups")) read_groups(*groups, shapes, scene);
   if (const JsonValue* motion = root.find("motion")) scene.motion = read_motion(*motion, shapes);
   const JsonValue* free = root.find("free");
   if (free) scene.free = read_free(*free, root, shapes);

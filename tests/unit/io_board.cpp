@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Boards of KiCad: malformed files first, then outlines, pads, what stands in for courtyards, and the copy of a file.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "findspace/error.h"
+#include "io/board/board_scene.h"
+#include "io/board/read_board.h"
+#include "io/board/write_board.h"
+#include "plane/build/build.h"
+#include "plane/query/summary.h"
+
+namespace findspace::io {
+namespace {
+
+constexpr const char* kOutline = "(gr_rect (start 0 0) (end 10 10) (layer \"Edge.Cuts\"))";
+
+std::string board(const std::string& items, const std::string& version = "20211014") {
+  return "(kicad_pcb (version " + version + ")\n (layers (0 \"F.Cu\" signal))\n" + items + ")\n";
+}
+
+std::string part(const std::string& name, const std::string& items, const std::string& at = "5 5") {
+  return "(footprint \"F\" (layer \"F.Cu\") (at " + at + ")\n (fp_text reference \"" + name + "\" (at 0 0))\n" + items +
+         ")\n";
+}
+
+void expect_refused(const std::string& text, const std::string& words, const std::string& place = "b.kicad_pcb") {
+  try {
+    read_board(text, "b.kicad_pcb");
+    ADD_FAILURE() << "read, expected: " << words;
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find(place), std::string::npos) << e.what();
+  }
+}
+
+double area(const plane::ShapePtr& shape) {
+  const plane::Region region = plane::build(*shape, 1e-6).region;
+  return *plane::summarize(region, exact::Real::ratio(1, 1000000)).area;
+}
+
+TEST(ReadBoard, RefusesBrokenFiles) {
+  expect_refused("", "a list in parentheses is meant", "b.kicad_pcb:1:1");
+  expect_refused("(kicad_pcb\n (version 20211014)", "this '(' is not closed", "b.kicad_pcb:1:1");
+  expect_refused("(kicad_pcb (a \"b)", "a quoted text that does not end", "b.kicad_pcb:1:15");
+  expect_refused(board(kOutline) + ")", "nothing may stand after", "b.kicad_pcb:4:1");
+  expect_refused("(a (version 1))", "a board of KiCad is meant");
+  expect_refused(board(kOutline, "4"), "KiCad 4 or older");
+  expect_refused(std::string(300, '('), "nested more than 200 deep", "b.kicad_pcb:1:201");
+  expect_refused(board("(gr_line (start 0 0) (layer \"Edge.Cuts\"))"), "without (end ...) in it", "b.kicad_pcb:3:1");
+  expect_refused(board("(gr_line (start 0 x) (end 1 1) (layer \"Edge.Cuts\"))"), "", "b.kicad_pcb:3:19");
+}
+
+TEST(ReadBoard, RefusesOutlines) {
+  expect_refused(board(""), "the board has no outline");
+  expect_refused(board("(gr_line (start 0 0) (end 5 0) (layer \"Edge.Cuts\"))"), "it is open at (0, 0)");
+  expect_refused(board(std::string(kOutline) + "(gr_circle (center 30 30) (end 35 30) (layer \"Edge.Cuts\"))"),
+                 "2 separate pieces");
+  expect_refused(board("(gr_curve (pts (xy 0 0) (xy 1 0) (xy 1 1) (xy 0 1)) (layer \"Edge.Cuts\"))"), "curve",
+                 "b.kicad_pcb:3:1");
+}
+
+TEST(ReadBoard, RefusesAPartTwice) {
+  const std::string pad = "(pad \"1\" smd rect (at 0 0) (size 1 1) (layers \"F.Cu\"))";
+  expect_refused(board(kOutline + part("R1", pad) + part("R1", pad)), "a second footprint 'R1'");
+  const Board two = read_board(board(kOutline + part("REF**", pad) + part("REF**", pad)), "b");
+  ASSERT_EQ(two.parts.size(), 2U);
+  EXPECT_EQ(two.parts[1].name, "REF** 2");
+}
+
+TEST(ReadBoard, ArcsInBothNotations) {
+  const std::string sides =
+      "(gr_line (start 0 0) (end 8 0) (layer \"Edge.Cuts\")) (gr_line (start 10 2) (end 10 10) (layer \"Edge.Cuts\"))"
+      "(gr_line (start 10 10) (end 0 10) (layer \"Edge.Cuts\")) (gr_line (start 0 10) (end 0 0) (layer \"Edge.Cuts\"))";
+  const double expected = 100 - 4 + std::acos(-1.0);
+  const std::string by_angle = "(gr_arc (start 8 2) (end 8 0) (angle 90) (layer \"Edge.Cuts\"))";
+  const std::string by_points = "(gr_arc (start 8 0) (mid 9.414214 0.585786) (end 10 2) (layer \"Edge.Cuts\"))";
+  EXPECT_NEAR(area(read_board(board(sides + by_angle, "20171130"), "b").outline), expected, 1e-9);
+  EXPECT_NEAR(area(read_board(board(sides + by_points), "b").outline), expected, 1e-5);
+}
+
+TEST(ReadBoard, JoinsSmallGaps) {
+  const std::string gap =
+      "(gr_line (start 0 0) (end 10 0) (layer \"Edge.Cuts\")) (gr_line (start 10.005 0) (end 0 10) (layer "
+      "\"Edge.Cuts\"))"
+      "(gr_line (start 0 10) (end 0 0) (layer \"Edge.Cuts\"))";
+  const Board joined = read_board(board(gap), "b");
+  EXPECT_EQ(area(joined.outline), 50);
+  ASSERT_FALSE(joined.notes.empty());
+  EXPECT_NE(joined.notes[0].find("1 ends up to 0.01 mm apart"), std::string::npos) << joined.notes[0];
+}
+
+TEST(ReadBoard, PadsTurnWithTheBoard) {
+  const auto pad = [](const std::string& kind, const std::string& more) {
+    return read_board(
+               board(kOutline +
+                     part("R1", "(pad \"1\" smd " + kind + " (at 1 0 90) (size 2 1) (layers \"F.Cu\")" + more + ")",
+                          "5 5 90")),
+               "b")
+        .parts[0]
+        .pads[0]
+        .copper;
+  };
+  EXPECT_EQ(area(pad("rect", "")), 2);
+  EXPECT_NEAR(area(pad("oval", "")), 1 + std::acos(-1.0) / 4, 1e-9);
+  EXPECT_NEAR(area(pad("roundrect", "(roundrect_rratio 0.25)")), 2 - (4 - std::acos(-1.0)) / 16, 1e-9);
+  EXPECT_NEAR(area(pad("roundrect", "(roundrect_rratio 0) (chamfer_ratio 0.5) (chamfer top_left)")), 1.875, 1e-9);
+  // A quarter turn counter-clockwise, where y runs downwards, takes (1, 0) to (0, -1).
+  const plane::Shape& ring = *pad("rect", "");
+  for (const plane::ContourEdge& e : ring.contours[0]) {
+    EXPECT_EQ(std::abs(e.start.x - 5000000), 500000);
+    EXPECT_EQ(std::abs(e.start.y - 4000000), 1000000);
+  }
+}
+
+TEST(ReadBoard, BoxStandsInForACourtyard) {
+  const std::string pad = "(pad \"1\" smd rect (at 0 0) (size 2 1) (layers \"F.Cu\"))";
+  const std::string body = "(fp_line (start -2 -1) (end 2 1) (layer \"F.Fab\"))";
+  const Board read = read_board(board(kOutline + part("R1", pad + body)), "b");
+  EXPECT_TRUE(read.parts[0].stands_in);
+  EXPECT_NEAR(area(read.parts[0].body), 8, 0.2);
+  EXPECT_GE(area(read.parts[0].body), 8);
+}
+
+TEST(MoveBoard, ChangesNothingElse) {
+  const std::string text = board(kOutline + part("R1", "(pad \"1\" smd rect (at 1 0) (size 2 1) (layers \"F.Cu\"))"));
+  EXPECT_EQ(moved_board(text, "b", {}), text);
+  const std::string moved = moved_board(text, "b", {{"R1", {{-1500000, 2000001}, 90}}});
+  std::string expected = text;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    expected.replace(expected.find(from), from.size(), to);
+  };
+  replace("(at 5 5)", "(at -1.5 2.000001 90)");
+  replace("(at 0 0)", "(at 0 0 90)");
+  replace("(at 1 0)", "(at 1 0 90)");
+  EXPECT_EQ(moved, expected);
+  EXPECT_THROW(moved_board(text, "b", {{"R2", {}}}), Error);
+}
+
+TEST(BoardScene, NamesAndSides) {
+  const std::string yard = "(fp_rect (start -1 -1) (end 1 1) (layer \"F.CrtYd\"))";
+  const auto read = std::make_shared<const Board>(
+      read_board(board(kOutline + part("R1", yard, "3 3") + part("R2", yard, "7 7")), "b"));
+  BoardQuestion question;
+  question.move = {"R1"};
+  const Scene scene = board_scene(read, question);
+  EXPECT_EQ(scene.moving, std::vector<std::string>{"R1"});
+  ASSERT_TRUE(scene.find("others"));
+  EXPECT_EQ(scene.shape("others")->children.size(), 1U);
+  EXPECT_EQ(scene.groups.at("parts"), (std::vector<std::string>{"R1", "R2"}));
+  question.move = {"R9"};
+  EXPECT_THROW(board_scene(read, question), Error);
+}
+
+}  // namespace
+}  // namespace findspace::io
