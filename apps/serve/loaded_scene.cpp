@@ -85,7 +85,15 @@ std::string LoadedScene::unit() const { return scene_.unit ? std::string(formula
 
 std::string LoadedScene::shape_json(const std::string& name, bool drawing) const {
   const bool moves = std::find(scene_.moving.begin(), scene_.moving.end(), name) != scene_.moving.end();
-  std::string out = fmt::format(R"({{"name": {}, "moving": {})", io::json_string(name), io::truth(moves));
+  const auto& atoms = formula_.atoms();
+  const bool used = std::any_of(atoms.begin(), atoms.end(), [&](const formula::Atom& a) {
+    const std::vector<std::string>& first = a.distance.first;
+    const std::vector<std::string>& second = a.distance.second;
+    return std::find(first.begin(), first.end(), name) != first.end() ||
+           std::find(second.begin(), second.end(), name) != second.end();
+  });
+  std::string out = fmt::format(R"({{"name": {}, "moving": {}, "used": {})", io::json_string(name), io::truth(moves),
+                                io::truth(used));
   if (drawing) out += ", \"drawing\": " + drawing_json(solver_->world().shapes.at(name));
   return out + "}";
 }

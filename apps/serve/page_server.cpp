@@ -20,7 +20,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr std::size_t kMostBytes = std::size_t{64} << 20, kMostPages = 48, kThreads = 64;
+constexpr std::size_t kMostBytes = std::size_t{64} << 20, kMostPages = 48, kThreads = 64,
+                      kMostRequests = 1 << 30;  // of a connection
+constexpr int kKeepAliveSeconds = 30;
 constexpr auto kPulse = 500ms;    // between two signs of life on a page's connection
 constexpr auto kReload = 2500ms;  // a page that is reloaded is gone for less than this
 
@@ -52,6 +54,8 @@ class PageServer::Impl {
       : page_(std::move(page)), answer_(std::move(answer)) {
     server_.set_payload_max_length(kMostBytes);
     server_.set_tcp_nodelay(true);
+    server_.set_keep_alive_max_count(kMostRequests);
+    server_.set_keep_alive_timeout(kKeepAliveSeconds);
     // The port is this process's alone.
     server_.set_socket_options([](auto) {});
     server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };

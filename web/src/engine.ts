@@ -6,7 +6,7 @@
 export type Point = [number, number];
 
 export interface Drawing { faces: string; closed: string; open: string; free: string; points: Point[]; full: Point[]; hollow: Point[] }
-export interface ShapeInfo { name: string; moving: boolean; drawing: Drawing }
+export interface ShapeInfo { name: string; moving: boolean; used: boolean; drawing: Drawing }
 export interface Summary { unit?: string; step: number; where: string; moving: string[]; shapes: ShapeInfo[] }
 export interface RegionMap { empty: boolean; isolated: Point[]; components: { sample: Point }[]; drawing: Drawing }
 export interface Atom { text: string; value: number | string | null; true: boolean; lacks?: number; witness: { points?: Point[] } }

@@ -58,6 +58,10 @@ const explain = latest(async () => {
 
 async function solve(): Promise<void> {
   map = await call<RegionMap>("map", { drawing: true });
+  await showMap(map);
+}
+
+async function showMap(map: RegionMap): Promise<void> {
   empty = map.empty;
   stage.setRegion(map.drawing);
   if (empty) {
@@ -250,11 +254,12 @@ async function begin(): Promise<void> {
   where.value = summary.where;
   get("unit").textContent = unit();
   get("scale").dataset["unit"] = unit();
+  for (const s of summary.shapes) if (!s.used && !s.moving) hidden.add(s.name);
   showScene();
   map = alone?.map ?? (await call<RegionMap>("map", { drawing: true }));
   stage.place(alone?.at ?? firstPlace());
   if (alone) stage.setRegion(map.drawing);
-  else await solve();
+  else await showMap(map);
   stage.fit();
   if (alone) {
     connectAlone();
