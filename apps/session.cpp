@@ -65,6 +65,11 @@ Error placed(const Error& e, const io::FormulaText& formula) {
   return Error(e.code(), e.message(), fmt::format("{}:{}:{}", formula.file, formula.line, formula.column + column - 1));
 }
 
+void add_names(const formula::Distance& distance, std::set<std::string>& names) {
+  names.insert(distance.first.begin(), distance.first.end());
+  names.insert(distance.second.begin(), distance.second.end());
+}
+
 }  // namespace
 
 Session::Session(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
@@ -168,16 +173,39 @@ std::optional<Session::Goal> Session::goal() const {
   }
 }
 
-formula::World Session::world() const {
+formula::World Session::world() const { return world_with(scene_.shapes); }
+
+formula::World Session::world_of(const formula::Formula& formula) const {
+  std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
+  const std::optional<Goal> goal = this->goal();
+  for (const formula::Atom& a : formula.atoms()) add_names(a.distance, named);
+  if (goal && goal->objective.kind == formula::Objective::Kind::kDistance) add_names(goal->objective.distance, named);
+  for (const io::Movement& m : scene_.motion.movements) named.insert(m.shape);
+  std::set<const plane::Shape*> of_others;
+  std::vector<const plane::Shape*> todo;
+  for (const plane::ShapePtr& s : scene_.shapes) todo.push_back(s.get());
+  while (!todo.empty()) {
+    const plane::Shape* shape = todo.back();
+    todo.pop_back();
+    for (const plane::ShapePtr& child : shape->children)
+      if (of_others.insert(child.get()).second) todo.push_back(child.get());
+  }
+  std::vector<plane::ShapePtr> wanted;
+  for (const plane::ShapePtr& s : scene_.shapes)
+    if (named.count(s->name) != 0 || of_others.count(s.get()) == 0) wanted.push_back(s);
+  return world_with(wanted);
+}
+
+formula::World Session::world_with(const std::vector<plane::ShapePtr>& shapes) const {
   reporter_.stage("building the shapes");
   formula::World world;
-  std::vector<plane::Region> built = regions(scene_.shapes);
-  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(scene_.shapes[k]->name, std::move(built[k]));
+  std::vector<plane::Region> built = regions(shapes);
+  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(shapes[k]->name, std::move(built[k]));
   world.moving = scene_.moving;
   world.step = step();
   world.motion = motion();
   world.instant = instant();
-  for (const plane::ShapePtr& s : scene_.shapes) {
+  for (const plane::ShapePtr& s : shapes) {
     if (!s->collection) continue;
     std::vector<plane::Region> parts = regions(s->children);
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -204,16 +232,13 @@ void Session::add_scenery(io::Picture& picture, const formula::World& world, con
   picture.arrows = motion_arrows(scene_, world, formula);
   std::set<std::string> named;
   if (formula != nullptr) {
-    for (const formula::Atom& a : formula->atoms()) {
-      named.insert(a.distance.first.begin(), a.distance.first.end());
-      named.insert(a.distance.second.begin(), a.distance.second.end());
-    }
+    for (const formula::Atom& a : formula->atoms()) add_names(a.distance, named);
   }
   for (const plane::ShapePtr& s : scene_.shapes) {
     const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
     if (moves)
       picture.moving.push_back({s->name, &world.shapes.at(s->name)});
-    else if (named.empty() || named.count(s->name) != 0)
+    else if (world.shapes.count(s->name) != 0 && (named.empty() || named.count(s->name) != 0))
       picture.fixed.push_back({s->name, &world.shapes.at(s->name)});
   }
 }

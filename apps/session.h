@@ -54,6 +54,8 @@ class Session {
   std::optional<Goal> goal() const;
   /// All shapes, and which of them move.
   formula::World world() const;
+  /// The same without shapes that the formula does not name and that others are made of.
+  formula::World world_of(const formula::Formula& formula) const;
   /// Throws where the scene asks for more than positions in the plane (or on a line of it or instants, if `line`).
   void require_positions(bool line) const;
   /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`).
@@ -75,6 +77,7 @@ class Session {
 
  private:
   formula::Motion motion() const;
+  formula::World world_with(const std::vector<plane::ShapePtr>& shapes) const;
   /// position_anywhere() within the grid's range.
   std::vector<exact::Real> coordinates(std::size_t count) const;
 
