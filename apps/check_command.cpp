@@ -42,7 +42,7 @@ Outcome run_check(const Options& options, Reporter& reporter) {
   if (session.scene().free.kind == io::Free::Kind::kTime && !options.time)
     throw Error(ErrorCode::kUsage, "with \"free\": \"time\" check wants the instant too: --time t");
   const formula::Formula formula = session.where();
-  const formula::Solver solver(session.world());
+  const formula::Solver solver(session.world_of(formula));
   reporter.stage("checking");
   const formula::Check check = solver.check(formula, at);
   const std::optional<formula::NearestFeasible> nearest =

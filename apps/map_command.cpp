@@ -266,7 +266,7 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   if (time && session.goal()) throw Error(ErrorCode::kUnsupported, "an objective in time is not computed", scene.file);
   require_question(session);
   const formula::Formula formula = session.where();
-  const formula::Solver solver(session.world());
+  const formula::Solver solver(session.world_of(formula));
   if (time) return map_of_time(session, solver, formula);
   const Map map = solve(session, solver, formula);
   return line ? map_of_line(session, map) : map_of_plane(session, map, solver.world(), formula);

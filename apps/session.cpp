@@ -89,6 +89,11 @@ Error placed(const Error& e, const io::FormulaText& formula) {
   return Error(e.code(), e.message(), fmt::format("{}:{}:{}", formula.file, formula.line, formula.column + column - 1));
 }
 
+void add_names(const formula::Distance& distance, std::set<std::string>& names) {
+  names.insert(distance.first.begin(), distance.first.end());
+  names.insert(distance.second.begin(), distance.second.end());
+}
+
 }  // namespace
 
 bool is_board(const std::filesystem::path& path) { return path.extension() == ".kicad_pcb"; }
@@ -221,26 +226,32 @@ formula::Motion motion_of(const io::Scene& scene) {
 
 }  // namespace
 
-std::vector<plane::ShapePtr> Session::wanted_shapes() const {
-  if (!scene_.named_only) return scene_.shapes;
-  std::set<std::string> names(scene_.moving.begin(), scene_.moving.end());
-  const auto add = [&](const formula::Distance& d) {
-    names.insert(d.first.begin(), d.first.end());
-    names.insert(d.second.begin(), d.second.end());
-  };
-  const formula::Formula formula = where();
-  for (const formula::Atom& a : formula.atoms()) add(a.distance);
-  if (const auto best = goal()) add(best->objective.distance);
-  std::vector<plane::ShapePtr> out;
-  std::copy_if(scene_.shapes.begin(), scene_.shapes.end(), std::back_inserter(out),
-               [&](const plane::ShapePtr& s) { return names.count(s->name) > 0; });
-  return out;
+formula::World Session::world() const { return scene_.named_only ? world_of(where()) : world_with(scene_.shapes); }
+
+formula::World Session::world_of(const formula::Formula& formula) const {
+  std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
+  const std::optional<Goal> goal = this->goal();
+  for (const formula::Atom& a : formula.atoms()) add_names(a.distance, named);
+  if (goal && goal->objective.kind == formula::Objective::Kind::kDistance) add_names(goal->objective.distance, named);
+  for (const io::Movement& m : scene_.motion.movements) named.insert(m.shape);
+  std::set<const plane::Shape*> of_others;
+  std::vector<const plane::Shape*> todo;
+  for (const plane::ShapePtr& s : scene_.shapes) todo.push_back(s.get());
+  while (!todo.empty()) {
+    const plane::Shape* shape = todo.back();
+    todo.pop_back();
+    for (const plane::ShapePtr& child : shape->children)
+      if (of_others.insert(child.get()).second) todo.push_back(child.get());
+  }
+  std::vector<plane::ShapePtr> wanted;
+  for (const plane::ShapePtr& s : scene_.shapes)
+    if (named.count(s->name) != 0 || (!scene_.named_only && of_others.count(s.get()) == 0)) wanted.push_back(s);
+  return world_with(wanted);
 }
 
-formula::World Session::world() const {
+formula::World Session::world_with(const std::vector<plane::ShapePtr>& shapes) const {
   reporter_.stage("building the shapes");
   formula::World world;
-  const std::vector<plane::ShapePtr> shapes = wanted_shapes();
   std::vector<plane::Region> built = regions(shapes);
   for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(shapes[k]->name, std::move(built[k]));
   world.moving = scene_.moving;

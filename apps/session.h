@@ -55,6 +55,8 @@ class Session {
   std::optional<Goal> goal() const;
   /// All shapes, and which of them move.
   formula::World world() const;
+  /// The same without shapes that the formula does not name and that others are made of.
+  formula::World world_of(const formula::Formula& formula) const;
   /// Throws where the scene asks for more than positions in the plane (or on a line of it or instants, if `line`).
   void require_positions(bool line) const;
   /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`).
@@ -62,8 +64,7 @@ class Session {
   bool in_space() const { return scene_.dimension == 3; }
 
  private:
-  /// The shapes that are built: all, or those of which the scene's formulas speak.
-  std::vector<plane::ShapePtr> wanted_shapes() const;
+  formula::World world_with(const std::vector<plane::ShapePtr>& shapes) const;
 
   const Options& options_;
   Reporter& reporter_;

@@ -92,8 +92,25 @@ class Builder {
     return built_[shape.get()] = std::move(made);
   }
 
+  /// The operands of the shape, those of a union within a union (or intersections) in place of it, if it occurs once.
+  std::vector<ShapePtr> operands_of(const Shape& shape) {
+    std::vector<ShapePtr> out;
+    const bool joins = shape.kind == Kind::kUnion || shape.kind == Kind::kIntersection;
+    std::vector<ShapePtr> todo(shape.children.rbegin(), shape.children.rend());
+    while (!todo.empty()) {
+      const ShapePtr at = std::move(todo.back());
+      todo.pop_back();
+      if (joins && at->kind == shape.kind && uses_[at.get()] <= 1)
+        todo.insert(todo.end(), at->children.rbegin(), at->children.rend());
+      else
+        out.push_back(at);
+    }
+    return out;
+  }
+
   Region combine(const Shape& shape) {
-    if (shape.children.size() > kOperands) return of_many(shape);
+    const std::vector<ShapePtr> operands = operands_of(shape);
+    if (operands.size() > kOperands) return of_many(shape.kind, operands);
     std::vector<RegionPtr> leaves;
     Expression expression = compile(shape, leaves);
     return evaluate(expression, leaves);
@@ -134,14 +151,14 @@ class Builder {
 
   /// A union, intersection or difference of many operands. What is subtracted from the first operand of a difference
   /// is the union of the others.
-  Region of_many(const Shape& shape) {
-    const bool difference = shape.kind == Kind::kDifference;
+  Region of_many(Kind kind, const std::vector<ShapePtr>& operands) {
+    const bool difference = kind == Kind::kDifference;
     std::vector<RegionPtr> all;
-    for (auto k = shape.children.begin() + difference; k != shape.children.end(); ++k) all.push_back(region(*k));
-    if (shape.kind == Kind::kIntersection) return *in_groups(std::move(all), intersect);
+    for (auto k = operands.begin() + difference; k != operands.end(); ++k) all.push_back(region(*k));
+    if (kind == Kind::kIntersection) return *in_groups(std::move(all), intersect);
     const Region united = united_apart(all);
     if (!difference) return united;
-    RegionPtr first = region(shape.children[0]);
+    RegionPtr first = region(operands[0]);
     return subtract(std::vector<const Region*>{first.get(), &united});
   }
 

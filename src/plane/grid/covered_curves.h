@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "plane/grid/cell_depths.h"
+#include "plane/base/cell_depths.h"
 #include "plane/grid/grid_faces.h"
 
 namespace findspace::plane {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "plane/base/lattice_runs.h"
-#include "plane/grid/cell_depths.h"
+#include "plane/base/cell_depths.h"
 
 namespace findspace::plane {
 

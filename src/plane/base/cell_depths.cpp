@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "plane/grid/cell_depths.h"
+#include "plane/base/cell_depths.h"
 
 #include <algorithm>
 
