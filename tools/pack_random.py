@@ -12,9 +12,11 @@ import argparse
 import json
 import os
 import random
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 from fractions import Fraction
 
 
@@ -217,6 +219,26 @@ def compare_verdicts(program, seed, folder, path, problem, layout, rng):
         fail(seed, f"verify says {verdict.returncode}, the check {expected}: {verdict.stdout}{verdict.stderr}{layout}")
 
 
+def check_interrupt(program, folder):
+    """Ctrl-C in a search without limits: status 130, and a whole layout in the file."""
+    problem = instance(random.Random(5))
+    path, out = os.path.join(folder, "problem.json"), os.path.join(folder, "layout.json")
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(nesting_json(problem), file)
+    with subprocess.Popen([program, "pack", path, *wishes(problem), "-o", out, "-q"], stdout=subprocess.DEVNULL) as search:
+        for _ in range(600):
+            if os.path.exists(out):
+                break
+            time.sleep(0.1)
+        search.send_signal(signal.SIGINT)
+        if search.wait(timeout=60) != 130:
+            fail(5, f"status {search.returncode} after an interrupt")
+    with open(out, encoding="utf-8") as file:
+        wrong = faults(problem, json.load(file)["layout"])
+    if wrong:
+        fail(5, "; ".join(wrong))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("executable")
@@ -224,6 +246,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
+        check_interrupt(arguments.executable, folder)
         for k in range(arguments.count):
             check_instance(arguments.executable, arguments.seed * 100000 + k, folder)
     print(f"{arguments.count} layouts are feasible, and verify agrees on {3 * arguments.count} others")

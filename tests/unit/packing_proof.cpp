@@ -105,6 +105,28 @@ TEST(Verify, SaysWhatIsWrong) {
   EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kAngle);
 }
 
+TEST(Verify, GapsAndEdges) {
+  Problem problem = two_squares();
+  problem.height = 9;
+  problem.edge = 1;
+  Layout layout{11, {{0, 1, 0, false, 1, 1}, {0, 2, 0, false, 7, 5}}, {}};
+  EXPECT_TRUE(verify(problem, layout).feasible());
+  problem.edge = Fraction::parse("1.0001");
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kOutside);
+  problem.edge = 0;
+  layout.items[0].y = 0;
+  layout.items[1].y = 6;  // the corners are sqrt(18) apart
+  problem.gap = Fraction::parse("4.2426406871192851");
+  EXPECT_TRUE(verify(problem, layout).feasible());
+  problem.gap = Fraction::parse("4.2426406871192852");
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kGap);
+  layout.items[1] = {0, 2, 0, false, 7, Fraction(3)};
+  problem.gap = 3;
+  EXPECT_TRUE(verify(problem, layout).feasible());
+  problem.gap = Fraction::parse("3.000000000000001");
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kGap);
+}
+
 TEST(LowerBound, AreaAndWidestPart) {
   Problem problem = two_squares();
   EXPECT_EQ(lower_bound(problem).text(), "4.499999");

@@ -78,8 +78,9 @@ std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose
   std::size_t count = 0;
   for (std::size_t j = 0; j < size(); ++j) {
     near_[count] = std::uint32_t(j);
-    count += std::size_t((low_x < high_x_[j]) & (low_x_[j] < high_x) & (low_y < high_y_[j]) & (low_y_[j] < high_y) &
-                         (j != i));
+    // All at once: which one fails cannot be foreseen.
+    count += std::size_t(int(low_x < high_x_[j]) & int(low_x_[j] < high_x) & int(low_y < high_y_[j]) &
+                         int(low_y_[j] < high_y) & int(j != i));
   }
   looked_at_ += size();
   return {near_.data(), count};
