@@ -106,10 +106,10 @@ class Region {
   using Ring = std::vector<Side>;
   /// A connected part of the point set.
   struct Component {
-    int dimension = 0;           // 2: it has an area; 1: curves alone; 0: a point
-    std::optional<double> area;  // nothing where it is unbounded
-    std::size_t holes = 0;       // bounded components of its complement
-    Position sample{};           // a point of it, inside where it has an inside
+    int dimension = 0;             // 2: it has an area; 1: curves alone; 0: a point
+    std::optional<double> area;    // nothing where it is unbounded
+    std::size_t holes = 0;         // bounded components of its complement
+    Position sample{};             // a point of it, inside where it has an inside
     std::optional<Bounds> bounds;  // nothing where it is unbounded
     /// The boundaries of its faces, the face on the left: the outer one of a face counter-clockwise, then its holes.
     std::vector<Ring> rings;
