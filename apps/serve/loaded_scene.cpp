@@ -66,10 +66,13 @@ LoadedScene::LoadedScene(io::Scene scene) : scene_(std::move(scene)) {
   });
 }
 
+formula::Formula LoadedScene::parsed(const std::string& where) const {
+  if (where.empty()) return {};
+  return with_session(scene_, [&](const Session& session) { return formula::parse_formula(where, session.context()); });
+}
+
 void LoadedScene::set_where(const std::string& where) {
-  formula_ = where.empty() ? formula::Formula() : with_session(scene_, [&](const Session& session) {
-    return formula::parse_formula(where, session.context());
-  });
+  formula_ = parsed(where);
   scene_.where = {where, "formula", 1, 1};
   region_.reset();
 }
@@ -124,12 +127,13 @@ std::string LoadedScene::drawing_json(const plane::Region& region) const {
                      io::json_string(d.free), places_json(d.points), places_json(d.full), places_json(d.hollow));
 }
 
-std::string LoadedScene::map_json(bool drawing) const {
-  const plane::Summary summary = plane::summarize(region(), solver_->world().step);
-  std::string out = io::region_json(region(), summary, solver_->world().step, unit());
+std::string LoadedScene::map_json(bool drawing, const std::optional<std::string>& where) const {
+  const plane::Region shown = where ? plane::in_order(formula::feasible_near(*solver_, parsed(*where))) : region();
+  const plane::Summary summary = plane::summarize(shown, solver_->world().step);
+  std::string out = io::region_json(shown, summary, solver_->world().step, unit());
   if (!drawing) return out;
   out.resize(out.rfind('}'));
-  return out + ", \"drawing\": " + drawing_json(region()) + "}";
+  return out + ", \"drawing\": " + drawing_json(shown) + "}";
 }
 
 const plane::Region& LoadedScene::region() const {

@@ -31,8 +31,9 @@ class LoadedScene {
 
   /// What it is: unit, shapes, what moves, the formula; with `drawing` the shapes as path data.
   std::string summary_json(bool drawing) const;
-  /// The region, as `map --json` gives it; with `drawing` as path data too.
-  std::string map_json(bool drawing) const;
+  /// The region, as `map --json` gives it; with `drawing` as path data too. `where`: of another formula, which is not
+  /// kept.
+  std::string map_json(bool drawing, const std::optional<std::string>& where) const;
   /// Where the nearest feasible position is within `snap`, about that one.
   std::string check_json(const exact::RealPoint& at, bool nearest, const exact::Real& snap) const;
   std::string nearest_json(const exact::RealPoint& at) const;
@@ -44,6 +45,7 @@ class LoadedScene {
   template <class Use>
   auto with_session(const io::Scene& scene, const Use& use) const;
   std::string unit() const;
+  formula::Formula parsed(const std::string& where) const;
   /// The region of the formula, made once.
   const plane::Region& region() const;
   std::optional<formula::NearestFeasible> nearest(const exact::RealPoint& at) const;

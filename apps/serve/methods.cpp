@@ -35,6 +35,8 @@ constexpr Parameter kLoadParameters[] = {
     kDrawing,
 };
 constexpr Parameter kSceneParameters[] = {kOfScene, kDrawing};
+constexpr Parameter kMapParameters[] = {
+    kOfScene, kDrawing, {"where", kText, "of this formula instead; the scene keeps its own"}};
 constexpr Parameter kSetParameters[] = {
     kOfScene, {"where", kText, "another formula"}, {"moving", kNames, "other moving shapes"}};
 constexpr Parameter kPositionParameters[] = {kOfScene, kAt};
@@ -111,7 +113,7 @@ std::string set(SceneStore& store, const JsonValue& parameters) {
 }
 
 std::string map(SceneStore& store, const JsonValue& parameters) {
-  return store.scene(name_of(parameters)).map_json(flag(parameters, "drawing"));
+  return store.scene(name_of(parameters)).map_json(flag(parameters, "drawing"), text(parameters, "where"));
 }
 
 std::string check(SceneStore& store, const JsonValue& parameters) {
@@ -142,7 +144,7 @@ constexpr Method kMethods[] = {
     {"load", "Reads a scene, keeps it, and says what it has.", kLoadParameters, load},
     {"scene", "Says what a loaded scene has: unit, shapes, what moves, the formula.", kSceneParameters, scene},
     {"set", "Gives a loaded scene another formula or other moving shapes.", kSetParameters, set},
-    {"map", "Where can the moving shape go: the exact region of all feasible positions.", kSceneParameters, map},
+    {"map", "Where can the moving shape go: the exact region of all feasible positions.", kMapParameters, map},
     {"check", "Is this position feasible: the value and truth of every condition.", kCheckParameters, check},
     {"nearest", "The nearest feasible position.", kPositionParameters, nearest},
     {"measure", "How far the moving shape is from each other shape.", kPositionParameters, measure},

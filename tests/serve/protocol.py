@@ -7,6 +7,7 @@ usage: protocol.py PROGRAM
 
 docs/protocol.json is what `rpc.discover` says; `protocol.py PROGRAM --write` writes it anew."""
 import json
+import math
 import os
 import subprocess
 import sys
@@ -125,8 +126,15 @@ class Answers(unittest.TestCase):
     def test_limits(self):
         answers, status = serve(['{"id": 1, "method": "ping", "params": "' + "x" * (64 << 20) + '"}', {"id": 2, "method": "ping"}])
         self.assertEqual((answers[0]["error"]["code"], answers[1]["result"], status), (-32001, {}, 0))
-        swim = os.path.join(ROOT, "examples", "first.json")
-        answers, status = serve([{"id": 1, "method": "map"}], "--time-limit", "0.000001", swim)
+        # Two stars of 2000 corners: their sum takes far longer than the limit.
+        star = [[round(math.cos(math.pi * k / 2000) * r), round(math.sin(math.pi * k / 2000) * r)]
+                for k in range(4000) for r in ((900000, 400000)[k % 2],)]
+        shapes = {"A": {"polygon": star}, "B": {"polygon": star}}
+        with tempfile.TemporaryDirectory() as folder:
+            scene = os.path.join(folder, "stars.json")
+            with open(scene, "w", encoding="utf-8") as file:
+                json.dump({"findspace": 1, "shapes": shapes, "moving": "B", "where": "gap(B, A) >= 1"}, file)
+            answers, status = serve([{"id": 1, "method": "map"}], "--time-limit", "0.1", scene)
         self.assertEqual((answers[0]["id"], answers[0]["error"]["code"], status), (1, -32001, 4))
 
     def test_model_context_protocol(self):

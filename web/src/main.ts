@@ -16,7 +16,7 @@ interface State { where: string; at: Point; moving: string[] }
 const alone = readAlone();
 const stage = new Stage(get<SVGSVGElement>("picture"), get("scale"));
 const where = get<HTMLTextAreaElement>("where"), hidden = new Set<string>();
-let summary: Summary, map: RegionMap | null = null, empty = false;
+let picked = "", summary: Summary, map: RegionMap | null = null, empty = false;
 let undo: State[] = [], redo: State[] = [], kept: State;
 
 const unit = (): string => summary.unit ?? "";
@@ -39,12 +39,19 @@ const check = latest(async (at: Point, snap: number) => {
   showPlace();
   stage.setAtoms(answer.true, answer.atoms);
   stage.setGhost(answer.nearest_feasible?.at ?? null);
-  showAtoms(get("atoms"), answer.atoms, unit());
+  showAtoms(get("atoms"), answer.atoms, unit(), picked, (text) => void pick(text));
   if (empty) return;
   const off = answer.nearest_feasible;
   const wrong = answer.atoms.filter((a) => !a.true).map((a) => a.text);
   verdict(answer.true ? "Feasible" : `Not feasible${off ? `, ${withUnit(off.distance, unit())} away` : ""}${wrong.length ? `: ${wrong.join(", ")}` : ""}`, answer.true);
 });
+
+/// The set of one condition alone, or of none.
+async function pick(text: string): Promise<void> {
+  picked = text;
+  stage.setRegion(text ? (await call<RegionMap>("map", { drawing: true, where: text })).drawing : null, true);
+  await check(stage.at, 0);
+}
 
 const explain = latest(async () => {
   const answer = await call<Explanation>("explain");
@@ -70,7 +77,7 @@ async function showMap(map: RegionMap): Promise<void> {
   } else {
     get("why").hidden = true;
   }
-  await check(stage.at, 0);
+  await (picked ? pick("") : check(stage.at, 0));
 }
 
 function caret(e: Refusal | null): void {
@@ -213,6 +220,40 @@ function connect(): void {
   get("redo").onclick = () => void restore(redo, undo);
   get("save-page").onclick = () => { if (map) save("findspace.html", "text/html", alonePage({ summary, map, at: stage.at })); };
   document.addEventListener("keydown", onKey);
+  document.addEventListener("dragover", (e) => e.preventDefault());
+  document.addEventListener("drop", (e) => {
+    e.preventDefault();
+    const file = e.dataTransfer?.files[0];
+    if (file) void file.text().then(openScene).catch((fault: unknown) => caret(fault instanceof Refusal ? fault : null));
+  });
+}
+
+/// Another scene in place of this one.
+async function openScene(text: string): Promise<void> {
+  await call("load", { text });
+  hidden.clear();
+  undo = [];
+  redo = [];
+  await showLoaded();
+}
+
+/// What the engine has loaded.
+async function showLoaded(): Promise<void> {
+  summary = alone?.summary ?? (await call<Summary>("scene", { drawing: true }));
+  where.value = summary.where;
+  get("unit").textContent = unit();
+  get("scale").dataset["unit"] = unit();
+  for (const s of summary.shapes) if (!s.used && !s.moving) hidden.add(s.name);
+  showScene();
+  map = alone?.map ?? (await call<RegionMap>("map", { drawing: true }));
+  stage.place(alone?.at ?? firstPlace());
+  if (alone) stage.setRegion(map.drawing);
+  else await showMap(map);
+  stage.fit();
+  if (alone) return;
+  sliders();
+  kept = now();
+  buttons();
 }
 
 /// The picture answers, to the pixel.
@@ -250,25 +291,9 @@ async function begin(): Promise<void> {
   get("zoom-out").onclick = () => stage.zoom(1.25);
   get("fit").onclick = () => stage.fit();
   if (!alone) stayOpen((gone) => { if (gone) verdict("The program has ended", false); });
-  summary = alone?.summary ?? (await call<Summary>("scene", { drawing: true }));
-  where.value = summary.where;
-  get("unit").textContent = unit();
-  get("scale").dataset["unit"] = unit();
-  for (const s of summary.shapes) if (!s.used && !s.moving) hidden.add(s.name);
-  showScene();
-  map = alone?.map ?? (await call<RegionMap>("map", { drawing: true }));
-  stage.place(alone?.at ?? firstPlace());
-  if (alone) stage.setRegion(map.drawing);
-  else await showMap(map);
-  stage.fit();
-  if (alone) {
-    connectAlone();
-    return;
-  }
-  sliders();
-  kept = now();
-  buttons();
-  connect();
+  await showLoaded();
+  if (alone) connectAlone();
+  else connect();
 }
 
 begin().catch((e: unknown) => verdict(e instanceof Error ? e.message : String(e), false));

@@ -19,14 +19,21 @@ export const withUnit = (value: number, unit: string): string => (unit ? `${show
 const valueText = (value: number | string | null, unit: string): string =>
   value === null ? "undefined" : typeof value === "number" ? withUnit(value, unit) : value === "-inf" ? "−∞" : value;
 
-export function showAtoms(list: Element, atoms: Atom[], unit: string): void {
+/// `picked`: the condition whose own set is shown.
+export function showAtoms(list: Element, atoms: Atom[], unit: string, picked: string, pick: (text: string) => void): void {
+  const focused = [...list.querySelectorAll("button")].indexOf(document.activeElement as HTMLButtonElement);
   list.replaceChildren();
   for (const a of atoms) {
     const row = make("li", list, "", a.true ? "yes" : "no");
-    make("code", row, a.text);
+    const button = make("button", row);
+    make("code", button, a.text);
+    button.title = "Show the set of this condition alone";
+    button.ariaPressed = String(a.text === picked);
+    button.onclick = () => pick(a.text === picked ? "" : a.text);
     make("span", row, valueText(a.value, unit));
     if (!a.true) make("small", row, a.lacks === undefined ? "does not hold" : `off by ${withUnit(a.lacks, unit)}`);
   }
+  if (focused >= 0) list.querySelectorAll("button")[focused]?.focus();
 }
 
 const changeWords = (c: Change, unit: string, slack: boolean): string => {

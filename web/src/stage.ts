@@ -22,7 +22,7 @@ const around = (b: DOMRect, o: DOMRect): boolean =>
   b.x <= o.x && b.y <= o.y && b.x + b.width >= o.x + o.width && b.y + b.height >= o.y + o.height;
 
 export class Stage {
-  private readonly layers: Record<"shapes" | "region" | "ghost" | "part" | "marks", SVGElement>;
+  private readonly layers: Record<"shapes" | "own" | "region" | "ghost" | "part" | "marks", SVGElement>;
   private box = { x: 0, y: 0, w: 1, h: 1 };
   private all = { x: 0, y: 0, w: 1, h: 1 };
   private names: { x: number; y: number; text: string }[] = [];
@@ -33,7 +33,7 @@ export class Stage {
 
   constructor(readonly svg: SVGSVGElement, private readonly bar: HTMLElement) {
     const layer = (id: string) => element("g", { id }, svg);
-    this.layers = { shapes: layer("layer-shapes"), region: layer("layer-region"), ghost: layer("layer-ghost"), part: layer("layer-part"), marks: layer("layer-marks") };
+    this.layers = { shapes: layer("layer-shapes"), own: layer("layer-own"), region: layer("layer-region"), ghost: layer("layer-ghost"), part: layer("layer-part"), marks: layer("layer-marks") };
     this.follow();
     new ResizeObserver(() => this.show()).observe(svg);
   }
@@ -73,8 +73,9 @@ export class Stage {
     this.place(this.at);
   }
 
-  setRegion(d: Drawing | null): void {
-    const g = this.layers.region;
+  /// `own`: the set of one condition, below the region.
+  setRegion(d: Drawing | null, own = false): void {
+    const g = own ? this.layers.own : this.layers.region;
     g.replaceChildren();
     if (!d) return;
     const add = (style: string, data: string) => { if (data) element("path", { class: style, d: data }, g); };

@@ -46,6 +46,8 @@ async function view(path) {
 
 const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
 const running = [];
+const endAll = () => { for (const { child } of running) if (child.exitCode === null) child.kill(); };
+process.on("SIGTERM", () => { endAll(); process.exit(1); });
 
 async function open(path, { dark = false, width = 1280, height = 800 } = {}) {
   const server = await view(path);
@@ -147,6 +149,20 @@ const tests = {
     await shot(page, "mistake-light");
     await close(opened);
   },
+  async "a condition shows its own set, and a dropped scene is opened"() {
+    const opened = await open(scene("slot9.json", kSlot), { dark: true }), { page } = opened;
+    await page.evaluate(() => document.querySelectorAll("#atoms button")[1].click());
+    await until(page, () => document.querySelector("#layer-own .face") && document.querySelectorAll("#atoms button")[1].ariaPressed === "true");
+    await shot(page, "own-dark");
+    await page.evaluate((text) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], "other.json"));
+      document.dispatchEvent(new DragEvent("drop", { dataTransfer: data }));
+    }, JSON.stringify({ ...kSlot, where: "gap(peg, block) = 3" }));
+    await until(page, () => document.getElementById("where").value === "gap(peg, block) = 3");
+    await until(page, () => !document.querySelector("#layer-own .face") && document.querySelector("#layer-region .free") && !document.querySelector("#layer-region .face"));
+    await close(opened);
+  },
   async "keys move the part"() {
     const opened = await open(scene("slot4.json", kSlot)), { page } = opened;
     await setPlace(page, 20, 20);
@@ -216,6 +232,6 @@ for (const [name, test] of Object.entries(tests)) {
   }
 }
 await browser.close();
-for (const { child } of running) if (child.exitCode === null) child.kill();
+endAll();
 console.log(`${Object.keys(tests).length} tests, ${failed} fail`);
 process.exit(failed ? 1 : 0);
