@@ -20,7 +20,8 @@ def write(folder, name, text):
 def main(folder):
     for case in cases([CASES], None):
         text = case["scene_text"] if "scene_text" in case else json.dumps(case["scene"])
-        write(os.path.join(folder, "scene"), case["id"] + ".json", text)
+        if not case.get("scene_file", "").endswith(".kicad_pcb"):  # a board, whose target has its own seeds
+            write(os.path.join(folder, "scene"), case["id"] + ".json", text)
         formula = case.get("scene", {}).get("where")
         if isinstance(formula, str):
             write(os.path.join(folder, "formula"), case["id"] + ".txt", formula)

@@ -67,7 +67,8 @@ def scenes(scope, folder):
     for case in cases([CASES], None):
         if scope.beyond(case) or "exit" in case["expect"] or "files" in case:
             continue
-        path = os.path.join(folder, case["id"] + ".json")
+        ending = os.path.splitext(case.get("scene_file", "scene.json"))[1]
+        path = os.path.join(folder, case["id"] + ending)
         with open(path, "w", encoding="utf-8") as file:
             file.write(case.get("scene_text") or json.dumps(case["scene"]))
         yield case["id"], [case["run"][0], path, *case["run"][1:]]

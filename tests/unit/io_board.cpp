@@ -109,8 +109,8 @@ TEST(ReadBoard, PadsTurnWithTheBoard) {
   EXPECT_NEAR(area(pad("roundrect", "(roundrect_rratio 0.25)")), 2 - (4 - std::acos(-1.0)) / 16, 1e-9);
   EXPECT_NEAR(area(pad("roundrect", "(roundrect_rratio 0) (chamfer_ratio 0.5) (chamfer top_left)")), 1.875, 1e-9);
   // A quarter turn counter-clockwise, where y runs downwards, takes (1, 0) to (0, -1).
-  const plane::Shape& ring = *pad("rect", "");
-  for (const plane::ContourEdge& e : ring.contours[0]) {
+  const plane::ShapePtr ring = pad("rect", "");
+  for (const plane::ContourEdge& e : ring->contours[0]) {
     EXPECT_EQ(std::abs(e.start.x - 5000000), 500000);
     EXPECT_EQ(std::abs(e.start.y - 4000000), 1000000);
   }
