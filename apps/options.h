@@ -29,7 +29,8 @@ struct Options {
   std::optional<unsigned> index;
   bool exact = false;         // of map, describe: the exact cells in the JSON
   bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
-  bool all = false;           // of measure: all distances
+  bool all = false;           // of measure: all distances, or
+  std::string only;           // this one
   bool explain = false;       // of check: which way decided each atom, and how long it took
   bool json = false, quiet = false;
   std::string side;                // of map and describe in 3D: inner or outer cells about lines, or nothing

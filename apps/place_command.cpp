@@ -128,11 +128,11 @@ std::string picture(const Session& session, const Problem& problem, const Answer
 }  // namespace
 
 Outcome run_place(const Options& options, Reporter& reporter) {
+  const planning::Limit limit(options.time_limit * kSearching);  // reading counts
   const Session session(options, reporter);
-  if (session.in_space()) return place_space(session);
+  if (session.in_space()) return place_space(session, limit);
   check_outputs(options, {".svg", ".json"});
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
-  const planning::Limit limit(options.time_limit * kSearching);
   const Problem problem = placement_problem(session);
   reporter.stage("placing");
   const planning::Relations relations(problem);

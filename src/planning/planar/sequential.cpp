@@ -112,12 +112,15 @@ class Sequence {
 SequentialPlacement place_sequentially(const Relations& relations, const Limit& limit) {
   SequentialPlacement out;
   Sequence sequence(relations);
+  StepTimes times;
   for (std::size_t body = 0; body < relations.problem().bodies.size(); ++body) {
-    if (limit.over()) {
+    if (times.next_is_late(limit)) {
       out.limit_reached = true;
       break;
     }
+    times.begin();
     out.steps.push_back(sequence.place(body));
+    times.end();
   }
   out.poses = sequence.poses();
   return out;

@@ -166,14 +166,17 @@ space::RaySourcePointer SpacePositions::lines(const space::RayGrid& grid) const 
 SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit) {
   const SpaceGoals goals = space_goals(problem);
   SpacePlacement out;
+  StepTimes times;
   out.poses.resize(problem.bodies.size());
   for (std::size_t body = 0; body < problem.bodies.size(); ++body) {
-    if (limit.over()) {
+    if (times.next_is_late(limit)) {
       out.limit_reached = true;
       break;
     }
+    times.begin();
     out.steps.push_back(place(problem, goals, out.poses, body));
     out.poses[body] = out.steps.back().pose;
+    times.end();
   }
   return out;
 }
