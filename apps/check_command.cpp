@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
+#include "measured_rows.h"
 #include "position_picture.h"
 #include "position_report.h"
 #include "rotation_command.h"
@@ -72,13 +73,13 @@ Outcome run_measure(const Options& options, Reporter& reporter) {
   const formula::Formula formula = session.where();
   const formula::Solver solver(session.world());
   reporter.stage("measuring");
-  const std::vector<formula::DistanceAt> distances = solver.measure(at, formula);
+  const std::vector<formula::DistanceAt> distances = only_wanted(solver.measure(at, formula), options);
   const auto json = [&] { return io::measure_json(distances, distance::coordinates(at), session.unit()); };
   const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json
               ? json()
-              : measure_text(distances, io::shown_point(distance::coordinates(at)), session.unit(), options.all),
+              : measure_text(distances, io::shown_point(distance::coordinates(at)), session.unit(), shows_all(options)),
           kDone};
 }
 

@@ -206,9 +206,14 @@ void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
     if (is(verb, "check"))
       command.add_flag("--explain", o.explain, "which way decided each condition, and how many milliseconds it took")
           ->group(kCommon);
-    if (is(verb, "measure"))
-      command.add_flag("--all", o.all, "all distances, not only gap, margin, reach, protrusion and hausdorff")
-          ->group(kCommon);
+    if (is(verb, "measure")) {
+      auto* all =
+          command.add_flag("--all", o.all, "all distances, not only gap, margin, reach, protrusion and hausdorff");
+      all->group(kCommon);
+      auto* only =
+          command.add_option("--only", o.only, "this distance alone, such as gap; no other is computed in space");
+      only->type_name("NAME")->excludes(all)->group(kCommon);
+    }
   }
 }
 

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "formula/language/names.h"
 #include "formula/language/position_answers.h"
+#include "options.h"
 
 namespace findspace::app {
 
@@ -27,5 +29,12 @@ std::string explained(distance::Way way, double milliseconds);
 
 /// Of distances pair by pair as Solver::measure gives them.
 std::vector<MeasuredRow> measured_rows(const std::vector<formula::DistanceAt>& distances, bool all);
+
+/// The kinds that a measurement has to compute; none: all. Throws Error(kUsage) for an unknown --only.
+std::vector<formula::Kind> wanted_kinds(const Options& options);
+/// Those of --only; all without it.
+std::vector<formula::DistanceAt> only_wanted(std::vector<formula::DistanceAt> distances, const Options& options);
+/// Whether every distance that is there is printed.
+inline bool shows_all(const Options& options) { return options.all || !options.only.empty(); }
 
 }  // namespace findspace::app

@@ -32,7 +32,8 @@ struct Options {
   std::optional<unsigned> index;
   bool exact = false;         // of map, describe: the exact cells in the JSON
   bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
-  bool all = false;           // of measure: all distances
+  bool all = false;           // of measure: all distances, or
+  std::string only;           // this one
   bool explain = false;       // of check: which way decided each atom, and how long it took
   int port = 0;               // of view; 0: any
   bool no_open = false;       // of view: print the link only

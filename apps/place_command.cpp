@@ -163,14 +163,14 @@ Options as_placement(Options options) {
 }  // namespace
 
 Outcome run_place(const Options& given, Reporter& reporter) {
+  const planning::Limit limit(given.time_limit * kSearching);  // reading counts
   const Options options = as_placement(given);
   const Session session(options, reporter);
-  if (session.in_space()) return place_space(session);
+  if (session.in_space()) return place_space(session, limit);
   const bool board = session.scene().board != nullptr;
   check_outputs(options, board ? std::vector<std::string>{".svg", ".json", ".kicad_pcb"}
                                : std::vector<std::string>{".svg", ".json"});
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
-  const planning::Limit limit(options.time_limit * kSearching);
   const Problem problem = placement_problem(session);
   reporter.stage("placing");
   const planning::Relations relations(problem);

@@ -13,7 +13,6 @@
 #include "io/write/write_json_rays.h"
 #include "io/write/write_json_space.h"
 #include "io/write/write_placement.h"
-#include "limits.h"
 #include "placement_demands.h"
 #include "planning/solid/space_sequence.h"
 #include "planning/solid/space_simultaneous.h"
@@ -227,12 +226,11 @@ Answer one_after_another(const SpaceProblem& problem, const planning::Limit& lim
 
 }  // namespace
 
-Outcome place_space(const Session& session) {
+Outcome place_space(const Session& session, const planning::Limit& limit) {
   const Options& options = session.options();
   std::vector<std::string> endings{".json"};
   endings.insert(endings.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
   check_outputs(options, endings);
-  const planning::Limit limit(options.time_limit * kSearching);
   const SpaceProblem problem = problem_of(session);
   session.reporter().stage("placing");
   const bool all_at_once = session.scene().place.method == io::Placement::Method::kSimultaneous;

@@ -8,6 +8,7 @@
 #include "formula/solid/solve_space.h"
 #include "io/mesh/write_mesh.h"
 #include "line_choice.h"
+#include "planning/order/problem.h"
 #include "session.h"
 
 namespace findspace::app {
@@ -25,7 +26,7 @@ Outcome check_space(const Session& session);
 Outcome measure_space(const Session& session);
 Outcome describe_space(const Session& session, const std::string& shape);
 Outcome convert_space(const Session& session, const std::string& shape);
-Outcome place_space(const Session& session);
+Outcome place_space(const Session& session, const planning::Limit& limit);
 
 /// The boundary of a shape that one surface of flat faces bounds; throws Error(kUnsupported) for others.
 io::Surface boundary_of(const Session& session, const plane::Shape& shape);

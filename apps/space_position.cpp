@@ -10,6 +10,7 @@
 #include "formula/language/text.h"
 #include "io/draw/draw_bodies.h"
 #include "io/write/write_position.h"
+#include "measured_rows.h"
 #include "position_report.h"
 #include "space_commands.h"
 #include "space_outcome.h"
@@ -127,7 +128,7 @@ Outcome measure_space(const Session& session) {
   const space::RealVector at = asked_position_in_space(session);
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("measuring");
-  const std::vector<formula::DistanceAt> distances = solver.measure(at);
+  const std::vector<formula::DistanceAt> distances = solver.measure(at, wanted_kinds(options));
   note_late_rounding(session, solver);
   note_refused(session, distances);
   const auto json = [&] { return io::measure_json(distances, distance::coordinates(at), session.unit()); };
@@ -136,7 +137,7 @@ Outcome measure_space(const Session& session) {
                       fmt::format("{} at {}", fmt::join(session.scene().moving, ", "), where_text(at)), {}, {});
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : measure_text(distances, where_text(at), session.unit(), options.all), kDone};
+  return {options.json ? json() : measure_text(distances, where_text(at), session.unit(), shows_all(options)), kDone};
 }
 
 }  // namespace findspace::app

@@ -77,7 +77,7 @@ TEST(Public, MistakesAreInWhatTheCallerWrote) {
     }
     return std::string("none");
   };
-  EXPECT_EQ(place([] { Shape::json("{\"points\": [[0, 4]"); }), "shape:1:20");
+  EXPECT_EQ(place([] { Shape::json("{\"points\": [[0, 4]"); }), "shape:1:19");
   EXPECT_EQ(place([] { Shape::path("M 0 0 L 1"); }), "path");
   EXPECT_EQ(place([] { Shape::file("/nowhere/at/all.obj"); }), "/nowhere/at/all.obj");
 }

@@ -221,7 +221,7 @@ Check SpaceSolver::check(const Formula& formula, const RealVector& position) con
   return out;
 }
 
-std::vector<DistanceAt> SpaceSolver::measure(const RealVector& position) const {
+std::vector<DistanceAt> SpaceSolver::measure(const RealVector& position, const std::vector<Kind>& kinds) const {
   const RealVector p = space::scaled(Real(1) / space_->world.step, position);
   std::vector<Distance> wanted;
   for (const std::string& b : space_->world.moving) {
@@ -229,6 +229,7 @@ std::vector<DistanceAt> SpaceSolver::measure(const RealVector& position) const {
       if (std::find(space_->world.moving.begin(), space_->world.moving.end(), a) != space_->world.moving.end())
         continue;
       for (std::size_t k = 0; k < kKindCount; ++k) {
+        if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), Kind(k)) == kinds.end()) continue;
         Distance d;
         d.kind = Kind(k);
         d.first = {b};

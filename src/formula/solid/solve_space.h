@@ -67,7 +67,7 @@ class SpaceSolver {
 
   /// `p` in the scene's unit.
   Check check(const Formula& formula, const space::RealVector& p) const;
-  std::vector<DistanceAt> measure(const space::RealVector& p) const;
+  std::vector<DistanceAt> measure(const space::RealVector& p, const std::vector<Kind>& kinds = {}) const;
 
   /// One distance at p, in grid steps; nothing where it is undefined.
   std::optional<distance::Answer> value(const Distance& distance, const space::RealVector& p) const;

@@ -25,9 +25,13 @@ struct SequenceOf {
   template <class Place>
   void place_each(std::size_t bodies, const Limit& limit, const Place& place) {
     poses.resize(bodies);
+    StepTimes times;
     for (std::size_t body = 0; body < bodies && !limit_reached; ++body) {
-      limit_reached = limit.over();
-      if (!limit_reached) steps.push_back(place(body));
+      limit_reached = times.next_is_late(limit);
+      if (limit_reached) return;
+      times.begin();
+      steps.push_back(place(body));
+      times.end();
     }
   }
 };

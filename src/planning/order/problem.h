@@ -7,6 +7,7 @@
 // nesting, layout, arrangement.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <map>
@@ -69,6 +70,7 @@ using Poses = PosesOf<exact::RealPoint>;
 /// When to stop and give what there is.
 class Limit {
  public:
+  using Clock = std::chrono::steady_clock;
   Limit() = default;
   /// `seconds` <= 0: none.
   explicit Limit(double seconds) {
@@ -76,10 +78,26 @@ class Limit {
       end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
   bool over() const { return end_ && Clock::now() >= *end_; }
+  /// Whether it will be over before another step of so many seconds is done.
+  bool over_after(double seconds) const {
+    return end_ &&
+           Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)) >= *end_;
+  }
 
  private:
-  using Clock = std::chrono::steady_clock;
   std::optional<Clock::time_point> end_;
+};
+
+/// How long steps take, to stop before one that would come too late: the next takes as long as the longest so far.
+class StepTimes {
+ public:
+  bool next_is_late(const Limit& limit) const { return limit.over_after(longest_); }
+  void begin() { begin_ = Limit::Clock::now(); }
+  void end() { longest_ = std::max(longest_, std::chrono::duration<double>(Limit::Clock::now() - begin_).count()); }
+
+ private:
+  Limit::Clock::time_point begin_{};
+  double longest_ = 0;
 };
 
 }  // namespace findspace::planning
