@@ -81,7 +81,7 @@ async function showMap(map: RegionMap): Promise<void> {
 }
 
 function caret(e: Refusal | null): void {
-  get("mistake").textContent = e ? e.message : "";
+  get("mistake").textContent = e?.message.split("\n")[0] ?? "";
   const box = get("caret");
   box.replaceChildren();
   if (!e?.line || !e.column) return;
