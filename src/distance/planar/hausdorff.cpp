@@ -10,6 +10,7 @@
 #include "distance/planar/farthest_corner.h"
 #include "exact/number/margins.h"
 #include "plane/complex/overlay.h"
+#include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
 
 namespace findspace::distance {
@@ -57,7 +58,7 @@ SignMap DirectedHausdorff::sign_map(const Real& level) const {
 }
 
 std::optional<PlanarAnswer> DirectedHausdorff::value(const RealPoint& p) const {
-  if (!defined()) return std::nullopt;
+  if (!defined() || plane::is_empty(a_)) return std::nullopt;
   double scale = search_.scale(near_value(p.x), near_value(p.y));
   if (auto h = greatest(p, scale * margin::kClearlyOut)) return h->answer();
   // B+p lies in A, or all but: containment decides.
