@@ -305,7 +305,8 @@ TEST(PublicPhi, OfSpaceAgreesWithGap) {
   const World world({{"A", a}, {"B", b}}, "B");
   for (int x = -3; x < 7; ++x)
     for (int y = -3; y < 5; ++y) {
-      const double gap = *world.distance("gap(B, A)", Point3{x, y, 1}).value, value = phi.at(Point3{x, y, 1}).normalised;
+      const double gap = *world.distance("gap(B, A)", Point3{x, y, 1}).value,
+                   value = phi.at(Point3{x, y, 1}).normalised;
       EXPECT_EQ(gap > 0, value > 0);
       EXPECT_EQ(gap < 0, value < 0);
       if (gap > 0) {

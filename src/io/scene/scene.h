@@ -83,10 +83,10 @@ struct Scene {
   bool named_only = false;                                 // many shapes: only those that formulas name are built
   std::vector<std::string> empty_lists;                    // names of groups without a shape that stands still
   std::map<std::string, std::vector<std::string>> groups;  // names of shapes, also of those that move
-  std::shared_ptr<const Board> board;    // where the scene is one of KiCad
+  std::shared_ptr<const Board> board;                      // where the scene is one of KiCad
   std::string moving_name;                                 // what moves, for titles; without it the names in `moving`
   GridPosition drawn_at{};                                 // the position at which `moving` stands as it was drawn
-  std::uint64_t work_limit = plane::kUsualWork;  // of each shape and each formula (plane/base/work.h)
+  std::uint64_t work_limit = plane::kUsualWork;            // of each shape and each formula (plane/base/work.h)
   std::vector<std::string> notes;  // what the reader of the result should know: points rounded, rings turned
 
   /// What moves, in words: "U3", "A1, A2".

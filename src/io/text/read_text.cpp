@@ -36,7 +36,8 @@ struct Descriptor {
 
 void require_regular(const struct stat& status, const std::string& name) {
   if (S_ISDIR(status.st_mode)) fail_file("this is a folder, not a file", name);
-  if (!S_ISREG(status.st_mode)) fail_file("this is not a regular file (a scene of - is read from standard input)", name);
+  if (!S_ISREG(status.st_mode))
+    fail_file("this is not a regular file (a scene of - is read from standard input)", name);
 }
 
 /// What is open there, not what its name may mean by now.

@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
-#include "plane/base/lattice_runs.h"
 #include "plane/base/cell_depths.h"
+#include "plane/base/lattice_runs.h"
 
 namespace findspace::plane {
 
