@@ -14,6 +14,7 @@
 // axis.
 #pragma once
 
+#include "distance/answer/answer.h"
 #include "distance/planar/max_min_boxes.h"
 #include "distance/planar_features/exact_pairs.h"
 
