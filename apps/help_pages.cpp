@@ -183,6 +183,8 @@ constexpr Line kSceneKeys[] = {
     {"unit", ""},
     {"grid", "the step of the grid in that unit; default 1e-6"},
     {"moving", "the shape that moves, or a list of shapes that move together"},
+    {"groups", "an object, name to list of shapes; empty lists are the empty set"},
+    {"y", "up or down: how the y axis runs in pictures"},
     {"where", "the conditions: findspace help formula"},
     {"minimize, maximize", "a distance, x, y, z, or \"distance to [X, Y]\""},
     {"free", "what the map is over: position (default), angle, pose, time, or {\"line\": {..}}"},

@@ -35,7 +35,7 @@ REASONS = {
                                        r"meet|the mesh is not closed|a shell of the mesh",
     "a mistake in the text of a path": r"path, character",
     "a name that no shape has, or that stands twice": r"unknown shape '|'.*' (is not among the placed|is made from itself|"
-                                                      r"stands here twice)",
+                                                      r"stands here twice|is a shape as well)",
     "a number beyond the limits": r"this is not JSON: the number is beyond|\S+ is more than 2\^40 grid steps",
     "a file that cannot be read": FILE,
 }

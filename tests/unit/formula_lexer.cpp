@@ -64,13 +64,13 @@ TEST(Lexer, Numbers) {
 }
 
 TEST(Lexer, NamesOfAnyScript) {
-  for (const char* text : {"board", "_x1", "Küche", "γ₁", "部品", "B2"}) {
+  for (const char* text : {"board", "_x1", "Küche", "γ₁", "部品", "B2", "U3.14"}) {
     const auto tokens = tokenize(text);
     ASSERT_EQ(tokens.size(), 2u) << text;
     EXPECT_EQ(tokens[0].kind, K::kName) << text;
     EXPECT_TRUE(is_identifier(text));
   }
-  for (const char* text : {"", "2x", "my part", "a-b", "a.b", "≤", "\xff"}) EXPECT_FALSE(is_identifier(text)) << text;
+  for (const char* text : {"", "2x", "my part", "a-b", "a.", ".b", "a..b", "≤", "\xff"}) EXPECT_FALSE(is_identifier(text)) << text;
 }
 
 TEST(Lexer, QuotedNames) {

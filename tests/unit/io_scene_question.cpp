@@ -45,7 +45,8 @@ TEST(SceneQuestion, Moving) {
 
 TEST(SceneQuestion, Formulas) {
   expect_refused(R"("where": "")", "\"where\" is an empty text");
-  expect_refused(R"("where": ["x"])", "\"where\" must be a text, not a list");
+  expect_refused(R"("where": 3)", "must be a text");
+  expect_refused(R"("where": ["x", 3])", "must be a text");
   Scene s = asking(R"("minimize": "y", "maximize": "x")");
   EXPECT_EQ(s.minimize.text, "y");
   EXPECT_EQ(s.maximize.text, "x");
