@@ -57,7 +57,7 @@ class DepthField {
   const Cell* at(Vec t) const {
     const double cx = (t.x - polygon_.low.x) * inverse_x_, cy = (t.y - polygon_.low.y) * inverse_y_;
     if (!(cx >= 0 && cy >= 0 && cx < kCells && cy < kCells)) return nullptr;
-    return &cells_[std::size_t(int(cy) * kCells + int(cx))];
+    return &cells_[std::size_t(cy) * kCells + std::size_t(cx)];
   }
   Nearest nearest(const Cell& cell, Vec t) const;
   /// The edges among `from` that can be nearest within `half` of the point, and the nearest to itself.
