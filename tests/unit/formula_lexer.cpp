@@ -70,7 +70,8 @@ TEST(Lexer, NamesOfAnyScript) {
     EXPECT_EQ(tokens[0].kind, K::kName) << text;
     EXPECT_TRUE(is_identifier(text));
   }
-  for (const char* text : {"", "2x", "my part", "a-b", "a.", ".b", "a..b", "≤", "\xff"}) EXPECT_FALSE(is_identifier(text)) << text;
+  for (const char* text : {"", "2x", "my part", "a-b", "a.", ".b", "a..b", "≤", "\xff"})
+    EXPECT_FALSE(is_identifier(text)) << text;
 }
 
 TEST(Lexer, QuotedNames) {
