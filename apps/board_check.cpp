@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "exact/number/margins.h"
 #include "io/board/board.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"
@@ -141,7 +142,8 @@ class BoardCheck {
       if (!is_gap(a)) return all;
       level = std::max(level, (a.level / session_.step()).to_double());
     }
-    const double reach = level + 1 + level * 0x1p-40;  // no sign: what is left out is farther away than the level
+    const double reach =
+        level * (1 + margin::kWiderBox) + 1;  // no sign: what is left out is farther away than the level
     const plane::PieceBox& b = self.box;
     const plane::PieceBox grown{b.x0 - reach, b.y0 - reach, b.x1 + reach, b.y1 + reach};
     std::erase_if(all, [&](const StandingPart* other) { return !grown.meets(other->box); });

@@ -57,6 +57,9 @@ struct Options {
   double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
 };
 
+/// What reading may open and cost.
+inline io::ReadOptions reading(const Options& o) { return {!o.no_files, o.root, o.input_limit, o.work_limit}; }
+
 /// Exit statuses (docs/commands.md).
 enum ExitStatus { kDone = 0, kEmpty = 1, kUsage = 2, kBadInput = 3, kLimit = 4, kInternal = 70, kInterrupted = 130 };
 

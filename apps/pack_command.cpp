@@ -47,8 +47,9 @@ class StopOnInterrupt {
   }, terminate_{};
 };
 
-packing::Layout start_layout(const packing::Problem& problem, const std::filesystem::path& path) {
-  const std::string text = io::read_text(path);
+packing::Layout start_layout(const packing::Problem& problem, const Options& options) {
+  const std::filesystem::path& path = *options.start;
+  const std::string text = io::read_text(path, options.input_limit);
   packing::Layout layout;
   if (path.extension() == ".svg") {
     io::ProblemAndLayout read = io::read_sparrow_svg(text, path.string());
@@ -76,7 +77,8 @@ class Packing {
  public:
   Packing(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
     check_outputs(options, {".json", ".svg"});
-    problem_ = io::read_nesting(io::read_text(options.scene), options.scene, nesting_wishes(options));
+    problem_ =
+        io::read_nesting(io::read_text(options.scene, options.input_limit), options.scene, nesting_wishes(options));
     bound_ = packing::lower_bound(problem_);
   }
 
@@ -90,7 +92,7 @@ class Packing {
     facts_.threads = search.threads;
     packing::Layout start;
     if (options_.start) {
-      start = start_layout(problem_, *options_.start);
+      start = start_layout(problem_, options_);
       search.start = &start;
     }
     const packing::SearchEvents events{[&](const auto& layout, const auto& state) { keep(layout, state); },

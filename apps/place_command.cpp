@@ -151,7 +151,8 @@ std::string board_text(const Session& session, const Problem& problem, const Ans
     places[problem.bodies[b].shapes[0]] = {{static_cast<std::int64_t>(*x), static_cast<std::int64_t>(*y)},
                                            -problem.bodies[b].angles[pose->angle]};
   }
-  return io::moved_board(io::read_text(session.options().scene), session.options().scene, places);
+  return io::moved_board(io::read_text(session.options().scene, session.options().input_limit), session.options().scene,
+                         places);
 }
 
 /// The verb for boards knows which of them it is.

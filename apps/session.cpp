@@ -58,15 +58,16 @@ io::BoardQuestion question_of_board(const Options& o) {
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
   if (is_board(path))
-    return io::board_scene(std::make_shared<const io::Board>(io::read_board(io::read_text(path), o.scene)),
-                           question_of_board(o));
+    return io::board_scene(
+        std::make_shared<const io::Board>(io::read_board(io::read_text(path, o.input_limit), o.scene)),
+        question_of_board(o));
   if (!o.move.empty() || !o.where.empty() || !o.minimize.empty() || !o.maximize.empty() || !o.free.empty())
     throw Error(ErrorCode::kUsage,
                 "--move, --where, --minimize, --maximize and --free are for boards; a scene says them itself");
   const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
   if (!drawing && (o.unit || o.id || o.layer || o.index))
     throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
-  io::ReadOptions limits{!o.no_files, o.root, o.input_limit, o.work_limit};
+  io::ReadOptions limits = reading(o);
   if (o.scene == "-") {
     const std::filesystem::path folder = std::filesystem::current_path();
     if (limits.root.empty()) limits.root = folder;  // whoever writes into the pipe may be anyone

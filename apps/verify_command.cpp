@@ -14,12 +14,12 @@ namespace findspace::app {
 namespace {
 
 io::ProblemAndLayout read_layout_of(const Options& options) {
-  const std::string text = io::read_text(options.scene);
+  const std::string text = io::read_text(options.scene, options.input_limit);
   if (std::filesystem::path(options.scene).extension() == ".svg") return io::read_sparrow_svg(text, options.scene);
   if (options.shapes.empty())
     throw Error(ErrorCode::kUsage, "a layout as JSON needs its problem: findspace verify LAYOUT PROBLEM");
-  packing::Problem problem =
-      io::read_nesting(io::read_text(options.shapes[0]), options.shapes[0], nesting_wishes(options));
+  packing::Problem problem = io::read_nesting(io::read_text(options.shapes[0], options.input_limit), options.shapes[0],
+                                              nesting_wishes(options));
   packing::Layout layout = io::read_layout(text, options.scene, problem);
   return {std::move(problem), std::move(layout)};
 }

@@ -92,8 +92,10 @@ std::string load(SceneStore& store, const JsonValue& parameters) {
   const auto path = text(parameters, "path"), content = text(parameters, "text");
   if (path.has_value() == content.has_value()) refuse("load takes either \"path\" or \"text\"");
   const std::string name = name_of(parameters);
-  store.keep(name, path ? io::read_scene(store.within_root(*path))
-                        : io::read_scene_text(*content, store.root(), name, {.files = false}));
+  io::ReadOptions without_files = store.reading();
+  without_files.files = false;
+  store.keep(name, path ? io::read_scene(store.within_root(*path), store.reading())
+                        : io::read_scene_text(*content, store.root(), name, without_files));
   return store.scene(name).summary_json(flag(parameters, "drawing"));
 }
 
@@ -225,10 +227,18 @@ void SceneStore::forget(const std::string& name) {
   scenes_.erase(name);
 }
 
+SceneStore::SceneStore(const Options& options) : reading_(app::reading(options)) {
+  const std::filesystem::path scene(options.scene);
+  if (reading_.root.empty())
+    reading_.root = scene.parent_path().empty() ? std::filesystem::current_path() : scene.parent_path();
+  reading_.root = std::filesystem::weakly_canonical(reading_.root);
+  if (!scene.empty()) keep("scene", io::read_scene(scene, reading_));
+}
+
 std::filesystem::path SceneStore::within_root(const std::string& path) const {
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(root_ / path);
-  const auto [end, unused] = std::mismatch(root_.begin(), root_.end(), whole.begin(), whole.end());
-  if (end != root_.end()) throw Error(ErrorCode::kFile, "lies outside the folder that is served", path);
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(root() / path);
+  const auto [end, unused] = std::mismatch(root().begin(), root().end(), whole.begin(), whole.end());
+  if (end != root().end()) throw Error(ErrorCode::kFile, "lies outside the folder that is served", path);
   return whole;
 }
 

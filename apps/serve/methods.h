@@ -13,6 +13,8 @@
 #include <string_view>
 
 #include "io/text/json_tree.h"
+#include "io/text/read_limits.h"
+#include "options.h"
 #include "serve/loaded_scene.h"
 
 namespace findspace::app {
@@ -45,10 +47,11 @@ std::string parameters_schema(const Method& method);
 /// All methods as one JSON document (docs/protocol.json).
 std::string protocol_json();
 
-/// The loaded scenes by name; files are read below one folder only.
+/// The loaded scenes by name. Scenes, and the files that they name, are read below one folder only: --root, or else the
+/// folder of the first scene, or else the current one.
 class SceneStore {
  public:
-  explicit SceneStore(const std::filesystem::path& root) : root_(std::filesystem::weakly_canonical(root)) {}
+  explicit SceneStore(const Options& options);
 
   /// The answer as JSON. Throws RequestError, and Error.
   std::string call(std::string_view method, const io::JsonValue& parameters);
@@ -58,10 +61,12 @@ class SceneStore {
   void forget(const std::string& name);
   /// Throws Error where the path leads out of the folder.
   std::filesystem::path within_root(const std::string& path) const;
-  const std::filesystem::path& root() const { return root_; }
+  const std::filesystem::path& root() const { return reading_.root; }
+  /// What a scene may open and cost.
+  const io::ReadOptions& reading() const { return reading_; }
 
  private:
-  std::filesystem::path root_;
+  io::ReadOptions reading_;
   std::map<std::string, std::unique_ptr<LoadedScene>> scenes_;
 };
 

@@ -38,10 +38,7 @@ bool print_line(const std::string& line) {
 
 Outcome run_serve(const Options& options, Reporter&) {
   if (!options.stdio) throw Error(ErrorCode::kUsage, "serve wants --stdio: requests on standard input");
-  const std::filesystem::path scene(options.scene);
-  SceneStore store(scene.empty() || scene.parent_path().empty() ? std::filesystem::current_path()
-                                                                : scene.parent_path());
-  if (!scene.empty()) store.keep("scene", io::read_scene(scene));
+  SceneStore store(options);
   JsonRpc rpc(store, options.time_limit, JsonRpc::Late::kSaid);
   std::string line;
   bool whole = true;

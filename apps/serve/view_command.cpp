@@ -35,10 +35,8 @@ Outcome run_view(const Options& options, Reporter& reporter) {
   if (page.empty())
     throw Error(ErrorCode::kUnsupported,
                 "this program was built without the page; tools/build_page makes it, then build again");
-  const std::filesystem::path scene(options.scene);
-  SceneStore store(scene.parent_path().empty() ? std::filesystem::current_path() : scene.parent_path());
   reporter.stage("reading the scene");
-  store.keep("scene", io::read_scene(scene));
+  SceneStore store(options);
   JsonRpc rpc(store, options.time_limit, JsonRpc::Late::kSilent);
   PageServer server(options.port, page, [&](const std::string& request) { return rpc.answer(request); });
   reporter.stage("");

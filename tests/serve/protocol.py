@@ -120,6 +120,20 @@ class Answers(unittest.TestCase):
                 file.write(peg.read())
             scene = os.path.join(folder, "scene.json")
             self.assertEqual(ask("load", scene=scene, path="link.json")["data"]["kind"], "file")
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkdir(os.path.join(folder, "served"))
+            with open(os.path.join(folder, "shape.wkt"), "w", encoding="utf-8") as file:
+                file.write("POLYGON ((0 0, 1 0, 0 1, 0 0))")
+            scene = os.path.join(folder, "served", "scene.json")
+            with open(scene, "w", encoding="utf-8") as file:
+                json.dump({"findspace": 1, "shapes": {"A": {"file": "../shape.wkt"}}, "moving": "A"}, file)
+            self.assertEqual(serve([], scene), ([], 3))
+            self.assertEqual(serve([], scene, "--root", folder), ([], 0))
+            self.assertEqual(serve([], scene, "--root", folder, "--no-files")[1], 2)
+            asked = {"jsonrpc": "2.0", "id": 1, "method": "load", "params": {"path": "served/scene.json"}}
+            self.assertIn("result", serve([asked], "--root", folder)[0][0])
+            self.assertIn("error", serve([asked | {"params": {"path": "scene.json"}}], "--root",
+                                         os.path.dirname(scene))[0][0])
         text = json.dumps({"findspace": 1, "shapes": {"A": {"file": "peg.json"}}, "moving": "A"})
         self.assertIn("error", ask_raw("load", text=text))
 

@@ -128,9 +128,7 @@ std::optional<FarthestPlace> PlaceSearch::exact_meeting(const Found& f) const {
 
 PlanarAnswer FarthestPlace::answer() const {
   const Real most = Real::from_double(open);
-  if (off == 0) return value < most ? enclosed_answer(value, value, most) : exact_answer(value, Way::kFeatures);
-  const Real room = Real::from_double(off);
-  return enclosed_answer(value, std::max(value - room, Real()), std::max(value + room, most));
+  return value < most ? enclosed_answer(value, value, most) : exact_answer(value, Way::kFeatures);
 }
 
 std::optional<FarthestPlace> PlaceSearch::run() {

@@ -26,7 +26,6 @@ struct FarthestPlace {
   plane::Cell cell;                      // of B; dimension 2: inside
   std::optional<FeaturePair> nearest{};  // the nearest point of A, where it is known
   double open = 0;                       // where the search ended early: no place is farther than this or the value
-  double off = 0;                        // what the value may be off, where the place is not exact
 
   /// The value as an answer; what lies beside it where the search ended early.
   PlanarAnswer answer() const;

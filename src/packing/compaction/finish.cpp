@@ -20,20 +20,6 @@ constexpr std::pair<double, bool> kLoosenings[] = {{0, true},  {4, true},   {4, 
                                                    {32, true}, {32, false}, {512, true}};
 constexpr int kSearchGridDigits = 7;  // to these the search's shapes are those of the problem
 
-struct Corners {
-  LatticePoint low, high;
-};
-
-Corners corners(const Polygon& shape) {
-  const Ring& ring = shape.rings[0];
-  Corners box{ring[0], ring[0]};
-  for (const LatticePoint& p : ring) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 class Finisher {
  public:
   Finisher(const Problem& problem, const FieldTable& table) : problem_(problem), table_(table) {
@@ -72,7 +58,7 @@ class Finisher {
   /// The last item's position: on the grid, above the strip's lower side and behind its end.
   void put(Layout& layout, const Pose& pose, double snap) const {
     Placed& item = layout.items.back();
-    const auto [low, high] = corners(turned(problem_.parts[item.part].shape, item.angle, false));
+    const auto [low, high] = box_of(turned(problem_.parts[item.part].shape, item.angle, false));
     const int128 steps = problem_.steps(), grid = power_of_ten(digits_);
     const Fraction& edge = problem_.edge;
     const int128 left = above(edge - Fraction(low.x, steps)), bottom = above(edge - Fraction(low.y, steps));
@@ -108,7 +94,7 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
   for (std::size_t part = 0; part < problem.parts.size(); ++part) {
     if (problem.parts[part].demand == 0) continue;
     const Fraction angle = table.variants()[table.variants_of(part)[0]].angle;
-    const Corners box = corners(turned(problem.parts[part].shape, angle, false));
+    const LatticeBox box = box_of(turned(problem.parts[part].shape, angle, false));
     const Fraction low_x(box.low.x, problem.steps()), low_y(box.low.y, problem.steps());
     const Fraction width = Fraction(box.high.x, problem.steps()) - low_x;
     const Fraction height = Fraction(box.high.y, problem.steps()) - low_y;

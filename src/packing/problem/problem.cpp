@@ -109,6 +109,15 @@ Polygon make_polygon(std::vector<Ring> rings, const std::string& place) {
   return {std::move(rings)};
 }
 
+LatticeBox box_of(const Polygon& shape) {
+  LatticeBox box{shape.rings[0][0], shape.rings[0][0]};
+  for (const LatticePoint& p : shape.rings[0]) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
 bool is_quarter(const Fraction& angle) { return angle.denominator() == 1 && angle.numerator() % 90 == 0; }
 
 Polygon turned(const Polygon& shape, const Fraction& angle, bool mirrored) {

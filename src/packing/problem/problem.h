@@ -26,6 +26,12 @@ struct Polygon {
   std::vector<Ring> rings;
 };
 
+struct LatticeBox {
+  LatticePoint low, high;
+};
+/// The least box about a polygon.
+LatticeBox box_of(const Polygon& shape);
+
 struct Part {
   std::string name;
   int demand = 1;

@@ -14,22 +14,9 @@
 namespace findspace::packing {
 namespace {
 
-struct Box {
-  LatticePoint low, high;
-
-  /// Whether the boxes, the gap wider, have common inner points.
-  bool meets(const Box& b, int128 gap) const {
-    return low.x - gap < b.high.x && b.low.x - gap < high.x && low.y - gap < b.high.y && b.low.y - gap < high.y;
-  }
-};
-
-Box box_of(const Polygon& shape) {
-  Box box{shape.rings[0][0], shape.rings[0][0]};
-  for (const LatticePoint& p : shape.rings[0]) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
+/// Whether the boxes, the gap wider, have common inner points.
+bool meet(const LatticeBox& a, const LatticeBox& b, int128 gap) {
+  return a.low.x - gap < b.high.x && b.low.x - gap < a.high.x && a.low.y - gap < b.high.y && b.low.y - gap < a.high.y;
 }
 
 class Check {
@@ -93,7 +80,7 @@ class Check {
   }
 
   void check_inside(std::size_t i) {
-    const Box& box = boxes_[i];
+    const LatticeBox& box = boxes_[i];
     const int128 right = layout_.length.over(common_), top = problem_.height.over(common_);
     const int128 out =
         problem_.edge.over(common_) + std::max({-box.low.x, -box.low.y, box.high.x - right, box.high.y - top});
@@ -116,7 +103,7 @@ class Check {
 
   std::optional<Fault> pair_fault(std::size_t i, std::size_t j) const {
     const int128 gap = problem_.gap.over(common_);
-    if (!boxes_[i].meets(boxes_[j], gap)) return std::nullopt;
+    if (!meet(boxes_[i], boxes_[j], gap)) return std::nullopt;
     if (interiors_meet(shapes_[i], shapes_[j])) return overlap(i, j);
     if (gap == 0 || !are_nearer(shapes_[i], shapes_[j], gap)) return std::nullopt;
     Fault fault{.kind = Fault::Kind::kGap, .first = i, .second = j, .depth = 0, .x = 0, .y = 0};
@@ -126,7 +113,7 @@ class Check {
 
   /// The middle of what the boxes have in common, or of what is between them.
   void locate(Fault& fault) const {
-    const Box &a = boxes_[fault.first], &b = boxes_[fault.second];
+    const LatticeBox &a = boxes_[fault.first], &b = boxes_[fault.second];
     fault.x = (double(std::max(a.low.x, b.low.x)) + double(std::min(a.high.x, b.high.x))) / 2 / double(common_);
     fault.y = (double(std::max(a.low.y, b.low.y)) + double(std::min(a.high.y, b.high.y))) / 2 / double(common_);
   }
@@ -147,7 +134,7 @@ class Check {
   const Layout& layout_;
   int128 common_ = 1;  // all coordinates are integers over this
   std::vector<Polygon> shapes_;
-  std::vector<Box> boxes_;
+  std::vector<LatticeBox> boxes_;
   double area_ = 0;
   Verdict result_;
 };
