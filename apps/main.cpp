@@ -20,9 +20,9 @@
 
 #include "commands.h"
 #include "help_pages.h"
-#include "limits.h"
 #include "option_checks.h"
 #include "plane/base/parallel.h"
+#include "run_limits.h"
 #include "session.h"
 #include "stage_dump.h"
 #include "support_table.h"

@@ -11,12 +11,12 @@
 #include "io/text/read_text.h"
 #include "io/write/write_json.h"
 #include "io/write/write_placement.h"
-#include "limits.h"
 #include "placement_problem.h"
 #include "plane/query/moved.h"
 #include "plane/query/summary.h"
 #include "planning/planar/sequential.h"
 #include "planning/planar/simultaneous.h"
+#include "run_limits.h"
 #include "session.h"
 #include "space_commands.h"
 

@@ -11,7 +11,7 @@
 #include <exception>
 
 #include "io/write/json_text.h"
-#include "limits.h"
+#include "run_limits.h"
 
 namespace findspace::app {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "limits.h"
+#include "run_limits.h"
 
 #include <gmp.h>
 #include <signal.h>
