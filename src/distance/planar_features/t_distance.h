@@ -16,6 +16,7 @@
 
 #include "distance/answer/answer.h"
 #include "distance/planar_features/level_curve.h"
+#include "distance/planar_features/smooth_form.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::distance {
@@ -40,6 +41,10 @@ class TDistance : public PositionFunction {
   virtual exact::RealPoint seed() const = 0;
   /// The fronts with a gap of at most `tolerance` at p.
   virtual std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const = 0;
+  /// Smooth functions of which f is one at every position no farther than `radius` from p, where the family knows them.
+  virtual std::optional<std::vector<SmoothForm>> forms(const exact::RealPoint& /*p*/, double /*radius*/) const {
+    return std::nullopt;
+  }
   /// The least value and the only position that has it, where the family can tell by itself.
   struct Lowest {
     exact::Real level;
