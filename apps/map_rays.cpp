@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
 #include "formula/solid/solve_rays.h"

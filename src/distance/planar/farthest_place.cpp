@@ -10,7 +10,7 @@
 
 #include "distance/planar/place_search.h"
 #include "distance/planar_features/feature_pair_search.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 
@@ -82,11 +82,11 @@ std::vector<BoundaryFeature> spread(std::vector<BoundaryFeature> parts, Spot fro
 
 /// The events of the parts of A around a place: of two of them and B's edge, or of three.
 template <class Take>
-void for_meetings(std::span<const LevelCurve> fronts, const std::optional<LevelCurve>& edge, Take&& take) {
-  for (std::size_t i = 0; i < fronts.size(); ++i)
+void for_meetings(std::span<const LevelCurve> level_curves, const std::optional<LevelCurve>& edge, Take&& take) {
+  for (std::size_t i = 0; i < level_curves.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      if (edge) take(i, events(fronts[i], fronts[j], *edge));
-      for (std::size_t k = 0; !edge && k < j; ++k) take(i, events(fronts[i], fronts[j], fronts[k]));
+      if (edge) take(i, events(level_curves[i], level_curves[j], *edge));
+      for (std::size_t k = 0; !edge && k < j; ++k) take(i, events(level_curves[i], level_curves[j], level_curves[k]));
     }
 }
 
@@ -95,17 +95,17 @@ void for_meetings(std::span<const LevelCurve> fronts, const std::optional<LevelC
 /// Where two parts of A and the edge meet at one distance, or three parts of A, the farthest of those places that lie
 /// in B. What was found itself, where no such place is as far.
 std::optional<FarthestPlace> PlaceSearch::exact_meeting(const Found& f) const {
-  const double tolerance = std::max(scale_ * margin::kMeetingOff, kMeetingRoom * f.error);
+  const double tolerance = std::max(scale_ * margin::kMeetingOff, kMeetingTolerance * f.error);
   const Spot at = f.seen.at;
   const auto parts = spread(parts_near(at, f.seen.near.distance + tolerance), at);
-  std::vector<LevelCurve> fronts;
-  for (const BoundaryFeature& s : parts) fronts.push_back(near_level_curve(a_.region(), s, at.x, at.y, 1));
+  std::vector<LevelCurve> level_curves;
+  for (const BoundaryFeature& s : parts) level_curves.push_back(near_level_curve(a_.region(), s, at.x, at.y, 1));
   std::optional<LevelCurve> edge;
   if (f.cell.dimension == 1)
-    edge = still_front(b_.region(), edge_feature(b_.region(), f.cell.index)).moved({-p_.x, -p_.y});
+    edge = fixed_level_curve(b_.region(), edge_feature(b_.region(), f.cell.index)).moved({-p_.x, -p_.y});
   std::optional<FarthestPlace> best;
   double most = -std::numeric_limits<double>::infinity(), least_error = 0;
-  for_meetings(fronts, edge, [&](std::size_t part, const std::vector<Event>& all) {
+  for_meetings(level_curves, edge, [&](std::size_t part, const std::vector<Event>& all) {
     for (const Event& e : all) {
       if (!e.at) continue;
       const double x = near_value(e.at->x), y = near_value(e.at->y), level = near_value(e.level);

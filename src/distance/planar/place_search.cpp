@@ -9,7 +9,7 @@
 #include <queue>
 
 #include "distance/planar_features/feature_pair_search.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/base/stage_observer.h"
 
 namespace findspace::distance {
@@ -215,9 +215,9 @@ std::optional<Index> PlaceSearch::look_inside(const Square& e) {
   const bool in = in_b(middle, to_b);
   if (!in && to_b.distance > radius) return std::nullopt;
   const Seen seen{middle, look.inside ? 0 : look.near.distance, look.near, look.inside};
-  if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max_min stays
+  if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max-min place stays
   if (half > scale_ * margin::kExactPlaceBox || seen.inside) return look.near.feature;
-  const bool few = parts_near(middle, seen.value + kMeetingRoom * 4 * radius).size() <= kMostParts;
+  const bool few = parts_near(middle, seen.value + kMeetingTolerance * 4 * radius).size() <= kMostParts;
   if (!few && half > scale_ * margin::kTinyPlaceBox) return look.near.feature;
   record(seen, {2, 0}, 4 * radius);
   return std::nullopt;

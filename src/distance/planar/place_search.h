@@ -16,7 +16,7 @@ namespace findspace::distance {
 inline constexpr std::size_t kMostParts = 10;  // of A at one place: their meetings are all tried
 /// A search ends after this many boxes, parts of edges and squares, and says what is still open.
 inline constexpr long kLeastSteps = 100000, kStepsPerFeature = 100;
-inline constexpr double kMeetingRoom = 8;  // of a found place's error: so near to it parts of A are to meet
+inline constexpr double kMeetingTolerance = 8;  // of a found place's error: so near to it parts of A are to meet
 
 /// A place with its distance to A (0 inside A) and the part of A's boundary that is nearest. Where that part is too
 /// close to matter, the value is its distance and `inside` false, wherever the place lies.

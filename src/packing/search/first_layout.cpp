@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/rotation/curve_meetings.h"
 
 namespace findspace::plane {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/rotation/contact_joints.h"
 #include "plane/rotation/meeting_spots.h"
 #include "plane/rotation/rotated_free_events.h"
@@ -86,7 +86,7 @@ class FreeSector {
   MeetingSpots spots_;
 };
 
-/// The rotates of the equation in the sector that `witness(angle)` admits.
+/// The solutions of the equation in the sector that `witness(angle)` admits.
 template <class Witness>
 void FreeSector::solve(const Equation& e, Witness witness) {
   const double a = rough(e.a), b = rough(e.b), c = rough(e.c), norm = std::hypot(a, b);

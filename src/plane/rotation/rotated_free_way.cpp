@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/rotation/curve_meetings.h"
 #include "plane/rotation/rotated_free_sector.h"
 
@@ -69,7 +69,7 @@ void FreeSector::touching_way(std::size_t i) {
     const RoughPoint u = q_.way->rough_unit(angle), s = dot(c.center, u) * u;
     return passes(c, s, tolerance) && possible(angle, s, tolerance);
   };
-  const RealVector n = turned_left(q_.way->along);
+  const RealVector n = left_normal(q_.way->along);
   const bool rotations = q_.way->rotations;
   if (k.kind == Kind::kRounds) {
     // dot(n, a - rotated b) = +-radius, n being rotated or not.

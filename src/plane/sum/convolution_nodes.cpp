@@ -125,19 +125,19 @@ bool ConvolutionNodes::to_arc(const Index turns[2], Index key, std::int64_t turn
 
 void ConvolutionNodes::step_out(Index turns[2], Index key, bool left, std::int64_t turned, Index k, bool moved) {
   for (;;) {
-    Index tolerance[2] = {0, 0};
+    Index to_end[2] = {0, 0};
     for (int s : {0, 1}) {
       const ExactAngle& t = side_[s]->turns[turns[s]];
-      tolerance[s] = moved ? 0 : left ? minus(high(t), key) : minus(key, t.low);
+      to_end[s] = moved ? 0 : left ? minus(high(t), key) : minus(key, t.low);
     }
     int s;
     if (moved) {  // already at an end: of which side?
       const ExactAngle& t = side_[0]->turns[turns[0]];
       s = key == (left ? high(t) : t.low) ? 0 : 1;
     } else {
-      s = tolerance[0] < tolerance[1] ? 0 : 1;
-      turned += left ? std::int64_t(tolerance[s]) : -std::int64_t(tolerance[s]);
-      key = left ? plus(key, tolerance[s]) : minus(key, tolerance[s]);
+      s = to_end[0] < to_end[1] ? 0 : 1;
+      turned += left ? std::int64_t(to_end[s]) : -std::int64_t(to_end[s]);
+      key = left ? plus(key, to_end[s]) : minus(key, to_end[s]);
     }
     const TurningPath& p = *side_[s];
     bool ahead = (p.turns[turns[s]].sign > 0) == left;  // leaves at the turn's end
@@ -191,14 +191,14 @@ std::int8_t ConvolutionNodes::extra_rounds(const Node& in, const Node& out, Inde
   const Direction &d = direction_of(in, in.key_out), &e = direction_of(out, key);
   std::int64_t keys = keys_, full = turned / keys, rest = turned % keys;
   int cross = cross_sign(d, e), sign = (rest > 0) - (rest < 0);
-  // How far the rest rotates, in half rotates: 0 less than one, 1 exactly one, 2 more.
+  // How far the rest turns, in half turns: 0 less than one, 1 exactly one, 2 more.
   int halves = cross == sign ? 0 : cross == -sign ? 2 : dot_sign(d, e) < 0 ? 1 : 0;
   if (cross == 0 && halves == 0 && 2 * (sign * rest) > keys) {
     full += sign;
     halves = 0;
   }
   if (in.forward != out.forward) return std::int8_t(full);
-  // Displaced to the left, the path goes round clockwise by half a turn less what it rotates; to the right, the other
+  // Displaced to the left, the path goes round clockwise by half a turn less what it turns; to the right, the other
   // way.
   int side = in.forward ? 1 : -1, bend = halves == 1 ? -side * bend_sum(in, out) : 0;
   if (side * sign < 0 && (halves == 2 || bend > 0)) full -= side;
@@ -223,7 +223,7 @@ const Direction& ConvolutionNodes::direction_at(const Node& n, Index key) const 
     if (before.key == key) return *before.direction;
     if (after.key == key) return *after.direction;
   }
-  return *side_[0]->lines[0].direction;  // not reached: an arc ends where one of its rotates ends
+  return *side_[0]->lines[0].direction;  // not reached: an arc ends where one of its turns ends
 }
 
 }  // namespace findspace::plane

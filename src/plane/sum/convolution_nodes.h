@@ -3,7 +3,7 @@
 //
 // Which places of two boundary paths have one tangent direction, and in what order they are passed: the convolution
 // without its coordinates. Its curves are nodes (place in a, place in b): a line of one side with a turn of the other,
-// or two rotates, one of them an arc. Nodes follow each other in closed walks; pairs of rotates that stay at one point
+// or two turns, one of them an arc. Nodes follow each other in closed walks; pairs of turns that stay at one point
 // are walked through. Guarantee: exact. Cost: O(nodes), a search a turn. Source: convolution.h, which alone uses this.
 #pragma once
 
@@ -26,7 +26,7 @@ struct ConvolutionNode {
   bool turns_left = true;  // kArc: directions run counter-clockwise
   bool smooth_start = false, smooth_end = false;
   std::int8_t rotation = 0, extra = 0;  // at its end: as of a Corner
-  Index at[2] = {0, 0};                 // the rotates; kLine: at[side] is the line
+  Index at[2] = {0, 0};                 // the turns; kLine: at[side] is the line
   Index key_in = 0, key_out = 0;        // kArc: directions at its start and end; kLine: both the line's key
   Index next = kNone;
   // Where it lies, filled in by who gives the nodes coordinates.
@@ -41,7 +41,7 @@ class ConvolutionNodes {
   using Line = TurningPath::Line;
   using ExactAngle = TurningPath::ExactAngle;
 
-  /// A walk that stays at one point, the sum of the centres of two rotates: an arc against one of the same radius and
+  /// A walk that stays at one point, the sum of the centres of two turns: an arc against one of the same radius and
   /// their neighbours, round and round.
   struct Still {
     Index at[2];
@@ -69,14 +69,14 @@ class ConvolutionNodes {
   static std::uint64_t pair_key(Index i, Index j) { return (std::uint64_t(i) << 32) | j; }
   Index high(const ExactAngle& t) const { return plus(t.low, t.length); }
 
-  /// Finds the lines of side s that meet the rotates of the other side; how many there are.
+  /// Finds the lines of side s that meet the turns of the other side; how many there are.
   Index count_lines(int s);
-  /// Lines of side s with the rotates of the other side.
+  /// Lines of side s with the turns of the other side.
   void add_lines(int s);
   Index line_node(int s, Index line, Index turn) const;
   void add_arcs();
   void add_arc(Index i, Index j);
-  /// Finds the node that follows in the true direction of travel, and how much the direction rotates on the way.
+  /// Finds the node that follows in the true direction of travel, and how much the direction turns on the way.
   void connect(Index k);
   /// If the turn pair is a curve of its own, it follows node k.
   bool to_arc(const Index turns[2], Index key, std::int64_t turned, Index k);
@@ -90,7 +90,7 @@ class ConvolutionNodes {
   const Direction& direction_of(const Node& n, Index key) const;
   /// Whole rounds that the displaced path at the corner makes beyond what its two ends show (see Corner).
   std::int8_t extra_rounds(const Node& in, const Node& out, Index key, std::int64_t turned) const;
-  /// Sign of the sum of the curvatures, positive to the left of the direction of travel: where the path rotates back,
+  /// Sign of the sum of the curvatures, positive to the left of the direction of travel: where the path turns back,
   /// which of its two ends lies to the left of the other.
   int bend_sum(const Node& in, const Node& out) const;
 

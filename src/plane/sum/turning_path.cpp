@@ -12,7 +12,7 @@ using exact::int128;
 using Line = TurningPath::Line;
 using ExactAngle = TurningPath::ExactAngle;
 
-/// The turn from one step to the next; `rotates`: by more than nothing.
+/// The turn from one step to the next; `turns`: by more than nothing.
 ExactAngle vertex_turn(const Step& in, const Step& out, bool flat, bool& turns) {
   ExactAngle t{.center = &out.from};
   int c = cross_sign(in.end, out.start);

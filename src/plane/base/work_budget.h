@@ -14,11 +14,11 @@
 
 namespace findspace::plane {
 
-inline constexpr std::uint64_t kUsualWork = 20'000'000;
+inline constexpr std::uint64_t kUsualWorkBudget = 20'000'000;
 
-class Work {
+class WorkBudget {
  public:
-  explicit Work(std::uint64_t limit = kUsualWork) : limit_(limit) {}
+  explicit WorkBudget(std::uint64_t limit = kUsualWorkBudget) : limit_(limit) {}
 
   /// Throws Error(kLimit), which names `what` causes the work.
   void charge(std::uint64_t units, std::string_view what) {

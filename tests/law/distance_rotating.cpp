@@ -12,9 +12,9 @@
 #include <limits>
 #include <numbers>
 
+#include "distance/rotation/motion_maps.h"
 #include "distance/rotation/rotation_in_time.h"
-#include "distance/rotation/rotation_map.h"
-#include "distance/rotation/rotation_positions.h"
+#include "distance/rotation/rotational_by_position.h"
 #include "law/plane_random.h"
 #include "plane/complex/primitives.h"
 #include "plane/query/locate.h"
@@ -65,8 +65,8 @@ TEST(Rotation, ValuesAndBoundsOfADiscOnAnArm) {
     const plane::Region fixed = plane::region_of_disc(Real(0), Real(0), Real(a * kUnit));
     const RotatingMotion f(b, fixed, Which::kGamma1, t.poses);
     const std::int64_t level = random.pick(-1, 2);
-    const BoundedMaps low = rotation_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMinimum, Real(level * kUnit));
-    const BoundedMaps high = rotation_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMaximum, Real(level * kUnit));
+    const BoundedMaps low = motion_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMinimum, Real(level * kUnit));
+    const BoundedMaps high = motion_maps(b, fixed, Which::kGamma1, t.poses, Sense::kMaximum, Real(level * kUnit));
     for (int k = 0; k < 12; ++k) {
       const std::int64_t x = random.pick(-7 * kUnit, 7 * kUnit), y = random.pick(-7 * kUnit, 7 * kUnit);
       const auto [least, most] = extremes(t, double(x) / kUnit, double(y) / kUnit);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A rotational distance f (rotating.h) against a level, from extrema of a plain distance g that is negative, 0 or
-// positive where f is at no turn: g is gamma1 for gamma, mu of B to A for eta, mu of A to B for delta.
-//   f <= l (l >= 0)  where  min of g over rotates by |angle| <= l  is at most 0;
-//   f <  l (l < 0)   where  max of g over rotates by |angle| <= -l  is below 0;
-//   second kind: f < l where there is contact, but none at rotates from l on.
+// A rotational distance f (rotational_distance.h) against a level, from extrema of a plain distance g that is negative,
+// 0 or positive where f is at no turn: g is gamma1 for gamma, mu of B to A for eta, mu of A to B for delta.
+//   f <= l (l >= 0)  where  min of g over turns by |angle| <= l  is at most 0;
+//   f <  l (l < 0)   where  max of g over turns by |angle| <= -l  is below 0;
+//   second kind: f < l where there is contact, but none at turns from l on.
 // Guarantee: bounds of the extrema give bounds of the sign of f - l, low <= true sign <= high. Maps may be of positions
 // or of angles. Source: distances.md 7.2. Keywords: angular clearance, interval bound.
 #pragma once
@@ -61,7 +61,7 @@ SignRange far(std::span<const plane::Mark> beyond_and_within);
 SignRange far_opposite(std::span<const plane::Mark> beyond_and_within);
 SignRange far_above_all(std::span<const plane::Mark> within);
 
-/// The sign of f - level (degrees). over(from, to, sense): bounds of the sign of the extremum of g over the rotates.
+/// The sign of f - level (degrees). over(from, to, sense): bounds of the sign of the extremum of g over the turns.
 template <class Map, class Over>
 Bounded<Map> rotational_bounds(Which which, const exact::Real& level, const Map& nowhere, const Over& over) {
   const exact::Real half(180), span = std::min(abs(level), half);

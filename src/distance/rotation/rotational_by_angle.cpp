@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "distance/rotation/rotation_angles.h"
+#include "distance/rotation/rotational_by_angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotation_motion.h"
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 #include "plane/build/transform.h"
 #include "plane/query/moved.h"
@@ -26,10 +26,10 @@ using plane::RotationMap;
 namespace {
 
 constexpr std::size_t kMostArcs = 40;  // with two maps each
-constexpr double kDegreesAnArc = 12;   // no sign: how fine the rotates are cut at first
+constexpr double kDegreesAnArc = 12;   // no sign: how fine the turns are cut at first
 const Real kNarrowest = Real::ratio(1, 32);
 
-/// Some rotates of A, and the bounds of the extremum over them.
+/// Some turns of A, and the bounds of the extremum over them.
 struct Piece {
   Real from, to;
   std::optional<BoundedRotations> maps;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "distance/rotation/rotation_positions.h"
+#include "distance/rotation/rotational_by_position.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using plane::Region;
 namespace {
 
 constexpr int kTimesOfALeg = 12;
-constexpr double kDegreesAPiece = 3;  // no sign: how fine the rotates are cut
+constexpr double kDegreesAPiece = 3;  // no sign: how fine the turns are cut
 const double kRadians = std::numbers::pi / 180;
 
 RealPoint plus(const RealPoint& p, const RealPoint& q) { return {p.x + q.x, p.y + q.y}; }
@@ -56,7 +56,7 @@ class Rotated {
     if (far > 0) in_time_ += 1;  // rotated() rounds
   }
 
-  /// Bounds of the extremum over the rotates from one angle to another: at every time, or (`whole`) of that over the
+  /// Bounds of the extremum over the turns from one angle to another: at every time, or (`whole`) of that over the
   /// time.
   BoundedMaps over(const Real& from, const Real& to, Sense sense, bool whole) const {
     const Real mid = Real::ratio(1, 2), step = to - from;
@@ -72,7 +72,7 @@ class Rotated {
     }
     const RotationSenses senses =
         whole ? RotationSenses{sense, sense, sense} : RotationSenses{sense, Sense::kMinimum, Sense::kMaximum};
-    return rotation_maps(b_, a_, which_, pieces, senses, Real());
+    return motion_maps(b_, a_, which_, pieces, senses, Real());
   }
 
  private:
@@ -109,7 +109,7 @@ BoundedMaps rotation_position_maps(const Region& b, const Region& a, Which which
 
 BoundedMaps rotation_position_maps(const Region& b, const Region& a, Which which, const RealPoint& centre,
                                    const Real& level, const std::vector<RotatingPose>& poses, Sense over_time) {
-  // The least over the rotates and over the time, or the greatest over both: then whole legs can be taken.
+  // The least over the turns and over the time, or the greatest over both: then whole legs can be taken.
   const bool same_order =
       !is_second_kind(which) && (level.sign() == 0 || (level.sign() > 0) == (over_time == Sense::kMinimum));
   std::vector<BoundedMaps> all;

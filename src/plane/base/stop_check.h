@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What ends work early: a limit belongs to the thread that installs it and to the tasks that parallel_for() makes of
-// that thread's work. It is asked before each task and at poll_work(), and throws where the work shall end. Guarantee:
+// What ends work early: a check belongs to the thread that installs it and to the tasks that parallel_for() makes of
+// that thread's work. It is asked before each task, and throws where the work shall end. Guarantee:
 // results that are given do not depend on it; what is half made is thrown away. Cost: one call a task. Keywords:
 // cancellation, timeout, deadline, interruption.
 #pragma once
@@ -11,32 +11,27 @@
 
 namespace findspace::plane {
 
-class WorkLimit {
+class StopCheck {
  public:
-  virtual ~WorkLimit() = default;
+  virtual ~StopCheck() = default;
   /// Throws where the work shall end. Called from several threads at once.
   virtual void poll() = 0;
 };
 
 /// The one of this thread, or null.
-WorkLimit* work_limit();
+StopCheck* stop_check();
 
-/// While it lives, the thread has this limit; null: none.
-class LimitWork {
+/// While it lives, the thread has this check; null: none.
+class ScopedStopCheck {
  public:
-  explicit LimitWork(WorkLimit* limit);
-  ~LimitWork();
-  LimitWork(const LimitWork&) = delete;
-  LimitWork& operator=(const LimitWork&) = delete;
+  explicit ScopedStopCheck(StopCheck* limit);
+  ~ScopedStopCheck();
+  ScopedStopCheck(const ScopedStopCheck&) = delete;
+  ScopedStopCheck& operator=(const ScopedStopCheck&) = delete;
 
  private:
-  WorkLimit* before_;
+  StopCheck* before_;
 };
-
-/// For long loops.
-inline void poll_work() {
-  if (WorkLimit* const limit = work_limit()) limit->poll();
-}
 
 /// task(), whose parallel work is done by at most so many threads (0: one for each core).
 void with_threads(unsigned threads, const std::function<void()>& task);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "exact/number/real_closed.h"
+#include "exact/number/quadratic.h"
 
 #include <mpfr.h>
 
@@ -36,7 +36,7 @@ namespace {
 bool is_one(const mpz_class& z) { return mpz_cmp_ui(z.get_mpz_t(), 1) == 0; }
 
 /// Restores q > 0, gcd(p, r, q) = 1 and n = 0 for rationals.
-Closed normalised(Closed a) {
+Quadratic normalised(Quadratic a) {
   if (sgn(a.q) < 0) {
     a.p = -a.p;
     a.r = -a.r;
@@ -52,10 +52,10 @@ Closed normalised(Closed a) {
 }
 
 /// b written with sqrt(n): sqrt(m) = s/n sqrt(n) where s = sqrt(n*m). Nothing where that is no integer.
-std::optional<Closed> in_field(const Closed& b, const mpz_class& n) {
+std::optional<Quadratic> in_field(const Quadratic& b, const mpz_class& n) {
   const mpz_class product = n * b.n;
   if (!mpz_perfect_square_p(product.get_mpz_t())) return std::nullopt;
-  Closed c;
+  Quadratic c;
   c.p = b.p * n;
   c.r = b.r * sqrt(product);
   c.q = b.q * n;
@@ -65,7 +65,7 @@ std::optional<Closed> in_field(const Closed& b, const mpz_class& n) {
 
 /// Calls op(a, b, n) with both operands in Q(sqrt n), or returns nothing.
 template <class Operation>
-std::optional<Closed> in_common_field(const Closed& a, const Closed& b, Operation op) {
+std::optional<Quadratic> in_common_field(const Quadratic& a, const Quadratic& b, Operation op) {
   if (a.rational()) return op(a, b, b.n);
   if (b.rational() || a.n == b.n) return op(a, b, a.n);
   const auto moved = in_field(b, a.n);
@@ -73,8 +73,8 @@ std::optional<Closed> in_common_field(const Closed& a, const Closed& b, Operatio
   return op(a, *moved, a.n);
 }
 
-Closed sum_in_field(const Closed& a, const Closed& b, const mpz_class& n) {
-  Closed c;
+Quadratic sum_in_field(const Quadratic& a, const Quadratic& b, const mpz_class& n) {
+  Quadratic c;
   c.n = n;
   if (a.q == b.q) {
     c.p = a.p + b.p;
@@ -88,8 +88,8 @@ Closed sum_in_field(const Closed& a, const Closed& b, const mpz_class& n) {
   return normalised(std::move(c));
 }
 
-Closed product_in_field(const Closed& a, const Closed& b, const mpz_class& n) {
-  Closed c;
+Quadratic product_in_field(const Quadratic& a, const Quadratic& b, const mpz_class& n) {
+  Quadratic c;
   c.n = n;
   c.p = a.p * b.p;
   if (!a.rational() && !b.rational()) c.p += a.r * b.r * n;
@@ -100,8 +100,8 @@ Closed product_in_field(const Closed& a, const Closed& b, const mpz_class& n) {
 }
 
 /// 1/a = q (p - r sqrt n) / (p^2 - r^2 n).
-Closed inverse(const Closed& a) {
-  Closed c;
+Quadratic inverse(const Quadratic& a) {
+  Quadratic c;
   c.n = a.n;
   if (a.rational()) {
     c.p = a.q;
@@ -115,8 +115,8 @@ Closed inverse(const Closed& a) {
 }
 
 /// sqrt(p/q) = sqrt(p q)/q, with small square factors of p*q taken out of the root.
-Closed root_of_rational(const Closed& a) {
-  Closed c;
+Quadratic root_of_rational(const Quadratic& a) {
+  Quadratic c;
   c.q = a.q;
   c.n = a.p * a.q;
   if (mpz_perfect_square_p(c.n.get_mpz_t())) {
@@ -135,39 +135,41 @@ Closed root_of_rational(const Closed& a) {
 
 }  // namespace
 
-Closed closed_integer(int128 value) {
-  Closed c;
+Quadratic quadratic_of(int128 value) {
+  Quadratic c;
   set(c.p, value);
   return c;
 }
 
-Closed closed_ratio(mpz_class numerator, mpz_class denominator) {
-  Closed c;
+Quadratic quadratic_ratio(mpz_class numerator, mpz_class denominator) {
+  Quadratic c;
   c.p = std::move(numerator);
   c.q = std::move(denominator);
   return normalised(std::move(c));
 }
 
-int sign(const Closed& a) {
+int sign(const Quadratic& a) {
   const int sign_p = sgn(a.p), sign_r = sgn(a.r);
   if (sign_r == 0) return sign_p;
   if (sign_p == 0 || sign_p == sign_r) return sign_r;
   return cmp(a.p * a.p, a.r * a.r * a.n) > 0 ? sign_p : sign_r;  // never equal: n is no square
 }
 
-Closed negate(const Closed& a) {
-  Closed c = a;
+Quadratic negate(const Quadratic& a) {
+  Quadratic c = a;
   mpz_neg(c.p.get_mpz_t(), c.p.get_mpz_t());
   mpz_neg(c.r.get_mpz_t(), c.r.get_mpz_t());
   return c;
 }
 
-std::optional<Closed> add(const Closed& a, const Closed& b) { return in_common_field(a, b, sum_in_field); }
-std::optional<Closed> subtract(const Closed& a, const Closed& b) { return add(a, negate(b)); }
-std::optional<Closed> multiply(const Closed& a, const Closed& b) { return in_common_field(a, b, product_in_field); }
-std::optional<Closed> divide(const Closed& a, const Closed& b) { return multiply(a, inverse(b)); }
+std::optional<Quadratic> add(const Quadratic& a, const Quadratic& b) { return in_common_field(a, b, sum_in_field); }
+std::optional<Quadratic> subtract(const Quadratic& a, const Quadratic& b) { return add(a, negate(b)); }
+std::optional<Quadratic> multiply(const Quadratic& a, const Quadratic& b) {
+  return in_common_field(a, b, product_in_field);
+}
+std::optional<Quadratic> divide(const Quadratic& a, const Quadratic& b) { return multiply(a, inverse(b)); }
 
-std::optional<Closed> root(const Closed& a) {
+std::optional<Quadratic> root(const Quadratic& a) {
   if (a.rational()) return root_of_rational(a);
   // sqrt(p + r sqrt n) = x + y sqrt n needs x^2 + n y^2 = p, 2xy = r, so x^2 = (p +- s)/2 with s^2 = p^2 - r^2 n.
   // The q below the root goes in front: sqrt((p + r sqrt n)/q) = sqrt(q p + q r sqrt n)/q.
@@ -178,7 +180,7 @@ std::optional<Closed> root(const Closed& a) {
   for (const mpz_class& twice_square : {mpz_class(p + s), mpz_class(p - s)}) {
     const mpz_class four_squares = 2 * twice_square;  // (2x)^2
     if (sgn(four_squares) <= 0 || !mpz_perfect_square_p(four_squares.get_mpz_t())) continue;
-    Closed c;  // x = t/2, y = r/t, so (x + y sqrt n)/q = (t^2 + 2 r sqrt n) / (2 t q)
+    Quadratic c;  // x = t/2, y = r/t, so (x + y sqrt n)/q = (t^2 + 2 r sqrt n) / (2 t q)
     const mpz_class t = sqrt(four_squares);
     c.p = four_squares;
     c.r = 2 * r;
@@ -201,7 +203,7 @@ Interval enclose(const mpz_class& z) {
 namespace {
 
 /// Enclosure by MPFR, for parts beyond the range of doubles: 128 bits, then outward by far more than their error.
-Interval enclose_wide(const Closed& a) {
+Interval enclose_wide(const Quadratic& a) {
   mpfr_t x, y, z;
   // Cancellation in p + r sqrt n loses at most the bits of p^2 - r^2 n, an integer >= 1.
   const auto bits = static_cast<mpfr_prec_t>(2 * mpz_sizeinbase(a.p.get_mpz_t(), 2) + 128);
@@ -222,14 +224,14 @@ Interval enclose_wide(const Closed& a) {
   return sign(a) > 0 ? Interval{std::max(wide.lo, 0.0), wide.hi} : Interval{wide.lo, std::min(wide.hi, -0.0)};
 }
 
-bool fits_doubles(const Closed& a) {
+bool fits_doubles(const Quadratic& a) {
   const auto bits = [](const mpz_class& z) { return mpz_sizeinbase(z.get_mpz_t(), 2); };
   return bits(a.p) < 400 && bits(a.q) < 400 && 2 * bits(a.r) + bits(a.n) < 800;
 }
 
 }  // namespace
 
-Interval enclose(const Closed& a, bool& cancelled) {
+Interval enclose(const Quadratic& a, bool& cancelled) {
   cancelled = false;
   if (!fits_doubles(a)) {
     cancelled = !a.rational() && sgn(a.p) * sgn(a.r) < 0;
@@ -246,7 +248,7 @@ Interval enclose(const Closed& a, bool& cancelled) {
   return enclose(norm) / ((p - root_part) * q);  // p and the root part have opposite signs here: no cancellation
 }
 
-std::uint64_t hash(const Closed& a) {
+std::uint64_t hash(const Quadratic& a) {
   std::uint64_t h = 0;
   for (const mpz_class* z : {&a.p, &a.r, &a.q, &a.n}) {
     h = (h ^ mpz_get_ui(z->get_mpz_t()) ^ static_cast<std::uint64_t>(sgn(*z))) * 0x9E3779B97F4A7C15ULL;
@@ -255,7 +257,7 @@ std::uint64_t hash(const Closed& a) {
   return h;
 }
 
-bool same(const Closed& a, const Closed& b) { return a.p == b.p && a.r == b.r && a.q == b.q && a.n == b.n; }
+bool same(const Quadratic& a, const Quadratic& b) { return a.p == b.p && a.r == b.r && a.q == b.q && a.n == b.n; }
 
 bool perfect_square_product(const mpz_class& n, const mpz_class& m) {
   const mpz_class product = n * m;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "distance/rotation/rotation_levels.h"
+#include "distance/rotation/rotational_levels.h"
 
 namespace findspace::distance {
 

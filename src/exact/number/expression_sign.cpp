@@ -4,7 +4,7 @@
 // The first precision: where the separation bound is small, at once what proves a 0, since a sign that the doubles left
 // open is nearly always a true tie; else 128 bits, and if these leave it open, a look for a proof by algebra. Then from
 // what each evaluation has shown about its own error.
-#include "exact/number/real_sign.h"
+#include "exact/number/expression_sign.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "distance/rotation/rotation.h"
+#include "distance/rotation/rotational_distance.h"
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@
 
 namespace findspace::exact::detail {
 
-struct Closed {
+struct Quadratic {
   mpz_class p, r, q{1}, n;
 
   bool rational() const { return sgn(r) == 0; }
@@ -27,29 +27,29 @@ void set(mpz_class& z, int128 value);
 bool fits_int128(const mpz_class& z);
 int128 to_int128(const mpz_class& z);  // where it fits
 
-Closed closed_integer(int128 value);
+Quadratic quadratic_of(int128 value);
 /// numerator / denominator, reduced; the denominator is not 0.
-Closed closed_ratio(mpz_class numerator, mpz_class denominator);
+Quadratic quadratic_ratio(mpz_class numerator, mpz_class denominator);
 
-int sign(const Closed& a);
-Closed negate(const Closed& a);
+int sign(const Quadratic& a);
+Quadratic negate(const Quadratic& a);
 
 /// Nothing where the operands lie in two different quadratic fields.
-std::optional<Closed> add(const Closed& a, const Closed& b);
-std::optional<Closed> subtract(const Closed& a, const Closed& b);
-std::optional<Closed> multiply(const Closed& a, const Closed& b);
-std::optional<Closed> divide(const Closed& a, const Closed& b);  // b != 0
+std::optional<Quadratic> add(const Quadratic& a, const Quadratic& b);
+std::optional<Quadratic> subtract(const Quadratic& a, const Quadratic& b);
+std::optional<Quadratic> multiply(const Quadratic& a, const Quadratic& b);
+std::optional<Quadratic> divide(const Quadratic& a, const Quadratic& b);  // b != 0
 /// Nothing where the root leaves the field (always found for rationals). The argument is >= 0.
-std::optional<Closed> root(const Closed& a);
+std::optional<Quadratic> root(const Quadratic& a);
 
 /// Enclosure of a, with relative width about 2^-50 wherever its parts fit doubles, cancellation or not.
 /// `cancelled` tells whether p + r*sqrt(n) in doubles alone would have left the sign open.
-Interval enclose(const Closed& a, bool& cancelled);
+Interval enclose(const Quadratic& a, bool& cancelled);
 Interval enclose(const mpz_class& z);
 using exact::enclose;
 
-std::uint64_t hash(const Closed& a);
-bool same(const Closed& a, const Closed& b);
+std::uint64_t hash(const Quadratic& a);
+bool same(const Quadratic& a, const Quadratic& b);
 bool perfect_square_product(const mpz_class& n, const mpz_class& m);
 
 }  // namespace findspace::exact::detail

@@ -16,8 +16,8 @@ using exact::Real;
 /// Between the point (0, 0) and the line y = 2 above it: at a level the place (sqrt(4 level - 4), 2 - level) on the
 /// right. On the line x = 0 moved by p where p.x is the place's x.
 LevelCurve parabola(const Real& scale = 1) {
-  const auto f =
-      corner_front(LevelCurve::line(scale, 0, 0, 0), LevelCurve::ring(0, 0, 0, 1), LevelCurve::line(0, 1, 2, -1), 5, 0);
+  const auto f = corner_level_curve(LevelCurve::line(scale, 0, 0, 0), LevelCurve::ring(0, 0, 0, 1),
+                                    LevelCurve::line(0, 1, 2, -1), 5, 0);
   return *f;
 }
 
@@ -87,7 +87,8 @@ TEST(CurvedLevelCurve, TwoThatAreBentAlike) {
 
 /// The same place on a circle about (3, 0) of radius 2 moved by p: a circle of radius 2 about the place less (3, 0).
 LevelCurve on_an_arc() {
-  return *corner_front(LevelCurve::ring(3, 0, 2, 0), LevelCurve::ring(0, 0, 0, 1), LevelCurve::line(0, 1, 2, -1), 5, 0);
+  return *corner_level_curve(LevelCurve::ring(3, 0, 2, 0), LevelCurve::ring(0, 0, 0, 1), LevelCurve::line(0, 1, 2, -1),
+                             5, 0);
 }
 
 TEST(CurvedLevelCurve, AnArcsIsACircleThatMoves) {

@@ -14,8 +14,8 @@
 #include "../unit/distance_shapes.h"
 #include "distance/rotation/rotated_directional.h"
 #include "distance/rotation/rotated_pair.h"
-#include "distance/rotation/rotation.h"
-#include "distance/rotation/rotation_angles.h"
+#include "distance/rotation/rotational_by_angle.h"
+#include "distance/rotation/rotational_distance.h"
 #include "plane/build/transform.h"
 
 namespace findspace::distance {

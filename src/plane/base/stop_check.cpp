@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "plane/base/work_limit.h"
+#include "plane/base/stop_check.h"
 
 #include <tbb/task_arena.h>
 
 namespace findspace::plane {
 namespace {
 
-thread_local WorkLimit* of_thread = nullptr;
+thread_local StopCheck* of_thread = nullptr;
 
 }  // namespace
 
-WorkLimit* work_limit() { return of_thread; }
+StopCheck* stop_check() { return of_thread; }
 
-LimitWork::LimitWork(WorkLimit* limit) : before_(of_thread) { of_thread = limit; }
-LimitWork::~LimitWork() { of_thread = before_; }
+ScopedStopCheck::ScopedStopCheck(StopCheck* limit) : before_(of_thread) { of_thread = limit; }
+ScopedStopCheck::~ScopedStopCheck() { of_thread = before_; }
 
 void with_threads(unsigned threads, const std::function<void()>& task) {
   if (threads == 0) {

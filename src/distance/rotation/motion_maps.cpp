@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "distance/rotation/rotation_map.h"
+#include "distance/rotation/motion_maps.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "distance/planar_features/boundary_features.h"
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 #include "plane/build/swept.h"
 #include "plane/build/transform.h"
@@ -63,7 +63,7 @@ BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Whic
   const bool least = senses.pieces == Sense::kMinimum;
   // Two shapes, each off by the rounding (ends of an arc carry its bulge along: twice that).
   const double off = 4 * rounding.largest;
-  // Over the rotates of the piece the least value is not above that in the middle, the greatest not below.
+  // Over the turns of the piece the least value is not above that in the middle, the greatest not below.
   const Real chosen = slightly_above(off + piece.in_time),
              all = slightly_above(off + piece.in_time + piece.over_rotations);
   SignMap low = over_way(f->sign_map(level + (least ? all : chosen)), piece, senses.low),
@@ -87,8 +87,8 @@ int pieces_of_leg(const RotatingPose& p, const RotatingPose& q) {
   return std::clamp(int(std::ceil(most / kDegreesInTime)), 1, kMostPieces);
 }
 
-BoundedMaps rotation_maps(const plane::Region& b, const plane::Region& a, Which which,
-                          std::span<const RotatingPiece> pieces, const RotationSenses& senses, const Real& level) {
+BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which which,
+                        std::span<const RotatingPiece> pieces, const RotationSenses& senses, const Real& level) {
   std::vector<BoundedMaps> all(pieces.size());
   plane::parallel_for(all.size(),
                       [&](std::size_t k) { all[k] = bounds_of_piece(b, a, which, pieces[k], senses, level); });
@@ -103,9 +103,9 @@ BoundedMaps rotation_maps(const plane::Region& b, const plane::Region& a, Which 
   return {joined(&BoundedMaps::low), joined(&BoundedMaps::high)};
 }
 
-BoundedMaps rotation_maps(const plane::Region& b, const plane::Region& a, Which which,
-                          const std::vector<RotatingPose>& poses, Sense sense, const Real& level) {
-  return rotation_maps(b, a, which, pieces_of(poses, reach(b), reach(a)), {sense, sense, sense}, level);
+BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which which,
+                        const std::vector<RotatingPose>& poses, Sense sense, const Real& level) {
+  return motion_maps(b, a, which, pieces_of(poses, reach(b), reach(a)), {sense, sense, sense}, level);
 }
 
 }  // namespace findspace::distance

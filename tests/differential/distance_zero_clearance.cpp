@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Round shapes that fit only where they have no room to spare: places of sets without volume, at positions of any
+// Round shapes that fit only where they have zero clearance: places of sets without volume, at positions of any
 // coordinates, against formulas for these sets. Where numbers cannot tell a fit from none the distance is right or
 // refused.
 #include <findspace/error.h>
@@ -29,7 +29,7 @@ Body ball(std::int64_t radius) {
 
 double to_segment(double x, double y, double from, double to) { return std::hypot(x - std::clamp(x, from, to), y); }
 
-/// Of (x, y) to where a disc of radius 1 fits into the L of directed_edges 2 wide and 6 long: two segments and what
+/// Of (x, y) to where a disc of radius 1 fits into the L of arms 2 wide and 6 long: two segments and what
 /// lies between them and the arc about the reflex corner.
 double to_places_in_l(double x, double y) {
   const double off = std::hypot(x - 2, y - 2);
@@ -39,8 +39,8 @@ double to_places_in_l(double x, double y) {
   return seen && off < 1 ? std::min(best, 1 - off) : best;
 }
 
-/// The ball has no room across the directed_edges, and some where they meet.
-TEST(NoRoom, BallInL) {
+/// The ball has zero clearance across the arms, and some where they meet.
+TEST(ZeroClearance, BallInL) {
   const Body room = space::box_body({{{{0, 0, 0}, {6, 2, 4}}}, {{{0, 0, 0}, {2, 6, 4}}}});
   const SolidPair pair(space::shared(ball(1)), space::shared(room));
   std::mt19937 random(1);
@@ -62,7 +62,7 @@ TEST(NoRoom, BallInL) {
 }
 
 /// On lines by the same values.
-TEST(NoRoom, SignsOnLines) {
+TEST(ZeroClearance, SignsOnLines) {
   const Body room = space::box_body({{{{0, 0, 0}, {6, 2, 4}}}, {{{0, 0, 0}, {2, 6, 4}}}}), b = ball(1);
   const space::RayGrid grid{2, 7, 3, 2, 13, 9, 3, 2};
   const auto rays = ray_sign_map(Which::kEta1, Real(1), b, room, grid);
@@ -98,20 +98,20 @@ Body slanted_slot(std::int64_t k, std::int64_t size) {
   return a;
 }
 
-/// 2p / sqrt 2 less 2q for the fractions p/q next to sqrt 2: less room than numbers tell from none, or as little too
-/// little. Every other time the ball fits.
-TEST(NoRoom, BallBetweenSlantedPlanes) {
+/// 2p / sqrt 2 less 2q for the fractions p/q next to sqrt 2: less clearance than numbers tell from none, or as little
+/// too little. Every other time the ball fits.
+TEST(ZeroClearance, BallBetweenSlantedPlanes) {
   int fits = 0, refused = 0;
   for (std::int64_t p = 1, q = 1; q < 100'000'000; p += 2 * q, q = p - q) {
     if (q < 10) continue;
-    const bool has_room = p * p - 2 * q * q > 0;
+    const bool fits = p * p - 2 * q * q > 0;
     Body far = slanted_slot(2 * p, 2 * q);
     far.parts[1] = {space::box_polytope({{{20 * q, 20 * q, 20 * q}, {21 * q, 21 * q, 21 * q}}}), {}, Real()};
     const SolidPair pair(space::shared(ball(q)), space::shared(far));
     const auto from = space::place(7, -3, 6 * q, 3);
     try {
       const auto v = pair.value(Which::kEta1, from);
-      EXPECT_EQ(v.has_value(), has_room) << p << '/' << q;
+      EXPECT_EQ(v.has_value(), fits) << p << '/' << q;
       if (!v) continue;
       ++fits;
       ASSERT_TRUE(v->nearest);
@@ -119,7 +119,7 @@ TEST(NoRoom, BallBetweenSlantedPlanes) {
       EXPECT_NEAR(v->value.to_double(), double(q) - 4 / (3 * std::sqrt(2.0)), 1e-9 * double(q));
     } catch (const Error& e) {
       EXPECT_EQ(e.code(), ErrorCode::kUnsupported);
-      EXPECT_FALSE(has_room) << p << '/' << q;
+      EXPECT_FALSE(fits) << p << '/' << q;
       ++refused;
     }
   }
