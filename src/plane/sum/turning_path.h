@@ -21,7 +21,7 @@ struct TurningPath {
     Index key = 0;
     Index place = 0;  // in `sorted`, unless empty
   };
-  struct ExactAngle {  // turn k follows line k
+  struct Turn {  // turn k follows line k
     const Position* center;
     const Step* arc = nullptr;  // null: a vertex
     std::int8_t sign = 1;       // +1 turns left, -1 right
@@ -34,7 +34,7 @@ struct TurningPath {
     std::int8_t normal_up() const { return std::int8_t(arc->half * sign); }
   };
   std::vector<Line> lines;
-  std::vector<ExactAngle> turns;
+  std::vector<Turn> turns;
   std::vector<Index> sorted;  // the lines that are not empty, by key
 
   /// `flat`: the path of a curve or point that is a set of its own, walked on both sides.
