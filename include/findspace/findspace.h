@@ -12,7 +12,8 @@
 //   placement.h   several shapes put down
 //   options.h   limits of questions, progress, cancellation
 //   region.h    the answers: exact point sets
-//   space_region.h, phi.h   exact sets of space; Phi-functions with gradients
+//   space_region.h, surface.h   exact sets of space, and surfaces
+//   phi.h       Phi-functions with gradients
 //   error.h     what is thrown for bad input
 #pragma once
 
@@ -28,5 +29,6 @@
 #include "findspace/region.h"
 #include "findspace/shape.h"
 #include "findspace/space_region.h"
+#include "findspace/surface.h"
 #include "findspace/values.h"
 #include "findspace/world.h"

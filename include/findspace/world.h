@@ -20,6 +20,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "findspace/error.h"
 #include "findspace/formula.h"
@@ -50,6 +51,9 @@ class World {
   /// `moving` is one of the names. All shapes are of the plane, or all of space. Distances are those of the shapes'
   /// closures. Throws what is wrong with a shape: kGeometry, kBadValue, kOutOfRange, kUnknownName, kSyntax, kFile.
   World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options = {});
+  /// Several move together.
+  World(const std::map<std::string, Shape>& shapes, const std::vector<std::string>& moving,
+        const WorldOptions& options = {});
 
   // ---- changes; what does not speak of the shape is kept. Queries that were made keep the world that they had
   /// A shape that is new, or replaces that of its name.
@@ -122,9 +126,11 @@ class World {
   Query query(const Distance& distance) const;
 
   // ---- what it was made of
-  /// As they were given, by name; the one that moves; the unit.
+  /// As they were given, by name; the one that moves, or the first of several; the unit.
   const std::map<std::string, Shape>& shapes() const;
   const std::string& moving() const;
+  /// All that move.
+  const std::vector<std::string>& moving_together() const;
   std::string unit() const;
   /// 2 or 3.
   int dimension() const;

@@ -34,12 +34,14 @@ namespace {
 exact::RealPoint planar(const Coordinates& p) { return {p[0], p[1]}; }
 space::RealVector solid(const Coordinates& p) { return {p[0], p[1], p[2]}; }
 
-formula::Context named_context(const std::map<std::string, Shape>& shapes, const std::string& moving,
+formula::Context named_context(const std::map<std::string, Shape>& shapes, const std::vector<std::string>& moving,
                                const std::string& unit) {
   if (shapes.empty()) throw Error(ErrorCode::kBadValue, "there are no shapes");
   formula::Context context = api::context_of(shapes, unit);
-  if (shapes.count(moving) == 0) api::unknown_shape(context, moving);
-  context.moving = {moving};
+  if (moving.empty()) throw Error(ErrorCode::kBadValue, "no shape moves");
+  for (const std::string& name : moving)
+    if (shapes.count(name) == 0) api::unknown_shape(context, name);
+  context.moving = moving;
   return context;
 }
 
@@ -50,10 +52,13 @@ std::shared_ptr<const World::Data> changed(const World::Data& before, const std:
     data->shapes.insert_or_assign(name, *shape);
   else
     data->shapes.erase(name);
-  data->context = named_context(data->shapes, before.moving(), before.unit());
+  data->context = named_context(data->shapes, before.context.moving, before.unit());
   data->context.motion = before.context.motion;
   if (shape) data->grid = api::common_grid(before.grid, shape->data().grid);
-  if (data->dimension() == 2 && before.planar && data->grid.step() == before.grid.step()) {
+  // Parts of collections are told by their solver alone.
+  const bool parts =
+      (shape && api::tree_of(*shape)->collection) || (before.planar && before.planar->world().parts.count(name) > 0);
+  if (data->dimension() == 2 && !parts && data->grid.step() == before.grid.step()) {
     formula::ShapeChanges changes;
     changes[name] = shape ? std::optional(api::region_on(*shape, data->grid, name)) : std::nullopt;
     data->planar = std::make_shared<const formula::Solver>(*before.planar, std::move(changes));
@@ -150,7 +155,11 @@ Region World::Data::region(plane::Region cells) const { return api::make_region(
 
 // ---- World
 
-World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options) {
+World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options)
+    : World(shapes, std::vector{moving}, options) {}
+
+World::World(const std::map<std::string, Shape>& shapes, const std::vector<std::string>& moving,
+             const WorldOptions& options) {
   auto data = std::make_shared<Data>(Data{shapes, {}, named_context(shapes, moving, options.unit)});
   data->grid = api::grid_of(shapes);
   api::make_solver(*data);
@@ -161,7 +170,9 @@ void World::set(const std::string& name, const Shape& shape) { data_ = changed(*
 
 void World::remove(const std::string& name) {
   data_->shape(name);
-  if (name == moving()) throw Error(ErrorCode::kBadValue, fmt::format("'{}' is the shape that moves", name));
+  const std::vector<std::string>& movers = data_->context.moving;
+  if (std::find(movers.begin(), movers.end(), name) != movers.end())
+    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is the shape that moves", name));
   if (data_->motion && data_->motion->paths.count(name) > 0)
     throw Error(ErrorCode::kBadValue, fmt::format("'{}' has a path in the motion", name));
   data_ = changed(*data_, name, nullptr);
@@ -280,7 +291,8 @@ Region World::shape(const std::string& name) const {
 }
 
 const std::map<std::string, Shape>& World::shapes() const { return data_->shapes; }
-const std::string& World::moving() const { return data_->moving(); }
+const std::string& World::moving() const { return data_->context.moving.front(); }
+const std::vector<std::string>& World::moving_together() const { return data_->context.moving; }
 std::string World::unit() const { return data_->unit(); }
 int World::dimension() const { return data_->dimension(); }
 const Options& World::options() const { return data_->options; }

@@ -31,7 +31,6 @@ struct World::Data {
 
   int dimension() const { return context.dimension; }
   std::string unit() const { return context.unit ? std::string(formula::name(*context.unit)) : ""; }
-  const std::string& moving() const { return context.moving.front(); }
   /// kUnsupported in space.
   const formula::Solver& plane(std::string_view what) const;
   const formula::SpaceSolver& space(std::string_view what) const;

@@ -42,9 +42,24 @@ formula::Trajectory trajectory_of(const World::Data& world, const std::vector<Wa
   return out;
 }
 
+/// The parts of a collection by their names, or numbers where they have none.
+formula::Parts::mapped_type parts_of(const Shape& shape, const plane::Grid& grid) {
+  formula::Parts::mapped_type out;
+  const plane::ShapePtr tree = api::tree_on(shape, grid);
+  for (std::size_t k = 0; k < tree->children.size(); ++k) {
+    const std::string& name = tree->children[k]->name;
+    out.emplace_back(name.empty() ? std::to_string(k) : name,
+                     plane::build(*tree->children[k], grid.step_size()).region);
+  }
+  return out;
+}
+
 std::shared_ptr<const formula::Solver> planar_solver(const World::Data& data) {
   formula::World world;
-  for (const auto& [name, shape] : data.shapes) world.shapes.emplace(name, api::region_on(shape, data.grid, name));
+  for (const auto& [name, shape] : data.shapes) {
+    world.shapes.emplace(name, api::region_on(shape, data.grid, name));
+    if (api::tree_of(shape)->collection) world.parts[name] = parts_of(shape, data.grid);
+  }
   world.moving = data.context.moving;
   world.step = data.grid.step();
   if (data.motion) world.motion = api::motion_of(data, *data.motion);
