@@ -10,7 +10,6 @@
 #include <memory>
 #include <utility>
 
-#include "exact/margins/rounding.h"
 #include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
 #include "formula/solid/solve_rays.h"
@@ -19,6 +18,7 @@
 #include "io/write/write_json_rays.h"
 #include "ray_optimum.h"
 #include "space/rays/ray_axes.h"
+#include "space/rays/ray_cells.h"
 #include "space/rays/ray_sources.h"
 #include "space_commands.h"
 
@@ -143,11 +143,7 @@ formula::RayWorld ray_world(const Session& session) {
   return world;
 }
 
-exact::Real cell_radius(const RaySet& set) {
-  const space::RayGrid grid = set.lines.grid(set.low, set.high);
-  const double half = std::hypot(static_cast<double>(grid.du), static_cast<double>(grid.dv)) / 2;
-  return exact::Real::from_double(half * margin::kUpward) / exact::Real(grid.parts);
-}
+exact::Real cell_radius(const RaySet& set) { return space::cell_radius(set.lines.grid(set.low, set.high)); }
 
 void take_side(const Session& session, RaySet& set) {
   const std::string& side = session.options().side;
