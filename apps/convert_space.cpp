@@ -54,11 +54,19 @@ io::Surface box_surface(const Session& session, const plane::Shape& shape, const
 }  // namespace
 
 io::Surface boundary_of(const Session& session, const plane::Shape& shape) {
-  const Real& step = session.step();
-  const formula::ShapeBoundary found = formula::shape_boundary(shape);
-  if (const auto* triangles = std::get_if<space::Triangles>(&found)) return surface(*triangles, step);
-  if (const auto* boxes = std::get_if<space::BoxComplex>(&found)) return box_surface(session, shape, *boxes);
-  const space::Body& body = *std::get<formula::LazyBody::Pointer>(found);
+  const std::optional<formula::ShapeBoundary> found = formula::shape_boundary(shape);
+  if (!found)
+    throw Error(ErrorCode::kUnsupported,
+                "this is not bounded by one surface of flat faces; describe -o writes its surface as found on lines",
+                shape.place);
+  if (const auto* boxes = std::get_if<space::BoxComplex>(&*found)) return box_surface(session, shape, *boxes);
+  return surface_of(*found, session.step());
+}
+
+io::Surface surface_of(const formula::ShapeBoundary& boundary, const Real& step) {
+  if (const auto* boxes = std::get_if<space::BoxComplex>(&boundary)) return io::box_surface(*boxes, step);
+  if (const auto* triangles = std::get_if<space::Triangles>(&boundary)) return surface(*triangles, step);
+  const space::Body& body = *std::get<formula::LazyBody::Pointer>(boundary);
   return surface(*body.parts[0].core, step / Real(body.scale));
 }
 
