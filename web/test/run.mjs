@@ -5,7 +5,7 @@
 //
 // usage: node test/run.mjs PROGRAM [FOLDER [WORDS]]
 //
-// With WORDS only the tests whose names have them. Pictures of the page go to FOLDER, for people to look at. Chromium is the system's.
+// With WORDS, a regular expression, only the tests whose names fit. Pictures of the page go to FOLDER, for people to look at. Chromium is the system's.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { mkdtempSync, mkdirSync, writeFileSync, existsSync } from "node:fs";
@@ -340,7 +340,7 @@ const tests = {
 };
 
 let failed = 0;
-const chosen = Object.entries(tests).filter(([name]) => name.includes(process.argv[4] ?? ""));
+const chosen = Object.entries(tests).filter(([name]) => new RegExp(process.argv[4] ?? "").test(name));
 for (const [name, test] of chosen) {
   try {
     await test();
