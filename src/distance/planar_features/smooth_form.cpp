@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "distance/planar_features/voronoi_cells.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 

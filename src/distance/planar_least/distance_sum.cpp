@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
+#include "exact/margins/planar_distance.h"
 #include "findspace/error.h"
 #include "plane/base/real_vector.h"
 #include "plane/query/topology.h"

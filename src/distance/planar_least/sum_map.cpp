@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "distance/planar_least/sum_curve.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"

@@ -159,11 +159,11 @@ std::string written(const Atom& atom) {
   if (!atom.more.empty())
     return fmt::format("{} {} {}", written_sum(atom), text(atom.relation), level_text(atom, false));
   const bool from_word = atom.predicate != nullptr && atom.predicate->level != PredicateName::Level::kNone;
-  const bool turned_round = atom.predicate != nullptr ? atom.predicate->negated : negated(atom.distance);
-  const std::string level = level_text(atom, turned_round);
+  const bool mirrors = atom.predicate != nullptr ? atom.predicate->negated : negated(atom.distance);
+  const std::string level = level_text(atom, mirrors);
   if (atom.predicate == nullptr) {
     if (atom.minimum) return written(atom.distance) + " -> min";
-    const Relation relation = turned_round ? mirrored(atom.relation) : atom.relation;
+    const Relation relation = mirrors ? mirrored(atom.relation) : atom.relation;
     return fmt::format("{} {} {}", written(atom.distance), text(relation), level);
   }
   const bool said = from_word && (atom.predicate->level == PredicateName::Level::kRequired || atom.level.sign() != 0);
