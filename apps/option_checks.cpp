@@ -58,6 +58,7 @@ std::vector<std::string> endings_of(std::string_view verb) {
   std::vector<std::string> all{".json"};
   if (verb == "phi") all.emplace_back(".txt");
   if (verb == "map") all.emplace_back(".html");
+  if (verb == "place") all.emplace_back(".kicad_pcb");
   if (verb == "map" || verb == "describe" || verb == "convert") all.emplace_back(".wkt");
   all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());  // .svg is among them
   return all;

@@ -232,8 +232,12 @@ formula::World Session::world() const { return scene_.named_only ? world_of(wher
 formula::World Session::world_of(const formula::Formula& formula) const {
   std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
   const std::optional<Goal> goal = this->goal();
-  for (const formula::Atom& a : formula.atoms()) add_names(a.distance, named);
-  if (goal && goal->objective.kind == formula::Objective::Kind::kDistance) add_names(goal->objective.distance, named);
+  for (const formula::Atom& a : formula.atoms()) {
+    add_names(a.distance, named);
+    for (const formula::SumTerm& t : a.more) add_names(t.distance, named);
+  }
+  if (goal)
+    for (const formula::Distance& d : formula::distances_of(goal->objective)) add_names(d, named);
   for (const io::Movement& m : scene_.motion.movements) named.insert(m.shape);
   std::set<const plane::Shape*> of_others;
   std::vector<const plane::Shape*> todo;

@@ -117,7 +117,7 @@ const LoadedPlane::Rotated& LoadedPlane::rotated(const std::optional<Real>& degr
 
 LoadedPlane::Answers LoadedPlane::solved(const formula::Solver& solver, const formula::Formula& formula) const {
   Answers out;
-  if (solver.rotations_in(formula)) {
+  if (solver.known_between_bounds(formula)) {
     formula::RegionBounds bounds = solver.feasible_bounds(formula);
     out.region = plane::in_order(std::move(bounds.inner));
     out.outer = plane::in_order(std::move(bounds.outer));
