@@ -74,7 +74,7 @@ def test_lines_of_space():
     through, intervals = lines.lines[0]
     assert [(i.start, i.end) for i in intervals] == [(1, 9)] and through[2] == 0
     lower, upper = world.volume(where, 48)
-    assert lower <= 512 - 36 * np.pi <= upper < 1.5 * lower
+    assert lower <= 512 - 36 * np.pi <= upper < 2 * lower
     surface = world.surface(where, 24)
     a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
     assert abs(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 - (512 - 36 * np.pi)) < 12
