@@ -87,8 +87,13 @@ Options as_placement(Options options) {
 Outcome run_place(const Options& given, Reporter& reporter) {
   const planning::Limit limit(given.time_limit * kSearching);  // reading counts
   const Options options = as_placement(given);
-  const Session session(options, reporter);
+  return place_scene(Session(options, reporter), limit);
+}
+
+Outcome place_scene(const Session& session, const planning::Limit& limit) {
   if (session.in_space()) return place_space(session, limit);
+  const Options& options = session.options();
+  Reporter& reporter = session.reporter();
   const bool board = session.scene().board != nullptr;
   check_outputs(options, board ? std::vector<std::string>{".svg", ".json", ".kicad_pcb"}
                                : std::vector<std::string>{".svg", ".json"});

@@ -11,7 +11,6 @@
 
 #include "api/values/region_data.h"
 #include "api/values/shape_data.h"
-#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "plane/build/build.h"
 #include "plane/contour/contour.h"
@@ -296,11 +295,11 @@ Shape Shape::rotated(const Number& degrees, Axis axis, const Point3& about) cons
   double moved = 0;
   const GridPoint c = data_->grid.nearest(api::real_of(about.x), api::real_of(about.y), rounding);
   const std::int64_t height = data_->grid.nearest(api::real_of(about.z), moved);
-  plane::Rounding turned;
+  plane::Rounding moved_points;
   const auto rotation = space::Rotation::about_axis(int(axis), api::real_of(degrees), {c.x, c.y, height});
-  plane::ShapePtr tree = space::rotated(*data_->tree, rotation, turned);
-  rounding.points += turned.points;
-  rounding.largest = std::max(rounding.largest, turned.largest);
+  plane::ShapePtr tree = space::rotated(*data_->tree, rotation, moved_points);
+  rounding.points += moved_points.points;
+  rounding.largest = std::max(rounding.largest, moved_points.largest);
   return make_shape(std::move(tree), data_->grid, 3, rounding);
 }
 

@@ -43,12 +43,21 @@ SolidSurface surface_of_boxes(const space::BoxComplex& boxes, const plane::Shape
 
 }  // namespace
 
+Surface surface_of(const formula::ShapeBoundary& boundary, const exact::Real& step) {
+  if (const auto* triangles = std::get_if<space::Triangles>(&boundary)) return triangle_surface(*triangles, step);
+  if (const auto* boxes = std::get_if<space::BoxComplex>(&boundary)) return box_surface(*boxes, step);
+  const space::Body& body = *std::get<formula::LazyBody::Pointer>(boundary);
+  return polytope_surface(*body.parts[0].core, step / exact::Real(body.scale));
+}
+
 SolidSurface solid_surface(const plane::Shape& shape, const exact::Real& step) {
-  const formula::ShapeBoundary found = formula::shape_boundary(shape);
-  if (const auto* triangles = std::get_if<space::Triangles>(&found)) return {triangle_surface(*triangles, step)};
-  if (const auto* boxes = std::get_if<space::BoxComplex>(&found)) return surface_of_boxes(*boxes, shape, step);
-  const space::Body& body = *std::get<formula::LazyBody::Pointer>(found);
-  return {polytope_surface(*body.parts[0].core, step / exact::Real(body.scale))};
+  const std::optional<formula::ShapeBoundary> found = formula::shape_boundary(shape);
+  if (!found)
+    throw Error(ErrorCode::kUnsupported,
+                "this is not bounded by one surface of flat faces; describe -o writes its surface as found on lines",
+                shape.place);
+  if (const auto* boxes = std::get_if<space::BoxComplex>(&*found)) return surface_of_boxes(*boxes, shape, step);
+  return {surface_of(*found, step)};
 }
 
 }  // namespace findspace::io
