@@ -115,6 +115,23 @@ void add_lines(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->group(kSpace);
 }
 
+/// The strip of a packing, and the distances in it.
+void add_strip(CLI::App& command, Options& o) {
+  command.add_option("--height", o.height, "the height of the strip, instead of the file's")
+      ->type_name("H")
+      ->group(kPlane);
+  command.add_option("--gap", o.gap, "the least distance of any two parts (default 0)")->type_name("D")->group(kPlane);
+  command.add_option("--edge", o.edge, "the least distance of a part to the sides of the strip (default 0)")
+      ->type_name("D")
+      ->group(kPlane);
+}
+
+void add_start(CLI::App& command, Options& o) {
+  command.add_option("--start", o.start, "a layout to begin with: JSON, or an SVG of sparrow")
+      ->type_name("FILE")
+      ->group(kPlane);
+}
+
 /// Of packing problems and layouts.
 void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
   const bool pack = is(verb, "pack");
@@ -124,13 +141,7 @@ void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->required()
       ->type_name("");
   if (!pack) command.add_option("PROBLEM", o.shapes, "the problem of a layout in JSON")->expected(0, 1)->type_name("");
-  command.add_option("--height", o.height, "the height of the strip, instead of the file's")
-      ->type_name("H")
-      ->group(kPlane);
-  command.add_option("--gap", o.gap, "the least distance of any two parts (default 0)")->type_name("D")->group(kPlane);
-  command.add_option("--edge", o.edge, "the least distance of a part to the sides of the strip (default 0)")
-      ->type_name("D")
-      ->group(kPlane);
+  add_strip(command, o);
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
   if (!pack) return;
   command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json or .svg; may be repeated")
@@ -139,9 +150,7 @@ void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->expected(1)
       ->allow_extra_args(false)
       ->group(kCommon);
-  command.add_option("--start", o.start, "a layout to begin with: JSON, or an SVG of sparrow")
-      ->type_name("FILE")
-      ->group(kPlane);
+  add_start(command, o);
   command.add_option("--seed", o.seed, "another search (default 1)")->type_name("N")->group(kPlane);
   command.add_option("--work", o.work, "end after N million evaluations a thread: the same result every time")
       ->type_name("N")
@@ -271,9 +280,13 @@ void add_forms(CLI::App& command, const VerbEntry& verb, Options& o) {
 /// Of verbs that answer requests.
 void add_service(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (is(verb, "view")) {
-    command.add_option("SCENE", o.scene, "the scene file; its folder is the one that files are read from")
+    command
+        .add_option("SCENE", o.scene,
+                    "a scene, drawing, board or packing problem; its folder is the one that files are read from")
         ->required()
         ->type_name("");
+    add_strip(command, o);
+    add_start(command, o);
     command.add_option("--port", o.port, "the port on the loopback address (default: any that is free)")
         ->type_name("N")
         ->check(CLI::Range(1, 65535).description(""))

@@ -131,6 +131,15 @@ void PackingJob::start(const PackingStart& start) {
   thread_ = std::thread([this, options, from] { search(options, from); });
 }
 
+void PackingJob::begin_with(const packing::Layout& layout) {
+  if (!packing::verify(problem_, layout).feasible())
+    throw Error(ErrorCode::kGeometry, "the layout to begin with is not feasible; verify says why");
+  packing::SearchState state;
+  state.length = layout.length.to_double();
+  state.density = packing::area(problem_) / (state.length * problem_.height.to_double());
+  keep(layout, state);
+}
+
 void PackingJob::repair(std::size_t item, std::array<double, 2> at) {
   stop();
   if (!best_) throw Error(ErrorCode::kBadValue, "there is no layout yet");
