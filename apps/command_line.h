@@ -27,7 +27,8 @@ Outcome run_question(std::string_view verb, const Options& options, Reporter& re
 /// It ends in time by itself, with the best result so far.
 bool ends_in_time(std::string_view verb);
 
-/// Starts the program without MPI: 0 and 1 of `main`.
-int run_program(int argc, char** argv);
+class RowTeam;
+/// The whole program; returns its exit status. `team`: of processes that run it together, or null.
+int run_program(int argc, char** argv, RowTeam* team);
 
 }  // namespace findspace::app

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The program `findspace`: reads the command line, runs one verb, and rotates whatever happens into an exit status and
-// a line that says what was wrong. docs/commands.md is its manual.
+// The programs `findspace` and `findspace-mpi`: reads the command line, runs one verb, and rotates whatever happens
+// into an exit status and a line that says what was wrong. docs/commands.md is its manual.
 
 #include <fmt/format.h>
 
@@ -23,6 +23,7 @@
 #include "help_pages.h"
 #include "option_checks.h"
 #include "plane/base/parallel.h"
+#include "row_team.h"
 #include "run_limits.h"
 #include "session.h"
 #include "stage_dump.h"
@@ -455,7 +456,7 @@ ExitStatus print_help(const CLI::App& app, const CLI::App& help, const HelpReque
   return kUsage;
 }
 
-int program(int argc, char** argv) {
+int program(int argc, char** argv, RowTeam* team) {
   CLI::App app(kAbout, "findspace");
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag("-h,--help", "print this help; after a verb its own")->group(kCommon);
@@ -480,6 +481,7 @@ int program(int argc, char** argv) {
     errors.error(fmt::format("{}\nTry 'findspace --help'.", e.what()));
     return kUsage;
   }
+  options.team = team;
   if (help->parsed()) return print_help(app, *help, request, errors);
   Reporter reporter(options.quiet);
   try {
@@ -491,7 +493,9 @@ int program(int argc, char** argv) {
     if (is_service(verb) || is(verb, "batch")) limited.time_limit = 0;
     if (is(verb, "batch")) limited.memory_limit = 0;  // of each question
     set_limits(limited, ends_in_time(name));
-    return finish(run(verb, options, reporter), options, reporter);
+    const bool writes = team == nullptr || team->leads() || is(verb, "batch");
+    if (!writes) limited.outputs.clear();
+    return finish(run(verb, writes ? options : limited, reporter), options, reporter);
   } catch (...) {
     return report(reporter);
   }
@@ -536,10 +540,10 @@ Outcome run_question(std::string_view verb, const Options& options, Reporter& re
 
 bool ends_in_time(std::string_view verb) { return verb == "place" || verb == "pack"; }
 
-int run_program(int argc, char** argv) {
+int run_program(int argc, char** argv, RowTeam* team) {
   end_on_signals();
   try {
-    return program(argc, argv);
+    return program(argc, argv, team);
   } catch (...) {
     Reporter reporter;
     return report(reporter);
@@ -547,5 +551,3 @@ int run_program(int argc, char** argv) {
 }
 
 }  // namespace findspace::app
-
-int main(int argc, char** argv) { return findspace::app::run_program(argc, argv); }

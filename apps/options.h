@@ -16,6 +16,8 @@
 
 namespace findspace::app {
 
+class RowTeam;
+
 struct Options {
   std::string scene;                           // a path, or "-": standard input
   std::optional<std::string> scene_text;       // the scene itself; `scene` is then what messages call it
@@ -57,6 +59,7 @@ struct Options {
   std::uint64_t seed = 1;                      // of pack
   unsigned workers = 0;                        // of batch; 0: one for each core
   bool as_they_come = false;                   // of batch: print results too
+  RowTeam* team = nullptr;                     // processes that make rows of maps together, or none
   double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
 };
 

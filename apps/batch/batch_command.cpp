@@ -20,6 +20,7 @@
 #include "batch/job_workers.h"
 #include "commands.h"
 #include "io/write/json_text.h"
+#include "row_team.h"
 #include "run_limits.h"
 
 namespace findspace::app {
@@ -64,8 +65,8 @@ class Batch {
 
  private:
   std::size_t worker_count() const {
-    const std::size_t wanted =
-        options_.workers > 0 ? options_.workers : std::max(1U, std::thread::hardware_concurrency());
+    const unsigned usual = options_.team != nullptr ? 1 : std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t wanted = options_.workers > 0 ? options_.workers : usual;
     return std::min(wanted, jobs_.size());
   }
 
@@ -145,6 +146,7 @@ Outcome run_batch(const Options& options, Reporter& reporter) {
   signal(SIGPIPE, SIG_IGN);  // a worker that has ended is noticed by its pipe
   say_at_the_end("what is answered is kept: the same command goes on from there");
   Batch batch(options, reporter);
+  if (options.team != nullptr) options.team->meet();  // before the first can have finished
   batch.run();
   return batch.finish();
 }
