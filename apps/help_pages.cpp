@@ -35,6 +35,7 @@ constexpr std::string_view kExamples[] = {
     "findspace place scene.json -o placed.svg         positions for several shapes",
     "findspace pack parts.json -o layout.svg          parts on a strip, as short as possible",
     "findspace verify layout.json parts.json          is this layout feasible, exactly",
+    "findspace batch questions.jsonl -o results.jsonl  many questions, over all cores and restarts",
     "findspace phi scene.json A B --at 3,4            do A and B moved by (3, 4) overlap or touch",
     "findspace serve --stdio scene.json               answers requests, a line each",
     "findspace view scene.json                        the scene in the browser, with a part to drag",

@@ -57,6 +57,11 @@ io::BoardQuestion question_of_board(const Options& o) {
 
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
+  if (o.scene_text) {
+    io::ReadOptions limits = reading(o);
+    if (limits.root.empty()) limits.root = std::filesystem::current_path();
+    return io::read_scene_text(*o.scene_text, limits.root, o.scene, limits);
+  }
   if (is_board(path))
     return io::board_scene(
         std::make_shared<const io::Board>(io::read_board(io::read_text(path, o.input_limit), o.scene)),

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 #include "findspace/error.h"
 #include "io/write/json_text.h"
 #include "packing/compaction/finish.h"
@@ -49,8 +49,9 @@ std::optional<packing::Layout> separated(const packing::Problem& problem, const 
     const packing::Arrangement strip(table, poses, length * longer);
     for (packing::Pose& pose : poses) pose.at = strip.inside(pose.variant, pose.at);
     packing::LinearMoves moves(table);
-    if (!moves.separate(poses, length * longer)) continue;
-    if (auto made = packing::finished(problem, table, poses, moves.shorten(poses, length * longer))) return made;
+    double reached = length * longer;
+    if (!moves.separate(poses, reached, length * longer)) continue;
+    if (auto made = packing::finished(problem, table, poses, moves.shorten(poses, reached))) return made;
   }
   return std::nullopt;
 }
@@ -128,6 +129,15 @@ void PackingJob::start(const PackingStart& start) {
   stop_ = false;
   running_ = true;
   thread_ = std::thread([this, options, from] { search(options, from); });
+}
+
+void PackingJob::begin_with(const packing::Layout& layout) {
+  if (!packing::verify(problem_, layout).feasible())
+    throw Error(ErrorCode::kGeometry, "the layout to begin with is not feasible; verify says why");
+  packing::SearchState state;
+  state.length = layout.length.to_double();
+  state.density = packing::area(problem_) / (state.length * problem_.height.to_double());
+  keep(layout, state);
 }
 
 void PackingJob::repair(std::size_t item, std::array<double, 2> at) {

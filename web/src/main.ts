@@ -285,7 +285,8 @@ async function showLoaded(loaded: Summary): Promise<void> {
   for (const s of summary.shapes) if (!s.used && !s.moving && !summary.place && summary.moving.length) hidden.add(s.name);
   const moving = summary.moving.length > 0;
   for (const id of ["place", "formula"]) get(id).hidden = !moving;
-  for (const id of ["nearest", "explain"]) get(id).hidden = !moving;
+  get("nearest").hidden = !moving;
+  get("explain").hidden = !moving || summary.dimension === 3;
   get("measure").hidden = summary.dimension === 3;
   poses.show(summary);
   showScene();
@@ -341,6 +342,7 @@ function connectAlone(): void {
 
 /// In the region, if it has a point that says so; else where the part is drawn.
 function firstPlace(): Place {
+  if (summary.free === "angle" || summary.free === "time") return [0, 0];
   return map?.isolated?.[0] ?? map?.components?.[0]?.sample ?? Array<number>(summary.dimension).fill(0);
 }
 
@@ -348,7 +350,6 @@ async function choosePicture(loaded: Summary): Promise<void> {
   const space = loaded.dimension === 3;
   get("space").toggleAttribute("hidden", !space);
   get("picture").toggleAttribute("hidden", space);
-  get("scale").hidden = space;
   get("picture").replaceChildren();
   stage = space ? null : new Stage(get<SVGSVGElement>("picture"), get("scale"));
   if (stage) {
@@ -364,7 +365,7 @@ async function choosePicture(loaded: Summary): Promise<void> {
     script.textContent = spaceText;
     document.body.append(script);
   }
-  picture = new program.findspaceSpace!(get<HTMLCanvasElement>("space"), get("labels"), loaded.unit ?? "");
+  picture = new program.findspaceSpace!(get<HTMLCanvasElement>("space"), get("labels"), get("scale"), loaded.unit ?? "");
 }
 
 function buttons(): void {

@@ -5,7 +5,7 @@
 // handle along each axis, dimension lines, a plane that cuts all open. A script of its own (space.js): pages of the plane
 // do without it.
 import {
-  AmbientLight, BackSide, Box3, BufferGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
+  AmbientLight, BackSide, Box3, BufferGeometry, CanvasTexture, Color, DirectionalLight, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
   LineSegments, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial, Object3D, PerspectiveCamera, Plane, Points, PointsMaterial, Raycaster, Scene,
   Side, Vector2, Vector3, WebGLRenderer,
 } from "three";
@@ -14,7 +14,7 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { AnyDrawing, Atom, Corner, Place, SpaceDrawing, Summary } from "./engine";
-import { shortDecimals, shown } from "./picture";
+import { roundLength, shortDecimals, shown } from "./picture";
 import type { Picture, Pose } from "./picture";
 
 const kAxes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
@@ -30,6 +30,20 @@ function surface(vertices: Corner[], faces: number[][]): BufferGeometry {
   made.setAttribute("position", new Float32BufferAttribute(at, 3));
   made.computeVertexNormals();
   return made;
+}
+
+let dotMade: CanvasTexture | null = null;
+
+/// A round dot.
+function dot(): CanvasTexture {
+  if (dotMade) return dotMade;
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 32;
+  const context = canvas.getContext("2d")!;
+  context.fillStyle = "#fff";
+  context.arc(16, 16, 15, 0, 7);
+  context.fill();
+  return (dotMade = new CanvasTexture(canvas));
 }
 
 const ofSheets = (sheets: Corner[][]): BufferGeometry => {
@@ -66,7 +80,7 @@ export class SpaceStage implements Picture {
   onDragged: () => void = () => {};
   onPick: (at: Place) => void = () => {};
 
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly unitName: string) {
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly bar: HTMLElement, private readonly unitName: string) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
@@ -107,12 +121,20 @@ export class SpaceStage implements Picture {
     const length = 70 * this.unit;
     for (const handle of this.handles) handle.parent!.scale.setScalar(length);
     this.renderer.render(this.scene, this.camera);
+    this.drawBar();
     const { clientWidth: w, clientHeight: h } = this.canvas;
     for (const { e, at } of this.labels) {
       const p = at.clone().project(this.camera);
       e.style.transform = `translate(${((p.x + 1) * w) / 2}px, ${((1 - p.y) * h) / 2}px) translate(-50%, -130%)`;
       e.style.visibility = p.z < 1 ? "" : "hidden";
     }
+  }
+
+  /// As long as it is at the middle of the scene.
+  private drawBar(): void {
+    const length = roundLength(140 * this.unit);
+    this.bar.style.width = `${length / this.unit}px`;
+    this.bar.firstElementChild!.textContent = `${shown(length)} ${this.unitName}`;
   }
 
   private material<T extends Material>(made: T): T {
@@ -143,7 +165,7 @@ export class SpaceStage implements Picture {
     if (d.points.length) {
       const geometry = new BufferGeometry();
       geometry.setAttribute("position", new Float32BufferAttribute(d.points.flat(), 3));
-      into.add(new Points(geometry, this.material(new PointsMaterial({ color: edge, size: 11, sizeAttenuation: false }))));
+      into.add(new Points(geometry, this.material(new PointsMaterial({ color: edge, size: 11, sizeAttenuation: false, map: dot(), alphaTest: 0.5, transparent: true }))));
     }
   }
 
@@ -172,6 +194,7 @@ export class SpaceStage implements Picture {
     }
     this.addHandles(boxes);
     this.showRegions();
+    this.drawMarks();
     this.place(this.at);
   }
 
@@ -236,12 +259,19 @@ export class SpaceStage implements Picture {
 
   setAtoms(good: boolean, atoms: Atom[]): void {
     this.atoms = atoms;
-    if (good !== this.good) {
-      this.good = good;
-      this.build();
-    }
-    this.drawMarks();
+    const turned = good !== this.good;
+    this.good = good;
+    if (turned) this.build();
+    else this.drawMarks();
     this.draw();
+  }
+
+  private addLabel(text: string, at: Vector3, style = ""): void {
+    const e = document.createElement("span");
+    e.textContent = text;
+    e.className = style;
+    this.overlay.append(e);
+    this.labels.push({ e, at });
   }
 
   private drawMarks(): void {
@@ -255,11 +285,12 @@ export class SpaceStage implements Picture {
       lines.setPositions([...p, ...q]);
       this.marks.add(new LineSegments2(lines, new LineMaterial({ color: colour(a.true ? "--ink" : "--bad"), linewidth: 2, depthTest: false })));
       if (typeof a.value !== "number" || a.value === 0) continue;
-      const e = document.createElement("span");
-      e.textContent = `${shown(a.value)} ${this.unitName}`.trim();
-      if (!a.true) e.className = "no";
-      this.overlay.append(e);
-      this.labels.push({ e, at: new Vector3(p[0]! + q[0]!, p[1]! + q[1]!, p[2]! + q[2]!).divideScalar(2) });
+      this.addLabel(`${shown(a.value)} ${this.unitName}`.trim(), new Vector3(p[0]! + q[0]!, p[1]! + q[1]!, p[2]! + q[2]!).divideScalar(2), a.true ? "" : "no");
+    }
+    for (const s of this.summary?.shapes ?? []) {
+      if (!s.drawing || s.moving || this.hidden.has(s.name)) continue;
+      const box = new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat());
+      this.addLabel(s.name, new Vector3((box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z), "name");
     }
   }
 

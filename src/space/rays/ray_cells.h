@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "space/rays/ray_map.h"
 
 namespace findspace::space {
