@@ -25,7 +25,7 @@ using plane::PieceBox;
 
 namespace {
 
-constexpr std::size_t kFewForms = 16;
+constexpr std::size_t kFewForms = 16, kMostMapBoxes = 2000;
 constexpr Mark kOpen = 2, kNothing = 3;  // not known; not in the box
 
 /// A function nx * x + ny * y + c of positions relative to a box's middle.
@@ -54,20 +54,28 @@ class SumMap {
  public:
   SumMap(const DistanceSum& f, const Real& level, double width) : f_(f), level_(level), width_(width) {}
 
-  /// Marks: the sign, kOpen, or outside of the box kNothing.
-  CellComplex solve(const PieceBox& b) const {
-    const RealPoint middle{Real::from_double((b.x0 + b.x1) / 2), Real::from_double((b.y0 + b.y1) / 2)};
-    const double radius = std::hypot(b.x1 - b.x0, b.y1 - b.y0) / 2 * margin::kUpward;
-    const ValueRange range = f_.range(middle, radius);
-    const double level = near_value(level_), off = (std::abs(level) + 1) * margin::kMaxMinNoise;
-    if (range.low > level + off) return whole(b, 1);
-    if (range.high < level - off) return whole(b, -1);
-    if (const auto forms = f_.forms(middle, radius, kFewForms)) {
-      if (auto exact = exactly(*forms, b)) return *std::move(exact);
-      if (auto strip = certain(*forms, b, level, f_.noise(middle, radius))) return *std::move(strip);
+  /// Marks: the sign, kOpen, or outside of the window kNothing. All boxes of a size are looked at before smaller ones,
+  /// so that what has to stay open, where there are too many, is spread along the curve.
+  CellComplex run(const PieceBox& window) {
+    std::vector<Part> level{{window}};
+    std::size_t count = 1;
+    while (!level.empty()) {
+      plane::parallel_for(level.size(), [&](std::size_t k) { level[k].signs = solved(level[k].box, false); });
+      std::vector<PieceBox> smaller;
+      for (const Part& part : level)
+        if (!part.signs)
+          for (const PieceBox& b : quarters(part.box)) smaller.push_back(b);
+      count += smaller.size();
+      if (count > kMostMapBoxes)
+        plane::parallel_for(level.size(), [&](std::size_t k) {
+          if (!level[k].signs) level[k].signs = solved(level[k].box, true);
+        });
+      for (Part& part : level) parts_.push_back(std::move(part));
+      level.clear();
+      if (count <= kMostMapBoxes)
+        for (const PieceBox& b : smaller) level.push_back({b});
     }
-    if (b.x1 - b.x0 <= 1 && b.y1 - b.y0 <= 1) return whole(b, kOpen);
-    return of_parts(b);
+    return joined();
   }
 
  private:
@@ -107,8 +115,8 @@ class SumMap {
   }
 
   /// Half planes on which the sign is certain, if the strip between them is narrow.
-  std::optional<CellComplex> certain(const DistanceSum::Forms& forms, const PieceBox& b, double level,
-                                     double noise) const {
+  std::optional<CellComplex> certain(const DistanceSum::Forms& forms, const PieceBox& b, double level, double noise,
+                                     bool last) const {
     double widest = 0;
     std::vector<Plane> above, below;
     for (const DistanceSum::Form& form : forms.all) {
@@ -122,7 +130,7 @@ class SumMap {
     const PieceBox at{b.x0 - (b.x0 + b.x1) / 2, b.y0 - (b.y0 + b.y1) / 2, b.x1 - (b.x0 + b.x1) / 2,
                       b.y1 - (b.y0 + b.y1) / 2};
     std::vector<Corner> plus{{at.x0, at.y0}, {at.x1, at.y0}, {at.x1, at.y1}, {at.x0, at.y1}}, minus = plus;
-    if (widest > width_ && std::max(b.x1 - b.x0, b.y1 - b.y0) > width_) return std::nullopt;
+    if (widest > width_ && !last) return std::nullopt;
     for (const Plane& p : above) plus = clipped(plus, p);
     for (const Plane& p : below) minus = clipped(minus, p);
     const CellComplex box = filled_box(b), high = on_grid(plus, b), low = on_grid(minus, b);
@@ -146,27 +154,62 @@ class SumMap {
     return plane::region_of_rings({&ring, 1});
   }
 
-  CellComplex of_parts(const PieceBox& b) const {
+  static std::vector<PieceBox> quarters(const PieceBox& b) {
     const double x = std::floor((b.x0 + b.x1) / 2), y = std::floor((b.y0 + b.y1) / 2);
-    std::vector<PieceBox> boxes;
+    std::vector<PieceBox> out;
     for (const auto& [x0, x1] : {std::pair{b.x0, x}, {x, b.x1}})
       for (const auto& [y0, y1] : {std::pair{b.y0, y}, {y, b.y1}})
-        if (x0 < x1 && y0 < y1) boxes.push_back({x0, y0, x1, y1});
-    std::vector<CellComplex> parts(boxes.size());
-    plane::parallel_for(boxes.size(), [&](std::size_t k) { parts[k] = solve(boxes[k]); });
-    std::vector<const CellComplex*> operands;
-    for (const CellComplex& p : parts) operands.push_back(&p);
-    return plane::overlay(operands, [](std::span<const Mark> marks) {
-      Mark out = kNothing;
-      for (const Mark m : marks)
-        if (m < kOpen || out == kNothing) out = m == kNothing ? out : m;
-      return out;
-    });
+        if (x0 < x1 && y0 < y1) out.push_back({x0, y0, x1, y1});
+    return out;
   }
+
+  /// The box's signs, if it need not be halved; `last`: it is not halved any more.
+  std::optional<CellComplex> solved(const PieceBox& b, bool last) const {
+    const RealPoint middle{Real::from_double((b.x0 + b.x1) / 2), Real::from_double((b.y0 + b.y1) / 2)};
+    const double radius = std::hypot(b.x1 - b.x0, b.y1 - b.y0) / 2 * margin::kUpward;
+    const ValueRange range = f_.range(middle, radius);
+    const double level = near_value(level_), off = (std::abs(level) + 1) * margin::kMaxMinNoise;
+    if (range.low > level + off) return whole(b, 1);
+    if (range.high < level - off) return whole(b, -1);
+    last = last || std::max(b.x1 - b.x0, b.y1 - b.y0) <= width_;
+    if (const auto forms = f_.forms(middle, radius, kFewForms)) {
+      if (auto exact = exactly(*forms, b)) return exact;
+      if (auto strip = certain(*forms, b, level, f_.noise(middle, radius), last)) return strip;
+    }
+    return last ? std::optional(whole(b, kOpen)) : std::nullopt;
+  }
+
+  /// A part with its quarters; these follow level by level, in order.
+  CellComplex joined() {
+    std::size_t next = 1;
+    std::vector<std::vector<std::size_t>> of(parts_.size());
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      if (parts_[k].signs) continue;
+      for (std::size_t q = quarters(parts_[k].box).size(); q > 0; --q) of[k].push_back(next++);
+    }
+    for (std::size_t k = parts_.size(); k-- > 0;) {
+      if (of[k].empty()) continue;
+      std::vector<const CellComplex*> operands;
+      for (const std::size_t q : of[k]) operands.push_back(&*parts_[q].signs);
+      parts_[k].signs = plane::overlay(operands, [](std::span<const Mark> marks) {
+        Mark out = kNothing;
+        for (const Mark m : marks)
+          if (m < kOpen || out == kNothing) out = m == kNothing ? out : m;
+        return out;
+      });
+    }
+    return *std::move(parts_.front().signs);
+  }
+
+  struct Part {
+    PieceBox box;
+    std::optional<CellComplex> signs{};  // nothing: it is quartered
+  };
 
   const DistanceSum& f_;
   const Real& level_;
   double width_;
+  std::vector<Part> parts_{};
 };
 
 }  // namespace
@@ -177,7 +220,7 @@ SumSigns sum_map(const DistanceSum& f, const Real& level, const PieceBox& window
     const CellComplex all = CellComplex::uniform(Mark(*infinite));
     return {all, all};
   }
-  const CellComplex signs = SumMap(f, level, width).solve(window);
+  const CellComplex signs = SumMap(f, level, width).run(window);
   return {plane::remark(signs, [](Mark m) { return m >= kOpen ? Mark(-1) : m; }),
           plane::remark(signs, [](Mark m) { return m >= kOpen ? Mark(1) : m; })};
 }
