@@ -29,7 +29,8 @@ using planning::Problem;
 struct Answer {
   io::PlacementResult result;
   planning::Poses poses;
-  bool complete = true;  // every body has a position
+  bool complete = true;       // every body has a position
+  std::size_t shortened = 0;  // positions on the grid, as exact ones have too long numbers
 };
 
 /// Whether a body may turn: then results say its angle.
@@ -70,6 +71,7 @@ Answer sequential(const planning::Relations& relations, const planning::Limit& l
     planning::Step& step = found.steps[b];
     io::PlacedResult& last = answer.result.placed.back();
     last.attained = step.chosen.attained;
+    answer.shortened += step.chosen.shortened;
     if (!last.attained) {
       last.infimum = step.chosen.values;
       answer.result.attained = false;
@@ -178,6 +180,12 @@ Outcome run_place(const Options& given, Reporter& reporter) {
   const bool one_by_one = session.scene().place.method == io::Placement::Method::kSequential;
   Answer answer = one_by_one ? sequential(relations, limit) : simultaneous(relations, limit);
   if (board) count_as_seen(answer);
+  if (answer.shortened > 0) {
+    reporter.note(
+        fmt::format("{} position{} put on the grid, a few steps at most from the best one, whose exact numbers "
+                    "are too long; say \"grid\" to have all of them there",
+                    answer.shortened, answer.shortened == 1 ? " was" : "s were"));
+  }
   const auto json = [&] { return io::placement_json(answer.result, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, problem, answer); };
   reporter.stage("writing");
