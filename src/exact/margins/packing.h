@@ -2,13 +2,15 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The margins of searches in doubles whose results are proved exactly afterwards (src/packing). All but the last are
-// relative to the height of the strip. They search: too large or too small, they cost density or time, never a proof.
+// relative to the size of the strip. They search: too large or too small, they cost density or time, never a proof.
 #pragma once
 
 namespace findspace::margin {
 
 /// A shallower overlap counts as none; a linear program moves the parts out of it before the proof.
 inline constexpr double kNoOverlap = 1e-9;
+/// Boxes in single precision are this much larger on each side: four roundings of 2^-24 of the longer side.
+inline constexpr double kBoxRounding = 0x1p-22;
 /// What a linear program may leave of a violated row.
 inline constexpr double kProgramTolerance = 1e-9;
 /// The grid on which finished layouts stand is no coarser than this.
