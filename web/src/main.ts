@@ -76,7 +76,7 @@ const showTurns = (): void => void turns().catch(() => poses.showIntervals([], p
 /// The set of one condition alone, or of none.
 async function pick(text: string): Promise<void> {
   picked = text;
-  picture.setRegion(text ? (await call<RegionMap>("map", { drawing: true, where: text, ...poseOf(false) })).drawing : null, true);
+  picture.setRegion(text ? (await call<RegionMap>("map", { brief: true, where: text, ...poseOf(false) })).drawing : null, true);
   await check(picture.at, 0);
 }
 
@@ -92,7 +92,7 @@ const explain = latest(async () => {
 
 async function solve(): Promise<void> {
   if (!summary.moving.length) return;
-  map = await call<RegionMap>("map", { drawing: true, ...(operation ? { apply: operation } : {}), ...poseOf(false) });
+  map = await call<RegionMap>("map", { brief: true, ...(operation ? { apply: operation } : {}), ...poseOf(false) });
   await showMap(map);
 }
 
@@ -292,7 +292,7 @@ async function showLoaded(loaded: Summary): Promise<void> {
   showScene();
   views();
   if (moving) {
-    map = alone?.map ?? (await call<RegionMap>("map", { drawing: true }));
+    map = alone?.map ?? (await call<RegionMap>("map", { brief: true }));
     picture.place(alone?.at ?? firstPlace());
     if (alone) picture.setRegion(map.drawing);
     else await showMap(map);
@@ -343,7 +343,7 @@ function connectAlone(): void {
 /// In the region, if it has a point that says so; else where the part is drawn.
 function firstPlace(): Place {
   if (summary.free === "angle" || summary.free === "time") return [0, 0];
-  return map?.isolated?.[0] ?? map?.components?.[0]?.sample ?? Array<number>(summary.dimension).fill(0);
+  return map?.sample ?? map?.isolated?.[0] ?? map?.components?.[0]?.sample ?? Array<number>(summary.dimension).fill(0);
 }
 
 async function choosePicture(loaded: Summary): Promise<void> {
