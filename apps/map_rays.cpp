@@ -10,7 +10,6 @@
 #include <memory>
 #include <utility>
 
-#include "exact/number/margins.h"
 #include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
 #include "formula/solid/solve_rays.h"
@@ -18,7 +17,9 @@
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json_rays.h"
 #include "ray_optimum.h"
+#include "row_team.h"
 #include "space/rays/ray_axes.h"
+#include "space/rays/ray_cells.h"
 #include "space/rays/ray_sources.h"
 #include "space/shape/shape_rays.h"
 #include "space_commands.h"
@@ -144,11 +145,7 @@ formula::RayWorld ray_world(const Session& session) {
   return world;
 }
 
-exact::Real cell_radius(const RaySet& set) {
-  const space::RayGrid grid = set.lines.grid(set.low, set.high);
-  const double half = std::hypot(static_cast<double>(grid.du), static_cast<double>(grid.dv)) / 2;
-  return exact::Real::from_double(half * margin::kUpward) / exact::Real(grid.parts);
-}
+exact::Real cell_radius(const RaySet& set) { return space::cell_radius(set.lines.grid(set.low, set.high)); }
 
 void take_side(const Session& session, RaySet& set) {
   const std::string& side = session.options().side;
@@ -204,11 +201,27 @@ struct RaysShown {
   }
 };
 
+/// The set with rows that all processes of the team make.
+RaySet shared_by(RowTeam& team, const RaySet& set) {
+  RaySet out = set;
+  out.source = [&team, source = set.source](const space::RayGrid& grid) {
+    formula::RegionOnLines region = source(grid);
+    region.rays = team.shared(std::move(region.rays));
+    return region;
+  };
+  return out;
+}
+
 }  // namespace
 
-Outcome rays_outcome(const Session& session, const RaySet& set) {
+Outcome rays_outcome(const Session& session, const RaySet& asked) {
   const Options& options = session.options();
-  check_ray_outputs(options, set);
+  check_ray_outputs(options, asked);
+  if (options.team != nullptr && !options.team->leads()) {
+    options.team->serve(asked.source);
+    return {};
+  }
+  const RaySet set = options.team == nullptr ? asked : shared_by(*options.team, asked);
   const double step = session.step().to_double();
   session.reporter().stage("casting rays");
   const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),

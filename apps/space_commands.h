@@ -44,7 +44,5 @@ Outcome place_space(const Session& session, const planning::Limit& limit);
 
 /// The boundary of a shape that one surface of flat faces bounds; throws Error(kUnsupported) for others.
 io::Surface boundary_of(const Session& session, const plane::Shape& shape);
-/// The same of a boundary that is known; of boxes without sheets, lines and points.
-io::Surface surface_of(const formula::ShapeBoundary& boundary, const exact::Real& step);
 
 }  // namespace findspace::app

@@ -138,7 +138,7 @@ std::string JsonRpc::answer(const JsonValue& request) {
 std::string JsonRpc::answer(std::string_view text) {
   JsonValue request;
   try {
-    plane::Work work;
+    plane::WorkBudget work;
     request = io::parse_json(text, "request", work);
   } catch (const Error& e) {
     return error_text("null", RequestError::kParse, e.what());

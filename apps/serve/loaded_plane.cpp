@@ -101,7 +101,7 @@ std::shared_ptr<const RegionAnswers> LoadedPlane::solved(const formula::Solver& 
   const bool line = scene().free.kind == Kind::kLine;
   const auto kept = [&](plane::Region region) { return line ? on_line(region, scene().free) : std::move(region); };
   const Real& step = solver.world().step;
-  if (!solver.rotations_in(formula))
+  if (!solver.known_between_bounds(formula))
     return std::make_shared<const RegionAnswers>(kept(formula::feasible_near(solver, formula)), std::nullopt, step);
   formula::RegionBounds bounds = solver.feasible_bounds(formula);
   return std::make_shared<const RegionAnswers>(kept(std::move(bounds.inner)), kept(std::move(bounds.outer)), step);

@@ -39,7 +39,7 @@ std::string LoadedSpace::drawing_of(const std::string& name) const {
   return with_session([&](const Session& session) {
     SpaceDrawing out;
     if (const auto boundary = formula::shape_boundary(shape))
-      out.solid = surface_of(*boundary, session.step());
+      out.solid = io::surface_of(*boundary, session.step());
     else
       out.solid = shape_on_lines(session, shape, kShapeLines);
     return out.json();
@@ -78,7 +78,7 @@ SpaceWindow LoadedSpace::window() const {
     with_session([&](const Session& session) {
       for (const plane::ShapePtr& shape : scene().shapes) {
         const auto boundary = formula::shape_boundary(*shape);
-        if (boundary) all.include(surface_of(*boundary, session.step()));
+        if (boundary) all.include(io::surface_of(*boundary, session.step()));
       }
     });
     window_ = all.wider();

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 #include "findspace/error.h"
 #include "io/write/json_text.h"
 #include "packing/compaction/finish.h"
@@ -49,8 +49,9 @@ std::optional<packing::Layout> separated(const packing::Problem& problem, const 
     const packing::Arrangement strip(table, poses, length * longer);
     for (packing::Pose& pose : poses) pose.at = strip.inside(pose.variant, pose.at);
     packing::LinearMoves moves(table);
-    if (!moves.separate(poses, length * longer)) continue;
-    if (auto made = packing::finished(problem, table, poses, moves.shorten(poses, length * longer))) return made;
+    double reached = length * longer;
+    if (!moves.separate(poses, reached, length * longer)) continue;
+    if (auto made = packing::finished(problem, table, poses, moves.shorten(poses, reached))) return made;
   }
   return std::nullopt;
 }

@@ -19,7 +19,7 @@ namespace {
 /// Whether a file is a packing problem: it lists items, and no shapes.
 bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
   if (path.extension() != ".json") return false;
-  plane::Work work;
+  plane::WorkBudget work;
   const io::JsonValue file = io::parse_json(io::read_text(path, most), path.string(), work);
   return file.find("items") != nullptr && file.find("shapes") == nullptr;
 }
