@@ -10,6 +10,7 @@
 //   values.h    what is said about one position
 //   options.h   limits of questions, progress, cancellation
 //   region.h    the answers: exact point sets
+//   packing.h   many parts on a strip or on sheets
 //   space_region.h, phi.h   exact sets of space; Phi-functions with gradients
 //   error.h     what is thrown for bad input
 #pragma once
@@ -19,6 +20,7 @@
 #include "findspace/formula.h"
 #include "findspace/number.h"
 #include "findspace/options.h"
+#include "findspace/packing.h"
 #include "findspace/phi.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"

@@ -10,15 +10,17 @@
 (True, False)
 """
 from ._findspace import (AtomValue, Check, Component, Distance, DistanceValue, Edge, Error, Formula, Interval,
-                         Optimum, Phi, PhiValue, Query, Region, Ring, Shape, SpaceRegion, Stopped, World, clear,
+                         LeftOutPart, Optimum, PackLayout, PackPart, PackProblem, PackSheet, PackZone, Phi,
+                         PhiValue, PlacedPart, Query, Region, Ring, Shape, SpaceRegion, Stopped, World, clear,
                          cover, covers, depth, diameter, disjoint, distance, gap, hausdorff, inside, margin, overlaps,
-                         protrusion, reach, touches, within)
+                         pack, protrusion, reach, touches, within)
 from . import _plot, _shapely
 
 __all__ = ["AtomValue", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Formula", "Interval",
-           "Optimum", "Phi", "PhiValue", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped", "World",
+           "LeftOutPart", "Optimum", "PackLayout", "PackPart", "PackProblem", "PackSheet", "PackZone", "Phi", "PhiValue",
+           "PlacedPart", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped", "World",
            "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "gap", "hausdorff", "inside",
-           "margin", "overlaps", "protrusion", "reach", "shape", "touches", "within"]
+           "margin", "overlaps", "pack", "protrusion", "reach", "shape", "touches", "within"]
 
 shape = _shapely.shape
 Region.plot = _plot.plot_region
