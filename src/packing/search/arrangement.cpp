@@ -10,7 +10,7 @@
 #include <cstring>
 #include <limits>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {

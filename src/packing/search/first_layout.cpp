@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {
