@@ -119,7 +119,7 @@ def check_streets(root):
         text = read(root, readme) if os.path.exists(os.path.join(root, readme)) else ""
         if not text or len(text.splitlines()) > MOST_LINES:
             yield readme, 1, f"a layer has a README of at most {MOST_LINES} lines that says what each street holds"
-        named = re.findall(r"^\* `(\w+)/`", text, re.M)
+        named = re.findall(r"(?:^\* |\. )`(\w+)/`", text, re.M)  # a line may name two
         if sorted(named) != sorted(order + list(circle)):
             yield readme, 1, f"names the streets {named}, and there are {order}"
         below = {street: number for number, street in enumerate(named)}
