@@ -293,6 +293,61 @@ def check_interrupt(program, folder):
         fail(5, "; ".join(wrong))
 
 
+SQUARE = {"type": "simple_polygon", "data": [[0, 0], [2, 0], [2, 2], [0, 2]]}
+PLATE = {"id": "plate", "width": 4, "height": 4}
+
+
+def item(**changes):
+    return {"id": "a", "demand": 1, "shape": SQUARE, **changes}
+
+
+def on_plate(**changes):
+    return {"items": [item()], "sheets": [{**PLATE, **changes}]}
+
+
+CROSSED = {"type": "simple_polygon", "data": [[0, 0], [2, 2], [2, 0], [0, 2]]}
+AWAY = {"type": "simple_polygon", "data": [[1, 0], [4, 0], [4, 4], [1, 4]]}
+REFUSALS = [  # problem, exit status, words of the message or the answer
+    ({"items": [], "strip_height": 4}, 0, "no parts to pack"),
+    ({"items": [item(demand=0)], "strip_height": 4}, 0, "no parts to pack"),
+    ({"items": [item()], "sheets": [{"id": "small", "width": 1, "height": 9}]}, 1, "no part fits a sheet"),
+    ({"items": [item()]}, 3, "'strip_height' is missing"),
+    ({"findspace": 1, "shapes": {}}, 3, "this is a scene"),
+    ({"strip_height": 4}, 3, "'items' is missing"),
+    ({"items": [item()], "strip_height": 1}, 3, "higher than the strip"),
+    ({"items": [item()], "strip_height": 0}, 3, "no height"),
+    ({"items": [item(demand=-1)], "strip_height": 4}, 3, "whole number"),
+    ({"items": [item(demand=1.5)], "strip_height": 4}, 3, "whole number"),
+    ({"items": [item(value=-1)], "strip_height": 4}, 3, "a value below 0"),
+    ({"items": [item(mirrored=1)], "strip_height": 4}, 3, "true or false"),
+    ({"items": [item(shape=CROSSED)], "strip_height": 4}, 3, "meets itself"),
+    ({"items": [item(shape={"type": "circle", "data": []})], "strip_height": 4}, 3, "a simple_polygon or a polygon"),
+    (on_plate(width=-4), 3, "above 0"),
+    (on_plate(shape=AWAY), 3, "begins at (0, 0)"),
+    (on_plate(zones=[{"shape": SQUARE}]), 3, "'keeps_out' or 'only'"),
+    (on_plate(zones=[{"shape": SQUARE, "only": ["b"]}]), 3, "no part 'b'"),
+    (on_plate(zones=[{"shape": {"type": "simple_polygon", "data": [[0, 0], [9, 0], [0, 9]]}, "only": []}]), 3, "beyond its sheet"),
+    ({"items": [item()], "sheets": [{**PLATE, "cost": 1}, {**PLATE, "id": "other"}]}, 3, "some sheets have a cost"),
+    ({"items": [item()], "strip_height": 4, "gaps": [{"between": ["a"], "gap": 1}]}, 3, "between two parts"),
+    ({"items": [item()], "strip_height": 4, "gaps": [{"between": ["a", "a"], "gap": -1}]}, 3, "a gap below 0"),
+]
+
+
+def check_refusals(program, folder):
+    """Wrong and empty problems: the status, the words, and no file where nothing was packed."""
+    path, out = os.path.join(folder, "wrong.json"), os.path.join(folder, "wrong.layout.json")
+    for problem, status, words in REFUSALS:
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(problem, file)
+        done = run(program, "pack", path, "--work", "1", "--threads", "1", "-o", out)
+        if done.returncode != status or words not in done.stdout + done.stderr:
+            fail(0, f"{problem}: status {done.returncode}, {done.stdout}{done.stderr}")
+        if status == 3 and os.path.exists(out):
+            fail(0, f"{problem}: a file was written")
+        if os.path.exists(out):
+            os.remove(out)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("executable")
@@ -300,6 +355,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
+        check_refusals(arguments.executable, folder)
         check_interrupt(arguments.executable, folder)
         for k in range(arguments.count):
             check_instance(arguments.executable, arguments.seed * 100000 + k, folder)
