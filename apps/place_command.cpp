@@ -9,6 +9,7 @@
 #include "findspace/error.h"
 #include "io/board/write_board.h"
 #include "io/text/read_text.h"
+#include "io/write/write_drawing.h"
 #include "io/write/write_json.h"
 #include "io/write/write_placement.h"
 #include "placement_problem.h"
@@ -97,6 +98,40 @@ Answer simultaneous(const planning::Relations& relations, const planning::Limit&
   return answer;
 }
 
+/// Shapes where they are placed, by name.
+struct PlacedRegions {
+  std::vector<plane::Region> regions;
+  std::vector<std::string> names;
+
+  std::vector<io::NamedRegion> named() const {
+    std::vector<io::NamedRegion> all;
+    for (std::size_t k = 0; k < regions.size(); ++k) all.push_back({names[k], &regions[k]});
+    return all;
+  }
+};
+
+PlacedRegions placed_regions(const Problem& problem, const Answer& answer) {
+  PlacedRegions out;
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    if (!answer.poses[b]) continue;
+    const Body& body = problem.bodies[b];
+    for (std::size_t k = 0; k < body.shapes.size(); ++k) {
+      const std::string& variant = body.variants[answer.poses[b]->angle][k];
+      out.regions.push_back(plane::moved(problem.world.shapes.at(variant), answer.poses[b]->at));
+      out.names.push_back(body.shapes[k]);
+    }
+  }
+  return out;
+}
+
+/// The placed shapes as a file to cut, a layer a shape.
+std::string cut_file(const Session& session, const Problem& problem, const Answer& answer) {
+  const PlacedRegions placed = placed_regions(problem, answer);
+  io::DrawingText text = io::shapes_dxf(placed.named(), session.step(), session.scene().unit);
+  if (!text.lost.empty()) session.reporter().note(text.lost);
+  return std::move(text.text);
+}
+
 std::string picture(const Session& session, const Problem& problem, const Answer& answer) {
   io::Picture p;
   p.title = "Placement, " + answer.result.method;
@@ -113,18 +148,8 @@ std::string picture(const Session& session, const Problem& problem, const Answer
     if (!moves && problem.world.shapes.count(s->name) > 0)
       p.fixed.push_back({s->name, &problem.world.shapes.at(s->name)});
   }
-  std::vector<plane::Region> moved;
-  std::vector<std::string> names;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    if (!answer.poses[b]) continue;
-    const Body& body = problem.bodies[b];
-    for (std::size_t k = 0; k < body.shapes.size(); ++k) {
-      const std::string& variant = body.variants[answer.poses[b]->angle][k];
-      moved.push_back(plane::moved(problem.world.shapes.at(variant), answer.poses[b]->at));
-      names.push_back(body.shapes[k]);
-    }
-  }
-  for (std::size_t k = 0; k < moved.size(); ++k) p.placed.push_back({names[k], &moved[k]});
+  const PlacedRegions placed = placed_regions(problem, answer);
+  p.placed = placed.named();
   return io::picture_svg(p);
 }
 
@@ -170,7 +195,7 @@ Outcome run_place(const Options& given, Reporter& reporter) {
   if (session.in_space()) return place_space(session, limit);
   const bool board = session.scene().board != nullptr;
   check_outputs(options, board ? std::vector<std::string>{".svg", ".json", ".kicad_pcb"}
-                               : std::vector<std::string>{".svg", ".json"});
+                               : std::vector<std::string>{".svg", ".dxf", ".json"});
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
   const Problem problem = placement_problem(session);
   reporter.stage("placing");
@@ -180,9 +205,10 @@ Outcome run_place(const Options& given, Reporter& reporter) {
   if (board) count_as_seen(answer);
   const auto json = [&] { return io::placement_json(answer.result, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, problem, answer); };
+  const auto dxf = [&] { return cut_file(session, problem, answer); };
   reporter.stage("writing");
   const auto copy = [&] { return board_text(session, problem, answer); };
-  write_outputs(options, {{".json", json}, {".svg", svg}, {".kicad_pcb", copy}});
+  write_outputs(options, {{".json", json}, {".svg", svg}, {".kicad_pcb", copy}, {".dxf", dxf}});
   const ExitStatus status = answer.complete && (one_by_one ? !answer.result.unproven : true) ? kDone
                             : answer.result.unproven                                         ? kLimit
                                                                                              : kEmpty;
