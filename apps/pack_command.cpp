@@ -47,32 +47,6 @@ class StopOnInterrupt {
   }, terminate_{};
 };
 
-packing::Layout start_layout(const packing::Problem& problem, const Options& options) {
-  const std::filesystem::path& path = *options.start;
-  const std::string text = io::read_text(path, options.input_limit);
-  packing::Layout layout;
-  if (path.extension() == ".svg") {
-    io::ProblemAndLayout read = io::read_sparrow_svg(text, path.string());
-    layout = std::move(read.layout);
-    for (packing::Placed& item : layout.items) {
-      const std::string& name = read.problem.parts[item.part].name;
-      const auto same = [&](const packing::Part& part) { return part.name == name; };
-      const auto found = std::find_if(problem.parts.begin(), problem.parts.end(), same);
-      if (found == problem.parts.end())
-        throw Error(ErrorCode::kBadValue, fmt::format("no part '{}'", name), path.string());
-      item.part = std::size_t(found - problem.parts.begin());
-    }
-  } else {
-    layout = io::read_layout(text, path.string(), problem);
-  }
-  std::vector<int> missing;
-  for (const packing::Part& part : problem.parts) missing.push_back(part.demand);
-  for (const packing::Placed& item : layout.items) --missing[item.part];
-  if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
-    throw Error(ErrorCode::kBadValue, "the layout to start with has other parts than the problem", path.string());
-  return layout;
-}
-
 class Packing {
  public:
   Packing(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
@@ -92,7 +66,7 @@ class Packing {
     facts_.threads = search.threads;
     packing::Layout start;
     if (options_.start) {
-      start = start_layout(problem_, options_);
+      start = start_layout(problem_, *options_.start, options_.input_limit);
       search.start = &start;
     }
     const packing::SearchEvents events{[&](const auto& layout, const auto& state) { keep(layout, state); },
@@ -115,8 +89,8 @@ class Packing {
     facts_.proven = packing::verify(problem_, layout).feasible();
     write(layout);
     if (!options_.quiet)
-      reporter_.note(
-          fmt::format("{:8.2f} s  length {:.6g}  density {:.3f} %", state.seconds, state.length, 100 * state.density));
+      reporter_.note(fmt::format("{:8.2f} s  processor {:8.2f} s  length {:.6g}  density {:.3f} %", state.seconds,
+                                 state.processor, state.length, 100 * state.density));
   }
 
   void show(const packing::SearchState& state) {

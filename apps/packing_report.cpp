@@ -7,6 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+
+#include "findspace/error.h"
+#include "io/text/read_text.h"
 
 namespace findspace::app {
 namespace {
@@ -47,6 +51,31 @@ const char* kind_name(Fault::Kind kind) {
 }
 
 }  // namespace
+
+packing::Layout start_layout(const packing::Problem& problem, const std::filesystem::path& path, std::uint64_t most) {
+  const std::string text = io::read_text(path, most);
+  packing::Layout layout;
+  if (path.extension() == ".svg") {
+    io::ProblemAndLayout read = io::read_sparrow_svg(text, path.string());
+    layout = std::move(read.layout);
+    for (packing::Placed& item : layout.items) {
+      const std::string& name = read.problem.parts[item.part].name;
+      const auto same = [&](const packing::Part& part) { return part.name == name; };
+      const auto found = std::find_if(problem.parts.begin(), problem.parts.end(), same);
+      if (found == problem.parts.end())
+        throw Error(ErrorCode::kBadValue, fmt::format("no part '{}'", name), path.string());
+      item.part = std::size_t(found - problem.parts.begin());
+    }
+  } else {
+    layout = io::read_layout(text, path.string(), problem);
+  }
+  std::vector<int> missing;
+  for (const packing::Part& part : problem.parts) missing.push_back(part.demand);
+  for (const packing::Placed& item : layout.items) --missing[item.part];
+  if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
+    throw Error(ErrorCode::kBadValue, "the layout to start with has other parts than the problem", path.string());
+  return layout;
+}
 
 io::NestingWishes nesting_wishes(const Options& options) {
   const auto height = options.height ? std::optional(packing::Fraction::parse(*options.height)) : std::nullopt;
