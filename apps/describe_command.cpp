@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "commands.h"
+#include "io/export/write_drawing.h"
+#include "io/export/write_wkt.h"
 #include "io/write/write_constructive.h"
-#include "io/write/write_drawing.h"
 #include "io/write/write_json.h"
-#include "io/write/write_wkt.h"
 #include "line_choice.h"
 #include "plane/query/in_order.h"
 #include "report.h"

@@ -4,8 +4,9 @@
 // Drawings with curves beyond arcs: areas against closed forms, the side of the arcs, and the ways to draw the same.
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <cmath>
 #include <numbers>
+#include <string>
 
 #include "findspace/error.h"
 #include "io/read/read_file.h"
@@ -212,6 +213,37 @@ TEST(ReadCurves, MirroredInALine) {
   EXPECT_NEAR(scene_area(R"({"mirror": 30, "about": [2, 7], "of": )" + part + "}"), scene_area(part), 1e-4);
   EXPECT_NEAR(scene_area(R"({"point_reflection": )" + part + "}"), scene_area(part), 1e-9);
   EXPECT_THROW(scene_area(R"({"mirror": 30})"), Error);
+}
+
+/// A wheel of short segments with a square hole, and the name of its shape.
+std::string wheel() {
+  std::string ring;
+  for (int k = 0; k < 400; ++k) {
+    const double r = 30 + 2 * std::cos(k * pi / 40), angle = k * pi / 200;
+    ring +=
+        (k > 0 ? ", [" : "[") + std::to_string(r * std::cos(angle)) + ", " + std::to_string(r * std::sin(angle)) + "]";
+  }
+  return R"({"polygon": [)" + ring + R"(], "holes": [[[-5, -5], [5, -5], [5, 5], [-5, 5]]]})";
+}
+
+TEST(ReadCurves, SimplifiesOnASide) {
+  const double exact_area = scene_area(wheel());
+  auto simple = [](const char* side) {
+    return R"({"simplify": "0.05mm", "curves": ")" + std::string(side) + R"(", "of": )" + wheel() + "}";
+  };
+  EXPECT_NEAR(scene_area(simple("near")), exact_area, 0.05 * 260);
+  EXPECT_GE(scene_area(simple("outside")), exact_area);
+  EXPECT_LE(scene_area(simple("outside")), exact_area + 0.05 * 260);
+  EXPECT_LE(scene_area(simple("inside")), exact_area);
+  EXPECT_GE(scene_area(simple("inside")), exact_area - 0.05 * 260);
+  const Scene scene =
+      read_scene_text(R"({"findspace": 1, "unit": "mm", "shapes": {"a": )" + simple("near") + "}}", ".", "s");
+  const auto& contours = scene.shapes.at(0)->contours;
+  ASSERT_EQ(contours.size(), 2u);
+  EXPECT_LT(contours[0].size(), 80u);
+  EXPECT_EQ(contours[1].size(), 4u);  // corners stay
+  EXPECT_THROW(scene_area(R"({"simplify": 0.1, "of": {"hull": )" + wheel() + "}}"), Error);
+  EXPECT_THROW(scene_area(R"({"simplify": [], "of": )" + wheel() + "}"), Error);
 }
 
 TEST(ReadCurves, TheUsualGridSuitsLargeNumbers) {

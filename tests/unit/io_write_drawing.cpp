@@ -7,8 +7,8 @@
 #include <random>
 
 #include "findspace/error.h"
+#include "io/export/write_drawing.h"
 #include "io/read/read_file.h"
-#include "io/write/write_drawing.h"
 #include "plane/build/build.h"
 #include "plane_topology_sets.h"
 

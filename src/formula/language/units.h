@@ -19,7 +19,7 @@ enum class Unit : std::uint8_t { kMicrometre, kMillimetre, kCentimetre, kMetre, 
 
 inline constexpr std::array<std::string_view, 6> kUnitNames{"um", "mm", "cm", "m", "in", "mil"};
 
-/// The unit that `text` names (um mm cm m in mil; also µm micron meter metre inch inches mils thou), if any.
+/// The unit that `text` names (um mm cm m in mil; µm is um), if any.
 std::optional<Unit> find_unit(std::string_view text);
 
 std::string_view name(Unit unit);

@@ -110,6 +110,7 @@ class SvgReader {
     std::string id = node.attribute("id").value();
     if (!id.empty()) ids_.insert(id);
     inside.id = inside.id || (choice_.id && id == *choice_.id);
+    context_.work.charge(styles_.rules() / kRulesAUnit, "so many elements and rules of style");
     inside.look = styles_.look(node, inside.look);
     inside.undrawn = (inside.undrawn || inside.look.hidden ||
                       one_of(kind, {"defs", "symbol", "clipPath", "mask", "marker", "pattern"})) &&
@@ -241,6 +242,7 @@ class SvgReader {
   ReadContext& context_;
   static constexpr int kMostUseDepth = 40;
   static constexpr std::uint64_t kUse = 10;  // units of work
+  static constexpr std::size_t kRulesAUnit = 10;
 
   Real scale_;
   SvgStyles styles_{pugi::xml_node()};

@@ -30,6 +30,8 @@ class SvgStyles {
   explicit SvgStyles(const pugi::xml_node& root);
   /// The look of an element in a group that looks like `outer`.
   SvgLook look(const pugi::xml_node& node, const SvgLook& outer) const;
+  /// Rules that are tried for each element.
+  std::size_t rules() const { return rules_.size(); }
 
  private:
   struct Rule {

@@ -19,7 +19,7 @@ using plane::ShapePtr;
 
 std::vector<const ShapeKind*> all_kinds() {
   std::vector<const ShapeKind*> all;
-  for (auto kinds : {primitive_kinds(), curve_kinds(), node_kinds(), space_kinds()}) {
+  for (auto kinds : {primitive_kinds(), curve_kinds(), simplify_kinds(), node_kinds(), space_kinds()}) {
     for (const ShapeKind& kind : kinds) all.push_back(&kind);
   }
   return all;

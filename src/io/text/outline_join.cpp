@@ -185,13 +185,14 @@ std::vector<End> open_ends(const std::vector<Chain>& chains) {
 }
 
 /// All pairs of ends of a width of at most `most`, the narrowest first; ends of one chain too.
-std::vector<Gap> gaps_of(const std::vector<Chain>& chains, double most) {
+std::vector<Gap> gaps_of(const std::vector<Chain>& chains, double most, ReadContext& context) {
   std::vector<std::pair<GridPoint, End>> sorted;
   for (const End& e : open_ends(chains)) sorted.emplace_back(end_place(chains, e), e);
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     for (std::size_t j = i + 1; j < sorted.size(); ++j) {
+      context.work.charge(1, "ends that lie so near to each other");
       if (double(sorted[j].first.x - sorted[i].first.x) > most) break;
       const double width = distance(sorted[i].first, sorted[j].first);
       if (width <= most) gaps.push_back({width, sorted[i].second, sorted[j].second});
@@ -223,11 +224,11 @@ void move_end(Chain& chain, bool back, GridPoint place) {
 }
 
 /// Closes gaps by moving ends, each end once; the widest that was closed, and how many.
-std::pair<Gap, std::size_t> close_gaps(std::vector<Chain>& chains, double most) {
+std::pair<Gap, std::size_t> close_gaps(std::vector<Chain>& chains, double most, ReadContext& context) {
   std::vector<std::array<bool, 2>> done(chains.size(), {false, false});
   Gap widest;
   std::size_t count = 0;
-  for (const Gap& gap : gaps_of(chains, most)) {
+  for (const Gap& gap : gaps_of(chains, most, context)) {
     const auto [width, a, b] = gap;
     const bool short_chain = a.chain == b.chain && chains[a.chain].edges.size() == 2 && chains[a.chain].curves.empty();
     if (done[a.chain][a.back] || done[b.chain][b.back] || short_chain) continue;
@@ -289,7 +290,7 @@ void close_outlines(Drawing& drawing, ReadContext& context, const std::string& n
                                         doubled == 1 ? "1 outline is" : fmt::format("{} outlines are", doubled)));
   if (context.drawing.join > 0) {
     drawing.chains = Joiner(std::move(drawing.chains)).join();
-    const auto [widest, count] = close_gaps(drawing.chains, context.drawing.join);
+    const auto [widest, count] = close_gaps(drawing.chains, context.drawing.join, context);
     if (count > 0)
       context.notes.push_back(
           fmt::format("{}: {} closed, the widest {} at {}", name, count == 1 ? "1 gap" : fmt::format("{} gaps", count),

@@ -9,6 +9,7 @@
 #include "findspace/error.h"
 #include "plane/build/touching_rings.h"
 #include "plane/contour/contour.h"
+#include "plane/contour/nesting_depths.h"
 #include "plane/curve/curve_arcs.h"
 
 namespace findspace::io {

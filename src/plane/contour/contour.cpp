@@ -17,6 +17,7 @@
 #include "plane/base/arena.h"
 #include "plane/contour/contour_boxes.h"
 #include "plane/contour/contour_meet.h"
+#include "plane/contour/nesting_depths.h"
 #include "plane/contour/star_shaped.h"
 
 namespace findspace::plane {

@@ -56,9 +56,6 @@ RingSet make_rings(std::vector<Contour> rings, double step);
 /// Rings in any order, none touching another: even-odd nesting sorts them into outer rings and their holes.
 std::vector<RingSet> nest_rings(std::vector<Contour> rings, double step);
 
-/// How many of the other rings go round each ring. No two of them cross; corners may be common.
-std::vector<std::size_t> nesting_depths(const std::vector<Contour>& rings);
-
 /// An open chain without its repeated points; `repeated` counts them. Throws Error(kGeometry) if fewer than two
 /// points are left. A chain may cross itself: it is a set of points like any other.
 Contour make_chain(Contour chain, std::int64_t& repeated);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "io/write/write_wkt.h"
+#include "io/export/write_wkt.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "findspace/error.h"
-#include "io/write/face_rings.h"
+#include "io/export/face_rings.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/topology.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "io/write/write_drawing.h"
+#include "io/export/write_drawing.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <set>
 
 #include "findspace/error.h"
-#include "io/write/face_rings.h"
+#include "io/export/face_rings.h"
 #include "io/write/write_json.h"
 #include "plane/query/topology.h"
 
