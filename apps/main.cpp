@@ -76,7 +76,7 @@ constexpr VerbEntry kVerbs[] = {
     {"convert", "Answers what a shape or a drawing is in another format.", run_convert},
     {"place", "Answers where several shapes can go together, one after another or all at once.", run_place},
     {"phi", "Answers whether two shapes overlap, touch or lie apart, by their Phi-function.", run_phi_verb},
-    {"pack", "Answers how parts can be packed into a strip that is as short as possible.", run_pack},
+    {"pack", "Answers how parts can be packed into a short strip, or onto few sheets.", run_pack},
     {"verify", "Answers whether a layout is feasible, exactly: overlaps, the strip, angles and counts.", run_verify},
     {"batch", "Answers many questions, a line each, over all cores, machines and restarts.", run_batch},
     {"serve", "Keeps scenes loaded and answers requests of other programs, in JSON-RPC 2.0.", run_serve},
@@ -148,7 +148,7 @@ void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
   add_strip(command, o);
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
   if (!pack) return;
-  command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json or .svg; may be repeated")
+  command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json, .svg or .dxf; may be repeated")
       ->type_name("FILE")
       ->take_all()
       ->expected(1)

@@ -56,6 +56,7 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
 std::vector<std::string> endings_of(std::string_view verb) {
   if (verb == "batch") return {".jsonl"};
   if (verb == "check" || verb == "measure") return {".svg", ".json"};
+  if (verb == "pack") return {".json", ".svg", ".dxf"};
   std::vector<std::string> all{".json"};
   if (verb == "phi") all.emplace_back(".txt");
   if (verb == "map") all.emplace_back(".html");

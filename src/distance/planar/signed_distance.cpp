@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
 
