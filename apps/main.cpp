@@ -33,7 +33,8 @@ namespace findspace::app {
 namespace {
 
 constexpr const char* kAbout = "Where can this part go? The exact set of its positions, from a scene file.";
-constexpr const char *kCommon = "Common", *kPlane = "In the plane", *kSpace = "In space", *kBoard = "On a board";
+constexpr const char *kCommon = "Common", *kPlane = "In the plane", *kSpace = "In space", *kBoard = "On a board",
+                     *kDrawing = "Of drawings";
 constexpr const char* kLimits = "Limits";
 
 /// Help for people: an entry a line, wrapped at 100 columns, without the types of arguments.
@@ -250,6 +251,30 @@ void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
   }
 }
 
+/// How drawings are read, and curves beyond arcs.
+void add_drawings(CLI::App& command, Options& o) {
+  command
+      .add_option_function<std::string>(
+          "--curves", [&o](const std::string& word) { o.drawings.curves = io::parse_curve_rule(word); },
+          "near, inside or outside: where the arcs lie that stand for curves (default near: on either side)")
+      ->type_name("SIDE")
+      ->check(CLI::IsMember({"near", "inside", "outside"}).description(""))
+      ->group(kDrawing);
+  command
+      .add_option("--tolerance", o.drawings.tolerance,
+                  "how far arcs may be from their curves, such as 0.01mm (default: 0.001mm, or 64 grid steps)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
+  command.add_option("--join", o.drawings.join, "close gaps of outlines up to this width (default 0)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
+  command
+      .add_flag_function(
+          "--open-lines", [&o](std::int64_t) { o.drawings.open_lines = true; },
+          "outlines that stay open are lines (default: an error)")
+      ->group(kDrawing);
+}
+
 /// Of drawings, and the form of the result.
 void add_conversions(CLI::App& command, Options& o) {
   command.add_flag("--constructive", o.constructive, "JSON is a scene that makes the shape of simple ones")
@@ -356,6 +381,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
     add_service(command, verb, o);
   else
     add_files(command, verb, o);
+  if (!is(verb, "pack") && !is(verb, "verify")) add_drawings(command, o);
   add_question(command, verb, o);
   add_forms(command, verb, o);
   add_board(command, verb, o);

@@ -62,6 +62,8 @@ std::vector<std::string> endings_of(std::string_view verb) {
   if (verb == "map") all.emplace_back(".html");
   if (verb == "place") all.emplace_back(".kicad_pcb");
   if (verb == "map" || verb == "describe" || verb == "convert") all.emplace_back(".wkt");
+  if (verb == "map" || verb == "convert" || verb == "place") all.emplace_back(".dxf");
+  if (verb == "convert") all.emplace_back(".geojson");
   all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());  // .svg is among them
   return all;
 }

@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "findspace/error.h"
 #include "io/board/write_board.h"
+#include "io/export/write_drawing.h"
 #include "io/text/read_text.h"
 #include "io/write/write_placement.h"
 #include "placement_problem.h"
@@ -38,6 +39,14 @@ Answer answered(const planning::Relations& relations, bool one_by_one, const pla
   }
   const planning::SimultaneousPlacement found = planning::place_simultaneously(relations, limit);
   return {io::placement_result(problem, found), found.witness};
+}
+
+/// The placed shapes as a file to cut, a layer a shape.
+std::string cut_file(const Session& session, const Problem& problem, const Answer& answer) {
+  const io::PlacedRegions placed = io::placed_regions(problem, answer.poses);
+  io::DrawingText text = io::shapes_dxf(placed.named(), session.step(), session.scene().unit);
+  if (!text.lost.empty()) session.reporter().note(text.lost);
+  return std::move(text.text);
 }
 
 std::string picture(const Session& session, const Problem& problem, const Answer& answer) {
@@ -99,7 +108,7 @@ Outcome place_scene(const Session& session, const planning::Limit& limit) {
   Reporter& reporter = session.reporter();
   const bool board = session.scene().board != nullptr;
   check_outputs(options, board ? std::vector<std::string>{".svg", ".json", ".kicad_pcb"}
-                               : std::vector<std::string>{".svg", ".json"});
+                               : std::vector<std::string>{".svg", ".dxf", ".json"});
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
   const Problem problem = placement_problem(session);
   reporter.stage("placing");
@@ -115,9 +124,10 @@ Outcome place_scene(const Session& session, const planning::Limit& limit) {
   }
   const auto json = [&] { return io::placement_json(answer.result, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, problem, answer); };
+  const auto dxf = [&] { return cut_file(session, problem, answer); };
   reporter.stage("writing");
   const auto copy = [&] { return board_text(session, problem, answer); };
-  write_outputs(options, {{".json", json}, {".svg", svg}, {".kicad_pcb", copy}});
+  write_outputs(options, {{".json", json}, {".svg", svg}, {".kicad_pcb", copy}, {".dxf", dxf}});
   const ExitStatus status = answer.result.complete() && (one_by_one ? !answer.result.unproven : true) ? kDone
                             : answer.result.unproven                                                  ? kLimit
                                                                                                       : kEmpty;
