@@ -46,7 +46,9 @@ class PlaceSearch {
     double bound;
     MaxMinBoxes::Part part;
     plane::Index guess;
+    FeatureBox box;
     bool operator<(const Square& o) const { return bound < o.bound; }
+    void draw(plane::ObservedCells& seen) const { seen.add_box({box.x0, box.y0, 0}, {box.x1, box.y1, 0}); }
   };
   bool in_a(Spot at, const FeatureTree::Near& near) const;
   bool in_b(Spot at, const FeatureTree::Near& near) const;
@@ -64,6 +66,13 @@ class PlaceSearch {
   std::optional<plane::Index> look_inside(const Square& e);
   /// Counts a step; true once all are taken.
   bool spent() { return left_ <= 0 || --left_ <= 0; }
+  /// Whether nothing that has no place farther than this is looked into: it is no farther, or all steps are taken.
+  bool settled(double bound) {
+    if (bound <= best_ + slack_) return true;
+    if (!spent()) return false;
+    leave_open(bound);
+    return true;
+  }
   /// Something is not looked into that has no place farther than this.
   void leave_open(double bound) { open_ = std::max(open_, bound); }
   FarthestPlace exact_vertex(const Found& f) const;
