@@ -69,19 +69,25 @@ double TetrahedralMaxMin::bend(const MaxMinCell& cell, std::size_t v, std::size_
   return std::max(most, expected - cell.round->beyond(middle));
 }
 
+/// Across the edge along which the distances bend most, so that cells stay long on flat ridges.
 void TetrahedralMaxMin::split(const MaxMinCell& cell) {
   std::size_t a = 0, b = 1;
-  const double shortest = target_.shortest_share() * longest_edge(cell.corner, a, b);
-  double greatest = best_.near();
-  // So cells stay long on flat ridges.
-  for (std::size_t v = 0; target_.shortest_share() < 1 && v < 4; ++v) {
-    for (std::size_t w = v + 1; w < 4; ++w) {
-      if (space::length(cell.corner[v] - cell.corner[w]) < shortest) continue;
-      const double bent = bend(cell, v, w);
-      if (bent <= greatest) continue;
-      greatest = bent;
-      a = v;
-      b = w;
+  const double longest = longest_edge(cell.corner, a, b);
+  if (target_.shortest_share() < 1) {
+    std::size_t v_bent = a, w_bent = b;
+    double greatest = best_.near();
+    for (std::size_t v = 0; v < 4; ++v) {
+      for (std::size_t w = v + 1; w < 4; ++w) {
+        const double bent = bend(cell, v, w);
+        if (bent <= greatest) continue;
+        greatest = bent;
+        v_bent = v;
+        w_bent = w;
+      }
+    }
+    if (space::length(cell.corner[v_bent] - cell.corner[w_bent]) > target_.shortest_share() * longest) {
+      a = v_bent;
+      b = w_bent;
     }
   }
   for (const Tetrahedron& half : halves(cell.corner, a, b)) add(half, cell.round, cell.bound, cell.sets);

@@ -60,8 +60,8 @@ class MaxMinTarget {
   virtual double distance(int set, const space::Vector& x) const = 0;
   /// How far the corners are beyond a plane that the solid is on one side of.
   virtual std::optional<Column> beyond(const MaxMinCell& cell, const space::Vector& middle) const;
-  /// Across which edges cells are divided: those along which the distances bend most, unless they are shorter than this
-  /// share of the longest; else the longest.
+  /// A cell is divided across the edge along which the distances bend most, if that is longer than this share of the
+  /// longest one; else across the longest.
   virtual double shortest_share() const { return 0; }
 };
 
