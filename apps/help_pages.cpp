@@ -113,12 +113,12 @@ std::string_view sign(Relation relation) {
 /// "clear(B, A, c)" and "gap(B, A) >= c".
 std::string predicate_entry(const PredicateName& row) {
   const std::vector<std::string> negated = names_of(row.kind, false, true);
-  const bool turned = row.negated && !negated.empty();
-  const std::string distance = turned ? negated.front() : names_of(row.kind, false, false).front();
-  const Relation relation = turned ? formula::mirrored(row.relation) : row.relation;
+  const bool mirrored = row.negated && !negated.empty();
+  const std::string distance = mirrored ? negated.front() : names_of(row.kind, false, false).front();
+  const Relation relation = mirrored ? formula::mirrored(row.relation) : row.relation;
   const bool level = row.level != PredicateName::Level::kNone;
   const std::string call = fmt::format("{}(B, A{})", row.name, level ? ", c" : "");
-  const std::string number = !level ? "0" : row.negated && !turned ? "-c" : "c";
+  const std::string number = !level ? "0" : row.negated && !mirrored ? "-c" : "c";
   const std::string_view without = row.level == PredicateName::Level::kOptional ? "; c is 0 where left out" : "";
   return help_entry(call, fmt::format("{}(B, A) {} {}{}", distance, sign(relation), number, without));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The program `findspace`: reads the command line, runs one verb, and rotates whatever happens into an exit status and
+// The program `findspace`: reads the command line, runs one verb, and turns whatever happens into an exit status and
 // a line that says what was wrong. docs/commands.md is its manual.
 
 #include <fmt/format.h>

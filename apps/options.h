@@ -49,7 +49,7 @@ struct Options {
   std::uint64_t memory_limit = 0;  // bytes; 0: none
   bool no_files = false;           // shapes come from the scene alone, or
   std::filesystem::path root;      // from files in this folder
-  std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWork;  // io/text/read_limits.h
+  std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWorkBudget;  // io/text/read_limits.h
   std::optional<std::string> height;           // of pack and verify: of the strip, instead of the file's
   std::string gap = "0", edge = "0";           // of pack and verify: least distances
   std::optional<std::filesystem::path> start;  // of pack: a layout

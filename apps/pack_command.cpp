@@ -116,7 +116,8 @@ class Packing {
     write(layout);
     if (!options_.quiet)
       reporter_.note(
-          fmt::format("{:8.2f} s  length {:.6g}  density {:.3f} %", state.seconds, state.length, 100 * state.density));
+          fmt::format("{:8.2f} s  processor {:8.2f} s  length {:.6g}  density {:.3f} %", state.seconds, state.processor,
+                      state.length, 100 * state.density));
   }
 
   void show(const packing::SearchState& state) {

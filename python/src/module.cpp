@@ -37,8 +37,8 @@ void bind_errors(py::module_& m) {
       made.attr("limit") = e.limit() == Limit::kTime ? "time" : e.limit() == Limit::kMemory ? "memory" : "cancelled";
       PyErr_SetObject(stopped.ptr(), made.ptr());
     } catch (const Error& e) {
-      static const char* const kCodes[] = {"usage",    "syntax",       "unknown name", "bad value",
-                                           "geometry", "out of range", "file",         "unsupported"};
+      static const char* const kCodes[] = {"usage",        "syntax", "unknown name", "bad value", "geometry",
+                                           "out of range", "file",   "unsupported",  "limit"};
       const py::object made = py::reinterpret_borrow<py::object>(error)(e.what());
       made.attr("message") = e.message();
       made.attr("place") = e.place();

@@ -57,10 +57,10 @@ class CutOff : public TDistance {
 
   RealPoint seed() const override { return f_->seed(); }
 
-  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
-    auto out = f_->fronts(p, tolerance);
+  std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
+    auto out = f_->level_curves(p, tolerance);
     if (negated_)
-      for (NearLevelCurve& n : out) n.front = rotated_round(std::move(n.front));
+      for (NearLevelCurve& n : out) n.curve = rotated_round(std::move(n.curve));
     return out;
   }
 
@@ -104,8 +104,8 @@ class Greater : public TDistance {
 
   RealPoint seed() const override { return f_->seed(); }
 
-  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
-    auto out = f_->fronts(p, tolerance), more = g_->fronts(p, tolerance);
+  std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
+    auto out = f_->level_curves(p, tolerance), more = g_->level_curves(p, tolerance);
     out.insert(out.end(), more.begin(), more.end());
     return out;
   }
@@ -138,9 +138,9 @@ class Reflected : public TDistance {
     return {-p.x, -p.y};
   }
 
-  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
-    auto out = f_->fronts({-p.x, -p.y}, tolerance);
-    for (NearLevelCurve& n : out) n.front = n.front.reflected();
+  std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
+    auto out = f_->level_curves({-p.x, -p.y}, tolerance);
+    for (NearLevelCurve& n : out) n.curve = n.curve.reflected();
     return out;
   }
 
@@ -171,9 +171,9 @@ class Displaced : public TDistance {
 
   RealPoint seed() const override { return f_->seed() - by_; }
 
-  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
-    auto out = f_->fronts(p + by_, tolerance);
-    for (NearLevelCurve& n : out) n.front = n.front.moved(by_);
+  std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
+    auto out = f_->level_curves(p + by_, tolerance);
+    for (NearLevelCurve& n : out) n.curve = n.curve.moved(by_);
     return out;
   }
 

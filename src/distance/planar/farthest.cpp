@@ -8,7 +8,7 @@
 
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_features/smallest_circle.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "findspace/error.h"
 #include "plane/build/hull.h"
 #include "plane/complex/overlay.h"
@@ -102,7 +102,7 @@ RealPoint Farthest::seed() const {
                                            : set_.vertices[set_.edges[s.cell.index].v0].point);
 }
 
-std::vector<NearLevelCurve> Farthest::fronts(const RealPoint& p, double tolerance) const {
+std::vector<NearLevelCurve> Farthest::level_curves(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y), most = 0;
   for (const BoundaryFeature& s : features_) most = std::max(most, s.farthest(x, y));
   std::vector<NearLevelCurve> out;

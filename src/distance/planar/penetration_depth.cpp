@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "distance/planar_features/feature_pair_search.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::distance {

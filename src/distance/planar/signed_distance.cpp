@@ -54,7 +54,7 @@ RealPoint SignedDistance::seed() const {
   return base_.geometry.exact(base_.vertices[0].point);
 }
 
-std::vector<NearLevelCurve> SignedDistance::fronts(const RealPoint& p, double tolerance) const {
+std::vector<NearLevelCurve> SignedDistance::level_curves(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
   Mark at = mark_of(base_, locate(base_, p));
   std::vector<NearLevelCurve> out;

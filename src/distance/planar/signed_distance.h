@@ -38,7 +38,7 @@ class SignedDistance : public TDistance {
   /// f at a position; nothing if undefined.
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
-  std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
+  std::vector<NearLevelCurve> level_curves(const exact::RealPoint& p, double tolerance) const override;
   /// 0: the least level of sets without interior.
   std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
 

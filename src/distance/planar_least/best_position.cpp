@@ -12,7 +12,8 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/point_set.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 #include "plane/base/stage_observer.h"
 #include "plane/complex/overlay.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::distance {

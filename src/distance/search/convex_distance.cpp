@@ -9,7 +9,7 @@
 #include <mutex>
 #include <optional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/body/open_union.h"
 
 namespace findspace::distance {

@@ -7,8 +7,8 @@
 
 #include "distance/search/boundary_cells.h"
 #include "distance/search/lp_bound.h"
+#include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
-#include "exact/number/margins.h"
 
 namespace findspace::distance {
 

@@ -8,7 +8,7 @@
 
 #include "distance/search/round_solid.h"
 #include "distance/search/tetrahedral_max_min.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/polytope/convex_region.h"
 #include "space/polytope/polytope.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::distance {

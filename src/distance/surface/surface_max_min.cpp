@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "distance/search/boundary_cells.h"
+#include "distance/search/lp_bound.h"
 #include "distance/search/tetrahedral_max_min.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

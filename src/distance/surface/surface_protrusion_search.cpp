@@ -8,7 +8,7 @@
 #include "distance/search/field_boxes.h"
 #include "distance/search/protrusion_field.h"
 #include "distance/search/tetrahedral_max_min.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/surface/surface_side.h"
 
 namespace findspace::distance {

@@ -127,11 +127,11 @@ std::string written(const Distance& distance) {
 
 std::string written(const Atom& atom) {
   const bool from_word = atom.predicate != nullptr && atom.predicate->level != PredicateName::Level::kNone;
-  const bool turned_round = atom.predicate != nullptr ? atom.predicate->negated : negated(atom.distance);
-  const std::string level = level_text(atom, turned_round);
+  const bool mirrors = atom.predicate != nullptr ? atom.predicate->negated : negated(atom.distance);
+  const std::string level = level_text(atom, mirrors);
   if (atom.predicate == nullptr) {
     if (atom.minimum) return written(atom.distance) + " -> min";
-    const Relation relation = turned_round ? mirrored(atom.relation) : atom.relation;
+    const Relation relation = mirrors ? mirrored(atom.relation) : atom.relation;
     return fmt::format("{} {} {}", written(atom.distance), text(relation), level);
   }
   const bool said = from_word && (atom.predicate->level == PredicateName::Level::kRequired || atom.level.sign() != 0);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "distance/planar/signed_distance.h"
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
 #include "formula/planar/least_values.h"
 #include "formula/planar/position_functions.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
 #include "formula/planar/measure.h"
 #include "formula/planar/regions.h"

@@ -10,9 +10,9 @@
 #include <map>
 #include <vector>
 
-#include "distance/rotation/rotation_map.h"
-#include "distance/rotation/rotation_positions.h"
-#include "exact/number/margins.h"
+#include "distance/rotation/motion_maps.h"
+#include "distance/rotation/rotational_by_position.h"
+#include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
 #include "formula/planar/least_values.h"
@@ -81,8 +81,8 @@ BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked) {
   if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
     kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
   const auto bounds = [&](Which of, const Real& level) {
-    return distance::rotation_maps(world.shape(r.names.first), world.shape(r.names.second), of,
-                                   rotation_poses(world, r, false), sense, level / world.step());
+    return distance::motion_maps(world.shape(r.names.first), world.shape(r.names.second), of,
+                                 rotation_poses(world, r, false), sense, level / world.step());
   };
   const bool eta = kind == Which::kEta1 || kind == Which::kEta2, first = kind == Which::kEta1 || kind == Which::kDelta1;
   if (!eta && !first && kind != Which::kDelta2) return bounds(kind, wanted.level);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/rotation/rotation.h"
-#include "exact/number/margins.h"
+#include "distance/rotation/rotational_distance.h"
+#include "exact/margins/formula.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "plane/base/parallel.h"
 #include "plane/base/subdivide.h"
 

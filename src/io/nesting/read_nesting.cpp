@@ -11,7 +11,7 @@
 
 #include "io/nesting/unscaled_problem.h"
 #include "io/text/json_tree.h"
-#include "plane/base/work.h"
+#include "plane/base/work_budget.h"
 
 namespace findspace::io {
 namespace {
@@ -122,7 +122,7 @@ class Reader {
   }
 
   std::string name_;
-  plane::Work work_;
+  plane::WorkBudget work_;
   JsonValue tree_;
 };
 

@@ -208,9 +208,9 @@ Bounds drawing_bounds(Bounds b) {
   const double size = std::max(b.high[0] - b.low[0], b.high[1] - b.low[1]);
   for (int i : {0, 1}) {
     if (b.high[i] - b.low[i] > 0) continue;  // no sign: the size of a page
-    const double tolerance = size > 0 ? size / 20 : 1;
-    b.low[i] -= tolerance;
-    b.high[i] += tolerance;
+    const double padding = size > 0 ? size / 20 : 1;
+    b.low[i] -= padding;
+    b.high[i] += padding;
   }
   return b;
 }
@@ -224,7 +224,7 @@ DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std:
   const Drawn shape(named, step);
   const Bounds b = drawing_bounds(shape.bounds.value_or(Bounds{}));
   const double width = b.high[0] - b.low[0], height = b.high[1] - b.low[1];
-  const Frame frame{{{0, 0}, {0, 0}}, 1, 0, 0};  // only rotates y down
+  const Frame frame{{{0, 0}, {0, 0}}, 1, 0, 0};  // only turns y down
   std::string paths;
   const auto add = [&](auto&& draw, std::string_view attributes) {
     PathWriter path(shape.net, frame, {}, PathWriter::Digits::kAll);

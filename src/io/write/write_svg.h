@@ -52,7 +52,7 @@ struct DrawingText {
   std::string lost;  // what it does not say of the region, for people; empty if nothing
 };
 
-/// The region alone: a group of a path a face and a path a free curve, in the scene's unit, y rotated down as SVG has
+/// The region alone: a group of a path a face and a path a free curve, in the scene's unit, y turned down as SVG has
 /// it. Throws Error(kUnsupported) for an unbounded region.
 DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std::string_view name,
                       std::optional<formula::Unit> unit);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 #include "packing/proof/verify.h"
 
 namespace findspace::packing {

@@ -48,7 +48,7 @@ FieldTable::FieldTable(const Problem& problem)
   of_part_.resize(problem.parts.size());
   for (std::size_t part = 0; part < problem.parts.size(); ++part)
     if (problem.parts[part].demand > 0) add_variants(problem, part);
-  table_ = std::vector<std::atomic<const DepthField*>>(variants_.size() * variants_.size());
+  link_pairs();
 }
 
 /// An angle at which the part looks as at one before adds nothing.
@@ -76,14 +76,54 @@ std::optional<Vec> FieldTable::offset_to(std::size_t variant, const SearchShape&
   return Vec{double(theirs.first - mine.first) * own.step, double(theirs.second - mine.second) * own.step};
 }
 
-const DepthField& FieldTable::make(std::size_t a, std::size_t b) const {
-  auto made = std::make_unique<const DepthField>(no_fit_polygon(variants_[a].shape, variants_[b].shape, gap_));
-  const std::lock_guard lock(guard_);
-  auto& slot = table_[a * variants_.size() + b];
-  if (const DepthField* known = slot.load(std::memory_order_acquire)) return *known;
-  slot.store(made.get(), std::memory_order_release);
-  made_.push_back(std::move(made));
-  return *made_.back();
+std::optional<FieldTable::Opposite> FieldTable::opposite_of(std::size_t variant) const {
+  SearchShape opposite = variants_[variant].shape;
+  for (auto& ring : opposite.rings)
+    for (auto& [x, y] : ring) {
+      x = -x;
+      y = -y;
+    }
+  for (const std::size_t other : of_part_[variants_[variant].part])
+    if (const auto off = offset_to(other, opposite)) return Opposite{other, *off};
+  return std::nullopt;
+}
+
+void FieldTable::link_pairs() {
+  const std::size_t n = variants_.size();
+  std::vector<std::optional<Opposite>> opposites;
+  for (std::size_t v = 0; v < n; ++v) opposites.push_back(opposite_of(v));
+  links_ = std::vector<Link>(n * n);
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < n; ++b) {
+      Link& link = links_[a * n + b];
+      link.sign_ = a <= b ? 1 : -1;
+      std::size_t first = std::min(a, b), second = std::max(a, b);
+      if (opposites[a] && opposites[b]) {
+        const auto [x, y] = std::minmax(opposites[a]->variant, opposites[b]->variant);
+        if (std::pair(x, y) < std::pair(first, second)) {
+          link.sign_ = opposites[a]->variant <= opposites[b]->variant ? -1 : 1;
+          link.shift_ = -link.sign_ * (opposites[b]->off - opposites[a]->off);
+          first = x;
+          second = y;
+        }
+      }
+      link.first_ = std::uint32_t(first);
+      link.second_ = std::uint32_t(second);
+    }
+}
+
+void FieldTable::make(const Link& link) const {
+  const Link& whole = links_[link.first_ * variants_.size() + link.second_];
+  if (whole.field_.load(std::memory_order_acquire) == nullptr) {
+    auto made = std::make_unique<const DepthField>(
+        no_fit_polygon(variants_[link.first_].shape, variants_[link.second_].shape, gap_));
+    const std::lock_guard lock(guard_);
+    if (whole.field_.load(std::memory_order_acquire) == nullptr) {
+      whole.field_.store(made.get(), std::memory_order_release);
+      made_.push_back(std::move(made));
+    }
+  }
+  link.field_.store(&whole.field(), std::memory_order_release);
 }
 
 }  // namespace findspace::packing

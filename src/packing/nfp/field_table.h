@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The parts at their allowed angles ("variants"), and the depth field of every two of them. A field is made when it is
-// first asked for, by any thread. Guarantee: see depth_field.h. Keywords: no-fit polygon cache.
+// first asked for, by any thread. Pairs that are swapped, or both turned by 180 degrees, share one: the fewer fields
+// there are, the more of them stay in the cache. Guarantee: see depth_field.h. Keywords: no-fit polygon cache.
 #pragma once
 
 #include <atomic>
@@ -44,24 +45,46 @@ class FieldTable {
   /// How far the variant must be moved to be this shape at its own position, if it looks the same.
   std::optional<Vec> offset_to(std::size_t variant, const SearchShape& shape) const;
 
-  /// Of positions of b relative to a; a <= b.
-  const DepthField& field(std::size_t a, std::size_t b) const {
-    const DepthField* known = table_[a * variants_.size() + b].load(std::memory_order_acquire);
-    return known != nullptr ? *known : make(a, b);
+  /// The depth field of b about a, or that of a pair that looks the same: swapped, or both turned by 180 degrees.
+  class Link {
+   public:
+    const DepthField& field() const { return *field_.load(std::memory_order_acquire); }
+    /// A position of b relative to a, in the field; and a vector of the field as one of positions, or the other way.
+    Vec in_field(Vec t) const { return sign_ * t + shift_; }
+    Vec turned(Vec v) const { return sign_ * v; }
+
+   private:
+    friend class FieldTable;
+    mutable std::atomic<const DepthField*> field_ = nullptr;
+    double sign_ = 1;
+    Vec shift_;
+    std::uint32_t first_ = 0, second_ = 0;  // the pair whose field it is
+  };
+  const Link& link(std::size_t a, std::size_t b) const {
+    const Link& known = links_[a * variants_.size() + b];
+    if (known.field_.load(std::memory_order_acquire) == nullptr) make(known);
+    return known;
   }
   double depth(const Pose& p, const Pose& q) const {
-    return p.variant <= q.variant ? field(p.variant, q.variant).depth(q.at - p.at)
-                                  : field(q.variant, p.variant).depth(p.at - q.at);
+    const Link& pair = link(p.variant, q.variant);
+    return pair.field().depth(pair.in_field(q.at - p.at));
   }
 
  private:
-  const DepthField& make(std::size_t a, std::size_t b) const;
+  struct Opposite {
+    std::size_t variant;
+    Vec off;  // the variant turned by 180 degrees is the other one, moved by this
+  };
+
+  void make(const Link& link) const;
   void add_variants(const Problem& problem, std::size_t part);
+  void link_pairs();
+  std::optional<Opposite> opposite_of(std::size_t variant) const;
 
   double gap_, edge_, height_;
   std::vector<Variant> variants_;
   std::vector<std::vector<std::size_t>> of_part_;
-  mutable std::vector<std::atomic<const DepthField*>> table_;
+  std::vector<Link> links_;
   mutable std::vector<std::unique_ptr<const DepthField>> made_;
   mutable std::mutex guard_;
 };

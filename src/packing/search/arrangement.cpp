@@ -5,10 +5,12 @@
 #include "packing/search/arrangement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {
@@ -18,9 +20,15 @@ constexpr double kLeastGrowth = 1.2, kMostGrowth = 2.0, kDecay = 0.95;
 }  // namespace
 
 Arrangement::Arrangement(const FieldTable& table, std::vector<Pose> poses, double length)
-    : table_(&table), poses_(std::move(poses)), length_(length), shallow_(table.height() * margin::kNoOverlap) {
+    : table_(&table),
+      poses_(std::move(poses)),
+      length_(length),
+      shallow_(table.height() * margin::kNoOverlap),
+      slack_(std::max(length, table.height()) * margin::kBoxRounding) {
   const std::size_t n = poses_.size();
-  for (auto* side : {&low_x_, &low_y_, &high_x_, &high_y_}) side->resize(n);
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  const Lanes far{kFar, kFar, kFar, kFar};
+  boxes_.assign((n + kLanes - 1) / kLanes, {far, far, -far, -far});
   depths_.resize(n);
   near_.resize(n + 1);
   looks_.resize(n);
@@ -64,61 +72,77 @@ void Arrangement::set_poses(const std::vector<Pose>& poses) {
 void Arrangement::move(std::size_t i, const Pose& pose) {
   const Variant& v = table_->variants()[pose.variant];
   poses_[i] = pose;
-  low_x_[i] = pose.at.x + v.low.x;
-  low_y_[i] = pose.at.y + v.low.y;
-  high_x_[i] = pose.at.x + v.high.x;
-  high_y_[i] = pose.at.y + v.high.y;
+  BoxBlock& block = boxes_[i / kLanes];
+  const std::size_t lane = i % kLanes;
+  block.low_x[lane] = float(pose.at.x + v.low.x - slack_);
+  block.low_y[lane] = float(pose.at.y + v.low.y - slack_);
+  block.high_x[lane] = float(pose.at.x + v.high.x + slack_);
+  block.high_y[lane] = float(pose.at.y + v.high.y + slack_);
+}
+
+template <class Meet>
+void Arrangement::for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const {
+  const Variant& v = table_->variants()[pose.variant];
+  const double gap = 1.01 * table_->gap();  // a grown polygon is a little larger than the gap
+  const float low_x = float(pose.at.x + v.low.x - gap), low_y = float(pose.at.y + v.low.y - gap),
+              high_x = float(pose.at.x + v.high.x + gap), high_y = float(pose.at.y + v.high.y + gap);
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    const BoxBlock& block = boxes_[b];
+    const auto met = (low_x < block.high_x) & (block.low_x < high_x) & (low_y < block.high_y) & (block.low_y < high_y);
+    looked_at_ += kLanes;
+    std::array<std::uint64_t, 2> halves;
+    std::memcpy(halves.data(), &met, sizeof halves);
+    if ((halves[0] | halves[1]) == 0) continue;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::size_t j = b * kLanes + lane;
+      if (met[lane] != 0 && j != i && !meet(j)) return;
+    }
+  }
 }
 
 std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose) const {
-  const Variant& v = table_->variants()[pose.variant];
-  const double gap = 1.01 * table_->gap();  // a grown polygon is a little larger than the gap
-  const double low_x = pose.at.x + v.low.x - gap, low_y = pose.at.y + v.low.y - gap,
-               high_x = pose.at.x + v.high.x + gap, high_y = pose.at.y + v.high.y + gap;
   std::size_t count = 0;
-  for (std::size_t j = 0; j < size(); ++j) {
-    near_[count] = std::uint32_t(j);
-    // All at once: which one fails cannot be foreseen.
-    count += std::size_t(int(low_x < high_x_[j]) & int(low_x_[j] < high_x) & int(low_y < high_y_[j]) &
-                         int(low_y_[j] < high_y) & int(j != i));
-  }
-  looked_at_ += size();
+  for_each_near(i, pose, [&](std::size_t j) {
+    near_[count++] = std::uint32_t(j);
+    return true;
+  });
   return {near_.data(), count};
 }
 
 double Arrangement::cost(std::size_t i, const Pose& pose, double bound) const {
-  const std::span<const std::uint32_t> others = near(i, pose);
   const double* weights = &weights_[i * size()];
   const double out = excess(pose.variant);
   double sum = out > 0 ? out * strip_weights_[i] : 0;
-  for (std::size_t k = 0; k < others.size(); ++k) {
-    const Pose& other = poses_[others[k]];
-    const bool first = other.variant <= pose.variant;
-    Look& look = looks_[k];
-    look.field = first ? &table_->field(other.variant, pose.variant) : &table_->field(pose.variant, other.variant);
-    look.at = first ? pose.at - other.at : other.at - pose.at;
-    look.least = weights[others[k]] * look.field->least(look.at);
-    sum += look.least;
-  }
-  for (std::size_t k = 0; k < others.size(); ++k) {
+  std::size_t count = 0;
+  for_each_near(i, pose, [&](std::size_t j) {
+    const Pose& other = poses_[j];
+    const FieldTable::Link& link = table_->link(pose.variant, other.variant);
+    const DepthField& field = link.field();
+    const Vec at = link.in_field(other.at - pose.at);
+    const int cell = field.cell_at(at);
+    if (cell == DepthField::kNone) return true;
+    field.expect(cell);
+    looks_[count] = {&field, at, cell, weights[j] * field.least(cell), weights[j]};
+    sum += looks_[count++].least;
+    return sum < bound;
+  });
+  for (std::size_t k = 0; k < count; ++k) {
     if (sum >= bound) return std::numeric_limits<double>::infinity();
-    const double depth = looks_[k].field->depth(looks_[k].at);
-    sum += (depth > shallow_ ? weights[others[k]] * depth : 0) - looks_[k].least;
+    const Look& look = looks_[k];
+    const double depth = look.field->depth(look.cell, look.at);
+    sum += (depth > shallow_ ? look.weight * depth : 0) - look.least;
   }
   return sum;
 }
 
 Arrangement::Exit Arrangement::exit(const Pose& pose, std::size_t j) const {
   const Pose& other = poses_[j];
-  const bool first = other.variant <= pose.variant;
-  const DepthField& field =
-      first ? table_->field(other.variant, pose.variant) : table_->field(pose.variant, other.variant);
-  const Vec t = first ? pose.at - other.at : other.at - pose.at;
-  const Nearest nearest = field.nearest(t);
+  const FieldTable::Link& link = table_->link(other.variant, pose.variant);
+  const Vec t = link.in_field(pose.at - other.at);
+  const Nearest nearest = link.field().nearest(t);
   if (nearest.depth <= shallow_) return {};
-  const NoFitEdge& edge = field.polygon().edges[std::size_t(nearest.edge)];
-  const Vec move = first ? nearest.foot - t : t - nearest.foot;
-  return {nearest.depth, move, edge.to - edge.from};
+  const NoFitEdge& edge = link.field().polygon().edges[std::size_t(nearest.edge)];
+  return {nearest.depth, link.turned(nearest.foot - t), link.turned(edge.to - edge.from)};
 }
 
 double Arrangement::loss() {

@@ -34,7 +34,8 @@ class Arrangement {
   Vec least_position(std::size_t variant) const;
   Vec greatest_position(std::size_t variant) const;
 
-  /// The weighted cost of an item at a pose, or something not below `bound` where it is not below.
+  /// The weighted cost of an item at a pose, or something not below `bound` where it is not below. Lower bounds of the
+  /// depths come first, and exact ones only while the pose can still be better than `bound`.
   double cost(std::size_t i, const Pose& pose, double bound) const;
   /// The other items whose boxes meet that of the item at this pose.
   std::span<const std::uint32_t> near(std::size_t i, const Pose& pose) const;
@@ -65,15 +66,26 @@ class Arrangement {
   struct Look {
     const DepthField* field;
     Vec at;
-    double least;
+    int cell;
+    double least, weight;
   };
 
+  /// Boxes side by side, four at a time: rounded outwards a little, so none is missed.
+  using Lanes [[gnu::vector_size(16)]] = float;
+  struct BoxBlock {
+    Lanes low_x, low_y, high_x, high_y;
+  };
+  static constexpr std::size_t kLanes = 4;
+
+  /// Calls meet(j) for the other items whose boxes meet that of the pose, in order, until it says false.
+  template <class Meet>
+  void for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const;
   double excess(std::size_t variant) const;
 
   const FieldTable* table_;
   std::vector<Pose> poses_;
-  double length_, shallow_;
-  std::vector<double> low_x_, low_y_, high_x_, high_y_;
+  double length_, shallow_, slack_;
+  std::vector<BoxBlock> boxes_;
   std::vector<double> weights_, strip_weights_, depths_;
   std::vector<Overlap> overlaps_;
   mutable std::vector<std::uint32_t> near_;

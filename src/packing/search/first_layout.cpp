@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {
@@ -61,16 +61,16 @@ class Builder {
 
   void add_corners(std::size_t v, const Pose& other, std::vector<Vec>& corners) const {
     const Variant& shape = table_.variants()[v];
-    const double sign = other.variant <= v ? 1 : -1;
-    const DepthField& field = sign > 0 ? table_.field(other.variant, v) : table_.field(v, other.variant);
-    const auto& edges = field.polygon().edges;
-    const std::size_t stride = (edges.size() + kMostCorners - 1) / kMostCorners;
-    for (std::size_t e = 0; e < edges.size(); e += std::max<std::size_t>(stride, 1)) {
-      const Vec at = other.at + sign * edges[e].from;
+    const FieldTable::Link& link = table_.link(other.variant, v);
+    const NoFitPolygon& polygon = link.field().polygon();
+    const Vec shift = link.in_field({});
+    const std::size_t stride = (polygon.edges.size() + kMostCorners - 1) / kMostCorners;
+    for (std::size_t e = 0; e < polygon.edges.size(); e += std::max<std::size_t>(stride, 1)) {
+      const Vec at = other.at + link.turned(polygon.edges[e].from - shift);
       if (at.x >= -shape.low.x && at.y >= -shape.low.y && at.y <= table_.height() - shape.high.y) corners.push_back(at);
     }
     // The right end of the polygon at the lower side: a place beside the other part.
-    const double beside = sign > 0 ? field.polygon().high.x : -field.polygon().low.x;
+    const double beside = std::max(link.turned(polygon.high - shift).x, link.turned(polygon.low - shift).x);
     corners.push_back({other.at.x + beside, -shape.low.y});
   }
 

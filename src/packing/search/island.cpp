@@ -9,11 +9,14 @@
 #include <limits>
 #include <utility>
 
+#include "exact/number/search_margins.h"
+
 namespace findspace::packing {
 namespace {
 
 constexpr double kExploreShrink = 0.001;
 constexpr double kFirstCompression = 0.0005, kLastCompression = 0.00001;
+constexpr int kRepairAfter = 20;      // passes without progress
 constexpr double kExploration = 0.8;  // of the whole search
 constexpr double kProgress = 0.98;    // a loss below this times the last counts as progress
 constexpr std::size_t kPool = 12;
@@ -57,12 +60,7 @@ void Island::step(double progress) {
     begin();
 }
 
-void Island::adopt(const DoubleLayout& better) {
-  best_ = better;
-  pool_.clear();
-  separating_ = false;
-  failures_ = 0;
-}
+void Island::adopt(const DoubleLayout& better) { keep(better); }
 
 void Island::begin() {
   if (phase_ == Phase::kCompress) {
@@ -76,7 +74,7 @@ void Island::begin() {
   arrangement_.reset_weights();
   separating_ = true;
   idle_ = strikes_ = 0;
-  least_loss_ = first_loss_ = std::numeric_limits<double>::infinity();
+  least_loss_ = first_loss_ = repaired_loss_ = std::numeric_limits<double>::infinity();
   incumbent_ = arrangement_.poses();
 }
 
@@ -124,6 +122,7 @@ void Island::pass() {
   }
   const Patience patience = phase_ == Phase::kExplore ? kExplorePatience : kCompressPatience;
   if (++idle_ > patience.passes) return strike();
+  if (idle_ % kRepairAfter == 0 && repair()) return;
   arrangement_.update_weights();
   order_.clear();
   for (std::size_t i = 0; i < arrangement_.size(); ++i)
@@ -142,15 +141,25 @@ void Island::strike() {
   idle_ = 0;
 }
 
+/// Any length below the best will do.
 bool Island::repair() {
+  if (least_loss_ >= repaired_loss_) return false;
+  repaired_loss_ = least_loss_;
   std::vector<Pose> poses = incumbent_;
+  const double target = arrangement_.length();
+  double length = target;
   const int before = linear_.solved();
-  const bool separated = linear_.separate(poses, arrangement_.length());
+  const bool separated = linear_.separate(poses, length, best_.length);
+  if (separated) length = linear_.shorten(poses, length);
   extra_work_ += std::uint64_t(linear_.solved() - before) * kWorkOfProgram;
-  if (!separated) return false;
+  if (!separated || length > best_.length * (1 - margin::kCompactionGain)) return false;
+  arrangement_.set_length(length);
   arrangement_.set_poses(poses);
-  if (arrangement_.loss() > 0) return false;
-  succeed(std::move(poses));
+  if (arrangement_.loss() > 0) {
+    arrangement_.set_length(target);
+    return false;
+  }
+  keep({std::move(poses), length});
   return true;
 }
 
@@ -158,7 +167,11 @@ void Island::succeed(std::vector<Pose> poses) {
   const int before = linear_.solved();
   const double length = linear_.shorten(poses, arrangement_.length());
   extra_work_ += std::uint64_t(linear_.solved() - before) * kWorkOfProgram;
-  best_ = {std::move(poses), length};
+  keep({std::move(poses), length});
+}
+
+void Island::keep(DoubleLayout better) {
+  best_ = std::move(better);
   pool_.clear();
   separating_ = false;
   failures_ = 0;

@@ -49,6 +49,7 @@ class Island {
   void pass();
   void strike();
   void succeed(std::vector<Pose> poses);
+  void keep(DoubleLayout better);
   void fail();
   bool repair();
 
@@ -60,7 +61,7 @@ class Island {
   DoubleLayout best_;
   std::vector<std::size_t> large_;  // items, by size
   Phase phase_ = Phase::kExplore;
-  double progress_ = 0, loss_ = 0, least_loss_ = 0, first_loss_ = 0;
+  double progress_ = 0, loss_ = 0, least_loss_ = 0, first_loss_ = 0, repaired_loss_ = 0;
   bool separating_ = false;
   int idle_ = 0, strikes_ = 0, failures_ = 0;
   std::vector<Pose> incumbent_;

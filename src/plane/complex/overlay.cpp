@@ -31,7 +31,7 @@ struct Input {
   std::vector<Index> isolated;
 };
 
-void make_room(Input& in, std::span<const CellComplex* const> operands) {
+void reserve(Input& in, std::span<const CellComplex* const> operands) {
   std::size_t supporting_curves = 0, points = 0, edges = 0;
   for (const CellComplex* c : operands) {
     supporting_curves += c->geometry.supporting_curves.size();
@@ -47,7 +47,7 @@ void make_room(Input& in, std::span<const CellComplex* const> operands) {
 
 Input gather(std::span<const CellComplex* const> operands) {
   Input in;
-  make_room(in, operands);
+  reserve(in, operands);
   for (Index k = 0; k < operands.size(); ++k) {
     const CellComplex& c = *operands[k];
     Index supporting_curve = Index(in.geometry.supporting_curves.size()), point = append(in.geometry, c.geometry);

@@ -182,7 +182,7 @@ std::int32_t ConvolutionIndex::past_corners(Geometry& g, Index point, const Pair
 }
 
 /// The paths that arrive at a pair of corners, each with the curve on which it goes on: where the first of the two
-/// rotates, swept from the direction of arrival, ends.
+/// turns, swept from the direction of arrival, ends.
 std::int32_t ConvolutionIndex::past_corner(const Pair& pair, const std::array<Index, 2>& corners) {
   auto corner = [&](int s) -> const GridCorner& {
     return pair.side[std::size_t(s)].fan.corners[corners[std::size_t(s)]];
@@ -194,7 +194,7 @@ std::int32_t ConvolutionIndex::past_corner(const Pair& pair, const std::array<In
     return side.place[edge] + side.fan.rank[edge];
   };
   // From a direction to the end of a turn, counter-clockwise if `left`.
-  auto tolerance = [&](int s, Index from, bool left) {
+  auto to_end = [&](int s, Index from, bool left) {
     const GridCorner& c = corner(s);
     if (c.turn == 0) return Index(0);
     Index in = key(s, c.before), out = key(s, corners[std::size_t(s)]);
@@ -211,16 +211,16 @@ std::int32_t ConvolutionIndex::past_corner(const Pair& pair, const std::array<In
     if (!fixed.sweep[corners[std::size_t(1 - s)]].holds(side.place[line])) continue;
     const Index from = key(s, line);
     const bool left = (mine.turn >= 0) == forward;
-    const Index rooms[2] = {tolerance(0, from, left), tolerance(1, from, left)};
-    const int next = rooms[0] < rooms[1] ? 0 : 1;
-    const GridCorner& turned = corner(next);
-    const bool goes_on = (turned.turn >= 0) == left;
+    const Index ends[2] = {to_end(0, from, left), to_end(1, from, left)};
+    const int next = ends[0] < ends[1] ? 0 : 1;
+    const GridCorner& turning = corner(next);
+    const bool goes_on = (turning.turn >= 0) == left;
     const Side& leaves = pair.side[std::size_t(next)];
-    const GridCorner& edge_out = leaves.fan.corners[goes_on ? corners[std::size_t(next)] : turned.before];
+    const GridCorner& edge_out = leaves.fan.corners[goes_on ? corners[std::size_t(next)] : turning.before];
     const bool forward_out = corner(1 - next).turn > 0;
     const Heading in = forward ? heading(side.fan.corners[line]) : -heading(side.fan.corners[line]);
     const Heading out = forward_out ? heading(edge_out) : -heading(edge_out);
-    const int turn = rooms[next] == 0 ? 0 : left ? 1 : -1;
+    const int turn = ends[next] == 0 ? 0 : left ? 1 : -1;
     number += ray_crossing(-in, out, forward == forward_out ? (forward ? -1 : 1) : turn);
   }
   return number;

@@ -10,7 +10,7 @@ namespace findspace::plane {
 namespace {
 
 constexpr std::size_t kEdgesPerSlab = 4;
-constexpr std::size_t kEntriesPerEdge = 8;  // at most, so that long edges take no more tolerance than that
+constexpr std::size_t kEntriesPerEdge = 8;  // at most, so that long edges take no more memory than that
 
 }  // namespace
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The edges of a face by slabs of y, to find those that reach into a range of y. Guarantee: exact; grid coordinates
-// are exact doubles. Cost: O(n log n) to build, O(n) tolerance; a question looks at the edges in its slabs. Keywords:
+// are exact doubles. Cost: O(n log n) to build, O(n) memory; a question looks at the edges in its slabs. Keywords:
 // bucket grid, interval query.
 #pragma once
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "distance/planar/signed_distance.h"
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "findspace/error.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"

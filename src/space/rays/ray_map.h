@@ -90,7 +90,7 @@ class RaySource {
   virtual exact::Tried<RayRow> try_row(int j) const = 0;
   /// The same; Error(kUnsupported) instead of a refusal.
   RayRow row(int j) const { return try_row(j).or_throw(); }
-  /// Whether a search tells the signs, so that 0 means a place near the front as well as on it.
+  /// Whether a search tells the signs, so that 0 means a place near the boundary as well as on it.
   virtual bool searched() const { return false; }
 };
 

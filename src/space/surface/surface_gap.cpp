@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "plane/base/subdivide.h"
 #include "space/polytope/near_features.h"
 
