@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "plane/base/stage_observer.h"
-#include "plane/base/work_limit.h"
+#include "plane/base/stop_check.h"
 
 namespace findspace::plane {
 
@@ -66,7 +66,7 @@ class Subdivision {
       if (settled(cells_.front())) return SubdivisionEnd::kSettled;
       if (count >= most) return SubdivisionEnd::kSpent;
       for (std::size_t k = 0; k < at_once && !cells_.empty(); ++k, ++count) {
-        if (count % kPolledEach == 0) poll_work();
+        if (count % kPolledEach == 0) poll();
         look(take());
       }
       together();
@@ -76,6 +76,10 @@ class Subdivision {
 
  private:
   static constexpr long kPolledEach = 64;
+
+  static void poll() {
+    if (StopCheck* const check = stop_check()) check->poll();
+  }
 
   Cell take() {
     std::pop_heap(cells_.begin(), cells_.end());
