@@ -74,6 +74,7 @@ Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula
     picture.region = &map.region;
     picture.summary = &summary;
     picture.around = map.feasible ? &*map.feasible : map.outer ? &*map.outer : nullptr;
+    if (map.outer && !map.feasible) picture.around_text = "positions not excluded";
     add_scenery(session, picture, world, &formula);
     return io::picture_svg(picture);
   };

@@ -17,6 +17,7 @@
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json_rays.h"
 #include "ray_optimum.h"
+#include "row_team.h"
 #include "space/rays/ray_axes.h"
 #include "space/rays/ray_cells.h"
 #include "space/rays/ray_sources.h"
@@ -200,11 +201,27 @@ struct RaysShown {
   }
 };
 
+/// The set with rows that all processes of the team make.
+RaySet shared_by(RowTeam& team, const RaySet& set) {
+  RaySet out = set;
+  out.source = [&team, source = set.source](const space::RayGrid& grid) {
+    formula::RegionOnLines region = source(grid);
+    region.rays = team.shared(std::move(region.rays));
+    return region;
+  };
+  return out;
+}
+
 }  // namespace
 
-Outcome rays_outcome(const Session& session, const RaySet& set) {
+Outcome rays_outcome(const Session& session, const RaySet& asked) {
   const Options& options = session.options();
-  check_ray_outputs(options, set);
+  check_ray_outputs(options, asked);
+  if (options.team != nullptr && !options.team->leads()) {
+    options.team->serve(asked.source);
+    return {};
+  }
+  const RaySet set = options.team == nullptr ? asked : shared_by(*options.team, asked);
   const double step = session.step().to_double();
   session.reporter().stage("casting rays");
   const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),

@@ -25,13 +25,16 @@ using planning::Problem;
 struct Answer {
   io::PlacementResult result;
   planning::Poses poses;
+  std::size_t shortened = 0;  // positions on the grid, as exact ones have too long numbers
 };
 
 Answer answered(const planning::Relations& relations, bool one_by_one, const planning::Limit& limit) {
   const Problem& problem = relations.problem();
   if (one_by_one) {
     const planning::SequentialPlacement found = planning::place_sequentially(relations, limit);
-    return {io::placement_result(problem, found), found.poses};
+    const auto shortened = std::count_if(found.steps.begin(), found.steps.end(),
+                                         [](const planning::Step& s) { return s.chosen.shortened; });
+    return {io::placement_result(problem, found), found.poses, std::size_t(shortened)};
   }
   const planning::SimultaneousPlacement found = planning::place_simultaneously(relations, limit);
   return {io::placement_result(problem, found), found.witness};
@@ -104,6 +107,12 @@ Outcome place_scene(const Session& session, const planning::Limit& limit) {
   const bool one_by_one = session.scene().place.method == io::Placement::Method::kSequential;
   Answer answer = answered(relations, one_by_one, limit);
   if (board) count_as_seen(answer);
+  if (answer.shortened > 0) {
+    reporter.note(
+        fmt::format("{} position{} put on the grid, a few steps at most from the best one, whose exact numbers "
+                    "are too long; say \"grid\" to have all of them there",
+                    answer.shortened, answer.shortened == 1 ? " was" : "s were"));
+  }
   const auto json = [&] { return io::placement_json(answer.result, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, problem, answer); };
   reporter.stage("writing");

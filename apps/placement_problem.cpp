@@ -40,7 +40,8 @@ std::vector<plane::ShapePtr> wanted_shapes(const Session& session, const Problem
   for (const auto& condition : problem.conditions)
     for (const formula::Atom& a : condition.formula->atoms()) add(a.distance);
   for (const formula::Goal& goal : problem.goals)
-    if (goal.objective) add(goal.objective->distance);
+    if (goal.objective)
+      for (const formula::Distance& d : formula::distances_of(*goal.objective)) add(d);
   std::vector<plane::ShapePtr> out;
   std::copy_if(all.begin(), all.end(), std::back_inserter(out),
                [&](const plane::ShapePtr& s) { return names.count(s->name) > 0; });

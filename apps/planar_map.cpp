@@ -8,6 +8,7 @@
 #include "findspace/error.h"
 #include "formula/planar/feasible_near.h"
 #include "formula/planar/optimize.h"
+#include "formula/planar/sums.h"
 #include "plane/build/path_region.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/in_order.h"
@@ -56,7 +57,13 @@ constexpr const char* kNoRoots =
     "the optimum is no number that square roots express: given to 13 digits, with one position each";
 constexpr const char* kBetweenBounds = "the optimum is known between the value, which some position has, and \"bound\"";
 
-/// `bounded`: where shapes rotate.
+constexpr const char* kRotating =
+    "shapes rotate, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones";
+constexpr const char* kCompared =
+    "distances are equal along a curve that is no line and no circle: certainly feasible positions, and in \"outer\" "
+    "the possible ones";
+
+/// `bounded`: where shapes rotate, or distances are summed.
 io::ExtremeValue value_of(const formula::Optimum& optimum, bool maximum, Reporter& reporter, bool bounded = false) {
   if (optimum.value && !optimum.proven) reporter.note(bounded ? kBetweenBounds : kNoRoots);
   io::ExtremeValue out = io::extreme_value(optimum, maximum);
@@ -79,19 +86,22 @@ formula::Optimum within_line(formula::Optimum best, const io::Free& free) {
   return best;
 }
 
-/// Of shapes that rotate: regions, and what is best in them, between bounds.
+/// Of shapes that rotate, or distances compared with each other: regions, and what is best in them, between bounds.
 PlanarMap map_between_bounds(const Session& session, const formula::Solver& solver, const formula::Formula& formula,
                              const formula::RegionBounds* known) {
   Reporter& reporter = session.reporter();
   const std::optional<Session::Goal> goal = session.goal();
   if (!session.options().apply.empty())
-    throw Error(ErrorCode::kUnsupported, "--apply: of shapes that rotate only bounds of the region are known",
-                session.scene().file);
+    throw Error(
+        ErrorCode::kUnsupported,
+        "--apply: only bounds of the region are known, as shapes rotate or distances are compared with each other",
+        session.scene().file);
   formula::RegionBounds bounds = known != nullptr ? *known : solver.feasible_bounds(formula);
+  const bool sums = formula::has_sums(formula);
+  if (!goal && sums && formula::same_sets(bounds))
+    return {plane::in_order(bounds.inner), std::nullopt, std::nullopt, std::nullopt};
   if (!goal) {
-    reporter.note(
-        "shapes rotate, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible "
-        "ones");
+    reporter.note(sums ? kCompared : kRotating);
     std::optional<io::ExtremeValue> extreme;
     if (const auto least = formula::minimum_of(formula, solver)) extreme = value_of(*least, false, reporter, true);
     return {plane::in_order(bounds.inner), std::nullopt, extreme, plane::in_order(bounds.outer)};
@@ -113,7 +123,7 @@ PlanarMap planar_map(const Session& session, const formula::Solver& solver, cons
   Reporter& reporter = session.reporter();
   const std::optional<Session::Goal> goal = session.goal();
   reporter.stage("solving");
-  if (solver.rotations_in(formula) || (goal && formula::is_bounded(goal->objective, solver)))
+  if (solver.known_between_bounds(formula) || (goal && formula::is_bounded(goal->objective, solver)))
     return map_between_bounds(session, solver, formula, known);
   PlanarMap map{known != nullptr ? known->inner : formula::feasible_near(solver, formula), std::nullopt, std::nullopt,
                 std::nullopt};
@@ -123,12 +133,15 @@ PlanarMap planar_map(const Session& session, const formula::Solver& solver, cons
     if (line) map.region = on_line(map.region, session.scene().free);
     formula::Optimum best = formula::optimize(map.region, goal->objective, goal->sense, solver);
     if (line) best = within_line(std::move(best), session.scene().free);
-    map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, reporter);
+    const bool sum = goal->objective.kind == formula::Objective::Kind::kSum;
+    map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, reporter, sum);
     map.feasible = plane::in_order(std::exchange(map.region, std::move(best.at)));
   } else if (const auto least = formula::minimum_of(formula, solver)) {
     map.extreme = value_of(*least, false, reporter);
   }
-  map.region = plane::in_order(applied(std::move(map.region), session.options().apply));
+  // What is known has its order.
+  if (known == nullptr || goal || !session.options().apply.empty())
+    map.region = plane::in_order(applied(std::move(map.region), session.options().apply));
   return map;
 }
 
@@ -152,7 +165,7 @@ std::string Instants::json() const {
 
 Instants planar_instants(const formula::Solver& solver, const formula::Formula& formula, const exact::RealPoint& at) {
   const auto in_time = [](const plane::Section& line) { return plane::intervals(line, exact::Real(1)); };
-  const bool rotating = solver.rotations_in(formula);
+  const bool rotating = solver.known_between_bounds(formula);
   const std::optional<plane::Section> swing = rotating ? solver.swing(formula, at) : std::nullopt;
   if (!rotating || swing) return {in_time(swing ? *swing : solver.instants(formula, at)), std::nullopt};
   const formula::InstantBounds bounds = solver.instant_bounds(formula, at);

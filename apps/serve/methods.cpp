@@ -48,6 +48,7 @@ constexpr Parameter kSceneParameters[] = {kOfScene, kDrawing};
 constexpr Parameter kMapParameters[] = {
     kOfScene,
     kDrawing,
+    {"brief", kFlag, "only whether it is empty, one position of it, and how it looks"},
     {"where", kText, "of this formula instead; the scene keeps its own"},
     {"apply", kOperation, "what the region is made into"},
     kAngle,
@@ -86,6 +87,7 @@ constexpr Parameter kPackParameters[] = {
     {"seed", kWhole, "another search (default 1)"},
     {"threads", kCount, "of the search (default: one for each core)"},
     {"seconds", kLength, "end after so long (default: when no better layout comes for a while)"},
+    {"search", R"({"type": "boolean", "default": true})", "begin to search; else only say what the problem is"},
     kDrawing};
 constexpr Parameter kPackingParameters[] = {
     kOfScene, {"since", kWhole, "the number of the layout that is known already: it is not given again"}};
@@ -208,6 +210,7 @@ std::string set(SceneStore& store, const JsonValue& parameters) {
 std::string map(SceneStore& store, const JsonValue& parameters) {
   RegionWish wish;
   wish.drawing = flag(parameters, "drawing");
+  wish.brief = flag(parameters, "brief");
   wish.where = text(parameters, "where");
   wish.apply = text(parameters, "apply").value_or("");
   constexpr std::array<std::string_view, 6> kOperations{"",         "interior",   "closure",
@@ -272,8 +275,10 @@ std::string pack(SceneStore& store, const JsonValue& parameters) {
     store.keep_problem(name, path ? store.read_text_of(*path) : *content, path.value_or(name), wishes);
   }
   PackingJob& job = store.packing(name);
-  job.start({whole(parameters, "seed", 1), unsigned(whole(parameters, "threads", 0)),
-             double_of(parameters, "seconds", 0), text(parameters, "start")});
+  const JsonValue* search = find(parameters, "search", JsonKind::kBoolean, "true or false");
+  if (search == nullptr || search->boolean)
+    job.start({whole(parameters, "seed", 1), unsigned(whole(parameters, "threads", 0)),
+               double_of(parameters, "seconds", 0), text(parameters, "start")});
   return job.problem_json(flag(parameters, "drawing"));
 }
 

@@ -41,6 +41,9 @@ class PackingJob {
   PackingJob(const PackingJob&) = delete;
   PackingJob& operator=(const PackingJob&) = delete;
 
+  /// A layout that is the best one for now.
+  void begin_with(const packing::Layout& layout);
+  const packing::Problem& problem() const { return problem_; }
   /// Goes on from the layout given, or else from the best one. Throws Error.
   void start(const PackingStart& start);
   void stop();

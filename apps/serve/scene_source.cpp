@@ -42,7 +42,7 @@ std::size_t end_of_value(const std::string& text, std::size_t at) {
 
 /// The text with `value` under a key of the scene, which may not have been there.
 std::string with_key(const std::string& text, const std::string& key, const std::string& value) {
-  plane::Work work;
+  plane::WorkBudget work;
   const io::JsonValue scene = io::parse_json(text, "scene", work);
   const io::JsonValue* old = scene.find(key);
   if (old == nullptr) {

@@ -9,6 +9,7 @@
 #include "findspace/error.h"
 #include "io/text/json_tree.h"
 #include "io/text/read_text.h"
+#include "packing_report.h"
 #include "serve/methods.h"
 #include "serve/scene_source.h"
 
@@ -18,7 +19,7 @@ namespace {
 /// Whether a file is a packing problem: it lists items, and no shapes.
 bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
   if (path.extension() != ".json") return false;
-  plane::Work work;
+  plane::WorkBudget work;
   const io::JsonValue file = io::parse_json(io::read_text(path, most), path.string(), work);
   return file.find("items") != nullptr && file.find("shapes") == nullptr;
 }
@@ -44,6 +45,8 @@ SceneStore::SceneStore(const Options& options) : options_(options) {
   if (is_problem(scene, options.input_limit)) {
     keep_problem("scene", io::read_text(scene, options.input_limit), scene.string(),
                  {options.height, options.gap, options.edge});
+    PackingJob& job = packing("scene");
+    if (options.start) job.begin_with(start_layout(job.problem(), *options.start, options.input_limit));
     return;
   }
   Options first = options_;

@@ -9,6 +9,7 @@
 #include "findspace/world.h"
 #include "interruptible.h"
 #include "numbers.h"
+#include "pickles.h"
 #include "surfaces.h"
 
 namespace findspace::python {
@@ -60,7 +61,8 @@ void bind_motion(py::module_& m, py::class_<World>& world) {
   py::class_<Instants>(m, "Instants", "The instants of a motion at which a formula holds.")
       .def_readonly("certain", &Instants::certain, "Intervals of time, in order.")
       .def_readonly("possible", &Instants::possible, "Intervals that hold them all; the same where `exact`.")
-      .def_readonly("exact", &Instants::exact, "Whether these are all.");
+      .def_readonly("exact", &Instants::exact, "Whether these are all.")
+      .def(pickled<Instants>(&Instants::certain, &Instants::possible, &Instants::exact));
   world
       .def(
           "in_motion",
@@ -112,15 +114,26 @@ void bind_poses(py::module_& m, py::class_<World>& world) {
   py::class_<PoseMap::Slice>(poses, "Slice", "Positions at one angle.")
       .def_readonly("degrees", &PoseMap::Slice::degrees, "The angle, counter-clockwise.")
       .def_readonly("region", &PoseMap::Slice::region, "Exact where there is no `outer`, else certain positions.")
-      .def_readonly("outer", &PoseMap::Slice::outer, "Possible positions, or None.");
+      .def_readonly("outer", &PoseMap::Slice::outer, "Possible positions, or None.")
+      .def(py::pickle(
+          [](const PoseMap::Slice& s) { return py::make_tuple(s.degrees, s.region, s.outer); },
+          [](const py::tuple& t) {
+            return PoseMap::Slice{t[0].cast<double>(), t[1].cast<Region>(), t[2].cast<std::optional<Region>>()};
+          }));
   py::class_<PoseMap::Sector>(poses, "Sector", "Positions between two neighbouring angles.")
       .def_readonly("start", &PoseMap::Sector::from, "Degrees.")
       .def_readonly("end", &PoseMap::Sector::to, "Degrees, more than `start`; the last may go across 360.")
       .def_readonly("bound", &PoseMap::Sector::bound, "How far a point can be from where the nearer end has it.")
       .def_readonly("inner", &PoseMap::Sector::inner, "Feasible at every angle of the sector.")
-      .def_readonly("outer", &PoseMap::Sector::outer, "Holds every position that is feasible at some.");
+      .def_readonly("outer", &PoseMap::Sector::outer, "Holds every position that is feasible at some.")
+      .def(py::pickle([](const PoseMap::Sector& s) { return py::make_tuple(s.from, s.to, s.bound, s.inner, s.outer); },
+                      [](const py::tuple& t) {
+                        return PoseMap::Sector{t[0].cast<double>(), t[1].cast<double>(), t[2].cast<double>(),
+                                               t[3].cast<Region>(), t[4].cast<Region>()};
+                      }));
   poses.def_readonly("slices", &PoseMap::slices, "By angle.")
-      .def_readonly("sectors", &PoseMap::sectors, "Between neighbours at most 180 degrees apart.");
+      .def_readonly("sectors", &PoseMap::sectors, "Between neighbours at most 180 degrees apart.")
+      .def(pickled<PoseMap>(&PoseMap::slices, &PoseMap::sectors));
   world
       .def(
           "poses",
@@ -162,26 +175,42 @@ Examples
           "rotation; else the exact region twice.");
 }
 
+py::tuple packed_lines(const LineMap& map) {
+  py::list lines;
+  for (const LineMap::Line& line : map.lines) lines.append(py::make_tuple(line.through, line.intervals));
+  const py::object bounds = map.bounds ? py::object(py::make_tuple(map.bounds->low, map.bounds->high)) : py::none();
+  return py::make_tuple(lines, map.exact, map.unbounded, map.volume, map.components, bounds);
+}
+
+LineMap unpacked_lines(const py::tuple& t) {
+  LineMap out;
+  for (const py::handle& item : t[0]) {
+    const auto line = item.cast<py::tuple>();
+    out.lines.push_back({line[0].cast<Position3>(), line[1].cast<std::vector<Interval>>()});
+  }
+  out.exact = t[1].cast<bool>();
+  out.unbounded = t[2].cast<bool>();
+  out.volume = t[3].cast<double>();
+  out.components = t[4].cast<std::size_t>();
+  if (t[5].is_none()) return out;
+  const auto bounds = t[5].cast<py::tuple>();
+  out.bounds = SpaceRegion::Bounds3{bounds[0].cast<Position3>(), bounds[1].cast<Position3>()};
+  return out;
+}
+
 void bind_lines(py::module_& m, py::class_<World>& world) {
   py::class_<LineMap>(m, "LineMap", "A region of space on parallel lines.")
       .def_property_readonly(
-          "lines",
-          [](const LineMap& map) {
-            py::list out;
-            for (const LineMap::Line& line : map.lines) out.append(py::make_tuple(line.through, line.intervals));
-            return out;
-          },
+          "lines", [](const LineMap& map) { return py::object(packed_lines(map)[0]); },
           "(point of the line, intervals) of each line that meets the region.")
       .def_readonly("exact", &LineMap::exact, "Whether ends are exact; else found by a search.")
       .def_readonly("unbounded", &LineMap::unbounded, "The region goes on for ever.")
       .def_readonly("volume", &LineMap::volume, "About: cells times lengths. World.volume has bounds.")
       .def_readonly("components", &LineMap::components, "About how many parts it has.")
       .def_property_readonly(
-          "bounds",
-          [](const LineMap& map) -> py::object {
-            return map.bounds ? py::object(py::make_tuple(map.bounds->low, map.bounds->high)) : py::none();
-          },
-          "(low, high) of what the lines meet, or None.");
+          "bounds", [](const LineMap& map) { return py::object(packed_lines(map)[5]); },
+          "(low, high) of what the lines meet, or None.")
+      .def(py::pickle(&packed_lines, &unpacked_lines));
   const auto lines = [](int count, const std::string& axis) {
     if (axis != "x" && axis != "y" && axis != "z") throw py::value_error("axis is 'x', 'y' or 'z'");
     return Lines{count, Shape::Axis(axis[0] - 'x')};
@@ -228,6 +257,15 @@ void bind_placement(py::module_& m) {
              return Body(names(shapes), numbers(angles), count);
            }),
            py::arg("shapes"), py::arg("angles") = py::make_tuple(0), py::arg("count") = 1)
+      .def(py::pickle(
+          [](const Body& b) {
+            py::list angles;
+            for (const Number& a : b.angles) angles.append(a.text());
+            return py::make_tuple(b.shapes, angles, b.count);
+          },
+          [](const py::tuple& t) {
+            return Body(t[0].cast<std::vector<std::string>>(), numbers(t[1].cast<py::iterable>()), t[2].cast<int>());
+          }))
       .def_readonly("shapes", &Body::shapes, "Names.")
       .def_readonly("count", &Body::count, "How many of it are placed.");
   py::class_<Placement> placement(m, "Placement", "Bodies where they were put.");

@@ -74,7 +74,7 @@ def test_lines_of_space():
     through, intervals = lines.lines[0]
     assert [(i.start, i.end) for i in intervals] == [(1, 9)] and through[2] == 0
     lower, upper = world.volume(where, 48)
-    assert lower <= 512 - 36 * np.pi <= upper < 1.5 * lower
+    assert lower <= 512 - 36 * np.pi <= upper < 2 * lower
     surface = world.surface(where, 24)
     a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
     assert abs(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 - (512 - 36 * np.pi)) < 12
@@ -146,6 +146,12 @@ def test_every_value_pickles(passing):
     region = rooms.solve("inside(crate, room)")
     assert again(region).boxes == region.boxes and again(region.surface).polygons == region.surface.polygons
     assert "<svg" in region._repr_svg_()
+    lines = rooms.on_lines("inside(crate, room)", 8)
+    assert [t for t, _ in again(lines).lines] == [t for t, _ in lines.lines] and again(lines).bounds == lines.bounds
+    poses = world.poses("inside(B, A)", 2)
+    assert [s.region for s in again(poses).slices] == [s.region for s in poses.slices]
+    assert again(passing.instants("gap(cart, post) <= 1", (0, 3))).certain[0].start == 0.5
+    assert again(fs.Body("A", [0, "0.1"], 2)).count == 2
 
 
 def test_limits_of_input_have_a_code():

@@ -23,6 +23,7 @@ export class PackingPage {
   private state: PackingState | null = null;
   private items: PackedItem[] = [];
   private shown = 0;
+  private said = "";
   private held = false;
 
   constructor(private readonly svg: SVGSVGElement, private readonly box: HTMLElement, private readonly verdict: (text: string, good: boolean | null) => void) {
@@ -32,7 +33,9 @@ export class PackingPage {
 
   async begin(): Promise<void> {
     this.controls();
-    await this.start();
+    await this.start(false);
+    this.show(await call<PackingState>("packing", { ...kOfPacking, since: 0 }));
+    if (!this.state!.length) await this.start(true);
     this.follow();
     void this.watch();
   }
@@ -45,7 +48,7 @@ export class PackingPage {
       made.onclick = () => void act().catch((e: unknown) => this.verdict(e instanceof Error ? e.message : String(e), false));
     };
     button("Stop", "pack-stop", async () => this.show(await call<PackingState>("stop", kOfPacking)));
-    button("Go on", "pack-go", () => this.start());
+    button("Go on", "pack-go", () => this.start(true));
     button("Save layout", "pack-save", async () => {
       const state = await call<PackingState>("packing", { ...kOfPacking, since: 0 });
       const link = make("a", document.body);
@@ -58,8 +61,8 @@ export class PackingPage {
     make("p", this.box, "Drag a part: the others make room, and the search goes on from there when you say so.", "hint");
   }
 
-  private async start(): Promise<void> {
-    this.problem = await call<PackingProblem>("pack", { ...kOfPacking, drawing: true });
+  private async start(search: boolean): Promise<void> {
+    this.problem = await call<PackingProblem>("pack", { ...kOfPacking, drawing: true, search });
     document.title = `${this.problem.name || "packing"} – findspace`;
   }
 
@@ -74,9 +77,11 @@ export class PackingPage {
     this.state = state;
     const density = (100 * state.density).toFixed(2);
     document.getElementById("pack-facts")!.textContent = state.length
-      ? `Length ${shown(state.length)}, density ${density} %, after ${state.seconds.toFixed(1)} s. No layout is shorter than ${shown(this.problem!.lower_bound)}.`
+      ? `Layout ${state.number}: length ${shown(state.length)}, density ${density} %, after ${state.seconds.toFixed(1)} s. No layout is shorter than ${shown(this.problem!.lower_bound)}.`
       : "";
-    this.verdict(state.failure ?? (state.running ? "Packing" : state.length ? "Stopped: the best layout is kept" : "Not begun"), state.failure ? false : state.running ? null : true);
+    const said = state.failure ?? (state.running ? "Packing" : state.length ? "Stopped: the best layout is kept" : "Not begun");
+    if (said !== this.said || state.number !== this.shown) this.verdict(said, state.failure ? false : state.running ? null : true);
+    this.said = said;
     if (!state.layout || state.number === this.shown) return;
     const first = this.shown === 0;
     this.shown = state.number;

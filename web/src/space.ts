@@ -14,29 +14,14 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { AnyDrawing, Atom, Corner, Place, SpaceDrawing, Summary } from "./engine";
-import { shortDecimals, shown } from "./picture";
+import { arrowGeometry, dot, ofSheets, surface } from "./forms";
+import { roundLength, shortDecimals, shown } from "./picture";
 import type { Picture, Pose } from "./picture";
 
 const kAxes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
 const kAxisColours = ["#d0453a", "#2f8f4e", "#3a6fd0"];
 
 const colour = (name: string): Color => new Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim().slice(0, 7));
-
-/// Convex faces, each cut about its first corner.
-function surface(vertices: Corner[], faces: number[][]): BufferGeometry {
-  const at: number[] = [];
-  for (const f of faces) for (let k = 2; k < f.length; ++k) at.push(...vertices[f[0]!]!, ...vertices[f[k - 1]!]!, ...vertices[f[k]!]!);
-  const made = new BufferGeometry();
-  made.setAttribute("position", new Float32BufferAttribute(at, 3));
-  made.computeVertexNormals();
-  return made;
-}
-
-const ofSheets = (sheets: Corner[][]): BufferGeometry => {
-  const vertices = sheets.flat();
-  let from = 0;
-  return surface(vertices, sheets.map((s) => s.map(() => from++)));
-};
 
 interface Style { fill: string; opacity: number; edges: string; side?: Side }
 
@@ -66,7 +51,7 @@ export class SpaceStage implements Picture {
   onDragged: () => void = () => {};
   onPick: (at: Place) => void = () => {};
 
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly unitName: string) {
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly bar: HTMLElement, private readonly unitName: string) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
@@ -107,12 +92,20 @@ export class SpaceStage implements Picture {
     const length = 70 * this.unit;
     for (const handle of this.handles) handle.parent!.scale.setScalar(length);
     this.renderer.render(this.scene, this.camera);
+    this.drawBar();
     const { clientWidth: w, clientHeight: h } = this.canvas;
     for (const { e, at } of this.labels) {
       const p = at.clone().project(this.camera);
       e.style.transform = `translate(${((p.x + 1) * w) / 2}px, ${((1 - p.y) * h) / 2}px) translate(-50%, -130%)`;
       e.style.visibility = p.z < 1 ? "" : "hidden";
     }
+  }
+
+  /// As long as it is at the middle of the scene.
+  private drawBar(): void {
+    const length = roundLength(140 * this.unit);
+    this.bar.style.width = `${length / this.unit}px`;
+    this.bar.firstElementChild!.textContent = `${shown(length)} ${this.unitName}`;
   }
 
   private material<T extends Material>(made: T): T {
@@ -143,7 +136,7 @@ export class SpaceStage implements Picture {
     if (d.points.length) {
       const geometry = new BufferGeometry();
       geometry.setAttribute("position", new Float32BufferAttribute(d.points.flat(), 3));
-      into.add(new Points(geometry, this.material(new PointsMaterial({ color: edge, size: 11, sizeAttenuation: false }))));
+      into.add(new Points(geometry, this.material(new PointsMaterial({ color: edge, size: 11, sizeAttenuation: false, map: dot(), alphaTest: 0.5, transparent: true }))));
     }
   }
 
@@ -172,6 +165,7 @@ export class SpaceStage implements Picture {
     }
     this.addHandles(boxes);
     this.showRegions();
+    this.drawMarks();
     this.place(this.at);
   }
 
@@ -236,12 +230,19 @@ export class SpaceStage implements Picture {
 
   setAtoms(good: boolean, atoms: Atom[]): void {
     this.atoms = atoms;
-    if (good !== this.good) {
-      this.good = good;
-      this.build();
-    }
-    this.drawMarks();
+    const turned = good !== this.good;
+    this.good = good;
+    if (turned) this.build();
+    else this.drawMarks();
     this.draw();
+  }
+
+  private addLabel(text: string, at: Vector3, style = ""): void {
+    const e = document.createElement("span");
+    e.textContent = text;
+    e.className = style;
+    this.overlay.append(e);
+    this.labels.push({ e, at });
   }
 
   private drawMarks(): void {
@@ -255,11 +256,12 @@ export class SpaceStage implements Picture {
       lines.setPositions([...p, ...q]);
       this.marks.add(new LineSegments2(lines, new LineMaterial({ color: colour(a.true ? "--ink" : "--bad"), linewidth: 2, depthTest: false })));
       if (typeof a.value !== "number" || a.value === 0) continue;
-      const e = document.createElement("span");
-      e.textContent = `${shown(a.value)} ${this.unitName}`.trim();
-      if (!a.true) e.className = "no";
-      this.overlay.append(e);
-      this.labels.push({ e, at: new Vector3(p[0]! + q[0]!, p[1]! + q[1]!, p[2]! + q[2]!).divideScalar(2) });
+      this.addLabel(`${shown(a.value)} ${this.unitName}`.trim(), new Vector3(p[0]! + q[0]!, p[1]! + q[1]!, p[2]! + q[2]!).divideScalar(2), a.true ? "" : "no");
+    }
+    for (const s of this.summary?.shapes ?? []) {
+      if (!s.drawing || s.moving || this.hidden.has(s.name)) continue;
+      const box = new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat());
+      this.addLabel(s.name, new Vector3((box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z), "name");
     }
   }
 
@@ -370,23 +372,6 @@ export class SpaceStage implements Picture {
     this.render();
     return new Promise((done, fail) => this.canvas.toBlob((b) => (b ? done(b) : fail(new Error("no picture"))), "image/png"));
   }
-}
-
-/// A shaft and a tip along an axis, one long.
-function arrowGeometry(axis: Vector3): BufferGeometry {
-  const [u, v] = [new Vector3(axis.y, axis.z, axis.x), new Vector3(axis.z, axis.x, axis.y)];
-  const ring = (along: number, radius: number): Vector3[] =>
-    [...Array(8).keys()].map((k) => axis.clone().multiplyScalar(along).add(u.clone().multiplyScalar(radius * Math.cos((k * Math.PI) / 4))).add(v.clone().multiplyScalar(radius * Math.sin((k * Math.PI) / 4))));
-  const rings = [ring(0, 0.025), ring(0.78, 0.025), ring(0.78, 0.085), ring(1, 0)];
-  const at: number[] = [];
-  for (let r = 1; r < rings.length; ++r)
-    for (let k = 0; k < 8; ++k) {
-      const [a, b, c, d] = [rings[r - 1]![k]!, rings[r - 1]![(k + 1) % 8]!, rings[r]![k]!, rings[r]![(k + 1) % 8]!];
-      for (const p of [a, b, d, a, d, c]) at.push(p.x, p.y, p.z);
-    }
-  const made = new BufferGeometry();
-  made.setAttribute("position", new Float32BufferAttribute(at, 3));
-  return made;
 }
 
 (globalThis as { findspaceSpace?: typeof SpaceStage }).findspaceSpace = SpaceStage;

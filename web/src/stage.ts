@@ -22,6 +22,9 @@ const lookOf = (d: Drawing): string => d.faces + d.free + dots(d.points);
 const around = (b: DOMRect, o: DOMRect): boolean =>
   b.x <= o.x && b.y <= o.y && b.x + b.width >= o.x + o.width && b.y + b.height >= o.y + o.height;
 
+const placeAlong = (m: Movement, time: number): Point =>
+  along(m.times, m.path, time, (a, b, t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])] as Point);
+
 const kLayers = ["shapes", "outer", "own", "region", "ghost", "placed", "part", "marks"] as const;
 
 export class Stage implements Picture {
@@ -122,8 +125,7 @@ export class Stage implements Picture {
     let turn = angle;
     const [cx, cy] = movement ? [0, 0] : this.summary?.about ?? [0, 0];
     if (movement) {
-      const time = this.pose.time!;
-      const [dx, dy] = along(movement.times, movement.path, time, (a, b, t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])] as Point);
+      const time = this.pose.time!, [dx, dy] = placeAlong(movement, time);
       x += dx;
       y += dy;
       turn = along(movement.times, movement.angles, time, (a, b, t) => a + t * (b - a));
@@ -140,6 +142,7 @@ export class Stage implements Picture {
     }
     this.place(this.at);
     this.setGhost(this.ghost);
+    this.drawMarks();
   }
 
   setGhost(at: Place | null): void {
@@ -279,7 +282,10 @@ export class Stage implements Picture {
       element("line", { class: "dimension" + style, x1: `${x1}`, y1: `${y1}`, x2: `${x2}`, y2: `${y2}` }, g);
       if (value) text("label" + style, (x1 + x2) / 2, (y1 + y2) / 2 - 5 * unit, `${shown(value)} ${name}`.trim());
     };
-    for (const n of this.names) text("name", n.x, n.y + 11 * unit, n.text);
+    for (const n of this.names) {
+      const movement = this.movementOf(n.text), [dx, dy] = movement ? placeAlong(movement, this.pose.time!) : [0, 0];
+      text("name", n.x + dx, n.y + this.down * dy + 11 * unit, n.text);
+    }
     for (const a of this.atoms) {
       const [p, q] = a.witness.points ?? [];
       if (p && q) dimension(a.true ? "" : " no", p, q, typeof a.value === "number" ? a.value : null);

@@ -40,7 +40,7 @@ RegionBounds World::solve_bounds(const Formula& formula) const {
   const formula::Solver& solver = data_->plane("the region of a formula");
   return api::limited(data_->options, [&] {
     const formula::Formula asked = data_->formula(formula.text());
-    if (!solver.rotations_in(asked)) {
+    if (!solver.known_between_bounds(asked)) {
       const Region exact = data_->region(formula::feasible_near(solver, asked));
       return RegionBounds{exact, exact};
     }
@@ -95,7 +95,7 @@ Instants World::instants(const Formula& formula, const Point& p) const {
   const exact::RealPoint at{place[0], place[1]};
   return api::limited(data_->options, [&] {
     const formula::Formula asked = data_->formula(formula.text());
-    const bool rotating = solver.rotations_in(asked);
+    const bool rotating = solver.known_between_bounds(asked);
     const auto swing = rotating ? solver.swing(asked, at) : std::nullopt;
     if (rotating && !swing) {
       const formula::InstantBounds found = solver.instant_bounds(asked, at);

@@ -13,10 +13,10 @@
 #include "api/values/region_data.h"
 #include "formula/language/lexer.h"
 #include "formula/language/text.h"
-#include "formula/planar/feasible_near.h"
 #include "formula/planar/optimize.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/solve_rotation.h"
+#include "formula/planar/sums.h"
 #include "formula/solid/solve_rays.h"
 #include "plane/base/parallel.h"
 #include "plane/build/build.h"
@@ -217,7 +217,7 @@ Check World::check(const Formula& f, const Point3& p) const { return check_of(*d
 Region World::solve(const Formula& formula) const {
   const formula::Solver& solver = data_->plane("the region of a formula");
   return api::limited(data_->options,
-                      [&] { return data_->region(formula::feasible_near(solver, data_->formula(formula.text()))); });
+                      [&] { return data_->region(formula::exact_region(solver, data_->formula(formula.text()))); });
 }
 
 SignMap World::sign_map(std::string_view distance, const Number& level) const {
@@ -236,7 +236,7 @@ Optimum World::minimize(std::string_view objective, const Formula& formula) cons
   const formula::Solver& solver = data_->plane("an optimum");
   const formula::Objective wanted = formula::parse_objective(objective, data_->context);
   return api::limited(data_->options, [&] {
-    formula::Optimum best = formula::optimize(formula::feasible_near(solver, data_->formula(formula.text())), wanted,
+    formula::Optimum best = formula::optimize(formula::exact_region(solver, data_->formula(formula.text())), wanted,
                                               distance::Sense::kMinimum, solver);
     return Optimum{best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
                    data_->region(std::move(best.at))};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "exact/margins/rounding.h"
 #include "plane/base/real_vector.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/moved.h"
@@ -26,6 +27,11 @@ namespace {
 LevelCurve rotated_round(LevelCurve f) {
   f.k = -f.k;  // f(level) becomes f(-level)
   return f;
+}
+
+/// Minus a form.
+SmoothForm opposite(SmoothForm f) {
+  return {-f.value, -f.gx, -f.gy, -f.above, -f.below, [of = std::move(f.curve)] { return rotated_round(of()); }};
 }
 
 class CutOff : public TDistance {
@@ -61,6 +67,22 @@ class CutOff : public TDistance {
     auto out = f_->level_curves(p, tolerance);
     if (negated_)
       for (NearLevelCurve& n : out) n.curve = rotated_round(std::move(n.curve));
+    return out;
+  }
+
+  std::optional<std::vector<SmoothForm>> forms(const RealPoint& p, double radius) const override {
+    auto out = f_->forms(p, radius);
+    const auto v = f_->value(p);
+    if (!out || !v || v->minus_infinity) return std::nullopt;
+    const double above = (negated_ ? -1 : 1) * near_value(v->value) - near_value(floor_);
+    const double reach = radius * margin::kUpward + margin::kUpwardSteps;
+    if (above < -reach) out->clear();
+    if (negated_)
+      for (SmoothForm& form : *out) form = opposite(std::move(form));
+    if (above <= reach) {
+      out->push_back({near_value(floor_)});
+      out->back().curve = [floor = floor_] { return LevelCurve::line(Real(), Real(), -floor, Real(1)); };
+    }
     return out;
   }
 

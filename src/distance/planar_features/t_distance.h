@@ -16,6 +16,7 @@
 
 #include "distance/answer/answer.h"
 #include "distance/planar_features/level_curve.h"
+#include "distance/planar_features/smooth_form.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::distance {
@@ -38,6 +39,10 @@ class TDistance : public PositionFunction {
  public:
   /// A position where a search may begin.
   virtual exact::RealPoint seed() const = 0;
+  /// Smooth functions of which f is one at every position no farther than `radius` from p, where the family knows them.
+  virtual std::optional<std::vector<SmoothForm>> forms(const exact::RealPoint& /*p*/, double /*radius*/) const {
+    return std::nullopt;
+  }
   /// The level curves with a gap of at most `tolerance` at p.
   virtual std::vector<NearLevelCurve> level_curves(const exact::RealPoint& p, double tolerance) const = 0;
   /// The least value and the only position that has it, where the family can tell by itself.

@@ -32,17 +32,6 @@ using plane::Mark;
 using plane::PieceBox;
 using plane::Region;
 
-/// A node of a formula as a formula of its own.
-Node taken(const Node& node, const Formula& from, std::vector<Atom>& atoms) {
-  Node out{node.op, 0, {}};
-  if (node.op == Node::Op::kAtom) {
-    out.atom = atoms.size();
-    atoms.push_back(from.atoms()[node.atom]);
-  }
-  for (const Node& operand : node.operands) out.operands.push_back(taken(operand, from, atoms));
-  return out;
-}
-
 bool is_plain(const Distance& d) { return d.mode == Mode::kPlain; }
 
 class Near {
@@ -88,11 +77,7 @@ class Near {
   };
   using Names = std::vector<std::string>;
 
-  Formula alone(const Node& node) const {
-    std::vector<Atom> atoms;
-    Node copy = taken(node, formula_, atoms);
-    return Formula(std::move(copy), std::move(atoms));
-  }
+  Formula alone(const Node& node) const { return part_of(formula_, node); }
 
   bool moves(const std::string& name) const {
     const auto& moving = world_.world().moving;

@@ -37,7 +37,8 @@ bool is_signed(Kind kind) { return kind == Kind::kGamma1 || kind == Kind::kEta1 
 /// The nearest position at which the atom holds, or which `<` or `>` has as its limit, and its distance in grid steps.
 std::optional<plane::Nearest> contact(const PreparedWorld& world, const Atom& atom, const RealPoint& p) {
   const Roles r = world.roles(atom.distance);
-  const bool simple = !atom.minimum && !r.rotating && r.wanted.mode == Mode::kPlain && is_signed(r.wanted.kind);
+  const bool simple =
+      !atom.minimum && atom.more.empty() && !r.rotating && r.wanted.mode == Mode::kPlain && is_signed(r.wanted.kind);
   if (!simple || atom.relation == Relation::kNotEqual) return std::nullopt;
   const auto pair = world.pair(r.names);
   const distance::Which which = r.which();

@@ -124,6 +124,7 @@ plane::SignMap observed(const SignMap& wanted, plane::SignMap map) {
 
 plane::SignMap sign_map(const PreparedWorld& world, const SignMap& asked) {
   const SignMap wanted = plain_level(asked);
+  if (!wanted.more.empty()) refuse(wanted.distance, "compared with other distances it has no sign map of its own");
   return observed(wanted, wanted.minimum
                               ? minimiser_map(least(world, wanted.distance))
                               : position_function(world, wanted.distance)->sign_map(wanted.level / world.step()));
@@ -144,6 +145,8 @@ plane::Region region_of(const Formula& formula, const std::vector<plane::SignMap
 
 std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const Formula& formula) {
   for (const SignMap& asked : formula.sign_maps()) {
+    if (!asked.more.empty())
+      return refused(asked.distance, "compared with other distances it has a region between two sets");
     if (asked.minimum) continue;  // the least value has positions
     if (auto why = between_bounds(world, plain_level(asked).distance)) return why;
   }

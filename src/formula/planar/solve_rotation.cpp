@@ -102,6 +102,7 @@ const Solver& RotationSolver::rotated_solver() const {
 }
 
 RotationMaps RotationSolver::maps(const Formula& formula) const {
+  if (has_sums(formula)) throw Error(ErrorCode::kUnsupported, "distances are not compared with each other over angles");
   return {world_, point_of_rotation(formula), world_.steps(pose_.at)};
 }
 

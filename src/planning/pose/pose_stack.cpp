@@ -72,7 +72,7 @@ class Stand {
       shape = plane::rotated(shape, about, degrees, world_.step.to_double(), slice.rounding);
     }
     const Solver solver(world_);
-    if (!solver.rotations_in(formula)) {
+    if (!solver.known_between_bounds(formula)) {
       slice.region = solver.feasible(formula);
       return;
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The edges of a face by slabs of y, to find those that reach into a range of y. Guarantee: exact; grid coordinates
-// are exact doubles. Cost: O(n log n) to build, O(n) memory; a question looks at the edges in its slabs. Keywords:
-// bucket grid, interval query.
+// Boxes by slabs of y, to find those that reach into a range of y: of the edges of a face, or of faces. Guarantee:
+// exact; grid coordinates are exact doubles. Cost: O(n log n) to build, O(n) memory; a question looks at the boxes in
+// its slabs. Keywords: bucket grid, interval query.
 #pragma once
 
 #include <algorithm>
@@ -13,18 +13,18 @@
 
 namespace findspace::plane {
 
-class EdgeSlabs {
+class BoxSlabs {
  public:
-  /// The edge that leaves a corner, with its range.
   struct Entry {
     double x0, x1, y0, y1;
-    Index corner;
-    Index slab;  // the lowest one it reaches into
+    Index item;
+    Index slab = 0;  // the lowest one it reaches into
   };
 
-  explicit EdgeSlabs(const GridFace& face);
+  /// `most`: entries a box, at most, so that tall boxes take no more memory than that.
+  BoxSlabs(std::vector<Entry> boxes, std::size_t most);
 
-  /// Calls visit(entry) for every edge that reaches into [low, high], once each, while it returns true.
+  /// Calls visit(entry) for every box that reaches into [low, high], once each, while it returns true.
   template <class Visit>
   bool visit(double low, double high, Visit&& visit) const {
     if (start_.empty() || high < bottom_ || low > top_) return true;
@@ -47,5 +47,8 @@ class EdgeSlabs {
   std::vector<Index> start_;
   std::vector<Entry> entries_;  // slab after slab
 };
+
+/// Of the edges of a face, by the corners that they leave.
+BoxSlabs edge_slabs(const GridFace& face);
 
 }  // namespace findspace::plane
