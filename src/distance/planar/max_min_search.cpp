@@ -234,7 +234,6 @@ SearchRange MaxMinSearch::root() const {
 
 void MaxMinSearch::look(SearchRange& r) {
   if (r.edge >= 0) return split_edge(r);
-  if (seen_) seen_.add_box({r.x0, r.y0, 0}, {r.x1, r.y1, 0});
   visit_vertices(r);
   const bool small = std::max(r.x1 - r.x0, r.y1 - r.y0) < query_.scale * margin::kMaxMinBox;
   if (r.a.size() <= kFewFeatures || small)
@@ -244,11 +243,11 @@ void MaxMinSearch::look(SearchRange& r) {
 }
 
 std::vector<MaxMinPlace> MaxMinSearch::found() {
-  for (long left = query_.effort.most_ranges; !todo_.empty() && left > 0; --left) {
-    SearchRange r = todo_.top();
-    todo_.pop();
-    if (matters(r)) look(r);
-  }
+  todo_.run(
+      query_.effort.most_ranges, [](const SearchRange&) { return false; },
+      [&](SearchRange r) {
+        if (matters(r)) look(r);
+      });
   std::erase_if(places_found_, [&](const MaxMinPlace& p) {
     return p.value <= query_.least_value || p.value < best_ - query_.tolerance;
   });
