@@ -26,7 +26,8 @@ packing::Problem read(const std::string& problem, const std::string& file, const
   if (wishes.height) read.height = fraction(*wishes.height);
   packing::Problem result = io::read_nesting(problem, file, read);
   if (result.on_sheets() || result.box)
-    throw Error(ErrorCode::kUnsupported, "the page shows strips; sheets and boxes are packed by 'findspace pack'", file);
+    throw Error(ErrorCode::kUnsupported, "the page shows strips; sheets and boxes are packed by 'findspace pack'",
+                file);
   return result;
 }
 
