@@ -38,6 +38,23 @@ std::vector<Number> numbers(const py::sequence& values) {
   return result;
 }
 
+using NamedGap = std::tuple<std::string, std::string, py::object>;
+
+PackProblem problem_of(std::vector<PackPart> parts, const py::object& height, std::vector<PackSheet> sheets,
+                       const py::object& gap, const py::object& edge, std::string name, bool box,
+                       const std::vector<NamedGap>& gaps) {
+  PackProblem problem;
+  problem.name = std::move(name);
+  problem.height = number(height);
+  problem.sheets = std::move(sheets);
+  problem.box = box;
+  problem.parts = std::move(parts);
+  problem.gap = number(gap);
+  problem.edge = number(edge);
+  for (const auto& [first, second, distance] : gaps) problem.gaps.push_back({first, second, number(distance)});
+  return problem;
+}
+
 void bind_problem(py::module_& m) {
   py::class_<PackPart>(m, "PackPart", "A kind of part: an outline with holes, how many, at which angles.")
       .def(py::init([](std::string name, const py::sequence& outline, const py::sequence& holes, int count,
@@ -62,14 +79,10 @@ void bind_problem(py::module_& m) {
            py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
            py::arg("cost") = py::none(), py::arg("zones") = std::vector<PackZone>())
       .def_readonly("name", &PackSheet::name);
-  py::class_<PackProblem>(m, "PackProblem", "What is to be packed: into a strip of a height, or onto sheets.")
-      .def(py::init([](std::vector<PackPart> parts, const py::object& height, std::vector<PackSheet> sheets,
-                       const py::object& gap, const py::object& edge, std::string name) {
-             return PackProblem{std::move(name),  number(height), std::move(sheets),
-                                std::move(parts), number(gap),    number(edge)};
-           }),
-           py::arg("parts"), py::arg("height") = 0, py::arg("sheets") = std::vector<PackSheet>(), py::arg("gap") = 0,
-           py::arg("edge") = 0, py::arg("name") = "", py::arg("box") = false, py::arg("gaps") = py::list())
+  py::class_<PackProblem>(m, "PackProblem", "What is to be packed: into a strip of a height, a box, or onto sheets.")
+      .def(py::init(&problem_of), py::arg("parts"), py::arg("height") = 0, py::arg("sheets") = std::vector<PackSheet>(),
+           py::arg("gap") = 0, py::arg("edge") = 0, py::arg("name") = "", py::arg("box") = false,
+           py::arg("gaps") = py::list())
       .def_static(
           "json", [](const std::string& text) { return pack_problem(text); }, py::arg("text"),
           "A problem as nesting JSON.")
