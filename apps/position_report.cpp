@@ -21,10 +21,22 @@ std::string amount_text(const formula::DistanceAt& d, double amount, std::string
   return d.in_degrees ? number + "°" : unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
+/// How far the true value may be from the one that is shown; empty where that is exact.
+std::string within_text(const formula::DistanceAt& d) {
+  if (!d.answer || d.answer->proven || d.answer->minus_infinity) return "";
+  const distance::Enclosure between = d.answer->bounds();
+  if (!between.lower && !between.upper) return " (not certain)";
+  if (!between.lower) return fmt::format(" (at most {})", io::shown(between.upper->to_double()));
+  if (!between.upper) return fmt::format(" (at least {})", io::shown(between.lower->to_double()));
+  const exact::Real below = d.answer->value - *between.lower, above = *between.upper - d.answer->value;
+  constexpr double kRoundedUp = 1.1;  // to two digits
+  return fmt::format(" (within {:.1e})", std::max(below, above).to_double() * kRoundedUp);
+}
+
 std::string value_text(const formula::DistanceAt& d, std::string_view unit) {
   if (!d.refused.empty()) return "not computed";
   const auto value = d.value();
-  return value ? amount_text(d, *value, unit) : "undefined";
+  return value ? amount_text(d, *value, unit) + within_text(d) : "undefined";
 }
 
 /// With the value that its word says.

@@ -123,12 +123,19 @@ std::optional<FarthestPlace> PlaceSearch::exact_meeting(const Found& f) const {
   // A place found by a box at B's boundary may lie beyond it; then the edge has its own.
   if (f.cell.dimension == 2 && !is_in_b(f, place, tolerance)) return best;
   FeaturePair near = nearest_point(a_, place);
-  return FarthestPlace{near.distance, place, f.cell, near};
+  FarthestPlace out{near.distance, place, f.cell, near};
+  out.open = near_value(near.distance) + 2 * f.error + slack_;
+  if (f.cell.dimension == 1) {
+    const auto own = exact_pair(b_.region(), f.cell, {place.x - p_.x, place.y - p_.y});
+    out.off = near_value(own->distance) + scale_ * margin::kFewRoundings;
+  }
+  return out;
 }
 
 PlanarAnswer FarthestPlace::answer() const {
   const Real most = Real::from_double(open);
-  return value < most ? enclosed_answer(value, value, most) : exact_answer(value, Way::kFeatures);
+  if (off == 0 && !(value < most)) return exact_answer(value, Way::kFeatures);
+  return enclosed_answer(value, value - Real::from_double(off), value < most ? most : value);
 }
 
 std::optional<FarthestPlace> PlaceSearch::run() {
@@ -144,7 +151,7 @@ std::optional<FarthestPlace> PlaceSearch::run() {
   }
   if (open_ == 0) return best;
   if (!best) best = exact_vertex({{}, first_});
-  best->open = open_;
+  best->open = std::max(best->open, open_);
   return best;
 }
 

@@ -110,7 +110,10 @@ Check check_at(const PreparedWorld& world, const Formula& formula, const RealPoi
     const Atom& atom = formula.atoms()[k];
     const std::size_t map = formula.sign_map_of(k);
     const plane::Stopwatch watch;
-    out.atoms.push_back(atom_at(atom, distance_at(world, atom.distance, p), signs[map]));
+    DistanceAt value = distance_at(world, atom.distance, p);
+    if (value.answer && !atom.minimum)
+      value.answer = distance::narrowed(*std::move(value.answer), atom.level, signs[map]);
+    out.atoms.push_back(atom_at(atom, std::move(value), signs[map]));
     out.atoms.back().way = ways[map];
     out.atoms.back().milliseconds = milliseconds[map] + watch.milliseconds();
   }

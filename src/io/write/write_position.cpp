@@ -54,13 +54,14 @@ std::string explanation(const formula::AtomAt& a) {
   return fmt::format(R"("way": {}, "milliseconds": {:.3f}, )", json_string(distance::name(a.way)), a.milliseconds);
 }
 
-/// The members after a value: "lower" and "upper" of one that is not exact, else "closed_form".
+/// The members after a value: "exact", "lower" and "upper" of one that is not exact, else "closed_form".
 std::string ends_text(const DistanceAt& d) {
   const auto between = ends(d);
   const std::string closed = closed_form(d);
   if (!closed.empty()) return fmt::format(R"( "closed_form": {},)", closed);
   if (!between) return "";
-  return fmt::format(R"( "lower": {}, "upper": {},)", json_number(between->lower), json_number(between->upper));
+  return fmt::format(R"( "exact": false, "lower": {}, "upper": {},)", json_number(between->lower),
+                     json_number(between->upper));
 }
 
 /// The keys "atoms" and "distances": an atom with the names of its writer, the distances with the papers' names
