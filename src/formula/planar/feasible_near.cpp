@@ -261,7 +261,7 @@ Region feasible_near(const Solver& solver, const Formula& formula) { return Near
 
 std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
                                                   const exact::RealPoint& p) {
-  constexpr double kLargest = 0x1p38;  // in grid steps: what is beyond is no coordinate
+  constexpr double kLargest = 0x1p38;  // no sign: in grid steps, what is beyond is no coordinate
   const double x = distance::near_value(p.x), y = distance::near_value(p.y);
   const auto sizes = window_sizes(world);
   Near near(world, formula);
