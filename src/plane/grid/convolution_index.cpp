@@ -170,13 +170,14 @@ std::int32_t ConvolutionIndex::past_corners(Geometry& g, Index point, const Pair
   if (std::abs(q.x - double(at.x)) > q.error || std::abs(q.y - double(at.y)) > q.error) return 0;
   if (compare_grid(g, at, [&](Index i) { return compare_xy(g, i, point); }) != 0) return 0;
   std::int32_t number = 0;
-  const auto& places = pair.side[0].by_place;
-  for (Index v = 0; v < pair.side[1].fan.corners.size(); ++v) {
-    const GridPoint other = pair.side[1].fan.corners[v].at, wanted{at.x - other.x, at.y - other.y};
+  const std::size_t few = pair.side[0].place.size() < pair.side[1].place.size() ? 0 : 1;
+  const auto& places = pair.side[1 - few].by_place;
+  for (Index v = 0; v < pair.side[few].fan.corners.size(); ++v) {
+    const GridPoint other = pair.side[few].fan.corners[v].at, wanted{at.x - other.x, at.y - other.y};
     auto k = std::lower_bound(places.begin(), places.end(), wanted,
                               [](const auto& p, GridPoint w) { return before(p.first, w); });
     for (; k != places.end() && k->first.x == wanted.x && k->first.y == wanted.y; ++k)
-      number += past_corner(pair, {k->second, v});
+      number += past_corner(pair, few == 0 ? std::array{v, k->second} : std::array{k->second, v});
   }
   return number;
 }
