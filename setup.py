@@ -17,8 +17,9 @@ ROOT = os.path.dirname(os.path.abspath(__file__))
 class CMakeBuild(build_ext):
     def build_extension(self, ext):
         folder = os.environ.get("FINDSPACE_BUILD") or os.path.abspath(os.path.join(self.build_temp, "cmake"))
-        options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DFINDSPACE_PYTHON=ON",
-                   "-DFINDSPACE_TESTS=OFF", "-DPython3_EXECUTABLE=" + sys.executable]
+        options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG",
+                   "-DCMAKE_UNITY_BUILD=ON", "-DFINDSPACE_PYTHON=ON", "-DFINDSPACE_TESTS=OFF",
+                   "-DPython3_EXECUTABLE=" + sys.executable]
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, *options], check=True)
         subprocess.run(["cmake", "--build", folder, "--target", "findspace_python"], check=True)
         built = os.path.join(folder, "python", "findspace")

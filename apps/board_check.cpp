@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "io/board/board.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"

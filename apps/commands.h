@@ -22,5 +22,6 @@ Outcome run_view(const Options& options, Reporter& reporter);
 Outcome run_phi_verb(const Options& options, Reporter& reporter);
 Outcome run_pack(const Options& options, Reporter& reporter);
 Outcome run_verify(const Options& options, Reporter& reporter);
+Outcome run_batch(const Options& options, Reporter& reporter);
 
 }  // namespace findspace::app

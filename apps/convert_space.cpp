@@ -8,58 +8,16 @@
 
 #include <fmt/format.h>
 
-#include "formula/solid/solve_region.h"
 #include "io/mesh/space_surface.h"
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json.h"
-#include "io/write/write_json_space.h"
 #include "space_commands.h"
 
 namespace findspace::app {
-namespace {
-
-using exact::Real;
-
-io::Surface surface(std::span<const space::Point> points, const Real& step) {
-  io::Surface out;
-  for (const space::Point& p : points)
-    out.vertices.push_back(
-        {(Real(p.x) * step).to_double(), (Real(p.y) * step).to_double(), (Real(p.z) * step).to_double()});
-  return out;
-}
-
-io::Surface surface(const space::Polytope& polytope, const Real& step) {
-  io::Surface out = surface(polytope.vertices(), step);
-  for (int f = 0; f < polytope.facet_count(); ++f) out.faces.push_back(polytope.circuit(f));
-  return out;
-}
-
-io::Surface surface(const space::Triangles& triangles, const Real& step) {
-  io::Surface out = surface(triangles.points, step);
-  for (const auto& face : triangles.faces) out.faces.emplace_back(face.begin(), face.end());
-  return out;
-}
-
-/// Of what a surface bounds; the rest is lost.
-io::Surface box_surface(const Session& session, const plane::Shape& shape, const space::BoxComplex& boxes) {
-  const space::SpaceSummary set = space::summarize(boxes, session.step());
-  if (!set.bounded) throw Error(ErrorCode::kGeometry, "a mesh cannot hold an unbounded set", shape.place);
-  io::Surface found = io::box_surface(boxes, session.step());
-  if (found.faces.empty()) throw Error(ErrorCode::kGeometry, "a mesh cannot hold a set without volume", shape.place);
-  if (set.dangling_area > 0 || set.dangling_length > 0 || !set.isolated.empty())
-    session.reporter().note("a mesh cannot hold sheets, lines and points: lost");
-  return found;
-}
-
-}  // namespace
-
 io::Surface boundary_of(const Session& session, const plane::Shape& shape) {
-  const Real& step = session.step();
-  const formula::ShapeBoundary found = formula::shape_boundary(shape);
-  if (const auto* triangles = std::get_if<space::Triangles>(&found)) return surface(*triangles, step);
-  if (const auto* boxes = std::get_if<space::BoxComplex>(&found)) return box_surface(session, shape, *boxes);
-  const space::Body& body = *std::get<formula::LazyBody::Pointer>(found);
-  return surface(*body.parts[0].core, step / Real(body.scale));
+  io::SolidSurface found = io::solid_surface(shape, session.step());
+  if (found.lost) session.reporter().note("a mesh cannot hold sheets, lines and points: lost");
+  return std::move(found.surface);
 }
 
 namespace {

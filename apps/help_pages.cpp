@@ -35,6 +35,7 @@ constexpr std::string_view kExamples[] = {
     "findspace place scene.json -o placed.svg         positions for several shapes",
     "findspace pack parts.json -o layout.svg          parts on a strip, as short as possible",
     "findspace verify layout.json parts.json          is this layout feasible, exactly",
+    "findspace batch questions.jsonl -o results.jsonl  many questions, over all cores and restarts",
     "findspace phi scene.json A B --at 3,4            do A and B moved by (3, 4) overlap or touch",
     "findspace serve --stdio scene.json               answers requests, a line each",
     "findspace view scene.json                        the scene in the browser, with a part to drag",
@@ -113,12 +114,12 @@ std::string_view sign(Relation relation) {
 /// "clear(B, A, c)" and "gap(B, A) >= c".
 std::string predicate_entry(const PredicateName& row) {
   const std::vector<std::string> negated = names_of(row.kind, false, true);
-  const bool turned = row.negated && !negated.empty();
-  const std::string distance = turned ? negated.front() : names_of(row.kind, false, false).front();
-  const Relation relation = turned ? formula::mirrored(row.relation) : row.relation;
+  const bool mirrored = row.negated && !negated.empty();
+  const std::string distance = mirrored ? negated.front() : names_of(row.kind, false, false).front();
+  const Relation relation = mirrored ? formula::mirrored(row.relation) : row.relation;
   const bool level = row.level != PredicateName::Level::kNone;
   const std::string call = fmt::format("{}(B, A{})", row.name, level ? ", c" : "");
-  const std::string number = !level ? "0" : row.negated && !turned ? "-c" : "c";
+  const std::string number = !level ? "0" : row.negated && !mirrored ? "-c" : "c";
   const std::string_view without = row.level == PredicateName::Level::kOptional ? "; c is 0 where left out" : "";
   return help_entry(call, fmt::format("{}(B, A) {} {}{}", distance, sign(relation), number, without));
 }
@@ -141,7 +142,8 @@ std::string formula_page() {
 
   inside(chip, board, 1mm) and gap(chip, screws) >= 0.5 and gap(chip, key) <= 12.5
 
-A distance of two shapes is compared with a number. One of the shapes is the moving one.
+A distance of two shapes is compared with a number, or with another: gap(B, A) <= gap(B, C).
+Sums have factors: gap(B, A) + 2 * gap(B, C) <= 5. One of the two shapes is the moving one.
 B stands for the moving shape and A for a fixed one.
 
 Comparisons:
@@ -186,7 +188,7 @@ constexpr Line kSceneKeys[] = {
     {"groups", "an object, name to list of shapes; empty lists are the empty set"},
     {"y", "up or down: how the y axis runs in pictures"},
     {"where", "the conditions: findspace help formula"},
-    {"minimize, maximize", "a distance, x, y, z, or \"distance to [X, Y]\""},
+    {"minimize, maximize", "a distance, a sum of distances, x, y, z, or \"distance to [X, Y]\""},
     {"free", "what the map is over: position (default), angle, pose, time, or {\"line\": {..}}"},
     {"about, angles", "of angle and pose: the centre of the rotation, and the angles in degrees"},
     {"motion", "shapes that move in time: way points, times, angles"},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The program `findspace`: reads the command line, runs one verb, and rotates whatever happens into an exit status and
-// a line that says what was wrong. docs/commands.md is its manual.
+// The programs `findspace` and `findspace-mpi`: reads the command line, runs one verb, and turns whatever happens
+// into an exit status and a line that says what was wrong. docs/commands.md is its manual.
 
 #include <fmt/format.h>
 
@@ -18,10 +18,12 @@
 #include <system_error>
 #include <vector>
 
+#include "command_line.h"
 #include "commands.h"
 #include "help_pages.h"
 #include "option_checks.h"
 #include "plane/base/parallel.h"
+#include "row_team.h"
 #include "run_limits.h"
 #include "session.h"
 #include "stage_dump.h"
@@ -73,8 +75,9 @@ constexpr VerbEntry kVerbs[] = {
     {"convert", "Answers what a shape or a drawing is in another format.", run_convert},
     {"place", "Answers where several shapes can go together, one after another or all at once.", run_place},
     {"phi", "Answers whether two shapes overlap, touch or lie apart, by their Phi-function.", run_phi_verb},
-    {"pack", "Answers how parts can be packed into a strip that is as short as possible.", run_pack},
+    {"pack", "Answers how parts can be packed into a short strip, or onto few sheets.", run_pack},
     {"verify", "Answers whether a layout is feasible, exactly: overlaps, the strip, angles and counts.", run_verify},
+    {"batch", "Answers many questions, a line each, over all cores, machines and restarts.", run_batch},
     {"serve", "Keeps scenes loaded and answers requests of other programs, in JSON-RPC 2.0.", run_serve},
     {"view", "Opens the scene in the browser: drag the part, see the region, and why not.", run_view},
 };
@@ -115,6 +118,23 @@ void add_lines(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->group(kSpace);
 }
 
+/// The strip of a packing, and the distances in it.
+void add_strip(CLI::App& command, Options& o) {
+  command.add_option("--height", o.height, "the height of the strip, instead of the file's")
+      ->type_name("H")
+      ->group(kPlane);
+  command.add_option("--gap", o.gap, "the least distance of any two parts (default 0)")->type_name("D")->group(kPlane);
+  command.add_option("--edge", o.edge, "the least distance of a part to the sides of the strip (default 0)")
+      ->type_name("D")
+      ->group(kPlane);
+}
+
+void add_start(CLI::App& command, Options& o) {
+  command.add_option("--start", o.start, "a layout to begin with: JSON, or an SVG of sparrow")
+      ->type_name("FILE")
+      ->group(kPlane);
+}
+
 /// Of packing problems and layouts.
 void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
   const bool pack = is(verb, "pack");
@@ -124,34 +144,47 @@ void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
       ->required()
       ->type_name("");
   if (!pack) command.add_option("PROBLEM", o.shapes, "the problem of a layout in JSON")->expected(0, 1)->type_name("");
-  command.add_option("--height", o.height, "the height of the strip, instead of the file's")
-      ->type_name("H")
-      ->group(kPlane);
-  command.add_option("--gap", o.gap, "the least distance of any two parts (default 0)")->type_name("D")->group(kPlane);
-  command.add_option("--edge", o.edge, "the least distance of a part to the sides of the strip (default 0)")
-      ->type_name("D")
-      ->group(kPlane);
+  add_strip(command, o);
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
   if (!pack) return;
-  command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json or .svg; may be repeated")
+  command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json, .svg or .dxf; may be repeated")
       ->type_name("FILE")
       ->take_all()
       ->expected(1)
       ->allow_extra_args(false)
       ->group(kCommon);
-  command.add_option("--start", o.start, "a layout to begin with: JSON, or an SVG of sparrow")
-      ->type_name("FILE")
-      ->group(kPlane);
+  add_start(command, o);
   command.add_option("--seed", o.seed, "another search (default 1)")->type_name("N")->group(kPlane);
   command.add_option("--work", o.work, "end after N million evaluations a thread: the same result every time")
       ->type_name("N")
       ->group(kPlane);
 }
 
+/// Of many questions.
+void add_batch(CLI::App& command, Options& o) {
+  command.add_option("JOBS", o.scene, "the questions, a JSON object a line")->required()->type_name("");
+  command
+      .add_option("-o,--output", o.outputs,
+                  "the results, a line for each question; what is done is kept beside it until the end")
+      ->type_name("FILE")
+      ->required()
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->group(kCommon);
+  command.add_option("--workers", o.workers, "questions answered at once, 0 to 1024 (default 0: one for each core)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->group(kCommon);
+  command.add_flag("--as-they-come", o.as_they_come, "print each result when it is there")->group(kCommon);
+  command.add_flag("--json", o.json, "print the summary as JSON")->group(kCommon);
+}
+
 bool is_packing(const VerbEntry& verb) { return is(verb, "pack") || is(verb, "verify"); }
 
 /// What is read, and where the result goes.
 void add_files(CLI::App& command, const VerbEntry& verb, Options& o) {
+  if (is(verb, "batch")) return add_batch(command, o);
   if (is_packing(verb)) return add_packing(command, verb, o);
   command.add_option("SCENE", o.scene, "the scene file, or a board of KiCad; - reads standard input")
       ->required()
@@ -238,7 +271,7 @@ void add_conversions(CLI::App& command, Options& o) {
 
 /// What is asked of a board, which says no question itself.
 void add_board(CLI::App& command, const VerbEntry& verb, Options& o) {
-  if (is(verb, "describe") || is(verb, "convert") || is(verb, "phi")) return;
+  if (is(verb, "describe") || is(verb, "convert") || is(verb, "phi") || is(verb, "batch")) return;
   const auto text = [&](const char* name, auto& value, const char* about, const char* type) {
     return command.add_option(name, value, about)->type_name(type)->group(kBoard);
   };
@@ -271,9 +304,13 @@ void add_forms(CLI::App& command, const VerbEntry& verb, Options& o) {
 /// Of verbs that answer requests.
 void add_service(CLI::App& command, const VerbEntry& verb, Options& o) {
   if (is(verb, "view")) {
-    command.add_option("SCENE", o.scene, "the scene file; its folder is the one that files are read from")
+    command
+        .add_option("SCENE", o.scene,
+                    "a scene, drawing, board or packing problem; its folder is the one that files are read from")
         ->required()
         ->type_name("");
+    add_strip(command, o);
+    add_start(command, o);
     command.add_option("--port", o.port, "the port on the loopback address (default: any that is free)")
         ->type_name("N")
         ->check(CLI::Range(1, 65535).description(""))
@@ -432,7 +469,7 @@ ExitStatus print_help(const CLI::App& app, const CLI::App& help, const HelpReque
   return kUsage;
 }
 
-int program(int argc, char** argv) {
+int program(int argc, char** argv, RowTeam* team) {
   CLI::App app(kAbout, "findspace");
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag("-h,--help", "print this help; after a verb its own")->group(kCommon);
@@ -457,32 +494,73 @@ int program(int argc, char** argv) {
     errors.error(fmt::format("{}\nTry 'findspace --help'.", e.what()));
     return kUsage;
   }
+  options.team = team;
   if (help->parsed()) return print_help(app, *help, request, errors);
   Reporter reporter(options.quiet);
   try {
     const std::string name = app.get_subcommands().front()->get_name();
     const VerbEntry& verb =
         *std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const VerbEntry& v) { return is(v, name); });
-    // A placement and a packing end in time by themselves, with the best result so far; a server has a limit for each
-    // request.
+    // A server and a batch have a limit for each request.
     Options limited = options;
-    if (is_service(verb)) limited.time_limit = 0;
-    set_limits(limited, is(verb, "place") || is(verb, "pack"));
-    return finish(run(verb, options, reporter), options, reporter);
+    if (is_service(verb) || is(verb, "batch")) limited.time_limit = 0;
+    if (is(verb, "batch")) limited.memory_limit = 0;  // of each question
+    set_limits(limited, ends_in_time(name));
+    const bool writes = team == nullptr || team->leads() || is(verb, "batch");
+    if (!writes) limited.outputs.clear();
+    return finish(run(verb, writes ? options : limited, reporter), options, reporter);
   } catch (...) {
     return report(reporter);
   }
 }
 
-}  // namespace
-}  // namespace findspace::app
+const VerbEntry* find_question(std::string_view name) {
+  for (const VerbEntry& verb : kVerbs)
+    if (is(verb, name) && !is_service(verb) && !is(verb, "batch")) return &verb;
+  return nullptr;
+}
 
-int main(int argc, char** argv) {
-  findspace::app::end_on_signals();
+}  // namespace
+
+bool is_question(std::string_view verb) { return find_question(verb) != nullptr; }
+
+std::vector<std::string> question_names() {
+  std::vector<std::string> out;
+  for (const VerbEntry& verb : kVerbs)
+    if (is_question(verb.name)) out.emplace_back(verb.name);
+  return out;
+}
+
+Options parse_question(std::string_view name, std::vector<std::string> arguments) {
+  const VerbEntry& verb = *find_question(name);
+  CLI::App app("", "findspace");
+  Options options;
+  add_options(app, verb, options);
+  std::reverse(arguments.begin(), arguments.end());
   try {
-    return findspace::app::program(argc, argv);
+    app.parse(arguments);
+  } catch (const CLI::ExtrasError&) {
+    throw Error(ErrorCode::kUsage, fmt::format("not expected: {}", fmt::join(app.remaining(true), " ")));
+  } catch (const CLI::Error& e) {
+    throw Error(ErrorCode::kUsage, e.what());
+  }
+  return options;
+}
+
+Outcome run_question(std::string_view verb, const Options& options, Reporter& reporter) {
+  return run(*find_question(verb), options, reporter);
+}
+
+bool ends_in_time(std::string_view verb) { return verb == "place" || verb == "pack"; }
+
+int run_program(int argc, char** argv, RowTeam* team) {
+  end_on_signals();
+  try {
+    return program(argc, argv, team);
   } catch (...) {
-    findspace::app::Reporter reporter;
-    return findspace::app::report(reporter);
+    Reporter reporter;
+    return report(reporter);
   }
 }
+
+}  // namespace findspace::app

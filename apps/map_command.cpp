@@ -3,21 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "asked_numbers.h"
 #include "commands.h"
-#include "formula/planar/feasible_near.h"
 #include "io/draw/draw_layout.h"
-#include "io/write/write_json.h"
 #include "io/write/write_wkt.h"
 #include "line_choice.h"
-#include "plane/build/path_region.h"
-#include "plane/complex/overlay.h"
-#include "plane/query/in_order.h"
-#include "plane/query/locate.h"
+#include "planar_map.h"
 #include "plane/query/topology.h"
 #include "report.h"
 #include "rotation_command.h"
@@ -27,115 +18,6 @@
 
 namespace findspace::app {
 namespace {
-
-plane::Region applied(plane::Region region, const std::string& operation) {
-  if (operation == "interior") return plane::interior(std::move(region));
-  if (operation == "closure") return plane::closure(std::move(region));
-  if (operation == "boundary") return plane::boundary(std::move(region));
-  if (operation == "regularize") return plane::regularize(std::move(region));
-  if (operation == "complement") return plane::complement(std::move(region));
-  return region;
-}
-
-/// The answer to a scene's question.
-struct Map {
-  plane::Region region;
-  std::optional<plane::Region> feasible;  // where the region is a part of it: the best positions
-  std::optional<io::ExtremeValue> extreme;
-  std::optional<plane::Region> outer;  // where the region is certainly feasible, and only this possibly
-};
-
-constexpr const char* kNoRoots =
-    "the optimum is no number that square roots express: given to 13 digits, with one position each";
-constexpr const char* kBetweenBounds = "the optimum is known between the value, which some position has, and \"bound\"";
-
-/// `bounded`: where shapes rotate.
-io::ExtremeValue value_of(const formula::Optimum& optimum, bool maximum, Reporter& reporter, bool bounded = false) {
-  if (optimum.value && !optimum.proven) reporter.note(bounded ? kBetweenBounds : kNoRoots);
-  io::ExtremeValue out = io::extreme_value(optimum, maximum);
-  out.proven = out.proven || optimum.unbounded || (!bounded && !optimum.value);
-  if (out.proven || optimum.unbounded) return out;
-  if (bounded || optimum.within != 0) out.bound = optimum.bound;
-  if (optimum.within != 0 && std::isfinite(optimum.within)) out.within = optimum.within;
-  return out;
-}
-
-/// Two points of the line, about 2^36 steps either way from where it goes through: beyond them nothing is looked for.
-std::array<exact::RealPoint, 2> ends_of_line(const io::Free& free) {
-  const std::int64_t most = std::max({std::abs(free.direction[0]), std::abs(free.direction[1]), std::int64_t(1)});
-  const std::int64_t times = std::max<std::int64_t>(1, (std::int64_t(1) << 36) / most);
-  const auto end = [&](std::int64_t way) {
-    return exact::RealPoint{exact::Real(free.through[0] + way * free.direction[0]),
-                            exact::Real(free.through[1] + way * free.direction[1])};
-  };
-  return {end(-times), end(times)};
-}
-
-plane::Region on_line(const plane::Region& region, const io::Free& free) {
-  const plane::Region line = plane::region_of_path(ends_of_line(free));
-  const std::array<const plane::Region*, 2> both{&region, &line};
-  return plane::intersect(both);
-}
-
-/// An optimum at an end of the line is none: it goes on.
-formula::Optimum within_line(formula::Optimum best, const io::Free& free) {
-  for (const exact::RealPoint& end : ends_of_line(free)) {
-    if (!best.value || mark_of(best.at, plane::locate(best.at, end)) == 0) continue;
-    best.value.reset();
-    best.unbounded = true;
-    best.attained = false;
-    best.at = plane::Region::uniform(0);
-  }
-  return best;
-}
-
-/// Of shapes that rotate: regions, and what is best in them, between bounds.
-Map solve_between_bounds(const Session& session, const formula::Solver& solver, const formula::Formula& formula) {
-  Reporter& reporter = session.reporter();
-  const std::optional<Session::Goal> goal = session.goal();
-  if (!session.options().apply.empty())
-    throw Error(ErrorCode::kUnsupported, "--apply: of shapes that rotate only bounds of the region are known",
-                session.scene().file);
-  formula::RegionBounds bounds = solver.feasible_bounds(formula);
-  if (!goal) {
-    reporter.note(
-        "shapes rotate, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible "
-        "ones");
-    std::optional<io::ExtremeValue> extreme;
-    if (const auto least = formula::minimum_of(formula, solver)) extreme = value_of(*least, false, reporter, true);
-    return {plane::in_order(bounds.inner), std::nullopt, extreme, plane::in_order(bounds.outer)};
-  }
-  reporter.stage("optimizing");
-  if (session.scene().free.kind == io::Free::Kind::kLine) {
-    bounds.inner = on_line(bounds.inner, session.scene().free);
-    bounds.outer = on_line(bounds.outer, session.scene().free);
-  }
-  formula::Optimum best = formula::optimize(bounds, goal->objective, goal->sense, solver);
-  const io::ExtremeValue extreme = value_of(best, goal->sense == distance::Sense::kMaximum, reporter, true);
-  return {plane::in_order(best.at), plane::in_order(bounds.outer), extreme, std::nullopt};
-}
-
-Map solve(const Session& session, const formula::Solver& solver, const formula::Formula& formula) {
-  Reporter& reporter = session.reporter();
-  const std::optional<Session::Goal> goal = session.goal();
-  reporter.stage("solving");
-  if (solver.rotations_in(formula) || (goal && formula::is_bounded(goal->objective, solver)))
-    return solve_between_bounds(session, solver, formula);
-  Map map{formula::feasible_near(solver, formula), std::nullopt, std::nullopt, std::nullopt};
-  if (goal) {
-    reporter.stage("optimizing");
-    const bool line = session.scene().free.kind == io::Free::Kind::kLine;
-    if (line) map.region = on_line(map.region, session.scene().free);
-    formula::Optimum best = formula::optimize(map.region, goal->objective, goal->sense, solver);
-    if (line) best = within_line(std::move(best), session.scene().free);
-    map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, reporter);
-    map.feasible = plane::in_order(std::exchange(map.region, std::move(best.at)));
-  } else if (const auto least = formula::minimum_of(formula, solver)) {
-    map.extreme = value_of(*least, false, reporter);
-  }
-  map.region = plane::in_order(applied(std::move(map.region), session.options().apply));
-  return map;
-}
 
 std::string title(const Session& session) {
   std::string out = fmt::format("Positions of {}", session.scene().moving_text());
@@ -151,66 +33,40 @@ void require_question(const Session& session) {
   throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", session.scene().file);
 }
 
-Outcome map_of_line(const Session& session, const Map& map) {
-  const plane::Region& region = map.region;
-  const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
+Outcome map_of_line(const Session& session, const PlanarMap& map) {
   const io::Free& free = session.scene().free;
-  const auto on_it = [&](const plane::Region& set) {
-    return plane::along_line(set, {free.through[0], free.through[1]}, {free.direction[0], free.direction[1]});
-  };
-  const auto intervals = on_it(region);
-  const auto outer = map.outer ? on_it(*map.outer) : std::vector<plane::LineInterval>{};
-  const auto json = [&] {
-    std::string text = io::intervals_json(intervals, session.step(), session.unit(), extreme);
-    return map.outer ? bounded_json(std::move(text), io::intervals_json(outer, session.step(), session.unit())) : text;
-  };
+  const auto intervals = intervals_on_line(map.region, free);
+  const auto json = [&] { return planar_map_json(session, map); };
   write_outputs(session.options(), {{".json", json}});
   std::string text = intervals_text(title(session) + " on the line", intervals, session.step(), session.unit());
-  if (extreme != nullptr && extreme->value)
-    text += fmt::format("{} {}\n", extreme->maximum ? "maximum" : "minimum", io::shown(*extreme->value));
-  return {session.options().json ? json() : text, !intervals.empty() ? kDone : outer.empty() ? kEmpty : kLimit};
+  if (map.extreme && map.extreme->value)
+    text += fmt::format("{} {}\n", map.extreme->maximum ? "maximum" : "minimum", io::shown(*map.extreme->value));
+  const bool possible = map.outer && !intervals_on_line(*map.outer, free).empty();
+  return {session.options().json ? json() : text, !intervals.empty() ? kDone : possible ? kLimit : kEmpty};
 }
 
 Outcome map_of_time(const Session& session, const formula::Solver& solver, const formula::Formula& formula) {
   const exact::RealPoint at = asked_position(session);
   session.reporter().stage("solving");
-  const auto in_time = [](const plane::Section& line) { return plane::intervals(line, exact::Real(1)); };
-  std::vector<plane::LineInterval> intervals, outer;
-  const bool rotating = solver.rotations_in(formula);
-  const std::optional<plane::Section> swing = rotating ? solver.swing(formula, at) : std::nullopt;
-  const bool bounded = rotating && !swing;
-  if (bounded) {
+  const Instants found = planar_instants(solver, formula, at);
+  if (found.outer)
     session.reporter().note(
         "shapes rotate, or distances are in rotation: instants that certainly belong, and in \"outer\" the possible "
         "ones");
-    const formula::InstantBounds bounds = solver.instant_bounds(formula, at);
-    intervals = in_time(bounds.inner);
-    outer = in_time(bounds.outer);
-  } else {
-    intervals = in_time(swing ? *swing : solver.instants(formula, at));
-  }
-  const auto json = [&] {
-    std::string text = io::intervals_json(intervals, exact::Real(1), "");
-    return bounded ? bounded_json(std::move(text), io::intervals_json(outer, exact::Real(1), "")) : text;
-  };
+  const auto json = [&] { return found.json(); };
   write_outputs(session.options(), {{".json", json}});
   const std::string text = intervals_text(
       fmt::format("Instants with {} at {}", session.scene().moving_text(), session.options().at.value_or("0,0")),
-      intervals, exact::Real(1), "");
-  return {session.options().json ? json() : text, !intervals.empty() ? kDone : outer.empty() ? kEmpty : kLimit};
+      found.intervals, exact::Real(1), "");
+  const bool possible = found.outer && !found.outer->empty();
+  return {session.options().json ? json() : text, !found.intervals.empty() ? kDone : possible ? kLimit : kEmpty};
 }
 
-Outcome map_of_plane(const Session& session, const Map& map, const formula::World& world,
+Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula::World& world,
                      const formula::Formula& formula) {
   const plane::Summary summary = plane::summarize(map.region, session.step());
   const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
-  const auto json = [&] {
-    std::string text =
-        io::region_json(map.region, summary, session.step(), session.unit(), extreme, session.options().exact);
-    if (!map.outer) return text;
-    const plane::Summary outer = plane::summarize(*map.outer, session.step());
-    return bounded_json(std::move(text), io::region_json(*map.outer, outer, session.step(), session.unit()));
-  };
+  const auto json = [&] { return planar_map_json(session, map); };
   const auto svg = [&] {
     io::Picture picture;
     picture.title = title(session) + (summary.empty ? ": none" : "");
@@ -218,6 +74,7 @@ Outcome map_of_plane(const Session& session, const Map& map, const formula::Worl
     picture.region = &map.region;
     picture.summary = &summary;
     picture.around = map.feasible ? &*map.feasible : map.outer ? &*map.outer : nullptr;
+    if (map.outer && !map.feasible) picture.around_text = "positions not excluded";
     add_scenery(session, picture, world, &formula);
     return io::picture_svg(picture);
   };
@@ -268,7 +125,7 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   const formula::Formula formula = session.where();
   const formula::Solver solver(session.world_of(formula));
   if (time) return map_of_time(session, solver, formula);
-  const Map map = solve(session, solver, formula);
+  const PlanarMap map = planar_map(session, solver, formula);
   return line ? map_of_line(session, map) : map_of_plane(session, map, solver.world(), formula);
 }
 

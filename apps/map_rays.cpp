@@ -10,7 +10,6 @@
 #include <memory>
 #include <utility>
 
-#include "exact/number/margins.h"
 #include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
 #include "formula/solid/solve_rays.h"
@@ -18,8 +17,11 @@
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json_rays.h"
 #include "ray_optimum.h"
+#include "row_team.h"
 #include "space/rays/ray_axes.h"
+#include "space/rays/ray_cells.h"
 #include "space/rays/ray_sources.h"
+#include "space/shape/shape_rays.h"
 #include "space_commands.h"
 
 namespace findspace::app {
@@ -143,11 +145,7 @@ formula::RayWorld ray_world(const Session& session) {
   return world;
 }
 
-exact::Real cell_radius(const RaySet& set) {
-  const space::RayGrid grid = set.lines.grid(set.low, set.high);
-  const double half = std::hypot(static_cast<double>(grid.du), static_cast<double>(grid.dv)) / 2;
-  return exact::Real::from_double(half * margin::kUpward) / exact::Real(grid.parts);
-}
+exact::Real cell_radius(const RaySet& set) { return space::cell_radius(set.lines.grid(set.low, set.high)); }
 
 void take_side(const Session& session, RaySet& set) {
   const std::string& side = session.options().side;
@@ -203,11 +201,27 @@ struct RaysShown {
   }
 };
 
+/// The set with rows that all processes of the team make.
+RaySet shared_by(RowTeam& team, const RaySet& set) {
+  RaySet out = set;
+  out.source = [&team, source = set.source](const space::RayGrid& grid) {
+    formula::RegionOnLines region = source(grid);
+    region.rays = team.shared(std::move(region.rays));
+    return region;
+  };
+  return out;
+}
+
 }  // namespace
 
-Outcome rays_outcome(const Session& session, const RaySet& set) {
+Outcome rays_outcome(const Session& session, const RaySet& asked) {
   const Options& options = session.options();
-  check_ray_outputs(options, set);
+  check_ray_outputs(options, asked);
+  if (options.team != nullptr && !options.team->leads()) {
+    options.team->serve(asked.source);
+    return {};
+  }
+  const RaySet set = options.team == nullptr ? asked : shared_by(*options.team, asked);
   const double step = session.step().to_double();
   session.reporter().stage("casting rays");
   const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
@@ -251,44 +265,82 @@ void take_minima(const formula::MinimaAsLevels& levels, RaySet& set) {
   set.somewhere = levels.formula.atoms().size() == 1 && set.least->value;
 }
 
-}  // namespace
+/// A question about positions on lines, with what its set refers to.
+struct AskedRays {
+  std::optional<formula::SpaceSolver> solver;
+  formula::RayWorld world;
+  formula::Formula formula;
+  RaySet set;
+};
 
-Outcome map_rays(const Session& session, const LineChoice& lines) {
-  formula::MinimaAsLevels levels{session.where(), {}, formula::Side::kExact};
+std::unique_ptr<const AskedRays> asked_rays(const Session& session, const LineChoice& lines,
+                                            const formula::Formula& where) {
+  auto out = std::make_unique<AskedRays>();
+  AskedRays& asked = *out;
+  formula::MinimaAsLevels levels{where, {}, formula::Side::kExact};
   const auto goal = session.goal();
   const bool by_distance = goal && goal->objective.kind == formula::Objective::Kind::kDistance;
-  std::optional<formula::SpaceSolver> solver;
-  if (by_distance || formula::has_minima(levels.formula)) solver.emplace(space_world(session));
+  if (by_distance || formula::has_minima(levels.formula)) asked.solver.emplace(space_world(session));
   if (formula::has_minima(levels.formula)) {
     session.reporter().stage("looking for least values");
-    levels = formula::minima_as_levels(*solver, levels.formula);
+    levels = formula::minima_as_levels(*asked.solver, levels.formula);
   }
-  formula::Formula formula = levels.formula;
+  asked.formula = levels.formula;
   session.reporter().stage("building the shapes");
-  const formula::RayWorld world = ray_world(session);
-  const formula::RayWindow window = formula::window(world, formula);
-  RaySet set;
+  asked.world = ray_world(session);
+  const formula::RayWindow window = formula::window(asked.world, asked.formula);
+  RaySet& set = asked.set;
   set.title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
   set.subtitle = session.scene().where.text;
   set.meaning = "positions";
   set.lines = lines;
   set.low = window.low;
   set.high = window.high;
-  set.unbounded = formula::holds_far_away(world, formula);
+  set.unbounded = formula::holds_far_away(asked.world, asked.formula);
   take_minima(levels, set);
   take_side(session, set);
-  if (set.side != formula::Side::kNone) formula = for_cells(set, formula, session.step());
+  if (set.side != formula::Side::kNone) asked.formula = for_cells(set, asked.formula, session.step());
   if (by_distance)
-    set.objective = objective_of(*solver, *goal);
+    set.objective = objective_of(*asked.solver, *goal);
   else if (goal)
     set.aim = aim_of(session, *goal);
-  set.source = [&](const space::RayGrid& grid) { return region_rays(world, formula, grid).or_throw(); };
-  if (set.somewhere && !region_rays(world, formula, {2, 1, set.low.x, set.low.y, 1, 1, 1, 1})) {
+  set.source = [&asked](const space::RayGrid& grid) {
+    return region_rays(asked.world, asked.formula, grid).or_throw();
+  };
+  if (set.somewhere && !region_rays(asked.world, asked.formula, {2, 1, set.low.x, set.low.y, 1, 1, 1, 1})) {
     session.reporter().note("the minimisers have no map on lines: one of them is given");
     set.on_lines = formula::Side::kInner;
     set.source = [](const space::RayGrid& grid) { return formula::RegionOnLines{space::constant_rays(grid, 1)}; };
   }
-  return rays_outcome(session, set);
+  return out;
+}
+
+}  // namespace
+
+Outcome map_rays(const Session& session, const LineChoice& lines) {
+  return rays_outcome(session, asked_rays(session, lines, session.where())->set);
+}
+
+RaysDrawn draw_rays(const Session& session, const LineChoice& lines, const formula::Formula& where) {
+  const auto asked = asked_rays(session, lines, where);
+  const double step = session.step().to_double();
+  const Cast cast = cast_axes(asked->set, step, false);
+  io::RaysText text;
+  const std::string unit = session.unit();
+  text.unit = unit;
+  text.axes = true;
+  text.unbounded = asked->set.unbounded;
+  text.on_lines = formula::name(cast.on_lines);
+  text.side = formula::name(asked->set.side);
+  text.somewhere = asked->set.somewhere;
+  return {io::rays_json(cast.summary, cast.grid, step, text), io::ray_surface_mesh(cast.surface, step)};
+}
+
+io::Surface shape_on_lines(const Session& session, const plane::Shape& shape, int count) {
+  const space::ShapeBox box = space::shape_box(shape);
+  const space::RayLattice lattice = space::ray_lattice(box.low, box.high, count);
+  const auto source = [&](int axis) { return space::shape_rays(shape, lattice.grid(axis)); };
+  return io::ray_surface_mesh(space::ray_surface(lattice, source, in_region), session.step().to_double());
 }
 
 }  // namespace findspace::app

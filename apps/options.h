@@ -16,8 +16,11 @@
 
 namespace findspace::app {
 
+class RowTeam;
+
 struct Options {
   std::string scene;                           // a path, or "-": standard input
+  std::optional<std::string> scene_text;       // the scene itself; `scene` is then what messages call it
   std::vector<std::string> shapes;             // of describe, convert, phi
   std::vector<std::filesystem::path> outputs;  // format by ending
   std::optional<std::string> at;               // "x,y": decimals, taken exactly
@@ -49,11 +52,14 @@ struct Options {
   std::uint64_t memory_limit = 0;  // bytes; 0: none
   bool no_files = false;           // shapes come from the scene alone, or
   std::filesystem::path root;      // from files in this folder
-  std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWork;  // io/text/read_limits.h
+  std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWorkBudget;  // io/text/read_limits.h
   std::optional<std::string> height;           // of pack and verify: of the strip, instead of the file's
   std::string gap = "0", edge = "0";           // of pack and verify: least distances
   std::optional<std::filesystem::path> start;  // of pack: a layout
   std::uint64_t seed = 1;                      // of pack
+  unsigned workers = 0;                        // of batch; 0: one for each core
+  bool as_they_come = false;                   // of batch: print results too
+  RowTeam* team = nullptr;                     // processes that make rows of maps together, or none
   double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
 };
 

@@ -15,7 +15,7 @@
 #include "io/text/read_text.h"
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
-#include "packing/search/strip_search.h"
+#include "packing/search/box_search.h"
 #include "packing_report.h"
 #include "session.h"
 
@@ -47,39 +47,13 @@ class StopOnInterrupt {
   }, terminate_{};
 };
 
-packing::Layout start_layout(const packing::Problem& problem, const Options& options) {
-  const std::filesystem::path& path = *options.start;
-  const std::string text = io::read_text(path, options.input_limit);
-  packing::Layout layout;
-  if (path.extension() == ".svg") {
-    io::ProblemAndLayout read = io::read_sparrow_svg(text, path.string());
-    layout = std::move(read.layout);
-    for (packing::Placed& item : layout.items) {
-      const std::string& name = read.problem.parts[item.part].name;
-      const auto same = [&](const packing::Part& part) { return part.name == name; };
-      const auto found = std::find_if(problem.parts.begin(), problem.parts.end(), same);
-      if (found == problem.parts.end())
-        throw Error(ErrorCode::kBadValue, fmt::format("no part '{}'", name), path.string());
-      item.part = std::size_t(found - problem.parts.begin());
-    }
-  } else {
-    layout = io::read_layout(text, path.string(), problem);
-  }
-  std::vector<int> missing;
-  for (const packing::Part& part : problem.parts) missing.push_back(part.demand);
-  for (const packing::Placed& item : layout.items) --missing[item.part];
-  if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
-    throw Error(ErrorCode::kBadValue, "the layout to start with has other parts than the problem", path.string());
-  return layout;
-}
-
 class Packing {
  public:
   Packing(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
-    check_outputs(options, {".json", ".svg"});
+    check_outputs(options, {".json", ".svg", ".dxf"});
     problem_ =
         io::read_nesting(io::read_text(options.scene, options.input_limit), options.scene, nesting_wishes(options));
-    bound_ = packing::lower_bound(problem_);
+    if (!problem_.on_sheets() && !problem_.box) bound_ = packing::lower_bound(problem_);
   }
 
   Outcome run() {
@@ -92,7 +66,7 @@ class Packing {
     facts_.threads = search.threads;
     packing::Layout start;
     if (options_.start) {
-      start = start_layout(problem_, options_);
+      start = start_layout(problem_, *options_.start, options_.input_limit);
       search.start = &start;
     }
     const packing::SearchEvents events{[&](const auto& layout, const auto& state) { keep(layout, state); },
@@ -100,7 +74,7 @@ class Packing {
     std::optional<packing::Layout> best;
     {
       const StopOnInterrupt interrupt;
-      best = packing::search_strip(problem_, search, events, stop_wanted);
+      best = (problem_.box ? packing::search_box : packing::search_strip)(problem_, search, events, stop_wanted);
     }
     if (!best) return empty();
     return {options_.json ? json(*best) : summary(*best), stop_wanted ? kInterrupted : kDone};
@@ -115,8 +89,8 @@ class Packing {
     facts_.proven = packing::verify(problem_, layout).feasible();
     write(layout);
     if (!options_.quiet)
-      reporter_.note(
-          fmt::format("{:8.2f} s  length {:.6g}  density {:.3f} %", state.seconds, state.length, 100 * state.density));
+      reporter_.note(fmt::format("{:8.2f} s  processor {:8.2f} s  length {:.6g}  density {:.3f} %", state.seconds,
+                                 state.processor, state.length, 100 * state.density));
   }
 
   void show(const packing::SearchState& state) {
@@ -126,22 +100,39 @@ class Packing {
 
   void write(const packing::Layout& layout) const {
     write_outputs(options_, {{".json", [&] { return json(layout); }},
-                             {".svg", [&] { return io::layout_svg(problem_, layout, facts_); }}});
+                             {".svg", [&] { return io::layout_svg(problem_, layout, facts_); }},
+                             {".dxf", [&] { return io::layout_dxf(problem_, layout); }}});
   }
 
   std::string json(const packing::Layout& layout) const { return io::layout_json(problem_, layout, facts_); }
 
   std::string summary(const packing::Layout& layout) const {
-    return fmt::format("length {}, density {:.4f} %, {} parts, proved free of overlaps\nno layout is shorter than {}\n",
-                       layout.length.text(), 100 * facts_.density, layout.items.size(), bound_.text());
+    std::string text = fmt::format("length {}", layout.length.text());
+    if (problem_.on_sheets())
+      text = fmt::format("{} sheet{}, of the last {} used", layout.sheets.size(), layout.sheets.size() == 1 ? "" : "s",
+                         layout.length.text());
+    if (problem_.box) text = fmt::format("{} wide, {} high", layout.length.text(), layout.height.text());
+    text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * facts_.density,
+                        layout.items.size());
+    if (!problem_.on_sheets() && !problem_.box) text += fmt::format("no layout is shorter than {}\n", bound_.text());
+    for (const packing::LeftOut& out : layout.left_out)
+      text += fmt::format("left out: {} of {}: {}\n", out.copies, problem_.parts[out.part].name, out.why);
+    return text;
   }
 
   /// No parts, or none that are wanted.
   Outcome empty() {
-    const packing::Layout layout;
+    packing::Layout layout;
+    for (std::size_t part = 0; part < problem_.parts.size(); ++part)
+      if (problem_.parts[part].demand > 0)
+        layout.left_out.push_back({part, problem_.parts[part].demand, "it is larger than every sheet"});
     facts_.proven = true;
     write(layout);
-    return {options_.json ? json(layout) : "there are no parts to pack\n", kDone};
+    const bool wanted = problem_.items() > 0;
+    return {options_.json ? json(layout)
+            : wanted      ? "no part fits a sheet\n"
+                          : "there are no parts to pack\n",
+            wanted ? kEmpty : kDone};
   }
 
   const Options& options_;

@@ -4,6 +4,8 @@
 // A verdict about a layout in words and as JSON.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "io/nesting/read_nesting.h"
@@ -14,6 +16,9 @@ namespace findspace::app {
 
 /// The height, gap and edge of the command line.
 io::NestingWishes nesting_wishes(const Options& options);
+
+/// A layout of the problem to begin with: JSON, or an SVG of sparrow; `most` bytes. Throws Error.
+packing::Layout start_layout(const packing::Problem& problem, const std::filesystem::path& path, std::uint64_t most);
 
 std::string verdict_text(const packing::Problem& problem, const packing::Layout& layout,
                          const packing::Verdict& verdict);

@@ -8,10 +8,7 @@
 #include <algorithm>
 
 #include "findspace/error.h"
-#include "io/draw/draw_bodies.h"
 #include "io/draw/draw_layout.h"
-#include "io/write/write_json_rays.h"
-#include "io/write/write_json_space.h"
 #include "io/write/write_placement.h"
 #include "placement_demands.h"
 #include "planning/solid/space_sequence.h"
@@ -23,11 +20,10 @@ namespace findspace::app {
 namespace {
 
 using exact::Real;
-using planning::Body;
 using planning::SpaceProblem;
 
 /// About the z axis, through the pole.
-plane::ShapePtr rotated(const Session& session, const RotatedShape& t) {
+plane::ShapePtr rotated(const Session& session, const planning::RotatedShape& t) {
   plane::Rounding rounding;
   plane::Shape out = *space::rotated(*session.scene().shape(t.shape),
                                      space::Rotation::about_axis(2, t.degrees, space::Point{}), rounding);
@@ -40,88 +36,16 @@ plane::ShapePtr rotated(const Session& session, const RotatedShape& t) {
 }
 
 SpaceProblem problem_of(const Session& session) {
-  PlacementDemands asked = placement_demands(session);
+  planning::AskedDemands asked = placement_demands(session);
   SpaceProblem problem;
   static_cast<planning::Demands&>(problem) = std::move(asked.demands);
   std::vector<plane::ShapePtr> shapes = session.scene().shapes;
-  for (const RotatedShape& t : asked.rotated) shapes.push_back(rotated(session, t));
+  for (const planning::RotatedShape& t : asked.rotated) shapes.push_back(rotated(session, t));
   for (const plane::ShapePtr& s : shapes) problem.shapes.emplace(s->name, s);
   problem.built = space_shapes(session, shapes);
   problem.step = session.step();
   if (session.options().resolution > 0) problem.lines = session.options().resolution;
   return problem;
-}
-
-bool rotations(const Body& body) { return body.angles.size() > 1 || body.angles[0].sign() != 0; }
-
-std::string region_text(const planning::SpacePositions& positions, const SpaceProblem& problem) {
-  const double step = problem.step.to_double();
-  if (positions.boxes)
-    return io::space_json(*positions.boxes, summarize(*positions.boxes, problem.step), problem.step, "");
-  const formula::RayWindow box = positions.window();
-  const space::RayGrid grid = space::ray_grid(box.low, box.high, 2, problem.lines);
-  space::RaySummarizer summarizer(grid);
-  io::RayLines lines(grid, step);
-  space::each_row(*positions.lines(grid), [&](int j, space::RayRow&& row) {
-    summarizer.add(j, row);
-    lines.add(j, row);
-  });
-  io::RaysText text;
-  text.lines = &lines.text();
-  text.unbounded = !positions.flat && formula::holds_far_away(*positions.rays, *positions.formula);
-  return io::rays_json(summarizer.finish(), grid, step, text);
-}
-
-io::PlacementResult result_of(const SpaceProblem& problem, const planning::SpacePlacement& found) {
-  io::PlacementResult out;
-  out.method = "sequential";
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    const Body& body = problem.bodies[b];
-    io::PlacedResult& placed = out.placed.emplace_back();
-    placed.shape = body.name;
-    placed.copy = body.copy;
-    if (b >= found.steps.size()) continue;
-    const planning::SpaceStep& step = found.steps[b];
-    placed.attained = step.best.attained;
-    if (!placed.attained) {
-      placed.infimum = step.best.values;
-      out.attained = false;
-    }
-    if (step.pose) {
-      placed.at.assign(step.pose->at.begin(), step.pose->at.end());
-      if (rotations(body)) placed.angle = body.angles[step.pose->angle];
-    }
-    if (step.best.on_lines && !out.unproven)
-      out.unproven = fmt::format("'{}' was placed on {} x {} lines: between them there may be better positions",
-                                 body.name, problem.lines, problem.lines);
-    if (body.copy > 0) continue;
-    for (const planning::SpacePositions& p : step.positions)
-      out.regions.push_back(
-          {body.name, rotations(body) ? std::optional(body.angles[p.angle]) : std::nullopt, region_text(p, problem)});
-  }
-  if (found.limit_reached) out.unproven = "the time limit came before all shapes were placed";
-  return out;
-}
-
-io::PlacementResult result_of(const SpaceProblem& problem, const planning::SpaceSimultaneous& found) {
-  io::PlacementResult out;
-  out.method = "simultaneous";
-  out.unproven = found.unproven;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    const Body& body = problem.bodies[b];
-    io::PlacedResult& placed = out.placed.emplace_back();
-    placed.shape = body.name;
-    placed.copy = body.copy;
-    const auto angle = rotations(body) ? std::optional(body.angles[0]) : std::nullopt;
-    if (const auto& pose = found.witness[b]) {
-      placed.at.assign(pose->at.begin(), pose->at.end());
-      placed.angle = angle;
-    }
-    const space::BoxComplex& set = found.positions[b];
-    if (body.copy == 0)
-      out.regions.push_back({body.name, angle, io::space_json(set, summarize(set, problem.step), problem.step, "")});
-  }
-  return out;
 }
 
 /// What is placed, as one mesh whose faces are labelled by shape.
@@ -151,7 +75,7 @@ io::Surface scenery(const Session& session, const SpaceProblem& problem, const p
 std::vector<std::string> placed_lines(const io::PlacementResult& result, const Session& session) {
   constexpr std::size_t kMost = 12;
   std::vector<std::string> lines;
-  for (const io::PlacedResult& p : result.placed) {
+  for (const planning::BodyOutcome& p : result.placed) {
     if (lines.size() == kMost) {
       lines.push_back(fmt::format("and {} more", result.placed.size() - kMost));
       break;
@@ -174,32 +98,14 @@ std::vector<std::string> placed_lines(const io::PlacementResult& result, const S
 std::string picture(const Session& session, const SpaceProblem& problem, const planning::SpacePoses& poses,
                     const io::PlacementResult& result) {
   const bool together = result.method == "simultaneous";
-  io::BodiesPicture out{together ? "Placement, all at once" : "Placement, one after another",
-                        session.unit(),
-                        placed_lines(result, session),
-                        {},
-                        {},
-                        problem.step.to_double()};
-  const auto is_placed = [&](const std::string& name) {
-    return std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& b) {
-      return std::find(b.shapes.begin(), b.shapes.end(), name) != b.shapes.end();
-    });
-  };
-  for (const plane::ShapePtr& s : session.scene().shapes) {
-    const auto& body = problem.built.at(s->name).body;
-    if (body && !is_placed(s->name)) out.bodies.push_back({body.get(), {}, false});
-  }
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    const auto& pose = poses[b];
-    if (!pose) continue;
-    for (const std::string& name : problem.bodies[b].variants[pose->angle]) {
-      const auto& body = problem.built.at(name).body;
-      if (!body) continue;
-      out.bodies.push_back({body.get(), {}, true});
-      for (std::size_t k = 0; k < 3; ++k) out.bodies.back().by[k] = (pose->at[k] * problem.step).to_double();
-    }
-  }
-  return io::bodies_svg(out);
+  std::vector<std::string> names;
+  for (const plane::ShapePtr& s : session.scene().shapes) names.push_back(s->name);
+  return io::placement_svg(problem, poses,
+                           {together ? "Placement, all at once" : "Placement, one after another",
+                            {},
+                            placed_lines(result, session),
+                            session.unit(),
+                            io::standing_still(problem, names)});
 }
 
 struct Answer {
@@ -210,9 +116,9 @@ struct Answer {
 
 Answer together(const SpaceProblem& problem, const planning::Limit& limit) {
   const planning::SpaceSimultaneous found = planning::place_together_in_space(problem, limit);
-  const bool complete =
-      std::all_of(found.witness.begin(), found.witness.end(), [](const auto& p) { return p.has_value(); });
-  return {result_of(problem, found), found.witness, complete ? kDone : found.unproven ? kLimit : kEmpty};
+  io::PlacementResult result = io::placement_result(problem, found);
+  const ExitStatus status = result.complete() ? kDone : found.unproven ? kLimit : kEmpty;
+  return {std::move(result), found.witness, status};
 }
 
 Answer one_after_another(const SpaceProblem& problem, const planning::Limit& limit) {
@@ -221,7 +127,7 @@ Answer one_after_another(const SpaceProblem& problem, const planning::Limit& lim
   ExitStatus status = found.limit_reached ? kLimit : kDone;
   for (const planning::SpaceStep& step : found.steps)
     if (!step.pose && status != kLimit) status = step.best.on_lines ? kLimit : kEmpty;
-  return {result_of(problem, found), found.poses, status};
+  return {io::placement_result(problem, found), found.poses, status};
 }
 
 }  // namespace

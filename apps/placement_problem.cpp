@@ -40,7 +40,8 @@ std::vector<plane::ShapePtr> wanted_shapes(const Session& session, const Problem
   for (const auto& condition : problem.conditions)
     for (const formula::Atom& a : condition.formula->atoms()) add(a.distance);
   for (const formula::Goal& goal : problem.goals)
-    if (goal.objective) add(goal.objective->distance);
+    if (goal.objective)
+      for (const formula::Distance& d : formula::distances_of(*goal.objective)) add(d);
   std::vector<plane::ShapePtr> out;
   std::copy_if(all.begin(), all.end(), std::back_inserter(out),
                [&](const plane::ShapePtr& s) { return names.count(s->name) > 0; });
@@ -50,11 +51,11 @@ std::vector<plane::ShapePtr> wanted_shapes(const Session& session, const Problem
 }  // namespace
 
 Problem placement_problem(const Session& session) {
-  PlacementDemands asked = placement_demands(session);
+  planning::AskedDemands asked = placement_demands(session);
   Problem problem{std::move(asked.demands), {}};
   session.reporter().stage("building the shapes");
   std::vector<plane::ShapePtr> shapes = wanted_shapes(session, problem);
-  for (const RotatedShape& t : asked.rotated)
+  for (const planning::RotatedShape& t : asked.rotated)
     shapes.push_back(rotated(session.scene().shape(t.shape), t.degrees, t.name));
   std::vector<plane::Region> built = session.regions(shapes);
   for (std::size_t k = 0; k < built.size(); ++k) problem.world.shapes.emplace(shapes[k]->name, std::move(built[k]));

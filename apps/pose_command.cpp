@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "io/draw/draw_layout.h"
+#include "io/write/write_panels.h"
 #include "io/write/write_poses.h"
+#include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
 #include "rotation_command.h"
 #include "scenery.h"
@@ -43,18 +45,50 @@ std::string area_text(const plane::Region& r, const exact::Real& step) {
                 : "unbounded";
 }
 
-/// One page: a region of positions, another faintly around it, the moving shape rotated.
-io::Page page(const Session& session, const formula::World& world, const formula::Formula& formula, std::string title,
-              const plane::Region& region, const plane::Region* around) {
-  const plane::Summary summary = plane::summarize(region, session.step());
+/// A region of positions, another faintly around it, and what stands there. `panel`: of several in one.
+io::Picture picture(const Session& session, const formula::World& world, const formula::Formula& formula,
+                    const std::string& title, std::string panel, const plane::Summary& summary,
+                    const plane::Region& region, const plane::Region* around) {
   io::Picture p;
-  p.title = title;
+  p.title = title + (summary.empty ? ": none" : "");
+  p.panel = std::move(panel);
   p.region = &region;
   p.summary = &summary;
   p.around = around;
   p.around_text = "positions not excluded";
   add_scenery(session, p, world, &formula);
-  return {std::move(title), io::picture_svg(p)};
+  return p;
+}
+
+io::Page page(const Session& session, const formula::World& world, const formula::Formula& formula, std::string title,
+              const plane::Region& region, const plane::Region* around) {
+  const plane::Summary summary = plane::summarize(region, session.step());
+  std::string svg = io::picture_svg(picture(session, world, formula, title, "", summary, region, around));
+  return {std::move(title), std::move(svg)};
+}
+
+/// A panel for each of the given angles, and one for all positions that some angle allows.
+std::string panels(const Session& session, const PoseStack& stack, const formula::World& world,
+                   const formula::Formula& formula, const plane::GridPoint& about, bool down) {
+  std::vector<io::SvgDrawing> out;
+  std::vector<const plane::Region*> regions;
+  plane::Rounding drawn;
+  for (const PoseSlice& s : stack.slices) {
+    const formula::World rotated =
+        formula::rotated_world(world, {about.x, about.y}, down ? -s.degrees : s.degrees, drawn);
+    const plane::Summary summary = plane::summarize(s.region, session.step());
+    out.push_back(
+        io::picture_drawing(picture(session, rotated, formula, fmt::format("At {}°", io::shown(s.degrees.to_double())),
+                                    std::to_string(out.size()), summary, s.region, s.outer ? &*s.outer : nullptr)));
+    regions.push_back(&s.region);
+  }
+  const plane::Region all = plane::unite(regions);
+  const plane::Summary summary = plane::summarize(all, session.step());
+  io::Picture last =
+      picture(session, world, formula, "At one of these angles", std::to_string(out.size()), summary, all, nullptr);
+  last.moving.clear();  // at which angle it may stand there differs
+  out.push_back(io::picture_drawing(last));
+  return io::panels_svg(fmt::format("Positions of {}", session.scene().moving_text()), out);
 }
 
 std::string pages(const Session& session, const PoseStack& stack, const formula::World& world,
@@ -105,7 +139,7 @@ void say_rounding(const Session& session, const PoseStack& stack) {
 }  // namespace
 
 Outcome map_of_poses(const Session& session) {
-  check_outputs(session.options(), {".json", ".html"});
+  check_outputs(session.options(), {".json", ".html", ".svg"});
   const formula::Formula formula = question_over_angles(session);
   const io::Free& free = session.scene().free;
   const plane::GridPoint about{free.about[0], free.about[1]};
@@ -118,7 +152,8 @@ Outcome map_of_poses(const Session& session) {
   say_rounding(session, stack);
   const auto json = [&] { return io::poses_json(stack, session.step(), session.unit()); };
   const auto html = [&] { return pages(session, stack, world, formula, about, down); };
-  write_outputs(session.options(), {{".json", json}, {".html", html}});
+  const auto svg = [&] { return panels(session, stack, world, formula, about, down); };
+  write_outputs(session.options(), {{".json", json}, {".html", html}, {".svg", svg}});
   bool empty = true, impossible = true;
   for (const PoseSlice& s : stack.slices) {
     empty = empty && plane::is_empty(s.region);

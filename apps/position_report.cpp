@@ -88,12 +88,12 @@ std::string measure_text(const std::vector<formula::DistanceAt>& distances, std:
     texts.push_back(row.text);
     values.push_back(value_text(as_said(distances[row.of], row.negated), unit));
   }
-  const std::size_t width = widest(texts), room = widest(values);
+  const std::size_t width = widest(texts), columns = widest(values);
   std::string out = fmt::format("at {}\n", at);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const formula::DistanceAt& d = distances[rows[i].of];
     const std::string points = io::witness_words(d), where = points.empty() ? io::way_words(d, place) : points;
-    out += fmt::format("  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : room,
+    out += fmt::format("  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : columns,
                        where.empty() ? "" : "  " + where);
   }
   return out;

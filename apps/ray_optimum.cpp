@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "formula/solid/optimize_rays.h"
 
 namespace findspace::app {

@@ -49,4 +49,13 @@ exact::Real cell_radius(const RaySet& set);
 
 Outcome rays_outcome(const Session& session, const RaySet& set);
 
+/// The map of a formula on the lines of all three axes as a picture: its JSON without the lines, and its surface.
+struct RaysDrawn {
+  std::string json;
+  io::Surface surface;
+};
+RaysDrawn draw_rays(const Session& session, const LineChoice& lines, const formula::Formula& where);
+/// The surface of a shape as `count` lines each way give it.
+io::Surface shape_on_lines(const Session& session, const plane::Shape& shape, int count);
+
 }  // namespace findspace::app

@@ -40,10 +40,13 @@ void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stder
 Reporter::Reporter(bool quiet)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), colour_(terminal_ && wants_colour()) {}
 
+Reporter::Reporter(std::vector<std::string>& notes) : quiet_(true), terminal_(false), colour_(false), notes_(&notes) {}
+
 Reporter::~Reporter() { stage(""); }
 
 void Reporter::note(std::string_view text) {
   stage("");
+  if (notes_ != nullptr) notes_->emplace_back(text);
   if (!quiet_) say(fmt::format("{}note:{} {}\n", colour_ ? "\033[36m" : "", colour_ ? "\033[0m" : "", text));
 }
 

@@ -5,7 +5,9 @@
 // is in. Colour on a terminal only, and not where NO_COLOR is set (https://no-color.org).
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "findspace/error.h"
 
@@ -14,6 +16,8 @@ namespace findspace::app {
 class Reporter {
  public:
   explicit Reporter(bool quiet = false);
+  /// Keeps the notes, and says nothing of stages.
+  explicit Reporter(std::vector<std::string>& notes);
   ~Reporter();
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
@@ -28,6 +32,7 @@ class Reporter {
  private:
   bool quiet_, terminal_, colour_;
   bool staged_ = false;
+  std::vector<std::string>* notes_ = nullptr;
 };
 
 }  // namespace findspace::app

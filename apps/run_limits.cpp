@@ -24,6 +24,7 @@ namespace {
 
 volatile sig_atomic_t printing = 0;
 std::string_view last_words;  // set while no timer runs
+std::string_view kept;        // what is there when nothing was written
 
 void put(std::string_view text, int file = STDERR_FILENO) {
   while (!text.empty()) {
@@ -37,12 +38,17 @@ void put(std::string_view text, int file = STDERR_FILENO) {
   const io::Written written = io::remove_unfinished_files();
   put("\nfindspace: ");
   put(why);
-  if (printing != 0 || written == io::Written::kPart)
+  if (printing != 0 || written == io::Written::kPart) {
     put("; what was printed is not whole\n");
-  else if (written == io::Written::kFiles)
+  } else if (written == io::Written::kFiles) {
     put("; the files that were replaced are whole\n");
-  else
+  } else if (!kept.empty()) {
+    put("; ");
+    put(kept);
+    put("\n");
+  } else {
     put("; nothing was written\n");
+  }
   _exit(status);
 }
 
@@ -114,6 +120,8 @@ RequestTime::~RequestTime() {
   set_timer(0);
   last_words = {};
 }
+
+void say_at_the_end(const char* text) { kept = text; }
 
 void begin_printing() { printing = 1; }
 

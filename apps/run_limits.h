@@ -36,6 +36,8 @@ class RequestTime {
   std::string last_words_;
 };
 
+/// What an end by a signal says instead of "nothing was written"; the text lives as long as the process.
+void say_at_the_end(const char* text);
 /// The result is being printed: from now on a part of it may stand there.
 void begin_printing();
 /// All is done: no limit ends the process any more.

@@ -6,8 +6,28 @@
 #include <set>
 
 #include "motion_arrows.h"
+#include "plane/base/parallel.h"
+#include "plane/build/build.h"
 
 namespace findspace::app {
+
+namespace {
+
+/// Pads of the parts that stand still, tracks and vias; `moving`: names of shapes.
+std::vector<plane::Region> copper_of(const io::Board& board, const std::vector<std::string>& moving, double step) {
+  std::vector<plane::ShapePtr> shapes;
+  for (const io::Part& part : board.parts) {
+    if (std::find(moving.begin(), moving.end(), part.name) != moving.end()) continue;
+    for (const io::Pad& pad : part.pads) shapes.push_back(pad.copper);
+  }
+  for (const auto* kind : {&board.tracks, &board.vias})
+    for (const io::Copper& c : *kind) shapes.push_back(c.shape);
+  std::vector<plane::Region> out(shapes.size());
+  plane::parallel_for(shapes.size(), [&](std::size_t k) { out[k] = plane::build(*shapes[k], step).region; });
+  return out;
+}
+
+}  // namespace
 
 void add_scenery(const Session& session, io::Picture& picture, const formula::World& world,
                  const formula::Formula* formula) {
@@ -17,11 +37,17 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
   for (int c : {0, 1})
     picture.home[c] = static_cast<double>(session.scene().drawn_at[c]) * session.scene().grid.step_size();
   picture.arrows = motion_arrows(session.scene(), world, formula);
+  if (session.scene().board)
+    picture.copper = copper_of(*session.scene().board, world.moving, session.scene().grid.step_size());
   std::set<std::string> named;
   if (formula != nullptr) {
     for (const formula::Atom& a : formula->atoms()) {
       named.insert(a.distance.first.begin(), a.distance.first.end());
       named.insert(a.distance.second.begin(), a.distance.second.end());
+      for (const formula::SumTerm& t : a.more) {
+        named.insert(t.distance.first.begin(), t.distance.first.end());
+        named.insert(t.distance.second.begin(), t.distance.second.end());
+      }
     }
   }
   const bool named_only = session.scene().named_only;

@@ -57,6 +57,11 @@ io::BoardQuestion question_of_board(const Options& o) {
 
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
+  if (o.scene_text) {
+    io::ReadOptions limits = reading(o);
+    if (limits.root.empty()) limits.root = std::filesystem::current_path();
+    return io::read_scene_text(*o.scene_text, limits.root, o.scene, limits);
+  }
   if (is_board(path))
     return io::board_scene(
         std::make_shared<const io::Board>(io::read_board(io::read_text(path, o.input_limit), o.scene)),
@@ -232,8 +237,12 @@ formula::World Session::world() const { return scene_.named_only ? world_of(wher
 formula::World Session::world_of(const formula::Formula& formula) const {
   std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
   const std::optional<Goal> goal = this->goal();
-  for (const formula::Atom& a : formula.atoms()) add_names(a.distance, named);
-  if (goal && goal->objective.kind == formula::Objective::Kind::kDistance) add_names(goal->objective.distance, named);
+  for (const formula::Atom& a : formula.atoms()) {
+    add_names(a.distance, named);
+    for (const formula::SumTerm& t : a.more) add_names(t.distance, named);
+  }
+  if (goal)
+    for (const formula::Distance& d : formula::distances_of(goal->objective)) add_names(d, named);
   for (const io::Movement& m : scene_.motion.movements) named.insert(m.shape);
   std::set<const plane::Shape*> of_others;
   std::vector<const plane::Shape*> todo;

@@ -8,14 +8,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "formula/solid/solve_region.h"
 #include "io/draw/draw_space.h"
 #include "io/mesh/space_surface.h"
-#include "io/write/write_json_space.h"
 #include "plane/base/parallel.h"
 #include "ray_outcome.h"
 #include "space/box/box_operations.h"
-#include "space/box/box_topology.h"
+#include "space_map.h"
 #include "space_outcome.h"
 #include "space_report.h"
 
@@ -43,24 +41,6 @@ std::string picture(const Session& session, const formula::SpaceWorld& world, co
 
 std::string title_of(const Session& session) {
   return fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
-}
-
-space::ConvexSet applied(const std::string& operation, space::ConvexSet set) {
-  if (operation == "interior") return interior(std::move(set));
-  if (operation == "closure") return closure(std::move(set));
-  if (operation == "regularize") return closure(interior(std::move(set)));
-  if (operation == "complement") return complement(std::move(set));
-  if (operation == "boundary") return boundary(set);
-  return set;
-}
-
-space::BoxComplex applied(const std::string& operation, space::BoxComplex set) {
-  if (operation == "interior") return space::interior(set);
-  if (operation == "closure") return space::closure(set);
-  if (operation == "regularize") return space::regularized(set);
-  if (operation == "complement") return space::complement(set);
-  if (operation == "boundary") return space::boundary(set);
-  return set;
 }
 
 }  // namespace
@@ -97,32 +77,21 @@ Outcome map_space(const Session& session) {
   const Options& options = session.options();
   check_outputs(options, space_formats());
   const formula::Formula formula = session.where();
-  const auto goal = session.goal();
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("solving");
-  formula::RegionQuery query{{}, {}, wants_surface(session)};
-  if (goal) {
-    query.objective = goal->objective;
-    query.sense = goal->sense;
-  }
-  formula::SpaceRegion found = formula::solve_region(solver, formula, query);
-  if (found.way == distance::Way::kLines) return map_rays(session, lines_unasked(session, "map"));
-  std::optional<io::ExtremeValue> extreme;
-  if (found.extreme) extreme = io::extreme_value(*found.extreme, goal && goal->sense == distance::Sense::kMaximum);
-  const io::ExtremeValue* shown = extreme ? &*extreme : nullptr;
+  SpaceMap map = space_map(session, solver, formula, wants_surface(session));
+  if (map.way == distance::Way::kLines) return map_rays(session, lines_unasked(session, "map"));
+  const io::ExtremeValue* shown = map.extreme ? &*map.extreme : nullptr;
   const std::string title = title_of(session);
-  if (found.way == distance::Way::kConvex)
-    return polytope_outcome(session, applied(options.apply, std::move(found.convex->set)), found.convex->step, title,
-                            shown);
-  space::BoxComplex region = std::move(found.boxes);
-  region = applied(options.apply, std::move(region)).simplified();
+  if (map.way == distance::Way::kConvex) return polytope_outcome(session, *map.convex, map.step, title, shown);
+  const space::BoxComplex& region = map.boxes;
   const space::SpaceSummary summary = space::summarize(region, session.step());
-  const auto json = [&] { return io::space_json(region, summary, session.step(), session.unit(), shown); };
+  const auto json = [&] { return space_map_json(session, map); };
   session.reporter().stage("writing");
   Writers all = space_writers(
       json, [&] { return io::box_surface(region, session.step()); }, title, session.unit());
   all[".svg"] = [&] { return picture(session, solver.world(), region, summary, title); };
-  write_outputs(options, all);
+  write_outputs(session.options(), all);
   return {options.json ? json() : space_summary_text(title, summary, session.unit(), shown),
           summary.empty ? kEmpty : kDone};
 }

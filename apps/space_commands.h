@@ -5,9 +5,12 @@
 // the plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
 #pragma once
 
+#include "formula/solid/solve_region.h"
 #include "formula/solid/solve_space.h"
 #include "io/mesh/write_mesh.h"
+#include "io/write/write_json.h"
 #include "line_choice.h"
+#include "plane/query/locate_line.h"
 #include "planning/order/problem.h"
 #include "session.h"
 
@@ -22,10 +25,21 @@ Outcome map_space(const Session& session);
 Outcome map_rays(const Session& session, const LineChoice& lines);
 /// The positions on the scene's line.
 Outcome map_space_line(const Session& session);
+struct SpaceLineMap {
+  std::vector<plane::LineInterval> intervals;  // lengths from where the line goes through, in grid steps
+  formula::Side side = formula::Side::kExact;  // of the true set
+  std::optional<io::ExtremeValue> extreme;
+};
+SpaceLineMap space_line_map(const Session& session, const formula::SpaceSolver& solver,
+                            const formula::Formula& formula);
+/// As `map --json` prints it.
+std::string space_line_json(const Session& session, const SpaceLineMap& map);
 Outcome check_space(const Session& session);
 Outcome measure_space(const Session& session);
 Outcome describe_space(const Session& session, const std::string& shape);
 Outcome convert_space(const Session& session, const std::string& shape);
+/// The placement of a scene in the plane or in space.
+Outcome place_scene(const Session& session, const planning::Limit& limit);
 Outcome place_space(const Session& session, const planning::Limit& limit);
 
 /// The boundary of a shape that one surface of flat faces bounds; throws Error(kUnsupported) for others.

@@ -9,7 +9,7 @@ usage: PYTHONPATH=build/python/python /usr/bin/python3 bench/public_queries.py [
 1. A formula of ten atoms over shapes of 100 vertices, asked at a million positions: findspace; with --cpp the same
    question from C++; where GEOS can say it (the same ten clearances as buffered unions), Shapely's prepared contains.
 2. `contains` of a million positions in a region of 10,000 edges: findspace and Shapely's vectorised prepared contains.
-3. 10,000 polygons of 20 corners: from arrays and from text.
+3. 10,000 polygons of 20 corners: from arrays, from text, and from arrays through text.
 """
 import argparse
 import json
@@ -90,9 +90,12 @@ def building(rng):
     texts = [json.dumps({"polygon": r.tolist()}) for r in rings]
     arrays = least(lambda: [fs.Shape.polygon(r) for r in rings], 2)
     text = least(lambda: [fs.Shape.json(t) for t in texts], 1)
+    through = least(lambda: [fs.Shape.json(json.dumps({"polygon": r.tolist()})) for r in rings], 1)
     theirs = least(lambda: [Polygon(r) for r in rings], 2)
     row("10,000 polygons from arrays", arrays * 1e3, "ms")
     row("10,000 polygons from text", text * 1e3, "ms", f"{text / arrays:.1f} times as long")
+    row("10,000 polygons through text: arrays printed, then read", through * 1e3, "ms",
+        f"{through / arrays:.1f} times as long")
     row("10,000 polygons of Shapely, unchecked", theirs * 1e3, "ms", f"{theirs / arrays:.1f} times as long")
 
 

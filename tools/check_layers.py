@@ -10,7 +10,7 @@ usage: check_layers.py [ROOT]
 2. A header of include/findspace/ includes only the standard library and its neighbours.
 3. Every source file opens with the two SPDX lines.
 4. Outside src/exact no small constant (1e-9) and no power of two (0x1p-40) stands in the code: only src/exact decides
-   signs, and margins stand in src/exact/number/margins.h with their derivation. One that is no margin says so on its
+   signs, and margins stand in src/exact/margins with their derivation. One that is no margin says so on its
    line: `// no sign: why`.
 
 Exit status 0 when all hold. docs/architecture.md says what the layers are for."""
@@ -166,7 +166,7 @@ def check_small_constants(root):
                 if "// no sign: " in whole:
                     continue
                 if SMALL.search(line) or (POWER.search(line) and not path.startswith(NOT_YET)):
-                    yield path, number, "a small constant outside src/exact; margins stand in exact/number/margins.h"
+                    yield path, number, "a small constant outside src/exact; margins stand in exact/margins"
 
 
 def main(argv):

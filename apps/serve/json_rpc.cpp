@@ -93,7 +93,8 @@ std::string JsonRpc::call_tool(const JsonValue& parameters) {
   };
   // What is wrong with the scene is for the assistant to read; what is wrong with the call is for the client.
   try {
-    const std::string result = one_line(store_.call(name->text, arguments == nullptr ? JsonValue() : *arguments));
+    const std::string result =
+        one_line(run_method(store_, name->text, arguments == nullptr ? JsonValue() : *arguments));
     return fmt::format(R"({{{}, "structuredContent": {}, "isError": false}})", content(result), result);
   } catch (const Error& e) {
     return fmt::format(R"({{{}, "isError": true}})", content(e.what()));
@@ -106,7 +107,7 @@ std::string JsonRpc::result(const std::string& method, const JsonValue& paramete
   if (method == "ping") return "{}";
   if (method == "tools/list") return tools();
   if (method == "tools/call") return call_tool(parameters);
-  return store_.call(method, parameters);
+  return run_method(store_, method, parameters);
 }
 
 std::string JsonRpc::answer(const JsonValue& request) {
@@ -137,7 +138,7 @@ std::string JsonRpc::answer(const JsonValue& request) {
 std::string JsonRpc::answer(std::string_view text) {
   JsonValue request;
   try {
-    plane::Work work;
+    plane::WorkBudget work;
     request = io::parse_json(text, "request", work);
   } catch (const Error& e) {
     return error_text("null", RequestError::kParse, e.what());

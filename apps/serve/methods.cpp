@@ -22,31 +22,78 @@ constexpr std::string_view
     kText = R"({"type": "string"})",
     kFlag = R"({"type": "boolean", "default": false})",
     kNames = R"({"type": "array", "items": {"type": "string"}, "minItems": 1})",
-    kPosition = R"({"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 2})",
-    kLength = R"({"type": "number", "minimum": 0})", kName = R"({"type": "string", "default": "scene"})";
+    kPosition = R"({"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 3})",
+    kPlace = R"({"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 2})",
+    kNumber = R"({"type": ["number", "string"]})", kLength = R"({"type": "number", "minimum": 0})",
+    kCount = R"({"type": "integer", "minimum": 1, "maximum": 1024})", kWhole = R"({"type": "integer", "minimum": 0})",
+    kOperation = R"({"enum": ["interior", "closure", "boundary", "regularize", "complement"]})",
+    kName = R"({"type": "string", "default": "scene"})";
 constexpr Parameter kOfScene{"scene", kName, "the name under which the scene was loaded"};
-constexpr Parameter kAt{"at", kPosition, "the position [x, y] in the scene's unit; a string is taken exactly", true};
-constexpr Parameter kDrawing{"drawing", kFlag, "path data too, in the scene's unit with y down"};
+constexpr Parameter kAt{"at", kPosition,
+                        "the position [x, y] or [x, y, z] in the scene's unit; a string is taken exactly", true};
+constexpr Parameter kAtLeftOut{"at", kPosition, "where the moving shape stands (default: as drawn)"};
+constexpr Parameter kAngle{"angle", kNumber, "degrees by which the moving shape is rotated"};
+constexpr Parameter kTime{"time", kNumber, "an instant of the motion; without it distances are over all its time"};
+constexpr Parameter kDrawing{"drawing", kFlag,
+                             "how it looks too, in the scene's unit: path data with y down, or faces in space"};
 
 constexpr Parameter kLoadParameters[] = {
     kOfScene,
-    {"path", kText, "the scene file, below the folder that is served"},
+    {"path", kText, "the scene, drawing or board, below the folder that is served"},
     {"text", kText, "or the scene itself; it reads no files"},
     kDrawing,
 };
+constexpr Parameter kCopyParameters[] = {kOfScene, {"as", kText, "the other name", true}, kDrawing};
 constexpr Parameter kSceneParameters[] = {kOfScene, kDrawing};
 constexpr Parameter kMapParameters[] = {
-    kOfScene, kDrawing, {"where", kText, "of this formula instead; the scene keeps its own"}};
+    kOfScene,
+    kDrawing,
+    {"brief", kFlag, "only whether it is empty, one position of it, and how it looks"},
+    {"where", kText, "of this formula instead; the scene keeps its own"},
+    {"apply", kOperation, "what the region is made into"},
+    kAngle,
+    {"resolution", kCount, "in space, where the region is not exact: lines each way (default 64)"}};
 constexpr Parameter kSetParameters[] = {
     kOfScene, {"where", kText, "another formula"}, {"moving", kNames, "other moving shapes"}};
-constexpr Parameter kPositionParameters[] = {kOfScene, kAt};
+constexpr Parameter kPositionParameters[] = {kOfScene, kAt, kAngle};
+constexpr Parameter kPlainParameters[] = {kOfScene, kAt};
 constexpr Parameter kCheckParameters[] = {
     kOfScene,
     kAt,
+    kAngle,
+    kTime,
     {"nearest", kFlag, "the nearest feasible position too, where this one is not"},
-    {"snap", kLength, "where the nearest feasible position is no farther, the answer is about that one, exactly"}};
-constexpr Parameter kExplainParameters[] = {kOfScene, {"at", kPosition, "what stands in the way of this position too"}};
+    {"snap", kLength,
+     "where a corner, an edge or the nearest feasible position is no farther, the answer is about that "
+     "one, exactly"}};
+constexpr Parameter kExplainParameters[] = {
+    kOfScene, {"at", kPosition, "what stands in the way of this position too"}, kAngle};
+constexpr Parameter kBetweenParameters[] = {kOfScene,
+                                            {"from", kPlace, "a place at the first feature", true},
+                                            {"to", kPlace, "a place at the second feature", true},
+                                            kAtLeftOut,
+                                            kAngle};
+constexpr Parameter kPlaceParameters[] = {kOfScene,
+                                          {"seconds", kLength, "give what there is after so long (0: never)"}};
 constexpr Parameter kUnloadParameters[] = {kOfScene};
+constexpr Parameter kPackParameters[] = {
+    kOfScene,
+    {"path", kText, "the problem as nesting JSON, below the folder that is served"},
+    {"text", kText, "or the problem itself; without both the one that is loaded"},
+    {"height", kText, "the height of the strip, a decimal, instead of the problem's"},
+    {"gap", kText, "the least distance of any two parts, a decimal"},
+    {"edge", kText, "the least distance of a part to the sides of the strip, a decimal"},
+    {"start", kText, "a layout to begin with, as JSON"},
+    {"seed", kWhole, "another search (default 1)"},
+    {"threads", kCount, "of the search (default: one for each core)"},
+    {"seconds", kLength, "end after so long (default: when no better layout comes for a while)"},
+    {"search", R"({"type": "boolean", "default": true})", "begin to search; else only say what the problem is"},
+    kDrawing};
+constexpr Parameter kPackingParameters[] = {
+    kOfScene, {"since", kWhole, "the number of the layout that is known already: it is not given again"}};
+constexpr Parameter kRepairParameters[] = {kOfScene,
+                                           {"item", kWhole, "the number of an item in the layout, from 0", true},
+                                           {"at", kPlace, "where it is moved to", true}};
 
 [[noreturn]] void refuse(std::string message) { throw RequestError{RequestError::kParams, std::move(message)}; }
 
@@ -69,34 +116,79 @@ bool flag(const JsonValue& parameters, std::string_view key) {
 
 std::string name_of(const JsonValue& parameters) { return text(parameters, "scene").value_or("scene"); }
 
-std::optional<RealPoint> position(const JsonValue& parameters) {
-  const JsonValue* value = find(parameters, "at", JsonKind::kArray, "a list of two numbers");
-  if (value == nullptr) return std::nullopt;
-  if (value->size() != 2) refuse("\"at\" is a list of two numbers");
-  std::array<Real, 2> p;
-  for (std::size_t k : {0, 1}) {
-    const JsonValue& item = value->items[k];
-    if (!item.is(JsonKind::kNumber) && !item.is(JsonKind::kString)) refuse("\"at\" is a list of two numbers");
-    p[k] = Real::parse_decimal(item.text);
-  }
-  return RealPoint{p[0], p[1]};
+Real number_of(const JsonValue& item, std::string_view key) {
+  if (!item.is(JsonKind::kNumber) && !item.is(JsonKind::kString)) refuse(fmt::format("\"{}\" wants numbers", key));
+  return Real::parse_decimal(item.text);
 }
 
-RealPoint needed_position(const JsonValue& parameters) {
-  const auto p = position(parameters);
-  if (!p) refuse("\"at\" is missing");
-  return *p;
+std::optional<Real> number(const JsonValue& parameters, std::string_view key) {
+  const JsonValue* value = parameters.find(key);
+  return value == nullptr ? std::nullopt : std::optional(number_of(*value, key));
+}
+
+double double_of(const JsonValue& parameters, std::string_view key, double otherwise) {
+  const JsonValue* value = find(parameters, key, JsonKind::kNumber, "a number");
+  return value == nullptr ? otherwise : Real::parse_decimal(value->text).to_double();
+}
+
+std::uint64_t whole(const JsonValue& parameters, std::string_view key, std::uint64_t otherwise) {
+  constexpr int kMost = 1 << 30;
+  const auto value = number(parameters, key);
+  if (!value) return otherwise;
+  const auto integer = value->integer();
+  if (!integer || *integer < 0 || *integer > kMost) refuse(fmt::format("\"{}\" is a whole number", key));
+  return static_cast<std::uint64_t>(*integer);
+}
+
+/// A list of `count` numbers, or of two or three where that is 0.
+std::vector<Real> numbers(const JsonValue& parameters, std::string_view key, std::size_t count) {
+  const JsonValue* value = find(parameters, key, JsonKind::kArray, "a list of numbers");
+  if (value == nullptr) return {};
+  const bool fits = count > 0 ? value->size() == count : value->size() == 2 || value->size() == 3;
+  if (!fits) refuse(fmt::format("\"{}\" is a list of {} numbers", key, count > 0 ? "two" : "two or three"));
+  std::vector<Real> out;
+  for (const JsonValue& item : value->items) out.push_back(number_of(item, key));
+  return out;
+}
+
+RealPoint needed_point(const JsonValue& parameters, std::string_view key) {
+  const std::vector<Real> p = numbers(parameters, key, 2);
+  if (p.empty()) refuse(fmt::format("\"{}\" is missing", key));
+  return {p[0], p[1]};
+}
+
+Spot spot_of(const JsonValue& parameters, const Loaded& loaded) {
+  Spot spot{numbers(parameters, "at", 0), number(parameters, "angle"), number(parameters, "time")};
+  if (!spot.at.empty()) check_reach(loaded.scene(), spot);
+  return spot;
+}
+
+Spot needed_spot(const JsonValue& parameters, const Loaded& loaded) {
+  Spot spot = spot_of(parameters, loaded);
+  if (spot.at.empty()) refuse("\"at\" is missing");
+  return spot;
 }
 
 std::string load(SceneStore& store, const JsonValue& parameters) {
   const auto path = text(parameters, "path"), content = text(parameters, "text");
   if (path.has_value() == content.has_value()) refuse("load takes either \"path\" or \"text\"");
   const std::string name = name_of(parameters);
-  io::ReadOptions without_files = store.reading();
-  without_files.files = false;
-  store.keep(name, path ? io::read_scene(store.within_root(*path), store.reading())
-                        : io::read_scene_text(*content, store.root(), name, without_files));
+  if (path)
+    store.load(name, *path);
+  else
+    store.load_text(name, *content);
   return store.scene(name).summary_json(flag(parameters, "drawing"));
+}
+
+std::string copy(SceneStore& store, const JsonValue& parameters) {
+  const auto as = text(parameters, "as");
+  if (!as) refuse("\"as\" is missing");
+  store.copy(name_of(parameters), *as);
+  return store.scene(*as).summary_json(flag(parameters, "drawing"));
+}
+
+std::string source(SceneStore& store, const JsonValue& parameters) {
+  return fmt::format(R"({{"text": {}}})", io::json_string(store.source(name_of(parameters))));
 }
 
 std::string scene(SceneStore& store, const JsonValue& parameters) {
@@ -104,37 +196,108 @@ std::string scene(SceneStore& store, const JsonValue& parameters) {
 }
 
 std::string set(SceneStore& store, const JsonValue& parameters) {
-  LoadedScene& scene = store.scene(name_of(parameters));
+  const std::string name = name_of(parameters);
   if (const JsonValue* moving = find(parameters, "moving", JsonKind::kArray, "a list of names")) {
-    std::vector<std::string> names;
-    for (const JsonValue& item : moving->items) names.push_back(item.text);
-    scene.set_moving(names);
+    io::Scene other = store.scene(name).scene();
+    other.moving.clear();
+    for (const JsonValue& item : moving->items) other.moving.push_back(other.shape(item.text)->name);
+    store.replace(name, std::move(other));
   }
-  if (const auto where = text(parameters, "where")) scene.set_where(*where);
-  return scene.summary_json(false);
+  if (const auto where = text(parameters, "where")) store.scene(name).set_where(*where);
+  return store.scene(name).summary_json(false);
 }
 
 std::string map(SceneStore& store, const JsonValue& parameters) {
-  return store.scene(name_of(parameters)).map_json(flag(parameters, "drawing"), text(parameters, "where"));
+  RegionWish wish;
+  wish.drawing = flag(parameters, "drawing");
+  wish.brief = flag(parameters, "brief");
+  wish.where = text(parameters, "where");
+  wish.apply = text(parameters, "apply").value_or("");
+  constexpr std::array<std::string_view, 6> kOperations{"",         "interior",   "closure",
+                                                        "boundary", "regularize", "complement"};
+  if (std::find(kOperations.begin(), kOperations.end(), wish.apply) == kOperations.end())
+    refuse("\"apply\" is one of interior, closure, boundary, regularize, complement");
+  wish.angle = number(parameters, "angle");
+  constexpr std::uint64_t kMostLines = 1024;
+  wish.resolution = static_cast<int>(std::min(whole(parameters, "resolution", 0), kMostLines));
+  return store.scene(name_of(parameters)).map_json(wish);
 }
 
 std::string check(SceneStore& store, const JsonValue& parameters) {
   const JsonValue* snap = find(parameters, "snap", JsonKind::kNumber, "a number");
-  return store.scene(name_of(parameters))
-      .check_json(needed_position(parameters), flag(parameters, "nearest"),
-                  snap == nullptr ? Real() : Real::parse_decimal(snap->text));
+  const Loaded& loaded = store.scene(name_of(parameters));
+  return loaded.check_json(needed_spot(parameters, loaded),
+                           {flag(parameters, "nearest"), snap == nullptr ? Real() : Real::parse_decimal(snap->text)});
 }
 
 std::string nearest(SceneStore& store, const JsonValue& parameters) {
-  return store.scene(name_of(parameters)).nearest_json(needed_position(parameters));
+  const Loaded& loaded = store.scene(name_of(parameters));
+  return loaded.nearest_json(needed_spot(parameters, loaded));
 }
 
 std::string measure(SceneStore& store, const JsonValue& parameters) {
-  return store.scene(name_of(parameters)).measure_json(needed_position(parameters));
+  const Loaded& loaded = store.scene(name_of(parameters));
+  return loaded.measure_json(needed_spot(parameters, loaded));
+}
+
+std::string between(SceneStore& store, const JsonValue& parameters) {
+  const Loaded& loaded = store.scene(name_of(parameters));
+  return loaded.between_json(spot_of(parameters, loaded),
+                             {needed_point(parameters, "from"), needed_point(parameters, "to")});
 }
 
 std::string explain(SceneStore& store, const JsonValue& parameters) {
-  return store.scene(name_of(parameters)).explain_json(position(parameters));
+  const Loaded& loaded = store.scene(name_of(parameters));
+  return loaded.explain_json(spot_of(parameters, loaded));
+}
+
+std::string angles(SceneStore& store, const JsonValue& parameters) {
+  const Loaded& loaded = store.scene(name_of(parameters));
+  return loaded.angles_json(needed_spot(parameters, loaded));
+}
+
+std::string instants(SceneStore& store, const JsonValue& parameters) {
+  const Loaded& loaded = store.scene(name_of(parameters));
+  return loaded.instants_json(needed_spot(parameters, loaded));
+}
+
+std::string place(SceneStore& store, const JsonValue& parameters) {
+  return store.scene(name_of(parameters)).place_json(double_of(parameters, "seconds", 0));
+}
+
+std::string pack(SceneStore& store, const JsonValue& parameters) {
+  const auto path = text(parameters, "path"), content = text(parameters, "text");
+  if (path && content) refuse("pack takes either \"path\" or \"text\"");
+  const std::string name = name_of(parameters);
+  if (path || content) {
+    const PackingWishes wishes{text(parameters, "height"), text(parameters, "gap").value_or("0"),
+                               text(parameters, "edge").value_or("0")};
+    store.keep_problem(name, path ? store.read_text_of(*path) : *content, path.value_or(name), wishes);
+  }
+  PackingJob& job = store.packing(name);
+  const JsonValue* search = find(parameters, "search", JsonKind::kBoolean, "true or false");
+  if (search == nullptr || search->boolean)
+    job.start({whole(parameters, "seed", 1), unsigned(whole(parameters, "threads", 0)),
+               double_of(parameters, "seconds", 0), text(parameters, "start")});
+  return job.problem_json(flag(parameters, "drawing"));
+}
+
+std::string packing(SceneStore& store, const JsonValue& parameters) {
+  return store.packing(name_of(parameters)).state_json(whole(parameters, "since", 0));
+}
+
+std::string stop(SceneStore& store, const JsonValue& parameters) {
+  PackingJob& job = store.packing(name_of(parameters));
+  job.stop();
+  return job.state_json(0);
+}
+
+std::string repair(SceneStore& store, const JsonValue& parameters) {
+  PackingJob& job = store.packing(name_of(parameters));
+  if (parameters.find("item") == nullptr) refuse("\"item\" is missing");
+  const RealPoint to = needed_point(parameters, "at");
+  job.repair(whole(parameters, "item", 0), {to.x.to_double(), to.y.to_double()});
+  return job.state_json(0);
 }
 
 std::string unload(SceneStore& store, const JsonValue& parameters) {
@@ -145,14 +308,27 @@ std::string unload(SceneStore& store, const JsonValue& parameters) {
 constexpr Method kMethods[] = {
     {"load", "Reads a scene, keeps it, and says what it has.", kLoadParameters, load},
     {"scene", "Says what a loaded scene has: unit, shapes, what moves, the formula.", kSceneParameters, scene},
+    {"copy", "Keeps a loaded scene under another name too, where it has a formula of its own.", kCopyParameters, copy},
+    {"source", "The text of a scene with the formula and the moving shapes that it has now.", kUnloadParameters,
+     source},
     {"set", "Gives a loaded scene another formula or other moving shapes.", kSetParameters, set},
     {"map", "Where can the moving shape go: the exact region of all feasible positions.", kMapParameters, map},
     {"check", "Is this position feasible: the value and truth of every condition.", kCheckParameters, check},
     {"nearest", "The nearest feasible position.", kPositionParameters, nearest},
     {"measure", "How far the moving shape is from each other shape.", kPositionParameters, measure},
+    {"between", "The distance between the vertices, edges or arcs that are nearest to two places.", kBetweenParameters,
+     between},
     {"explain", "Why no position is feasible and what would change that; else how much slack each level has.",
      kExplainParameters, explain},
-    {"unload", "Forgets a scene.", kUnloadParameters, unload},
+    {"angles", "At which angles the moving shape can stand at a position.", kPlainParameters, angles},
+    {"instants", "At which instants of the motion the formula holds at a position.", kPlainParameters, instants},
+    {"place", "The placement of several shapes that the scene asks for.", kPlaceParameters, place},
+    {"pack", "Begins to pack the parts of a problem into a short strip, or goes on with a loaded one.", kPackParameters,
+     pack},
+    {"packing", "How far a packing is: its best layout, proved, and whether it goes on.", kPackingParameters, packing},
+    {"stop", "Ends a packing and keeps its best layout.", kUnloadParameters, stop},
+    {"repair", "Moves one part of a layout and the others out of its way.", kRepairParameters, repair},
+    {"unload", "Forgets a scene or a packing.", kUnloadParameters, unload},
 };
 
 std::vector<std::string> names_of(std::span<const Parameter> parameters) {
@@ -202,44 +378,14 @@ std::string protocol_json() {
   return out + "}\n";
 }
 
-std::string SceneStore::call(std::string_view name, const JsonValue& parameters) {
+std::string run_method(SceneStore& store, std::string_view name, const JsonValue& parameters) {
   for (const Method& m : methods()) {
     if (m.name != name) continue;
     if (!parameters.is(JsonKind::kObject) && !parameters.is(JsonKind::kNull)) refuse("params are an object");
     check_names(m, parameters);
-    return m.run(*this, parameters);
+    return m.run(store, parameters);
   }
   throw RequestError{RequestError::kMethod, fmt::format("there is no method '{}'", name)};
-}
-
-LoadedScene& SceneStore::scene(const std::string& name) {
-  const auto found = scenes_.find(name);
-  if (found == scenes_.end()) refuse(fmt::format("no scene '{}' is loaded", name));
-  return *found->second;
-}
-
-void SceneStore::keep(const std::string& name, io::Scene scene) {
-  scenes_[name] = std::make_unique<LoadedScene>(std::move(scene));
-}
-
-void SceneStore::forget(const std::string& name) {
-  scene(name);
-  scenes_.erase(name);
-}
-
-SceneStore::SceneStore(const Options& options) : reading_(app::reading(options)) {
-  const std::filesystem::path scene(options.scene);
-  if (reading_.root.empty())
-    reading_.root = scene.parent_path().empty() ? std::filesystem::current_path() : scene.parent_path();
-  reading_.root = std::filesystem::weakly_canonical(reading_.root);
-  if (!scene.empty()) keep("scene", io::read_scene(scene, reading_));
-}
-
-std::filesystem::path SceneStore::within_root(const std::string& path) const {
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(root() / path);
-  const auto [end, unused] = std::mismatch(root().begin(), root().end(), whole.begin(), whole.end());
-  if (end != root().end()) throw Error(ErrorCode::kFile, "lies outside the folder that is served", path);
-  return whole;
 }
 
 }  // namespace findspace::app

@@ -5,17 +5,12 @@
 // tools of the Model Context Protocol and docs/protocol.json speak from it. Keywords: API, OpenRPC, tool.
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "io/text/json_tree.h"
-#include "io/text/read_limits.h"
-#include "options.h"
-#include "serve/loaded_scene.h"
+#include "serve/scene_store.h"
 
 namespace findspace::app {
 
@@ -33,8 +28,6 @@ struct Parameter {
   bool required = false;
 };
 
-class SceneStore;
-
 struct Method {
   std::string_view name, about;
   std::span<const Parameter> parameters;
@@ -47,27 +40,7 @@ std::string parameters_schema(const Method& method);
 /// All methods as one JSON document (docs/protocol.json).
 std::string protocol_json();
 
-/// The loaded scenes by name. Scenes, and the files that they name, are read below one folder only: --root, or else the
-/// folder of the first scene, or else the current one.
-class SceneStore {
- public:
-  explicit SceneStore(const Options& options);
-
-  /// The answer as JSON. Throws RequestError, and Error.
-  std::string call(std::string_view method, const io::JsonValue& parameters);
-
-  LoadedScene& scene(const std::string& name);
-  void keep(const std::string& name, io::Scene scene);
-  void forget(const std::string& name);
-  /// Throws Error where the path leads out of the folder.
-  std::filesystem::path within_root(const std::string& path) const;
-  const std::filesystem::path& root() const { return reading_.root; }
-  /// What a scene may open and cost.
-  const io::ReadOptions& reading() const { return reading_; }
-
- private:
-  io::ReadOptions reading_;
-  std::map<std::string, std::unique_ptr<LoadedScene>> scenes_;
-};
+/// The answer to a request as JSON. Throws RequestError, and Error.
+std::string run_method(SceneStore& store, std::string_view name, const io::JsonValue& parameters);
 
 }  // namespace findspace::app

@@ -50,8 +50,10 @@ bool same_token(const std::string& a, const std::string& b) {
 
 class PageServer::Impl {
  public:
-  Impl(int port, std::string page, std::function<std::string(const std::string&)> answer)
-      : page_(std::move(page)), answer_(std::move(answer)) {
+  Impl(int port, PageFiles files, std::string_view kind, std::function<std::string(const std::string&)> answer)
+      : files_(std::move(files)), answer_(std::move(answer)) {
+    replace_all(files_.page, "__TOKEN__", token_);
+    replace_all(files_.page, "__KIND__", kind);
     server_.set_payload_max_length(kMostBytes);
     server_.set_tcp_nodelay(true);
     server_.set_keep_alive_max_count(kMostRequests);
@@ -86,6 +88,9 @@ class PageServer::Impl {
       return httplib::Server::HandlerResponse::Handled;
     });
     server_.Get("/", [this](const httplib::Request&, httplib::Response& response) { give_page(response); });
+    server_.Get("/space.js", [this](const httplib::Request&, httplib::Response& response) {
+      response.set_content(files_.space, "text/javascript; charset=utf-8");
+    });
     server_.Get("/open", [this](const httplib::Request&, httplib::Response& response) { keep_open(response); });
     server_.Post("/rpc", [this](const httplib::Request& request, httplib::Response& response) {
       std::lock_guard lock(guard_);
@@ -105,9 +110,8 @@ class PageServer::Impl {
 
   void give_page(httplib::Response& response) const {
     const std::string once = random_text();
-    std::string page = page_;
+    std::string page = files_.page;
     replace_all(page, "__NONCE__", once);
-    replace_all(page, "__TOKEN__", token_);
     response.set_header("Content-Security-Policy",
                         fmt::format("default-src 'none'; script-src 'nonce-{0}'; style-src 'nonce-{0}'; connect-src "
                                     "'self'; img-src data: blob:; base-uri 'none'; form-action 'none'; "
@@ -149,7 +153,8 @@ class PageServer::Impl {
   }
 
   httplib::Server server_;
-  std::string page_, token_ = random_text();
+  PageFiles files_;
+  std::string token_ = random_text();
   std::function<std::string(const std::string&)> answer_;
   std::mutex guard_;
   int port_ = 0;
@@ -158,8 +163,9 @@ class PageServer::Impl {
   std::atomic<std::chrono::steady_clock::rep> last_ = 0;
 };
 
-PageServer::PageServer(int port, std::string page, std::function<std::string(const std::string&)> answer)
-    : impl_(std::make_unique<Impl>(port, std::move(page), std::move(answer))) {}
+PageServer::PageServer(int port, PageFiles files, std::string_view kind,
+                       std::function<std::string(const std::string&)> answer)
+    : impl_(std::make_unique<Impl>(port, std::move(files), kind, std::move(answer))) {}
 PageServer::~PageServer() = default;
 std::string PageServer::link() const { return impl_->link(); }
 void PageServer::run() { impl_->run(); }

@@ -9,13 +9,22 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace findspace::app {
 
+/// The page as one HTML text, and the script that draws space, made of web/ by tools/build_page.
+struct PageFiles {
+  std::string page, space;
+};
+/// Those that are built into the program.
+PageFiles built_in_page();
+
 class PageServer {
  public:
-  /// Binds; throws Error where the port cannot be had. 0: any port. `answer`: of a request's text.
-  PageServer(int port, std::string page, std::function<std::string(const std::string&)> answer);
+  /// Binds; throws Error where the port cannot be had. 0: any port. `kind`: what the page shows, "scene" or "packing".
+  /// `answer`: of a request's text.
+  PageServer(int port, PageFiles files, std::string_view kind, std::function<std::string(const std::string&)> answer);
   ~PageServer();
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;
@@ -29,8 +38,5 @@ class PageServer {
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// The page as one HTML text, made of web/ by tools/build_page; empty where it was not built into the program.
-std::string built_in_page();
 
 }  // namespace findspace::app

@@ -31,14 +31,11 @@ bool open_browser(std::string link) {
 }  // namespace
 
 Outcome run_view(const Options& options, Reporter& reporter) {
-  const std::string page = built_in_page();
-  if (page.empty())
-    throw Error(ErrorCode::kUnsupported,
-                "this program was built without the page; tools/build_page makes it, then build again");
   reporter.stage("reading the scene");
   SceneStore store(options);
   JsonRpc rpc(store, options.time_limit, JsonRpc::Late::kSilent);
-  PageServer server(options.port, page, [&](const std::string& request) { return rpc.answer(request); });
+  PageServer server(options.port, built_in_page(), store.has_packing() ? "packing" : "scene",
+                    [&](const std::string& request) { return rpc.answer(request); });
   reporter.stage("");
   fmt::print("{}\n", server.link());
   std::fflush(stdout);

@@ -8,20 +8,29 @@
 //   formula.h   what is asked: distances compared with levels, as objects or as text
 //   world.h     which shape moves, and the questions: distances, sign maps, formulas, optima, queries
 //   values.h    what is said about one position
+//   motion.h, line_map.h   shapes that move in time, poses; regions of space on lines
+//   placement.h   several shapes put down
 //   options.h   limits of questions, progress, cancellation
 //   region.h    the answers: exact point sets
-//   space_region.h, phi.h   exact sets of space; Phi-functions with gradients
+//   packing.h   many parts on a strip or on sheets
+//   space_region.h, surface.h   exact sets of space, and surfaces
+//   phi.h       Phi-functions with gradients
 //   error.h     what is thrown for bad input
 #pragma once
 
 #include "findspace/contour.h"
 #include "findspace/error.h"
 #include "findspace/formula.h"
+#include "findspace/line_map.h"
+#include "findspace/motion.h"
 #include "findspace/number.h"
 #include "findspace/options.h"
+#include "findspace/packing.h"
 #include "findspace/phi.h"
+#include "findspace/placement.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
 #include "findspace/space_region.h"
+#include "findspace/surface.h"
 #include "findspace/values.h"
 #include "findspace/world.h"

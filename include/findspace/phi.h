@@ -52,6 +52,9 @@ class Phi {
   int compare(const Point& u, const Number& distance) const;
   int compare(const Point3& u, const Number& distance) const;
 
+  /// What it is of.
+  const Shape& a() const;
+  const Shape& b() const;
   /// 2 or 3.
   int dimension() const;
   /// Convex parts of A and of B.

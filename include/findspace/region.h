@@ -151,10 +151,13 @@ class Region {
   /// The same set, whatever it is made of.
   friend bool operator==(const Region& a, const Region& b);
 
-  /// Rings as points, arcs cut so finely that no chord is farther from its arc than `bound`: within the set, around it,
-  /// or to whatever side is nearer. Of faces alone, a component's rings one after the other.
-  enum class Towards { kInside, kOutside };
+  /// Where corners of flattened arcs lie: in the closure of the set, not inside of it, or on the arcs.
+  enum class Towards { kInside, kOutside, kOnArcs };
+  /// Rings as points, arcs cut so finely that no chord is farther from its arc than `bound`. Of faces alone, a
+  /// component's rings one after the other.
   std::vector<std::vector<Position>> flattened(double bound, Towards side) const;
+  /// The closure as a GeoJSON geometry, its arcs flattened. Error(kUnsupported) where unbounded.
+  std::string geojson(double bound, Towards side = Towards::kOnArcs) const;
 
   /// As `findspace map --json` writes it (docs/results.md): cells with marks, arcs as arcs.
   std::string json() const;

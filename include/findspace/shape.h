@@ -18,10 +18,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "findspace/contour.h"
 #include "findspace/number.h"
+#include "findspace/surface.h"
 
 namespace findspace {
 
@@ -75,6 +77,8 @@ class Shape {
   Shape(const Region& region);  // NOLINT: implicit on purpose
 
   // ---- made of others; of shapes on different grids on one that holds both
+  /// The union of parts that keep their names in witnesses.
+  static Shape collection(const std::vector<std::pair<std::string, Shape>>& parts);
   /// What belongs to any of them, or to all.
   static Shape unite(const std::vector<Shape>& shapes);
   static Shape intersect(const std::vector<Shape>& shapes);
@@ -122,6 +126,12 @@ class Shape {
   Rounded rounded() const;
   /// The set itself, of the plane only (Error(kUnsupported)); made when first asked for.
   const Region& region() const;
+
+  /// Of space: the boundary as flat faces. Error(kUnsupported) of what has other faces and of what is made of several
+  /// solids; World::surface has theirs as found on lines.
+  Surface surface() const;
+  /// A drawing in true size of a shape of the plane (Error(kUnsupported) where it is unbounded), or a view of a solid.
+  std::string svg() const;
 
   /// The set as text that Shape::json brings back on the same grid: the boundary in the plane, the construction in
   /// space. Error(kUnsupported) for prisms with arcs.

@@ -15,16 +15,11 @@
 #include <vector>
 
 #include "findspace/number.h"
+#include "findspace/surface.h"
 
 namespace findspace {
 
-/// Flat faces, counter-clockwise seen from outside, by their vertices counted from 0.
-struct Surface {
-  /// Its corners.
-  std::vector<Position3> vertices;
-  /// Circuits of corners.
-  std::vector<std::vector<int>> faces;
-};
+class Query;
 
 class SpaceRegion {
  public:
@@ -67,6 +62,10 @@ class SpaceRegion {
   Surface surface() const;
   /// As `findspace map --json` writes it (docs/results.md).
   std::string json() const;
+  /// The surface, seen from the side.
+  std::string svg() const;
+  /// What it answers: the formula over its world.
+  const Query& query() const;
 
   struct Data;
   explicit SpaceRegion(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

@@ -20,9 +20,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "findspace/error.h"
 #include "findspace/formula.h"
+#include "findspace/line_map.h"
+#include "findspace/motion.h"
 #include "findspace/options.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
@@ -48,6 +51,9 @@ class World {
   /// `moving` is one of the names. All shapes are of the plane, or all of space. Distances are those of the shapes'
   /// closures. Throws what is wrong with a shape: kGeometry, kBadValue, kOutOfRange, kUnknownName, kSyntax, kFile.
   World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options = {});
+  /// Several move together.
+  World(const std::map<std::string, Shape>& shapes, const std::vector<std::string>& moving,
+        const WorldOptions& options = {});
 
   // ---- changes; what does not speak of the shape is kept. Queries that were made keep the world that they had
   /// A shape that is new, or replaces that of its name.
@@ -59,6 +65,12 @@ class World {
   void move(const std::string& name, const Point3& by);
   /// The same world with other limits.
   World with(const Options& options) const;
+  /// The same world, of the plane, with shapes that move in time; distances may then be asked with inf and sup, and
+  /// without these are least over the time. Error(kBadValue) for times that do not ascend, kUnknownName for a path of
+  /// no shape.
+  World with(const Motion& motion) const;
+  /// The same at one instant of its motion: distances without inf and sup are those of that time.
+  World at_time(const Number& time) const;
 
   // ---- at a position
   /// A distance in its formula text, e.g. "gap(B, A)" (docs/formula.md), at p; in degrees where it is one in rotation
@@ -89,6 +101,24 @@ class World {
   /// Where the formula holds, in degrees, for the moving shape at p and rotated about a point of its own (in the
   /// coordinates in which it is drawn). Intervals begin in [0, 360) and may go across 360. Of the plane.
   std::vector<Interval> angles(const Formula& formula, const Point& p, const Point& about = {0, 0}) const;
+  /// At some angles of the moving shape about a point of its own, and between neighbouring ones; or at so many angles,
+  /// evenly over a turn. Of the plane.
+  PoseMap poses(const Formula& formula, const std::vector<Number>& degrees, const Point& about = {0, 0}) const;
+  PoseMap poses(const Formula& formula, int count, const Point& about = {0, 0}) const;
+  /// The same as solve(), also where shapes turn in time or distances are in rotation: between bounds.
+  RegionBounds solve_bounds(const Formula& formula) const;
+  /// The instants of the motion at which the formula holds at p.
+  Instants instants(const Formula& formula, const Point& p) const;
+
+  // ---- in space, where a region has no exact form
+  /// On many lines.
+  LineMap on_lines(const Formula& formula, const Lines& lines = {}) const;
+  /// Its volume.
+  VolumeBounds volume(const Formula& formula, const Lines& lines = {}) const;
+  /// Its surface, closed and outward: vertices lie on the boundary, on the lines of a lattice of cubes, so many along
+  /// the longest side. What is thinner than a cube may be missed; what is unbounded is cut off.
+  Surface surface(const Formula& formula, int count = 64) const;
+
   /// In space, where the formula holds along the line through a point; the direction is in integers.
   OnLine on_line(const Formula& formula, const Point3& through, const Point3& direction) const;
   /// A formula, ready for many positions; or the text of a distance, for its values.
@@ -96,13 +126,18 @@ class World {
   Query query(const Distance& distance) const;
 
   // ---- what it was made of
-  /// As they were given, by name; the one that moves; the unit.
+  /// As they were given, by name; the one that moves, or the first of several; the unit.
   const std::map<std::string, Shape>& shapes() const;
   const std::string& moving() const;
+  /// All that move.
+  const std::vector<std::string>& moving_together() const;
   std::string unit() const;
   /// 2 or 3.
   int dimension() const;
   const Options& options() const;
+  /// The paths of shapes that move in time, and the instant of at_time().
+  const std::optional<Motion>& motion() const;
+  const std::optional<Number>& time() const;
   /// A shape as a point set of the plane, open ends and all. kUnknownName for none of that name.
   Region shape(const std::string& name) const;
 

@@ -9,22 +9,28 @@
 >>> (11.5, 3) in region, (11.4, 3) in region
 (True, False)
 """
-from ._findspace import (AtomValue, Check, Component, Distance, DistanceValue, Edge, Error, Formula, Interval,
-                         Optimum, Phi, PhiValue, Query, Region, Ring, Shape, SpaceRegion, Stopped, World, clear,
-                         cover, covers, depth, diameter, disjoint, distance, gap, hausdorff, inside, margin, overlaps,
-                         protrusion, reach, touches, within)
+from ._findspace import (AtomValue, Body, Check, Component, Distance, DistanceValue, Edge, Error, Feature, Formula,
+                         Instants, Interval, LeftOutPart, LineMap, Optimum, PackLayout, PackPart, PackProblem,
+                         PackSheet, PackZone, Phi, PhiValue, PlacedPart, Placement, PoseMap, Query, Region, Ring,
+                         Shape, SpaceRegion, Stopped, Surface, World, clear, cover, covers, depth, diameter, disjoint,
+                         distance, gap, hausdorff, inside, margin, overlaps, pack, place, protrusion, reach, touches, within)
 from . import _plot, _shapely
 
-__all__ = ["AtomValue", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Formula", "Interval",
-           "Optimum", "Phi", "PhiValue", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped", "World",
-           "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "gap", "hausdorff", "inside",
-           "margin", "overlaps", "protrusion", "reach", "shape", "touches", "within"]
+__all__ = ["AtomValue", "Body", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Feature",
+           "Formula", "Instants", "Interval", "LeftOutPart", "LineMap", "Optimum", "PackLayout", "PackPart", "PackProblem",
+           "PackSheet", "PackZone", "Phi", "PhiValue", "PlacedPart", "Placement", "PoseMap", "Query",
+           "Region", "Ring", "Shape", "SpaceRegion", "Stopped", "Surface", "World", "clear", "cover", "covers",
+           "depth", "diameter", "disjoint", "distance", "gap", "hausdorff", "inside", "margin", "overlaps", "pack", "place",
+           "protrusion", "reach", "shape", "touches", "within"]
 
 shape = _shapely.shape
 Region.plot = _plot.plot_region
 Region._repr_svg_ = _plot.picture
 Shape.plot = _plot.plot_shape
 Shape._repr_svg_ = _plot.picture_of_shape
+SpaceRegion._repr_svg_ = _plot.picture_of_solid
+Surface._repr_svg_ = _plot.picture_of_surface
+Placement._repr_svg_ = _plot.picture_of_placement
 Region.to_shapely = _shapely.to_shapely
 Region.__geo_interface__ = property(_shapely.geo_interface)
 Shape.__geo_interface__ = property(_shapely.geo_interface_of_shape)

@@ -82,4 +82,16 @@ def picture(self):
 
 
 def picture_of_shape(self):
-    return picture(self.region) if self.dimension == 2 else None
+    return picture(self.region) if self.dimension == 2 else self.svg
+
+
+def picture_of_solid(self):
+    return self.svg if self.bounded and not self.empty else None
+
+
+def picture_of_surface(self):
+    return self.text(".svg").decode() if len(self.vertices) else None
+
+
+def picture_of_placement(self):
+    return self.svg

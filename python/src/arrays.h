@@ -22,14 +22,14 @@ using Indices = py::array_t<std::int32_t, py::array::c_style | py::array::forcec
 
 /// Rows of `Row` of an array of shape (n, columns).
 template <class Row, class Values>
-std::span<const Row> rows(const Values& values, const std::string& what) {
+std::span<const Row> rows(const Values& values, const char* what) {
   const py::ssize_t columns = py::ssize_t(std::tuple_size_v<Row>);
   if (values.ndim() != 2 || values.shape(1) != columns)
-    throw py::value_error(what + " have the shape (n, " + std::to_string(columns) + ")");
+    throw py::value_error(std::string(what) + " have the shape (n, " + std::to_string(columns) + ")");
   return {reinterpret_cast<const Row*>(values.data()), std::size_t(values.shape(0))};
 }
 
-inline std::span<const Position> positions(const Array& values, const std::string& what = "positions") {
+inline std::span<const Position> positions(const Array& values, const char* what = "positions") {
   return rows<Position>(values, what);
 }
 

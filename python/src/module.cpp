@@ -19,6 +19,7 @@ void bind_regions(py::module_& m);
 void bind_worlds(py::module_& m);
 void bind_space(py::module_& m);
 void bind_formulas(py::module_& m);
+void bind_packing(py::module_& m);
 
 namespace {
 
@@ -37,8 +38,8 @@ void bind_errors(py::module_& m) {
       made.attr("limit") = e.limit() == Limit::kTime ? "time" : e.limit() == Limit::kMemory ? "memory" : "cancelled";
       PyErr_SetObject(stopped.ptr(), made.ptr());
     } catch (const Error& e) {
-      static const char* const kCodes[] = {"usage",    "syntax",       "unknown name", "bad value",
-                                           "geometry", "out of range", "file",         "unsupported"};
+      static const char* const kCodes[] = {"usage",        "syntax", "unknown name", "bad value", "geometry",
+                                           "out of range", "file",   "unsupported",  "limit"};
       const py::object made = py::reinterpret_borrow<py::object>(error)(e.what());
       made.attr("message") = e.message();
       made.attr("place") = e.place();
@@ -61,4 +62,5 @@ PYBIND11_MODULE(_findspace, m) {
   bind_regions(m);
   bind_space(m);
   bind_worlds(m);
+  bind_packing(m);
 }

@@ -18,6 +18,7 @@ namespace py = pybind11;
 
 inline Number number(const py::handle& value) {
   if (PyFloat_Check(value.ptr())) return Number(value.cast<double>());
+  if (PyUnicode_Check(value.ptr())) return Number(value.cast<std::string>());
   return Number(py::str(value).cast<std::string>());
 }
 

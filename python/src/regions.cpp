@@ -60,7 +60,21 @@ void bind_parts(py::module_& m) {
           "Of an arc, else None.")
       .def_property_readonly(
           "angle", [](const EdgeOf& e) { return e.edge.angle; }, "That an arc spans, in radians.")
-      .def_readonly("counterclockwise", &EdgeOf::ccw, "Which way an arc is met.");
+      .def_readonly("counterclockwise", &EdgeOf::ccw, "Which way an arc is met.")
+      .def(py::pickle(
+          [](const EdgeOf& e) {
+            return py::make_tuple(e.start, e.end, e.ccw, e.edge.belongs, e.edge.arc, e.edge.center, e.edge.radius,
+                                  e.edge.angle);
+          },
+          [](const py::tuple& t) {
+            EdgeOf out{{}, t[0].cast<Position>(), t[1].cast<Position>(), t[2].cast<bool>()};
+            out.edge.belongs = t[3].cast<bool>();
+            out.edge.arc = t[4].cast<bool>();
+            out.edge.center = t[5].cast<Position>();
+            out.edge.radius = t[6].cast<double>();
+            out.edge.angle = t[7].cast<double>();
+            return out;
+          }));
   py::class_<RingOf>(m, "Ring", "A closed boundary, the set on its left.")
       .def_property_readonly(
           "edges",
@@ -78,6 +92,18 @@ void bind_parts(py::module_& m) {
             return array_of(out);
           },
           "Where its edges meet, shape (n, 2).")
+      .def(py::pickle(
+          [](const RingOf& r) {
+            std::vector<std::pair<std::size_t, bool>> sides;
+            for (const Region::Side& s : r.sides) sides.emplace_back(s.edge, s.forward);
+            return py::make_tuple(r.region, sides);
+          },
+          [](const py::tuple& t) {
+            RingOf out{t[0].cast<Region>(), {}};
+            for (const auto& [edge, forward] : t[1].cast<std::vector<std::pair<std::size_t, bool>>>())
+              out.sides.push_back({edge, forward});
+            return out;
+          }))
       .def("__len__", [](const RingOf& r) { return r.sides.size(); });
   py::class_<ComponentOf>(m, "Component", "A connected part of a region.")
       .def_property_readonly(
@@ -113,7 +139,11 @@ void bind_parts(py::module_& m) {
             for (const std::size_t v : c.get().isolated) out.push_back(c.region.vertices()[v].at);
             return array_of(out);
           },
-          "Isolated points, shape (n, 2).");
+          "Isolated points, shape (n, 2).")
+      .def(py::pickle([](const ComponentOf& c) { return py::make_tuple(c.region, c.index); },
+                      [](const py::tuple& t) {
+                        return ComponentOf{t[0].cast<Region>(), t[1].cast<std::size_t>()};
+                      }));
 }
 
 void bind_sets(py::class_<Region>& region) {
@@ -177,7 +207,20 @@ void bind_questions(py::class_<Region>& region) {
             return out;
           },
           py::arg("bound"), py::arg("outside") = false,
-          "Rings as points, arcs cut into chords no farther than `bound` from them, within the set or around it.");
+          "Rings as points, arcs cut into chords no farther than `bound` from them, within the set or around it.")
+      .def(
+          "geojson",
+          [](const Region& r, double bound, const std::string& side) {
+            using Towards = Region::Towards;
+            const std::map<std::string, Towards> sides{
+                {"inside", Towards::kInside}, {"outside", Towards::kOutside}, {"on_arcs", Towards::kOnArcs}};
+            const auto found = sides.find(side);
+            if (found == sides.end()) throw py::value_error("side is 'inside', 'outside' or 'on_arcs'");
+            return r.geojson(bound, found->second);
+          },
+          py::arg("bound"), py::arg("side") = "on_arcs",
+          "The closure as GeoJSON, as text. No chord is farther than `bound` from its arc; corners lie within the set, "
+          "outside of it, or on the arcs.");
 }
 
 }  // namespace

@@ -165,6 +165,14 @@ void bind_operations(py::class_<Shape>& shape) {
              return Shape::subtract({a, b});
            })
       .def("__invert__", [](const Shape& a) { return Shape::complement(a); })
+      .def_static(
+          "collection",
+          [](const py::dict& parts) {
+            std::vector<std::pair<std::string, Shape>> all;
+            for (const auto& [name, part] : parts) all.emplace_back(name.cast<std::string>(), part.cast<Shape>());
+            return Shape::collection(all);
+          },
+          py::arg("parts"), "The union of parts by name, which keep their names in witnesses.")
       .def_static("unite", &Shape::unite, py::arg("shapes"), "What belongs to any of them.")
       .def_static("intersect", &Shape::intersect, py::arg("shapes"), "What belongs to all of them.")
       .def_static("subtract", &Shape::subtract, py::arg("shapes"), "The first without the others.")
@@ -231,6 +239,8 @@ void bind_shapes(py::module_& m) {
       .def_property_readonly(
           "region", [](const Shape& s) { return s.region(); }, py::call_guard<py::gil_scoped_release>(),
           "The set itself; of the plane only.")
+      .def_property_readonly("surface", &Shape::surface, "Of space: the boundary, where flat faces bound one solid.")
+      .def_property_readonly("svg", &Shape::svg, "A drawing in true size, or a view of a solid.")
       .def(py::init<const Region&>(), py::arg("region"))
       .def(py::pickle(
           [](const Shape& s) { return py::make_tuple(s.exact_json(), s.grid().step.text()); },

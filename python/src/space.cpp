@@ -6,18 +6,14 @@
 #include "arrays.h"
 #include "findspace/phi.h"
 #include "findspace/space_region.h"
+#include "findspace/world.h"
 #include "interruptible.h"
 #include "numbers.h"
+#include "pickles.h"
+#include "surfaces.h"
 
 namespace findspace::python {
 namespace {
-
-Array vertices_of(const Surface& surface) {
-  Array out({py::ssize_t(surface.vertices.size()), py::ssize_t(3)});
-  double* to = out.mutable_data();
-  for (const Position3& v : surface.vertices) to = std::copy(v.begin(), v.end(), to);
-  return out;
-}
 
 py::array_t<bool> contains_rows(const SpaceRegion& region, const Array& at) {
   const std::span<const Position3> all = rows<Position3>(at, "positions");
@@ -60,6 +56,11 @@ Examples
       .def_property_readonly(
           "faces", [](const SpaceRegion& r) { return r.surface().faces; },
           "Circuits of vertices, counter-clockwise seen from outside.")
+      .def_property_readonly("surface", &SpaceRegion::surface, "Its boundary, as a Surface.")
+      .def_property_readonly("svg", &SpaceRegion::svg, "Its boundary, seen from the side.")
+      .def_property_readonly("query", &SpaceRegion::query, "What it answers: the formula over its world.")
+      .def(py::pickle([](const SpaceRegion& r) { return py::make_tuple(r.query().world(), r.query().text()); },
+                      [](const py::tuple& t) { return t[0].cast<World>().solve_space(t[1].cast<std::string>()); }))
       .def_property_readonly(
           "boxes",
           [](const SpaceRegion& r) {
@@ -105,6 +106,8 @@ void bind_phi(py::module_& m) {
       .def_readonly("pair", &Phi::Value::pair, "Which two convex parts are nearest.")
       .def_readonly("active", &Phi::Value::active, "Their facets that are highest.")
       .def("__float__", [](const Phi::Value& v) { return v.value; })
+      .def(pickled<Phi::Value>(&Phi::Value::value, &Phi::Value::normalised, &Phi::Value::state, &Phi::Value::gradient,
+                               &Phi::Value::pair, &Phi::Value::active))
       .def("__repr__",
            [](const Phi::Value& v) { return "<PhiValue " + std::string(py::repr(py::cast(v.value))) + ">"; });
   py::class_<Phi>(m, "Phi", R"doc(The Phi-function of two shapes, of the translation of the second.
@@ -145,12 +148,45 @@ array([2., 4.])
             return py::len(u) == 3 ? phi.compare(point3(u), number(distance)) : phi.compare(point(u), number(distance));
           },
           py::arg("position"), py::arg("distance"), "The sign of the normalised form minus a distance, exactly.")
+      .def_property_readonly("a", &Phi::a, "The shape that stands still.")
+      .def_property_readonly("b", &Phi::b, "The shape that moves.")
+      .def(py::pickle([](const Phi& phi) { return py::make_tuple(phi.a(), phi.b()); },
+                      [](const py::tuple& t) { return Phi(t[0].cast<Shape>(), t[1].cast<Shape>()); }))
       .def_property_readonly("dimension", &Phi::dimension, "2 or 3.");
+}
+
+void bind_surface(py::module_& m) {
+  py::class_<Surface>(m, "Surface", R"doc(A surface of flat faces, with `vertices` and `faces` as trimesh has them.
+
+Examples
+--------
+>>> import findspace as fs
+>>> box = fs.Shape.box((0, 0, 0), (1, 2, 3)).surface
+>>> box.vertices.shape, box.faces.shape
+((8, 3), (12, 3))
+>>> fs.shape(box).dimension
+3
+)doc")
+      .def_property_readonly("vertices", &vertices_of, "Shape (n, 3).")
+      .def_property_readonly("faces", &triangles_of, "Triangles, shape (m, 3), counter-clockwise seen from outside.")
+      .def_readonly("polygons", &Surface::faces, "The faces as they are: circuits of vertices.")
+      .def(
+          "text",
+          [](const Surface& s, const std::string& ending, const std::string& unit) {
+            return py::bytes(s.text(ending, unit));
+          },
+          py::arg("ending"), py::arg("unit") = "",
+          "As a file, in bytes: '.obj' '.off' '.stl' '.ply' '.glb' '.3mf' '.svg'.")
+      .def(py::pickle([](const Surface& s) { return py::make_tuple(s.vertices, s.faces); },
+                      [](const py::tuple& t) {
+                        return Surface{t[0].cast<std::vector<Position3>>(), t[1].cast<std::vector<std::vector<int>>>()};
+                      }));
 }
 
 }  // namespace
 
 void bind_space(py::module_& m) {
+  bind_surface(m);
   bind_region(m);
   bind_phi(m);
 }

@@ -8,6 +8,7 @@
 #include "findspace/world.h"
 #include "interruptible.h"
 #include "numbers.h"
+#include "pickles.h"
 
 namespace findspace::python {
 namespace {
@@ -56,6 +57,19 @@ py::object nearest(const Query& query, const py::sequence& from) {
 }
 
 void bind_values(py::module_& m) {
+  py::class_<Feature>(m, "Feature", "What a point of a witness lies on.")
+      .def_property_readonly(
+          "kind",
+          [](const Feature& f) {
+            static const char* const kKinds[] = {"vertex", "edge", "arc", "inside"};
+            return kKinds[static_cast<int>(f.kind)];
+          },
+          "'vertex', 'edge', 'arc', or 'inside' where it is no boundary.")
+      .def_readonly("shape", &Feature::shape, "The shape's name.")
+      .def_readonly("part", &Feature::part, "The part of a collection, else empty.")
+      .def_readonly("points", &Feature::points, "In the shape's own coordinates: a vertex, two ends, or a centre.")
+      .def_readonly("radius", &Feature::radius, "Of an arc.")
+      .def(pickled<Feature>(&Feature::kind, &Feature::shape, &Feature::part, &Feature::points, &Feature::radius));
   py::class_<DistanceValue>(m, "DistanceValue", "The value of a distance at a position, with its bounds.")
       .def_readonly("value", &DistanceValue::value, "None: undefined, +infinity.")
       .def_readonly("exact", &DistanceValue::exact, "Whether the number is known exactly; `value` is that rounded.")
@@ -65,7 +79,11 @@ void bind_values(py::module_& m) {
       .def_readonly("in_degrees", &DistanceValue::in_degrees, "Whether it is an angle, of a distance in rotation.")
       .def_readonly("nearest", &DistanceValue::nearest, "Of signed distances the nearest position where they are 0.")
       .def_readonly("points", &DistanceValue::points, "Two points that take the distance, or none.")
+      .def_readonly("features", &DistanceValue::features, "What these lie on, in the plane; or none.")
       .def_property_readonly("witness", &DistanceValue::witness, "What these points lie on, in words.")
+      .def(pickled<DistanceValue>(&DistanceValue::value, &DistanceValue::exact, &DistanceValue::lower,
+                                  &DistanceValue::upper, &DistanceValue::closed_form, &DistanceValue::in_degrees,
+                                  &DistanceValue::nearest, &DistanceValue::points, &DistanceValue::features))
       .def("__float__",
            [](const DistanceValue& d) { return d.value.value_or(std::numeric_limits<double>::infinity()); })
       .def("__repr__",
@@ -74,20 +92,27 @@ void bind_values(py::module_& m) {
       .def_readonly("text", &AtomValue::text, "The comparison.")
       .def_readonly("holds", &AtomValue::holds, "Exact, also on a boundary.")
       .def_readonly("distance", &AtomValue::distance, "The value that is compared.")
-      .def_readonly("lacks", &AtomValue::lacks, "How far the value is from holding; None where it holds.");
+      .def_readonly("lacks", &AtomValue::lacks, "How far the value is from holding; None where it holds.")
+      .def(pickled<AtomValue>(&AtomValue::text, &AtomValue::holds, &AtomValue::distance, &AtomValue::lacks));
   py::class_<Check>(m, "Check", "A formula at a position, atom by atom.")
       .def_readonly("holds", &Check::holds, "Exact, also on a boundary.")
       .def_readonly("atoms", &Check::atoms, "Its comparisons, from left to right.")
+      .def(pickled<Check>(&Check::holds, &Check::atoms))
       .def("__bool__", [](const Check& c) { return c.holds; });
   py::class_<Optimum>(m, "Optimum", "The least value of an objective over a region.")
       .def_readonly("value", &Optimum::value, "The infimum; None where there is none.")
       .def_readonly("attained", &Optimum::attained, "Whether a position of the region takes it.")
-      .def_readonly("at", &Optimum::at, "The positions, as a region.");
+      .def_readonly("at", &Optimum::at, "The positions, as a region.")
+      .def(py::pickle([](const Optimum& o) { return py::make_tuple(o.value, o.attained, o.at); },
+                      [](const py::tuple& t) {
+                        return Optimum{t[0].cast<std::optional<double>>(), t[1].cast<bool>(), t[2].cast<Region>()};
+                      }));
   py::class_<Interval>(m, "Interval", "A part of a line, by the length gone.")
       .def_readonly("start", &Interval::from, "None: it goes on for ever.")
       .def_readonly("end", &Interval::to, "None: it goes on for ever.")
       .def_readonly("start_belongs", &Interval::from_belongs, "Whether the start is in the set.")
       .def_readonly("end_belongs", &Interval::to_belongs, "Whether the end is in the set.")
+      .def(pickled<Interval>(&Interval::from, &Interval::to, &Interval::from_belongs, &Interval::to_belongs))
       .def("__repr__", [](const Interval& i) {
         const auto end = [](const std::optional<double>& v, const char* none) {
           return v ? std::string(py::repr(py::cast(*v))) : std::string(none);
@@ -134,8 +159,40 @@ array([3., 5.])
       .def("__repr__", [](const Query& q) { return "<Query " + q.text() + ">"; });
 }
 
-World made(const std::map<std::string, Shape>& shapes, const std::string& moving, const std::string& unit) {
-  return interruptible([&] { return World(shapes, moving, {unit}); });
+World made(const std::map<std::string, Shape>& shapes, const py::object& moving, const std::string& unit) {
+  const std::vector<std::string> movers = py::isinstance<py::str>(moving) ? std::vector{moving.cast<std::string>()}
+                                                                          : moving.cast<std::vector<std::string>>();
+  return interruptible([&] { return World(shapes, movers, {unit}); });
+}
+
+/// Paths as (name, [(time, x, y, degrees), ...]), exactly.
+py::object motion_state(const World& world) {
+  if (!world.motion()) return py::none();
+  py::list paths;
+  for (const auto& [name, path] : world.motion()->paths) {
+    py::list points;
+    for (const WayPoint& p : path)
+      points.append(py::make_tuple(p.time.text(), p.at.x.text(), p.at.y.text(), p.degrees.text()));
+    paths.append(py::make_tuple(name, points));
+  }
+  return py::make_tuple(world.motion()->start.text(), world.motion()->end.text(), paths,
+                        world.time() ? py::object(py::str(world.time()->text())) : py::none());
+}
+
+World with_motion(World world, const py::object& state) {
+  if (state.is_none()) return world;
+  const auto t = state.cast<py::tuple>();
+  Motion motion{number(t[0]), number(t[1]), {}};
+  for (const py::handle& item : t[2]) {
+    const auto path = item.cast<py::tuple>();
+    std::vector<WayPoint>& points = motion.paths[path[0].cast<std::string>()];
+    for (const py::handle& p : path[1]) {
+      const auto at = p.cast<py::tuple>();
+      points.push_back({number(at[0]), {number(at[1]), number(at[2])}, number(at[3])});
+    }
+  }
+  const World moving = world.with(motion);
+  return t[3].is_none() ? moving : moving.at_time(number(t[3]));
 }
 
 World limited(const World& w, unsigned threads, double seconds, std::size_t memory, const py::object& progress) {
@@ -270,6 +327,8 @@ void bind_questions(py::class_<World>& world) {
 
 }  // namespace
 
+void bind_plans(py::module_& m, py::class_<World>& world);
+
 void bind_worlds(py::module_& m) {
   bind_values(m);
   bind_query(m);
@@ -279,8 +338,8 @@ Parameters
 ----------
 shapes : dict of str to Shape
     All of the plane, or all of space.
-moving : str
-    One of the names.
+moving : str or list of str
+    One of the names, or several that move together.
 unit : str, optional
     um mm cm m in mil.
 
@@ -297,17 +356,19 @@ Examples
 1.0
 )doc");
   world.def(py::init(&made), py::arg("shapes"), py::arg("moving"), py::arg("unit") = "")
-      .def(py::pickle([](const World& w) { return py::make_tuple(w.shapes(), w.moving(), w.unit()); },
-                      [](const py::tuple& t) {
-                        return made(t[0].cast<std::map<std::string, Shape>>(), t[1].cast<std::string>(),
-                                    t[2].cast<std::string>());
-                      }))
+      .def(py::pickle(
+          [](const World& w) { return py::make_tuple(w.shapes(), w.moving_together(), w.unit(), motion_state(w)); },
+          [](const py::tuple& t) {
+            return with_motion(made(t[0].cast<std::map<std::string, Shape>>(), t[1], t[2].cast<std::string>()), t[3]);
+          }))
       .def_property_readonly("shapes", &World::shapes, "By name.")
-      .def_property_readonly("moving", &World::moving, "The name of the shape that moves.")
+      .def_property_readonly("moving", &World::moving, "The name of the shape that moves, or of the first of several.")
+      .def_property_readonly("moving_together", &World::moving_together, "The names of all that move.")
       .def_property_readonly("unit", &World::unit, "The unit of length, or ''.")
       .def_property_readonly("dimension", &World::dimension, "2 or 3.");
   bind_changes(world);
   bind_questions(world);
+  bind_plans(m, world);
 }
 
 }  // namespace findspace::python

@@ -28,3 +28,9 @@ def test_readme_lines_run(capsys):
     lines = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.S)[1]
     exec(lines, {})
     assert capsys.readouterr().out.startswith("[[50. 30.]]")
+
+
+def test_lines_of_the_library_page_run(capsys):
+    for lines in re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "library.md").read_text(), re.S):
+        exec(lines, {})
+    assert capsys.readouterr().out.startswith("[<A at [0.0, 0.0]>, <A at [9.0, 0.0]>")

@@ -224,7 +224,7 @@ TEST(RaySigns, ProtrudesOfAUnion) {
             v = pair.value(which, p);
           } catch (const Error&) {  // no depth in round parts: by samples of B less than 0.2 apart
             const double out = protrudes_about(b, a, space::rounded(p));
-            EXPECT_TRUE(sign > 0 ? out > -0.2 : out < 0x1p-24) << name << " sticks out by about " << out;
+            EXPECT_TRUE(sign > 0 ? out > -0.2 : out < 0x1p-24) << name << " protrudes by about " << out;
             continue;
           }
           const double over = v->value.to_double() - level.to_double();

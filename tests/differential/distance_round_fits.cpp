@@ -179,7 +179,7 @@ TEST(RoundFits, RoundedBoxesInRoom) {
       space::part_of(std::vector<Point>{{-1, 0, -2}, {1, 0, -2}, {1, 0, 2}, {-1, 0, 2}}, Real::ratio(1, 2)));
   const SolidPair box(space::shared(plate), space::shared(room));
   expect_nearest(box, Which::kEta1, 1, fits({1, 0, 2}, 0.5), 9, 40, 6);
-  // The farthest place is a corner of one of the two directed_edges.
+  // The farthest place is a corner of one of the two arms.
   double most = 0;
   for (int k = 0; k < 8; ++k) {
     const double z = k & 1 ? 5.5 : 2.5;

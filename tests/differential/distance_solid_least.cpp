@@ -78,7 +78,7 @@ TEST(SolidLeast, SlantedSolids) {
 }
 
 TEST(SolidLeast, WhatDoesNotFitProtrudesByTheLeast) {
-  // A bar of length 10 across the L of directed_edges 6: nowhere inside; the excess is found by dividing cubes.
+  // A bar of length 10 across the L of arms 6: nowhere inside; the excess is found by dividing cubes.
   const Body room = box_body({{{{0, 0, 0}, {6, 2, 4}}}, {{{0, 0, 0}, {2, 6, 4}}}}),
              bar = box_body({{{{0, 0, 0}, {10, 1, 1}}}});
   EXPECT_FALSE(solid_least(Which::kEta1, bar, room).or_throw());

@@ -159,7 +159,7 @@ space::Triangles torus(bool inside_out) {
       t.faces.push_back({p, r, s});
     }
   }
-  return inside_out ? space::turned_inside_out(std::move(t)) : t;
+  return inside_out ? space::inside_out(std::move(t)) : t;
 }
 
 /// A torus fits into its own hole in a block in one position: every triangle touches there.

@@ -86,7 +86,7 @@ space::Mesh corner_room(int size) {
 
 Given of_body(space::Body body) {
   auto set = std::make_shared<space::SurfaceSet>();
-  EXPECT_TRUE(set->add(body));
+  EXPECT_TRUE(set->add(body, body.scale));
   auto made = shared(std::move(body));
   return {{set, made, made->convex(), made}, made};
 }
@@ -100,12 +100,12 @@ Given drawn(std::mt19937& random, int kind) {
   return of_body(std::move(body));
 }
 
-struct Told {
+struct Decided {
   int all = 0, depths = 0, fits = 0, proven = 0;  // of them gamma1 below 0; eta1 above 0 and eta2; compared exactly
 };
 
 void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& surfaces, const RealVector& p,
-                 const std::vector<Which>& all, double moved, Told& decided) {
+                 const std::vector<Which>& all, double moved, Decided& decided) {
   for (const Which which : all) {
     const auto found = surfaces.value(which, p);
     if (!found) continue;
@@ -137,7 +137,7 @@ void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& 
 
 /// At eight positions.
 void compare_all(std::mt19937& random, const Given& a, const Given& b, const std::vector<Which>& all, int reach,
-                 Told& decided) {
+                 Decided& decided) {
   const double moved = a.body->moved + b.body->moved;  // by which the parts are not the mesh
   const std::int64_t scale = std::lcm(a.body->scale, b.body->scale);
   const SolidPair parts(shared(at_scale(*b.body, scale)), shared(at_scale(*a.body, scale)));
@@ -151,7 +151,7 @@ void compare_all(std::mt19937& random, const Given& a, const Given& b, const std
 
 TEST(SurfacePair, Outside) {
   std::mt19937 random(77);
-  Told decided;
+  Decided decided;
   for (int round = 0; round < 12; ++round) {
     const Given a = of_mesh(star(random, 5, 9)), b = drawn(random, round % 4);
     compare_all(random, a, b, kOutside, 30, decided);
@@ -163,7 +163,7 @@ TEST(SurfacePair, Outside) {
 
 TEST(SurfacePair, Inside) {
   std::mt19937 random(78);
-  Told decided;
+  Decided decided;
   for (int round = 0; round < 12; ++round) {
     const Given a = of_mesh(corner_room(12 + round)), b = drawn(random, 2 + round % 2);
     compare_all(random, a, b, kInside, 8, decided);

@@ -66,8 +66,8 @@ TEST(UnionFits, InOnePart) {
   EXPECT_NEAR(far->value.to_double(), std::hypot(120, 80) + 30, 1e-7);
 }
 
-/// A ball as round as a bent tube has no room to spare in it: it fits along the two segments only.
-TEST(UnionFits, NoRoomInATube) {
+/// A ball as round as a bent tube has zero clearance in it: it fits along the two segments only.
+TEST(UnionFits, ZeroClearanceInATube) {
   const Body tube = both(capsule({}, {80, 0, 0}, Real(30)), capsule({80, 0, 0}, {80, 70, 0}, Real(30)));
   const SolidPair pair = pair_of(ball({}, Real(30)), tube);
   const auto v = pair.value(Which::kEta1, space::place(90, 90, 30));
@@ -77,7 +77,7 @@ TEST(UnionFits, NoRoomInATube) {
 }
 
 /// Whether the box [-40, 40] x [-12, 12] x [-20, 20] lies in both balls together: its edges along x are farthest from
-/// their axis, and stick out most at their ends and in the middle plane.
+/// their axis, and protrude most at their ends and in the middle plane.
 bool box_fits(const Vector& x) {
   for (const double y : {x.y - 12, x.y + 12}) {
     for (const double z : {x.z - 20, x.z + 20}) {

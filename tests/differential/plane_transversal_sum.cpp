@@ -28,9 +28,9 @@ namespace findspace::plane {
 namespace {
 
 struct Count {
-  int sums = 0, walked = 0;                 // without an arrangement
-  int doubled = 0, doubled_and_walked = 0;  // with curves that run along each other the other way
-  int knotted = 0, knotted_and_walked = 0;  // with places where inner sides surround a point
+  int sums = 0, walked = 0;                       // without an arrangement
+  int doubled = 0, doubled_and_walked = 0;        // with curves that run along each other the other way
+  int degenerate = 0, degenerate_and_walked = 0;  // with places where inner sides surround a point
 };
 
 /// Does every boundary vertex have two edges, so that rings that touch nowhere are the whole boundary?
@@ -51,15 +51,15 @@ void compare(const Region& a, const Region& b, const std::string& what, Count& c
   ReducedConvolution same = curves;
   const MeetingCurves meeting(same, std::pmr::new_delete_resource());
   const DegenerateVertices& degenerate_vertices = meeting.degenerate_vertices();
-  bool doubled = !meeting.parts_with_two_inner_sides().empty(), knotted = false;
-  for (Index k = 0; k < degenerate_vertices.count(); ++k) knotted |= degenerate_vertices.is_surrounded(k);
+  bool doubled = !meeting.parts_with_two_inner_sides().empty(), degenerate = false;
+  for (Index k = 0; k < degenerate_vertices.count(); ++k) degenerate |= degenerate_vertices.is_surrounded(k);
   const auto sum = transversal_sum(curves, [&](exact::Geometry& g, Index point) { return solid.holds(g, point); });
   ++count.sums;
   count.walked += sum.has_value();
   count.doubled += doubled;
   count.doubled_and_walked += doubled && sum;
-  count.knotted += knotted;
-  count.knotted_and_walked += knotted && sum;
+  count.degenerate += degenerate;
+  count.degenerate_and_walked += degenerate && sum;
   const SignMap map = contact_map(a, b);
   expect_same(map, -1, whole_sum(a, in, b), what);
   if (sum) expect_same(*sum, -1, whole_sum(a, in, b), what + ", walked");
@@ -156,7 +156,7 @@ TEST(TransversalSum, ThreeDirections) {
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(count.doubled_and_walked, 200);
-  EXPECT_GT(count.knotted_and_walked, 300);
+  EXPECT_GT(count.degenerate_and_walked, 300);
   EXPECT_GT(count.sums - count.walked, 100);
 }
 

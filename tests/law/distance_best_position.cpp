@@ -37,7 +37,7 @@ Region box(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
   return plane::region_of_rings({&ring, 1});
 }
 
-/// How far a disc at p rotates about the origin until it meets one at (directed_edge, 0); r is the sum of the radii.
+/// How far a disc at p rotates about the origin until it meets one at (arm, 0); r is the sum of the radii.
 double rotation_to_contact(double x, double y, double directed_edge, double r) {
   const double d = std::hypot(x, y), cosine = (d * d + directed_edge * directed_edge - r * r) / (2 * d * directed_edge);
   if (cosine > 1) return kNone;

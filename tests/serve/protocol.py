@@ -82,6 +82,114 @@ class Answers(unittest.TestCase):
         answer = ask("check", at=[50.3, 30.2], snap=0.1)
         self.assertEqual((answer["at"], answer["true"]), ([50.3, 30.2], False))
 
+    def test_snap_prefers_corners_then_edges(self):
+        # The region around the plate: from inside it, too, the part goes to a corner or an edge that is near.
+        for at, snap, to in (([6.2, 4.3], 0.5, [6.05, 4.15]), ([6.2, 30], 0.5, [6.05, 30]), ([10, 30], 0.5, [10, 30])):
+            answer = ask("check", at=at, snap=snap)
+            self.assertEqual((answer["at"], answer["true"]), (to, True))
+
+    def test_angles_and_instants(self):
+        turn, carts, leaf = (os.path.join(ROOT, "examples", name) for name in ("turn.json", "carts.json", "door-leaf.json"))
+        stack = {p["angle"]: p["region"]["area"] for p in verb("map", turn)["poses"]}
+        for angle in (0, 30, 90):
+            self.assertEqual(ask("map", scene=turn, angle=angle)["area"], stack[angle])
+        for at in ("20,20", "40,30"):
+            asked = ask("check", scene=turn, at=[float(c) for c in at.split(",")], angle="30")
+            given = verb("check", turn, "--at", at, "--angle", "30")
+            self.assertEqual([(a["text"], a["value"], a["true"]) for a in asked["atoms"]],
+                             [(a["text"], a["value"], a["true"]) for a in given["atoms"]])
+        self.assertEqual(ask("angles", scene=leaf, at=[0, 0]), verb("map", leaf))
+        self.assertEqual(ask("check", scene=carts, at=[5, 2], time=3)["atoms"],
+                         verb("check", carts, "--at", "5,2", "--time", "3")["atoms"])
+        self.assertEqual(ask("check", scene=carts, at=[5, 2])["true"], verb("check", carts, "--at", "5,2")["true"])
+        self.assertEqual(ask("check", scene=carts, at=[5, 2], time=12)["code"], -32000)
+        self.assertEqual(ask("check", scene=PEG, at=[5, 2], time=1)["code"], -32000)
+
+    def test_operations_on_the_region(self):
+        for operation in ("interior", "closure", "boundary", "regularize", "complement"):
+            self.assertEqual(ask("map", apply=operation), verb("map", PEG, "--apply", operation))
+        self.assertEqual(ask("map", apply="inside")["code"], -32602)
+
+    def test_features_are_measured(self):
+        answer = ask("between", **{"from": [25, 12], "to": [44, 30], "at": [10, 30]})
+        self.assertEqual((answer["from"], answer["distance"]), ({"shape": "plate", "vertex": [25, 12]}, math.hypot(18.95, 13.85)))
+        self.assertEqual(answer["to"], {"shape": "plate", "edge": [[43.95, 25.85], [43.95, 34.15]]})
+        moving = ask("between", **{"from": [16.05, 30], "to": [25, 30], "at": [10, 30]})
+        self.assertEqual((moving["from"]["shape"], moving["to"]["shape"], moving["distance"]), ("peg", "plate", 8.95))
+        turn = os.path.join(ROOT, "examples", "turn.json")
+        arcs = ask("between", scene=turn, **{"from": [24, 15], "to": [56, 15]})
+        self.assertEqual((arcs["from"]["arc"], arcs["distance"], arcs["points"]),
+                         ({"center": [20, 15], "radius": 4}, 32, [[24, 15], [56, 15]]))
+
+    def test_space(self):
+        rooms = os.path.join(ROOT, "examples", "rooms.json")
+        self.assertEqual(ask("map", scene=rooms), verb("map", rooms))
+        self.assertEqual(ask("check", scene=rooms, at=[20, 1, 0], nearest=True), verb("check", rooms, "--at", "20,1,0"))
+        self.assertEqual(ask("check", scene=rooms, at=[12.1, 0, 0], snap=0.2)["at"], [12, 0, 0])
+        drawing = ask("map", scene=rooms, drawing=True)["drawing"]
+        self.assertEqual((drawing["points"], len(drawing["curves"]), len(drawing["sheets"]) > 0), ([[12, 0, 0]], 1, True))
+        self.assertTrue(all(len(face) == 4 for face in drawing["faces"]))
+        self.assertEqual(ask("check", scene=rooms, at=[1, 2])["code"], -32000)
+        self.assertEqual(ask("explain", scene=rooms)["data"]["kind"], "unsupported")
+        ball = {"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [4, 4, 4]}}, "B": {"ball": {"center": [0, 0, 0], "radius": 1}}},
+                "moving": "B", "where": "clear(B, A) and reach(B, A) <= 12"}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "ball.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(ball, file)
+            lines = ask("map", scene=path, drawing=True, resolution=16)
+            self.assertFalse(lines["empty"])
+            self.assertTrue(len(lines["drawing"]["faces"]) > 100)
+
+    def test_copies_and_texts(self):
+        answers, status = serve([
+            {"id": 1, "method": "copy", "params": {"as": "mine"}},
+            {"id": 2, "method": "set", "params": {"scene": "mine", "where": "gap(peg, plate) >= \"quoted\""}},
+            {"id": 3, "method": "set", "params": {"scene": "mine", "where": "gap(peg, plate) >= 3", "moving": ["peg"]}},
+            {"id": 4, "method": "scene"},
+            {"id": 5, "method": "source", "params": {"scene": "mine"}},
+        ], PEG)
+        self.assertEqual((status, "error" in answers[1]), (0, True))
+        self.assertEqual(answers[3]["result"]["where"], "inside(peg, table) and clear(peg, plate)")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "again.json")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(answers[4]["result"]["text"])
+            again = ask("scene", scene=path)
+        self.assertEqual((again["where"], again["moving"]), ("gap(peg, plate) >= 3", ["peg"]))
+
+    def test_placements(self):
+        components = os.path.join(ROOT, "examples", "components.json")
+        self.assertEqual(ask("place", scene=components), verb("place", components))
+        self.assertEqual(ask("place")["code"], -32000)
+
+    def test_packings_go_on_beside_requests(self):
+        problem = os.path.join(ROOT, "tests", "data", "nesting", "fu.json")
+        server = subprocess.Popen([PROGRAM, "serve", "--stdio", problem], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+        def answer(method, **parameters):
+            server.stdin.write(json.dumps({"id": 1, "method": method, "params": parameters}) + "\n")
+            server.stdin.flush()
+            return json.loads(server.stdout.readline())["result"]
+
+        parts = answer("pack", threads=1, seed=3)
+        self.assertEqual((parts["items"], len(parts["parts"])), (12, 12))
+        state = answer("packing")
+        while "layout" not in state:
+            state = answer("packing")
+        self.assertTrue(state["running"])
+        self.assertTrue(state["layout"]["proven"])
+        stopped = answer("stop")
+        self.assertFalse(stopped["running"])
+        self.assertLessEqual(float(stopped["layout"]["length"]), float(state["layout"]["length"]))
+        repaired = answer("repair", item=0, at=[8, 3])
+        self.assertTrue(repaired["layout"]["proven"])
+        self.assertEqual(repaired["number"], stopped["number"] + 1)
+        self.assertNotIn("layout", answer("packing", since=repaired["number"]))
+        server.stdin.close()
+        self.assertEqual(server.wait(), 0)
+        server.stdout.close()
+
     def test_scenes_stay_loaded(self):
         answers, status = serve([
             {"id": 1, "method": "load", "params": {"scene": "a", "path": "peg.json"}},

@@ -70,7 +70,7 @@ class Nameless : public TDistance {
   plane::SignMap sign_map(const Real& level) const override { return f_->sign_map(level); }
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override { return f_->value(p); }
   exact::RealPoint seed() const override { return at(5, 5); }
-  std::vector<NearLevelCurve> fronts(const exact::RealPoint&, double) const override { return {}; }
+  std::vector<NearLevelCurve> level_curves(const exact::RealPoint&, double) const override { return {}; }
 
  private:
   inline static const std::array<exact::RealPoint, 2> kEnds{at(0, 0), at(300, 100)};
@@ -78,7 +78,7 @@ class Nameless : public TDistance {
 };
 
 TEST(Least, PlacesOfAnEnclosedValueAreToldFinely) {
-  // Between opposite fronts, positions off by d are as good as d^2: a bracket of 2^-44 leaves them 1e-5 of play.
+  // Between opposite level curves, positions off by d are as good as d^2: a bracket of 2^-44 leaves them 1e-5 of play.
   const Nameless f;
   const Extremum e = least(f);
   ASSERT_TRUE(e.exists);

@@ -114,7 +114,8 @@ TEST(SolidPair, BallCoversBox) {
 }
 
 TEST(SolidPair, DepthInAUnionOfBalls) {
-  // Positions: two balls of radius 5 with centres 6 apart; from the middle the way out is to the circle of radius 4.
+  // Positions: two balls of radius 5 with centres 6 apart; from the middle the nearest free position is on the circle
+  // of radius 4.
   Body two = ball(-3, 0, 0, 4);
   two.parts.push_back({std::nullopt, {3, 0, 0}, Real(4)});
   const SolidPair pair(shared(ball(0, 0, 0, 1)), shared(std::move(two)));

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The first stage of lines and of the corners of offsets: the error bounds hold, also where corners are flat and far
-// from the origin, and the points are those that the supporting_curves define.
+// from the origin, and the points are those that the supporting curves define.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -10,8 +10,8 @@
 #include <memory>
 #include <random>
 
+#include "exact/number/expression_sign.h"
 #include "exact/number/real.h"
-#include "exact/number/real_sign.h"
 #include "exact/number/stages.h"
 
 namespace findspace::exact {

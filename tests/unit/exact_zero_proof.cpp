@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "exact/number/expression_sign.h"
 #include "exact/number/polynomial_root.h"
-#include "exact/number/real_sign.h"
 #include "exact/number/stages.h"
 #include "exact/number/zero_proof.h"
 #include "exact/planar/angle.h"

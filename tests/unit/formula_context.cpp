@@ -85,10 +85,14 @@ TEST(ObjectiveErrors, SayWhatAnObjectiveIs) {
     }
     return std::string("no error");
   };
-  const std::string forms = "an objective is a distance such as gap(B, A), x, y, z or distance to [x, y]; found ";
+  const std::string forms =
+      "an objective is a distance such as gap(B, A), a sum of distances, x, y, z or distance to "
+      "[x, y]; found ";
   EXPECT_EQ(objective_message(""), "1:1: " + forms + "the end");
   EXPECT_EQ(objective_message("gamma1(chip, board) >= 1"), "1:21: " + forms + "'>='");
-  EXPECT_EQ(objective_message("3"), "1:1: " + forms + "'3'");
+  EXPECT_EQ(objective_message("3"), "1:1: a number by itself does not change which position is best: leave it out");
+  EXPECT_EQ(objective_message("gap(chip, board) - gap(chip, board)"),
+            "1:1: these distances cancel: nothing is left of the sum");
   EXPECT_EQ(objective_message("z"), "1:1: 'z' is an objective in 3 dimensions; the scene has 2");
   EXPECT_EQ(objective_message("distance to (1, 2)"),
             "1:13: a point such as [1, 2] is meant after 'distance to', found '('");

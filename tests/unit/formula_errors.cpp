@@ -171,12 +171,20 @@ TEST(FormulaErrors, Atoms) {
          "1:23: 'overlaps' is true or false; it is not compared with anything\n"
          "  overlaps(chip, board) -> min\n"
          "                        ^~");
-  expect("gamma1(chip, board) <= gamma2(chip, board)",
-         "1:24: a distance is compared with a number, not with another distance; compare each with a number\n"
-         "  gamma1(chip, board) <= gamma2(chip, board)\n"
-         "                         ^~~~~~");
+  expect("gap(chip, board) <= gap(chip, key, along=(1, 0))",
+         "1:1: sums and comparisons of distances are not computed along a direction or in rotation\n"
+         "  gap(chip, board) <= gap(chip, key, along=(1, 0))\n"
+         "  ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~");
+  expect("2mm * gap(chip, board) <= 1",
+         "1:2: the factor of a distance carries no unit\n"
+         "  2mm * gap(chip, board) <= 1\n"
+         "   ^~");
+  expect("gap(chip, board) + gap(chip, key) -> min",
+         "1:1: '-> min' is of one distance; \"minimize\" takes a sum\n"
+         "  gap(chip, board) + gap(chip, key) -> min\n"
+         "  ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~");
   expect("0 <= gamma1(chip, board) <= gap(chip, key)",
-         "1:29: a distance is compared with a number, not with another distance; compare each with a number\n"
+         "1:29: a number is meant at the end of a chain, found a distance\n"
          "  0 <= gamma1(chip, board) <= gap(chip, key)\n"
          "                              ^~~");
   expect("gamma1(chip, board) <= board",

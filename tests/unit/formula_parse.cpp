@@ -51,6 +51,39 @@ TEST(Parse, Chains) {
   EXPECT_EQ(canonical("1 <= margin(B, A) < 2"), "eta1(B, A) <= -1 and eta1(B, A) > -2");
 }
 
+TEST(Parse, SumsAndComparisonsOfDistances) {
+  Context still = scene();
+  still.motion = false;
+  const auto sum = [&](const char* sentence) { return canonical(sentence, still); };
+  EXPECT_EQ(sum("gap(B, A) <= gap(B, C)"), "gamma1(B, A) - gamma1(B, C) <= 0");
+  EXPECT_EQ(sum("gap(B, A) + 2*gap(B, C) <= 5mm"), "gamma1(B, A) + 2 * gamma1(B, C) <= 5");
+  EXPECT_EQ(sum("1 <= gap(B, A) - gap(B, C) < 2"),
+            "gamma1(B, A) - gamma1(B, C) >= 1 and gamma1(B, A) - gamma1(B, C) < 2");
+  EXPECT_EQ(sum("gap(B, A) + 1 < 3 - gap(B, C)"), "gamma1(B, A) + gamma1(B, C) < 2");
+  // The first distance has the factor 1, so a negative one turns the relation round.
+  EXPECT_EQ(sum("-2 * gap(B, A) <= gap(B, C)"), "gamma1(B, A) + 0.5 * gamma1(B, C) >= 0");
+  EXPECT_EQ(sum("margin(B, A) >= gap(B, C)"), "eta1(B, A) + gamma1(B, C) <= 0");
+  // What is left may be one distance, or none.
+  EXPECT_EQ(sum("2 * gap(B, A) <= 3"), "gamma1(B, A) <= 1.5");
+  EXPECT_EQ(sum("gap(B, A) + gap(B, C) <= gap(B, A)"), "gamma1(B, C) <= 0");
+  EXPECT_EQ(sum("gap(B, A) <= gap(B, A)"), "true");
+  EXPECT_EQ(sum("gap(B, A) < gap(B, A)"), "false");
+  const Formula f = parse_formula("gap(B, A) <= 2 * gap(B, C)", still);
+  EXPECT_TRUE(has_sums(f));
+  EXPECT_EQ(written(f), "gap(B, A) - 2 * gap(B, C) <= 0");
+  EXPECT_EQ(parse_formula(written(f), still), f);
+}
+
+TEST(Parse, SumsAsObjectives) {
+  Context still = scene();
+  still.motion = false;
+  const auto sum = [&](const char* sentence) { return text(parse_objective(sentence, still)); };
+  EXPECT_EQ(sum("gap(B, A) + 2 * gap(B, C)"), "gap(B, A) + 2 * gap(B, C)");
+  EXPECT_EQ(sum("-gap(B, A)-0.5*margin(B, C)"), "-gap(B, A) - 0.5 * margin(B, C)");
+  EXPECT_EQ(parse_objective("gap(B, A) + 0.5 * gap(B, A)", still).kind, Objective::Kind::kSum);
+  EXPECT_EQ(parse_objective("2 * gap(B, A) - gap(B, A)", still).kind, Objective::Kind::kDistance);
+}
+
 TEST(Parse, EveryCanonicalName) {
   for (std::size_t k = 0; k < kKindCount; ++k) {
     const std::string sentence = std::string(name(static_cast<Kind>(k))) + "(B, A) <= 1";

@@ -59,8 +59,23 @@ TEST(ReadBoard, RefusesOutlines) {
   expect_refused(board("(gr_line (start 0 0) (end 5 0) (layer \"Edge.Cuts\"))"), "it is open at (0, 0)");
   expect_refused(board(std::string(kOutline) + "(gr_circle (center 30 30) (end 35 30) (layer \"Edge.Cuts\"))"),
                  "2 separate pieces");
-  expect_refused(board("(gr_curve (pts (xy 0 0) (xy 1 0) (xy 1 1) (xy 0 1)) (layer \"Edge.Cuts\"))"), "curve",
+  expect_refused(board("(gr_curve (pts (xy 0 0) (xy 1 0) (xy 1 1)) (layer \"Edge.Cuts\"))"), "four control points",
                  "b.kicad_pcb:3:1");
+}
+
+TEST(ReadBoard, CurvesAreSegmentsThatHardlyDepart) {
+  // Four parts of a circle of radius 10 as curves; a curve lies outside of it by 2.7e-4 of the radius at most.
+  const auto quarter = [](const char* pts) {
+    return "(gr_curve (pts " + std::string(pts) + ") (layer \"Edge.Cuts\"))";
+  };
+  const std::string outline = quarter("(xy 10 0) (xy 10 5.522847) (xy 5.522847 10) (xy 0 10)") +
+                              quarter("(xy 0 10) (xy -5.522847 10) (xy -10 5.522847) (xy -10 0)") +
+                              quarter("(xy -10 0) (xy -10 -5.522847) (xy -5.522847 -10) (xy 0 -10)") +
+                              quarter("(xy 0 -10) (xy 5.522847 -10) (xy 10 -5.522847) (xy 10 0)");
+  const Board b = read_board(board(outline), "b");
+  EXPECT_NEAR(area(b.outline), 100 * std::acos(-1.0), 0.1);
+  ASSERT_EQ(b.notes.size(), 1U);
+  EXPECT_NE(b.notes[0].find("4 Bézier curves"), std::string::npos) << b.notes[0];
 }
 
 TEST(ReadBoard, RefusesAPartTwice) {

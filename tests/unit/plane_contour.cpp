@@ -83,7 +83,7 @@ TEST(Contour, NearMissesOfOneStepAreFine) {
 
 TEST(Contour, Normalises) {
   RingSet set = make_rings({ring({{0, 4}, {4, 4}, {4, 4}, {4, 0}, {0, 0}}), ring({{1, 1}, {3, 1}, {3, 3}, {1, 3}})}, 1);
-  EXPECT_EQ(set.turned_rings, 1);
+  EXPECT_EQ(set.reversed_rings, 1);
   EXPECT_EQ(set.repeated_points, 1);
   ASSERT_EQ(set.contours.size(), 2u);
   EXPECT_EQ(set.contours[0].size(), 4u);

@@ -97,7 +97,7 @@ TEST(ContourArcs, OrientationAndCircles) {
   Contour circle = circle_ring({3, 3}, 2);
   EXPECT_EQ(orientation(circle), 1);
   EXPECT_EQ(orientation(reversed(circle)), -1);
-  EXPECT_EQ(make_rings({reversed(circle)}, 1).turned_rings, 1);
+  EXPECT_EQ(make_rings({reversed(circle)}, 1).reversed_rings, 1);
   // A crescent whose two ends are its leftmost points, one above the other.
   Contour crescent{radius_arc({0, -5}, {0, 5}, 5, false, true), radius_arc({0, 5}, {0, -5}, 13, false, false)};
   EXPECT_EQ(orientation(crescent), 1);

@@ -14,7 +14,7 @@
 namespace findspace::plane {
 namespace {
 
-/// All that a writer sees of the cells, supporting_curves by their course.
+/// All that a writer sees of the cells, supporting curves by their course.
 auto cells(const CellComplex& c) {
   std::vector<std::tuple<double, double, int, Index>> vertices;
   for (const Vertex& v : c.vertices) {

@@ -77,7 +77,7 @@ TEST(RayAxes, NeighboursThatOnlyOverlapAreNotCertified) {
 }
 
 TEST(RayAxes, CertifiedByAWayAroundACorner) {
-  // An L: no line of its two directed_edges is common, the crossing is at the corner.
+  // An L: no line of its two arms is common, the crossing is at the corner.
   const RayAxes r = boxes({{{{0, 0, 0}, {90, 20, 20}}}, {{{0, 0, 0}, {20, 90, 20}}}, {{{0, 0, 0}, {20, 20, 90}}}},
                           {0, 0, 0}, {9, 9, 9}, 18);
   ASSERT_EQ(r.summary.components.size(), 1U);

@@ -3,42 +3,45 @@
 //
 // The page that stands alone: one HTML file with the scene and its region in it, for mail and reports. It has no
 // engine, so whether a position belongs is read off the picture.
-import type { RegionMap, Summary } from "./engine";
+import type { Drawing, Place, RegionMap, Summary } from "./engine";
+import { shown } from "./picture";
+import type { Stage } from "./stage";
 
-export interface Alone { summary: Summary; map: RegionMap; at: [number, number] }
+export interface Alone { summary: Summary; map: RegionMap; at: Place }
 
 export function readAlone(): Alone | null {
   return JSON.parse(document.getElementById("data")?.textContent || "null") as Alone | null;
 }
 
-export function alonePage(data: Alone): string {
+/// `space`: the script that draws space, where the scene needs it.
+export function alonePage(data: Alone, space: string): string {
   const page = document.documentElement.cloneNode(true) as HTMLElement;
   page.querySelector("meta[name=findspace-token]")?.remove();
   page.querySelector("#data")!.textContent = JSON.stringify(data).replaceAll("<", "\\u003c");
-  for (const list of page.querySelectorAll("#picture, #atoms, #sliders, #shapes, #why > div")) list.replaceChildren();
+  page.querySelector("#space-program")!.textContent = space.replaceAll("</script", "<\\/script");
+  for (const list of page.querySelectorAll("#picture, #labels, #atoms, #sliders, #shapes, #poses, #views, #words, #why > div")) list.replaceChildren();
   for (const e of page.querySelectorAll("[nonce]")) e.removeAttribute("nonce");
+  for (const e of page.querySelectorAll("script:not([id])")) e.remove();
   return "<!doctype html>\n" + page.outerHTML;
 }
 
-export function save(name: string, type: string, content: string): void {
+export function save(name: string, content: Blob): void {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([content], { type }));
+  link.href = URL.createObjectURL(content);
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-/// The picture with the colours that it has now.
-export function pictureSvg(svg: SVGSVGElement): string {
-  const copy = svg.cloneNode(true) as SVGSVGElement;
-  const shapes = svg.querySelectorAll("path, line, text"), copies = copy.querySelectorAll("path, line, text");
-  shapes.forEach((shape, k) => {
-    const style = getComputedStyle(shape);
-    for (const key of ["fill", "fill-rule", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "vector-effect", "font-family", "text-anchor", "paint-order"])
-      copies[k]!.setAttribute(key, style.getPropertyValue(key));
-  });
-  const { width, height } = svg.getBoundingClientRect();
-  for (const [key, value] of Object.entries({ xmlns: "http://www.w3.org/2000/svg", width, height })) copy.setAttribute(key, `${value}`);
-  copy.style.background = getComputedStyle(document.body).backgroundColor;
-  return copy.outerHTML;
+/// Whether a position belongs, as far as the picture tells: to the pixel.
+export function drawnAt(stage: Stage, map: RegionMap, y: "up" | "down"): (at: Place) => boolean {
+  return (at) => {
+    const [a, b] = at as [number, number];
+    const p = new DOMPoint(a, y === "down" ? b : -b), near = 3 * stage.unit;
+    return [...document.querySelectorAll<SVGGeometryElement>("#layer-region .face")].some((f) => f.isPointInFill(p)) ||
+      [...document.querySelectorAll<SVGGeometryElement>("#layer-region .free, #layer-region .closed")].some((f) => f.isPointInStroke(p)) ||
+      (map.drawing as Drawing).points.some((q) => Math.hypot(q[0] - p.x, q[1] - p.y) < near);
+  };
 }
+
+export const placeText = (at: Place): string => `(${at.map(shown).join(", ")})`;

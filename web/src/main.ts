@@ -2,59 +2,87 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The page: what the user does becomes requests, and answers become the picture and the lists.
-import { alonePage, pictureSvg, readAlone, save } from "./alone";
-import { call, latest, Refusal, stayOpen } from "./engine";
-import type { Check, Explanation, Nearest, Point, RegionMap, Summary } from "./engine";
-import { make, showAtoms, showSliders, showWhy, withUnit } from "./panel";
+import { alonePage, drawnAt, placeText, readAlone, save } from "./alone";
+import { Editor } from "./editor";
+import { call, kOwn, latest, Refusal, spaceScript, stayOpen } from "./engine";
+import type { Between, Check, Explanation, Interval, Nearest, Place, Placement, RegionMap, Summary } from "./engine";
+import { History } from "./history";
+import type { State } from "./history";
+import { PackingPage } from "./packing";
+import { make, showAtoms, showBetween, showShapes, showSliders, showWhy, withUnit } from "./panel";
+import type { Picture } from "./picture";
+import { Poses } from "./poses";
+import type { SpaceStage } from "./space";
 import { Stage } from "./stage";
+import { showOperations, showSection } from "./views";
 
 const get = <T extends Element = HTMLElement>(id: string): T => document.getElementById(id) as unknown as T;
 const kSnapPixels = 9;
 
-interface State { where: string; at: Point; moving: string[] }
-
 const alone = readAlone();
-const stage = new Stage(get<SVGSVGElement>("picture"), get("scale"));
-const where = get<HTMLTextAreaElement>("where"), hidden = new Set<string>();
-let picked = "", summary: Summary, map: RegionMap | null = null, empty = false;
-let undo: State[] = [], redo: State[] = [], kept: State;
+const hidden = new Set<string>();
+const editor = new Editor(get<HTMLTextAreaElement>("where"), get("caret"), get("mistake"), get("words"));
+const history = new History(get<HTMLButtonElement>("undo"), get<HTMLButtonElement>("redo"));
+const poses = new Poses(get("poses"));
+let picture: Picture, stage: Stage | null = null, spaceText = "";
+let summary: Summary, map: RegionMap | null = null, empty = false, picked = "", operation = "";
+let measuring: Place[] | null = null;
 
 const unit = (): string => summary.unit ?? "";
-const now = (): State => ({ where: summary.where, at: stage.at, moving: summary.moving });
+const state = (): State => ({ where: summary.where, at: picture.at, moving: summary.moving, angle: poses.pose.angle });
+const keep = (): void => history.keep(state());
+const typedPlace = (): Place => coordinates().map((k) => Number(get<HTMLInputElement>(k).value));
+const coordinates = (): string[] => ["x", "y", "z"].slice(0, summary.dimension);
+
+/// The angle or the instant that requests are about.
+function poseOf(withTime: boolean): { angle?: number; time?: number } {
+  const { angle, time } = poses.pose;
+  return { ...(angle ? { angle } : {}), ...(withTime && time !== null ? { time } : {}) };
+}
 
 function verdict(text: string, good: boolean | null): void {
   get("verdict").textContent = text;
   get("verdict").className = good === null ? "" : good ? "good" : "bad";
 }
 
+const fault = (e: unknown): void => verdict(e instanceof Error ? e.message : String(e), false);
+
 function showPlace(): void {
-  get<HTMLInputElement>("x").value = String(stage.at[0]);
-  get<HTMLInputElement>("y").value = String(stage.at[1]);
+  coordinates().forEach((k, i) => { get<HTMLInputElement>(k).value = String(picture.at[i]); });
 }
 
-/// What is true at the part's position; `snap`: within so many units it goes to the nearest feasible one.
-const check = latest(async (at: Point, snap: number) => {
-  const answer = await call<Check>("check", { at, nearest: true, snap });
-  stage.place(answer.at);
+/// What is true at the part's position; `snap`: within so many units it goes to a corner, an edge, or the nearest feasible position.
+const check = latest(async (at: Place, snap: number) => {
+  const answer = await call<Check>("check", { at, nearest: true, snap, ...poseOf(true) });
+  picture.place(answer.at);
   showPlace();
-  stage.setAtoms(answer.true, answer.atoms);
-  stage.setGhost(answer.nearest_feasible?.at ?? null);
+  picture.setAtoms(answer.true, answer.atoms);
+  picture.setGhost(answer.nearest_feasible?.at ?? null);
   showAtoms(get("atoms"), answer.atoms, unit(), picked, (text) => void pick(text));
-  if (empty) return;
+  if (empty && !poses.pose.time) return;
   const off = answer.nearest_feasible;
   const wrong = answer.atoms.filter((a) => !a.true).map((a) => a.text);
   verdict(answer.true ? "Feasible" : `Not feasible${off ? `, ${withUnit(off.distance, unit())} away` : ""}${wrong.length ? `: ${wrong.join(", ")}` : ""}`, answer.true);
 });
 
+/// Where on the slider of angles or of time the formula holds.
+const turns = latest(async () => {
+  const method = poses.method;
+  if (!method) return;
+  const { intervals } = await call<{ intervals: Interval[] }>(method, { at: picture.at });
+  poses.showIntervals(intervals, picture.at);
+});
+const showTurns = (): void => void turns().catch(() => poses.showIntervals([], picture.at));
+
 /// The set of one condition alone, or of none.
 async function pick(text: string): Promise<void> {
   picked = text;
-  stage.setRegion(text ? (await call<RegionMap>("map", { drawing: true, where: text })).drawing : null, true);
-  await check(stage.at, 0);
+  picture.setRegion(text ? (await call<RegionMap>("map", { brief: true, where: text, ...poseOf(false) })).drawing : null, true);
+  await check(picture.at, 0);
 }
 
 const explain = latest(async () => {
-  const answer = await call<Explanation>("explain");
+  const answer = await call<Explanation>("explain", poseOf(false));
   get("why").hidden = false;
   showWhy(get("why").querySelector("div")!, answer, unit(), {
     go: (at) => void moveTo(at).then(keep),
@@ -64,78 +92,61 @@ const explain = latest(async () => {
 });
 
 async function solve(): Promise<void> {
-  map = await call<RegionMap>("map", { drawing: true });
+  if (!summary.moving.length) return;
+  map = await call<RegionMap>("map", { brief: true, ...(operation ? { apply: operation } : {}), ...poseOf(false) });
   await showMap(map);
 }
 
-async function showMap(map: RegionMap): Promise<void> {
-  empty = map.empty;
-  stage.setRegion(map.drawing);
-  if (empty) {
+async function showMap(found: RegionMap): Promise<void> {
+  empty = found.empty ?? found.intervals?.length === 0;
+  picture.setRegion(found.drawing);
+  stage?.setOuter(found.outer_drawing ?? null);
+  if (empty && !found.outer_drawing) {
     verdict("No position is feasible", false);
-    await explain();
+    if (summary.dimension === 2 && !summary.motion) await explain().catch(() => {});
   } else {
     get("why").hidden = true;
   }
-  await (picked ? pick("") : check(stage.at, 0));
-}
-
-function caret(e: Refusal | null): void {
-  get("mistake").textContent = e?.message.split("\n")[0] ?? "";
-  const box = get("caret");
-  box.replaceChildren();
-  if (!e?.line || !e.column) return;
-  const lines = where.value.split("\n");
-  const start = lines.slice(0, e.line - 1).join("\n").length + (e.line > 1 ? 1 : 0) + e.column - 1;
-  const length = Math.max(1, /^[\w.]*/.exec(where.value.slice(start))![0].length);
-  box.append(where.value.slice(0, start));
-  make("mark", box, where.value.slice(start, start + length) || " ");
-  box.append(where.value.slice(start + length));
+  await (picked ? pick("") : check(picture.at, 0));
 }
 
 const setWhere = latest(async (formula: string) => {
-  if (where.value !== formula) where.value = formula;
+  editor.text = formula;
   try {
     summary = { ...(await call<Summary>("set", { where: formula })), shapes: summary.shapes };
-    caret(null);
+    editor.show(null);
     await solve();
   } catch (e) {
     if (!(e instanceof Refusal)) throw e;
-    caret(e);
+    editor.show(e);
   }
 });
 
-const moveTo = (at: Point, snap = 0): Promise<void> => check(at, snap);
+const setPose = latest(async () => {
+  picture.setPose(poses.pose);
+  await (poses.pose.time === null && !summary.motion ? solve() : check(picture.at, 0));
+});
+
+async function moveTo(at: Place, snap = 0): Promise<void> {
+  await check(at, snap);
+  showTurns();
+}
 
 function sliders(): void {
   showSliders(get("sliders"), summary.where, (formula) => void setWhere(formula), () => setTimeout(() => { sliders(); keep(); }, 50));
 }
 
-function buttons(): void {
-  get<HTMLButtonElement>("undo").disabled = !undo.length;
-  get<HTMLButtonElement>("redo").disabled = !redo.length;
-}
-
-/// After each act: what undo goes back to.
-function keep(): void {
-  const state = now();
-  if (JSON.stringify(state) === JSON.stringify(kept)) return;
-  undo.push(kept);
-  redo = [];
-  kept = state;
-  buttons();
-}
-
-async function restore(from: State[], to: State[]): Promise<void> {
-  const state = from.pop();
-  if (!state) return;
-  to.push(now());
-  stage.at = state.at;
-  if (JSON.stringify(state.moving) !== JSON.stringify(summary.moving)) await setMoving(state.moving);
-  await setWhere(state.where);
+async function restore(back: boolean): Promise<void> {
+  const to = history.step(back);
+  if (!to) return;
+  picture.at = to.at;
+  if (to.angle !== poses.pose.angle) {
+    poses.setAngle(to.angle);
+    picture.setPose(poses.pose);
+  }
+  if (JSON.stringify(to.moving) !== JSON.stringify(summary.moving)) await setMoving(to.moving);
+  await setWhere(to.where);
   sliders();
-  kept = now();
-  buttons();
 }
 
 async function setMoving(moving: string[]): Promise<void> {
@@ -143,7 +154,7 @@ async function setMoving(moving: string[]): Promise<void> {
     await call("set", { moving });
   } catch (e) {
     if (!(e instanceof Refusal)) throw e;
-    caret(e);
+    editor.show(e);
   }
   summary = await call<Summary>("scene", { drawing: true });
   showScene();
@@ -151,149 +162,237 @@ async function setMoving(moving: string[]): Promise<void> {
 }
 
 function showScene(): void {
-  stage.setScene(summary, hidden);
-  document.title = `${summary.moving.join(", ")} – findspace`;
-  const list = get("shapes");
-  list.replaceChildren();
-  for (const s of summary.shapes) {
-    const row = make("li", list);
-    make("span", row, s.name);
-    const [seen, moves] = ["shown", "moves"].map((text) => {
-      const label = make("label", row);
-      const input = make("input", label);
-      input.type = text === "shown" ? "checkbox" : "radio";
-      label.append(" " + text);
-      return input;
-    }) as [HTMLInputElement, HTMLInputElement];
-    seen.checked = !hidden.has(s.name);
-    seen.disabled = s.moving;
-    seen.onchange = () => {
-      if (seen.checked) hidden.delete(s.name);
-      else hidden.add(s.name);
-      stage.setScene(summary, hidden);
-    };
-    moves.name = "moves";
-    moves.checked = s.moving;
-    moves.disabled = !!alone;
-    moves.onchange = () => void setMoving([s.name]).then(keep);
-  }
+  picture.setScene(summary, hidden);
+  document.title = `${summary.moving.join(", ") || summary.shapes[0]?.name || "scene"} – findspace`;
+  editor.words = [...summary.shapes.map((s) => s.name), ...summary.words, "and", "or", "not"];
+  showShapes(get("shapes"), summary.shapes, hidden, !!alone, () => picture.setScene(summary, hidden), (name) => void setMoving([name]).then(keep));
 }
 
 async function toNearest(): Promise<void> {
-  const { nearest_feasible } = await call<{ nearest_feasible: Nearest | null }>("nearest", { at: stage.at });
+  const { nearest_feasible } = await call<{ nearest_feasible: Nearest | null }>("nearest", { at: picture.at, ...poseOf(false) });
   if (nearest_feasible) await check(nearest_feasible.at, 1e-9 * Math.max(1, ...nearest_feasible.at.map(Math.abs)));
   keep();
 }
 
+/// Two clicks, and the distance of the features there.
+function measure(on: boolean): void {
+  measuring = on ? [] : null;
+  get("measure").ariaPressed = String(on);
+  get("between").textContent = on ? "Click the first feature" : "";
+  stage?.setBetween(null);
+}
+
+async function pickFeature(at: Place): Promise<void> {
+  if (!measuring || !stage) return;
+  measuring.push(at);
+  if (measuring.length < 2) return void (get("between").textContent = "Click the second feature");
+  const [from, to] = measuring;
+  measuring = [];
+  const answer = await call<Between>("between", { from, to, at: picture.at, ...poseOf(false) });
+  stage.setBetween(answer);
+  showBetween(get("between"), answer, unit());
+}
+
+const kUps: Record<string, [number, number]> = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [1, 1], ArrowDown: [1, -1], PageUp: [2, 1], PageDown: [2, -1] };
+
 function onKey(e: KeyboardEvent): void {
-  const typing = (e.target as Element).closest("input, textarea");
+  const typing = (e.target as Element).closest("input, textarea, select");
   if ((e.ctrlKey || e.metaKey) && e.key.toLowerCase() === "z" && !typing) {
     e.preventDefault();
-    void (e.shiftKey ? restore(redo, undo) : restore(undo, redo));
+    void restore(!e.shiftKey);
     return;
   }
   if (typing || e.ctrlKey || e.metaKey || alone) return;
-  const step = stage.rounded([(e.shiftKey ? 50 : e.altKey ? 1 : 5) * stage.unit, 0])[0];
-  const ways: Record<string, Point> = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
-  const way = ways[e.key];
-  if (way) {
+  const step = picture.rounded([(e.shiftKey ? 50 : e.altKey ? 1 : 5) * picture.unit])[0]!;
+  const way = kUps[e.key];
+  if (way && way[0] < summary.dimension && summary.moving.length) {
     e.preventDefault();
-    void moveTo(stage.rounded([stage.at[0] + way[0], stage.at[1] + way[1]])).then(keep);
+    const axis = way[0], sign = axis === 1 && summary.y === "down" ? -way[1] : way[1];
+    void moveTo(picture.rounded(picture.at.map((c, k) => (k === axis ? c + sign * step : c)))).then(keep);
     return;
   }
-  const keys: Record<string, () => void> = { n: () => void toNearest(), e: () => void explain(), "+": () => stage.zoom(0.8), "-": () => stage.zoom(1.25), "0": () => stage.fit() };
+  const turn = (by: number) => {
+    if (poses.method !== "angles") return;
+    poses.setAngle((poses.pose.angle + by + 360) % 360);
+    void setPose().then(keep);
+  };
+  const keys: Record<string, () => void> = {
+    n: () => void toNearest(), e: () => void explain().catch(fault), m: () => measure(!measuring), r: () => turn(15), R: () => turn(-15),
+    "+": () => picture.zoom(0.8), "-": () => picture.zoom(1.25), "0": () => picture.fit(), Escape: () => measure(false),
+  };
   keys[e.key]?.();
 }
 
 function connect(): void {
-  stage.onDrag = (at) => void moveTo(at, kSnapPixels * stage.unit);
-  stage.onDragged = () => setTimeout(keep, 80);
-  where.oninput = () => void setWhere(where.value);
-  where.onchange = () => { sliders(); keep(); };
-  for (const id of ["x", "y"]) get<HTMLInputElement>(id).onchange = () => {
-    const at = ["x", "y"].map((k) => Number(get<HTMLInputElement>(k).value)) as Point;
-    if (at.every(Number.isFinite)) void moveTo(at).then(keep);
+  picture.onDrag = (at) => void check(at, kSnapPixels * picture.unit);
+  picture.onDragged = () => setTimeout(() => { keep(); showTurns(); }, 80);
+  picture.onPick = (at) => void pickFeature(at).catch(fault);
+  editor.onText = (formula) => void setWhere(formula);
+  editor.onDone = () => { sliders(); keep(); };
+  poses.onPose = () => void setPose().catch(fault);
+  poses.onDone = keep;
+  for (const id of coordinates()) get<HTMLInputElement>(id).onchange = () => {
+    if (typedPlace().every(Number.isFinite)) void moveTo(typedPlace()).then(keep);
   };
-  get("nearest").onclick = () => void toNearest();
-  get("explain").onclick = () => void explain();
-  get("undo").onclick = () => void restore(undo, redo);
-  get("redo").onclick = () => void restore(redo, undo);
-  get("save-page").onclick = () => { if (map) save("findspace.html", "text/html", alonePage({ summary, map, at: stage.at })); };
+  const clicks: Record<string, () => void> = {
+    nearest: () => void toNearest(), explain: () => void explain().catch(fault), measure: () => measure(!measuring),
+    undo: () => void restore(true), redo: () => void restore(false),
+  };
+  for (const [id, act] of Object.entries(clicks)) get(id).onclick = act;
+  get("save-scene").onclick = () => void call<{ text: string }>("source").then(({ text }) => save("scene.json", new Blob([text], { type: "application/json" })), fault);
   document.addEventListener("keydown", onKey);
   document.addEventListener("dragover", (e) => e.preventDefault());
   document.addEventListener("drop", (e) => {
     e.preventDefault();
     const file = e.dataTransfer?.files[0];
-    if (file) void file.text().then(openScene).catch((fault: unknown) => caret(fault instanceof Refusal ? fault : null));
+    if (file) void file.text().then(openScene).catch((e: unknown) => (e instanceof Refusal ? editor.show(e) : fault(e)));
   });
 }
 
 /// Another scene in place of this one.
 async function openScene(text: string): Promise<void> {
-  await call("load", { text });
+  const loaded = await call<Summary>("load", { text, drawing: true });
   hidden.clear();
-  undo = [];
-  redo = [];
-  await showLoaded();
+  picked = operation = "";
+  picture.setRegion(null, true);
+  measure(false);
+  if (loaded.dimension !== summary.dimension) await choosePicture(loaded);
+  await showLoaded(loaded);
+}
+
+/// A placement of several shapes, where the scene asks for one.
+async function placeAll(): Promise<void> {
+  verdict("Placing", null);
+  const found = await call<Placement>("place", { seconds: 20 });
+  const fits = found.positions.filter((p) => p.at);
+  picture.setPlaced(fits.map((p) => ({ shape: p.shape, at: p.at!, angle: p.angle ?? 0 })));
+  const all = fits.length === found.positions.length;
+  verdict(all ? `All ${fits.length} are placed` : `${fits.length} of ${found.positions.length} are placed${found.reason ? `: ${found.reason}` : ""}`, all);
+  picture.fit();
 }
 
 /// What the engine has loaded.
-async function showLoaded(): Promise<void> {
-  summary = alone?.summary ?? (await call<Summary>("scene", { drawing: true }));
-  where.value = summary.where;
+async function showLoaded(loaded: Summary): Promise<void> {
+  summary = loaded;
+  editor.text = summary.where;
   get("unit").textContent = unit();
   get("scale").dataset["unit"] = unit();
-  for (const s of summary.shapes) if (!s.used && !s.moving) hidden.add(s.name);
+  get("z").parentElement!.hidden = summary.dimension === 2;
+  for (const s of summary.shapes) if (!s.used && !s.moving && !summary.place && summary.moving.length) hidden.add(s.name);
+  const moving = summary.moving.length > 0;
+  for (const id of ["place", "formula"]) get(id).hidden = !moving;
+  get("nearest").hidden = !moving;
+  get("explain").hidden = !moving || summary.dimension === 3;
+  get("measure").hidden = summary.dimension === 3;
+  poses.show(summary);
   showScene();
-  map = alone?.map ?? (await call<RegionMap>("map", { drawing: true }));
-  stage.place(alone?.at ?? firstPlace());
-  if (alone) stage.setRegion(map.drawing);
-  else await showMap(map);
-  stage.fit();
+  views();
+  if (moving) {
+    map = alone?.map ?? (await call<RegionMap>("map", { brief: true }));
+    picture.place(alone?.at ?? firstPlace());
+    if (alone) picture.setRegion(map.drawing);
+    else await showMap(map);
+  } else {
+    verdict(summary.place ? "A placement" : "Choose a shape that moves", null);
+  }
+  picture.fit();
   if (alone) return;
   sliders();
-  kept = now();
-  buttons();
+  history.start(state());
+  showTurns();
+  if (summary.place) await placeAll();
 }
 
-/// The picture answers, to the pixel.
+function views(): void {
+  const box = get("views");
+  box.replaceChildren();
+  if (!alone && summary.moving.length) showOperations(box, (chosen) => {
+    operation = chosen;
+    void solve().catch(fault);
+  });
+  if (summary.dimension === 3) showSection(box, picture as unknown as SpaceStage, unit());
+  if (summary.place && !alone) make("button", box, "Place again").onclick = () => void placeAll().catch(fault);
+}
+
 function connectAlone(): void {
-  for (const id of ["actions", "place", "save-page", "sliders"]) get(id).remove();
-  where.readOnly = true;
-  const belongs = ([x, y]: Point): boolean => {
-    const p = new DOMPoint(x, -y);
-    const tolerance = 3 * stage.unit;
-    return [...document.querySelectorAll<SVGGeometryElement>("#layer-region .face")].some((f) => f.isPointInFill(p)) ||
-      (map?.isolated ?? []).some(([a, b]) => Math.hypot(a - x, b - y) < tolerance);
-  };
-  const show = (at: Point): void => {
-    stage.place(at);
+  for (const id of ["actions", "save-page", "save-scene", "sliders"]) get(id).remove();
+  get<HTMLTextAreaElement>("where").readOnly = true;
+  const belongs = stage ? drawnAt(stage, map!, summary.y) : null;
+  const show = (at: Place): void => {
+    picture.place(at);
+    showPlace();
+    picture.setGhost(null);
+    if (!belongs) return verdict(`At ${placeText(at)}`, null);
     const good = belongs(at);
-    stage.setAtoms(good, []);
-    stage.setGhost(null);
-    verdict(`${good ? "Feasible" : "Not feasible"} at (${at[0]}, ${at[1]}), as drawn`, good);
+    picture.setAtoms(good, []);
+    verdict(`${good ? "Feasible" : "Not feasible"} at ${placeText(at)}, as drawn`, good);
   };
-  stage.onDrag = show;
-  show(stage.at);
+  picture.onDrag = show;
+  for (const id of coordinates()) get<HTMLInputElement>(id).onchange = () => {
+    if (typedPlace().every(Number.isFinite)) show(typedPlace());
+  };
+  if (stage && belongs) stage.onHover = (at) => { get("hover").textContent = `${placeText(at)} ${unit()} ${belongs(at) ? "feasible" : "not feasible"}`; };
+  show(picture.at);
 }
 
 /// In the region, if it has a point that says so; else where the part is drawn.
-function firstPlace(): Point {
-  return map?.isolated[0] ?? map?.components[0]?.sample ?? [0, 0];
+function firstPlace(): Place {
+  if (summary.free === "angle" || summary.free === "time") return [0, 0];
+  return map?.sample ?? map?.isolated?.[0] ?? map?.components?.[0]?.sample ?? Array<number>(summary.dimension).fill(0);
+}
+
+async function choosePicture(loaded: Summary): Promise<void> {
+  const space = loaded.dimension === 3;
+  get("space").toggleAttribute("hidden", !space);
+  get("picture").toggleAttribute("hidden", space);
+  get("picture").replaceChildren();
+  stage = space ? null : new Stage(get<SVGSVGElement>("picture"), get("scale"));
+  if (stage) {
+    picture = stage;
+    stage.onHover = (at) => { get("hover").textContent = `${placeText(at)} ${loaded.unit ?? ""}`; };
+    return;
+  }
+  const program = globalThis as { findspaceSpace?: typeof SpaceStage };
+  if (!program.findspaceSpace) {
+    spaceText = alone ? get("space-program").textContent! : await spaceScript();
+    const script = document.createElement("script");
+    script.nonce = document.querySelector<HTMLElement>("#program")!.nonce ?? "";
+    script.textContent = spaceText;
+    document.body.append(script);
+  }
+  picture = new program.findspaceSpace!(get<HTMLCanvasElement>("space"), get("labels"), get("scale"), loaded.unit ?? "");
+}
+
+function buttons(): void {
+  const show = (theme: string) => { document.documentElement.dataset["theme"] = theme; };
+  show(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+  get("theme").onclick = () => {
+    show(document.documentElement.dataset["theme"] === "dark" ? "light" : "dark");
+    picture?.recolour();
+  };
+  get("save-svg").onclick = () => save("findspace.svg", new Blob([picture.svg()], { type: "image/svg+xml" }));
+  get("save-png").onclick = () => void picture.png().then((png) => save("findspace.png", png), fault);
+  get("save-page").onclick = () => { if (map) save("findspace.html", new Blob([alonePage({ summary, map, at: picture.at }, spaceText)], { type: "text/html" })); };
+  const moves: Record<string, () => void> = { "zoom-in": () => picture.zoom(0.8), "zoom-out": () => picture.zoom(1.25), fit: () => picture.fit() };
+  for (const [id, act] of Object.entries(moves)) get(id).onclick = act;
+}
+
+async function beginPacking(): Promise<void> {
+  for (const id of ["place", "actions", "formula", "poses", "views", "shapes", "take", "scale"]) get(id).hidden = true;
+  document.querySelectorAll("aside > h2, #stage > nav").forEach((e) => e.remove());
+  get("packing").hidden = false;
+  await new PackingPage(get<SVGSVGElement>("picture"), get("packing").querySelector("div")!, verdict).begin();
 }
 
 async function begin(): Promise<void> {
-  const theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-  document.documentElement.dataset["theme"] = theme;
-  get("theme").onclick = () => { document.documentElement.dataset["theme"] = document.documentElement.dataset["theme"] === "dark" ? "light" : "dark"; };
-  get("save-svg").onclick = () => save("findspace.svg", "image/svg+xml", pictureSvg(get<SVGSVGElement>("picture")));
-  get("zoom-in").onclick = () => stage.zoom(0.8);
-  get("zoom-out").onclick = () => stage.zoom(1.25);
-  get("fit").onclick = () => stage.fit();
+  buttons();
   if (!alone) stayOpen((gone) => { if (gone) verdict("The program has ended", false); });
-  await showLoaded();
+  if (!alone && document.querySelector<HTMLMetaElement>("meta[name=findspace-kind]")?.content === "packing") return beginPacking();
+  const loaded = alone?.summary ?? (await call<Summary>("copy", { scene: "scene", as: kOwn, drawing: true }));
+  await choosePicture(loaded);
+  await showLoaded(loaded);
   if (alone) connectAlone();
   else connect();
 }
 
-begin().catch((e: unknown) => verdict(e instanceof Error ? e.message : String(e), false));
+begin().catch(fault);

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The lists beside the picture: conditions with their values, what the explanation says, sliders.
-import type { Atom, Change, Explanation } from "./engine";
+import type { Atom, Between, Change, Explanation, Feature, Place, ShapeInfo } from "./engine";
 import { numbersOf, withNumber } from "./formula";
-import { shown } from "./stage";
+import { shown } from "./picture";
 
 export function make<K extends keyof HTMLElementTagNameMap>(name: K, parent: Element, text = "", style = ""): HTMLElementTagNameMap[K] {
   const made = document.createElement(name);
@@ -44,7 +44,7 @@ const changeWords = (c: Change, unit: string, slack: boolean): string => {
   return `${slack ? "slack" : "change by"} ${withUnit(c.by ?? 0, unit)}, to ${c.reached ? "" : slack ? "just before " : "just beyond "}${to}`;
 };
 
-export interface WhyActions { go(at: [number, number]): void; replace(text: string, by: string): void; canReplace(text: string): boolean }
+export interface WhyActions { go(at: Place): void; replace(text: string, by: string): void; canReplace(text: string): boolean }
 
 export function showWhy(box: Element, e: Explanation, unit: string, actions: WhyActions): void {
   box.replaceChildren();
@@ -66,6 +66,41 @@ export function showWhy(box: Element, e: Explanation, unit: string, actions: Why
   }
   if (e.relax_all && e.relax_all.upper !== null)
     make("p", box, `All levels together: between ${shown(e.relax_all.lower)} and ${withUnit(e.relax_all.upper, unit)}.`);
+}
+
+const featureWords = (f: Feature): string => `${f.vertex ? "a corner" : f.arc ? "an arc" : "an edge"} of ${f.shape}`;
+
+export function showBetween(box: Element, b: Between, unit: string): void {
+  box.textContent = `${withUnit(b.distance, unit)} from ${featureWords(b.from)} to ${featureWords(b.to)}`;
+}
+
+/// Which shapes are shown, and which one moves.
+export function showShapes(list: Element, shapes: ShapeInfo[], hidden: Set<string>, fixed: boolean, changed: () => void, move: (name: string) => void): void {
+  list.replaceChildren();
+  for (const s of shapes) {
+    const row = make("li", list);
+    make("span", row, s.name);
+    const [seen, moves] = ["shown", "moves"].map((text) => {
+      const label = make("label", row);
+      const input = make("input", label);
+      input.type = text === "shown" ? "checkbox" : "radio";
+      label.append(" " + text);
+      return input;
+    }) as [HTMLInputElement, HTMLInputElement];
+    seen.checked = !hidden.has(s.name);
+    seen.disabled = s.moving;
+    seen.ariaLabel = `${s.name} is shown`;
+    seen.onchange = () => {
+      if (seen.checked) hidden.delete(s.name);
+      else hidden.add(s.name);
+      changed();
+    };
+    moves.name = "moves";
+    moves.checked = s.moving;
+    moves.disabled = fixed;
+    moves.ariaLabel = `${s.name} moves`;
+    moves.onchange = () => move(s.name);
+  }
 }
 
 /// A slider for each number; `moved` gets the whole formula.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The picture: shapes, region, the moving part, dimension lines; panning and zooming. The picture's own coordinates are
-// the scene's with y down, so path data of the engine stand as they are.
-import type { Atom, Drawing, Point, Summary } from "./engine";
+// The picture of the plane: shapes, region, the moving part, dimension lines; panning and zooming. Its own coordinates
+// are those of the engine's path data: the scene's, with y down.
+import type { AnyDrawing, Atom, Between, Drawing, Movement, Place, Point, Summary } from "./engine";
+import { along, roundLength, shortDecimals, shown } from "./picture";
+import type { Picture, Pose } from "./picture";
 
 const kSvg = "http://www.w3.org/2000/svg";
 
@@ -15,43 +17,56 @@ export function element(name: string, attributes: Record<string, string>, parent
 }
 
 const dots = (points: Point[]): string => points.map(([x, y]) => `M${x} ${y}h0`).join("");
-
-export const shown = (value: number): string => Number(value.toPrecision(6)).toString().replace("-", "−");
+const lookOf = (d: Drawing): string => d.faces + d.free + dots(d.points);
 
 const around = (b: DOMRect, o: DOMRect): boolean =>
   b.x <= o.x && b.y <= o.y && b.x + b.width >= o.x + o.width && b.y + b.height >= o.y + o.height;
 
-export class Stage {
-  private readonly layers: Record<"shapes" | "own" | "region" | "ghost" | "part" | "marks", SVGElement>;
+const placeAlong = (m: Movement, time: number): Point =>
+  along(m.times, m.path, time, (a, b, t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])] as Point);
+
+const kLayers = ["shapes", "outer", "own", "region", "ghost", "placed", "part", "marks"] as const;
+
+export class Stage implements Picture {
+  private readonly layers = {} as Record<(typeof kLayers)[number], SVGGraphicsElement>;
   private box = { x: 0, y: 0, w: 1, h: 1 };
   private all = { x: 0, y: 0, w: 1, h: 1 };
   private names: { x: number; y: number; text: string }[] = [];
   private atoms: Atom[] = [];
-  at: Point = [0, 0];
-  onDrag: (at: Point) => void = () => {};
+  private between: Between | null = null;
+  private summary: Summary | null = null;
+  private pose: Pose = { angle: 0, time: null };
+  private moved = new Map<string, SVGElement>();
+  private ghost: Place | null = null;
+  at: Place = [0, 0];
+  onDrag: (at: Place) => void = () => {};
   onDragged: () => void = () => {};
+  onPick: (at: Place) => void = () => {};
+  onHover: (at: Place) => void = () => {};
 
-  constructor(readonly svg: SVGSVGElement, private readonly bar: HTMLElement) {
-    const layer = (id: string) => element("g", { id }, svg);
-    this.layers = { shapes: layer("layer-shapes"), own: layer("layer-own"), region: layer("layer-region"), ghost: layer("layer-ghost"), part: layer("layer-part"), marks: layer("layer-marks") };
+  constructor(readonly element: SVGSVGElement, private readonly bar: HTMLElement) {
+    for (const id of kLayers) this.layers[id] = layer(id, element);
     this.follow();
-    new ResizeObserver(() => this.show()).observe(svg);
+    new ResizeObserver(() => this.show()).observe(element);
   }
 
-  /// Scene units per pixel.
   get unit(): number {
-    const { width, height } = this.svg.getBoundingClientRect();
+    const { width, height } = this.element.getBoundingClientRect();
     return Math.max(this.box.w / Math.max(width, 1), this.box.h / Math.max(height, 1));
   }
 
+  /// 1 where the scene's y axis runs downwards, else -1.
+  private get down(): number { return this.summary?.y === "down" ? 1 : -1; }
+
   setScene(summary: Summary, hidden: Set<string>): void {
-    this.layers.shapes.replaceChildren();
-    this.layers.part.replaceChildren();
-    this.layers.ghost.replaceChildren();
+    this.summary = summary;
+    for (const g of [this.layers.shapes, this.layers.part, this.layers.ghost, this.layers.placed]) g.replaceChildren();
     this.names = [];
+    this.moved.clear();
     const fixed: { path: SVGGraphicsElement; b: DOMRect }[] = [];
     for (const s of summary.shapes) {
-      const d = s.drawing.faces + s.drawing.free + dots(s.drawing.points);
+      if (!s.drawing) continue;
+      const d = lookOf(s.drawing as Drawing);
       if (s.moving) {
         element("path", { class: "part", d }, this.layers.part);
         element("path", { class: "ghost", d }, this.layers.ghost);
@@ -59,6 +74,7 @@ export class Stage {
       }
       if (hidden.has(s.name)) continue;
       const path = element("path", { class: "shape", d }, this.layers.shapes) as SVGGraphicsElement;
+      this.moved.set(s.name, path);
       const b = path.getBBox();
       this.names.push({ x: b.x + b.width / 2, y: b.y, text: s.name });
       fixed.push({ path, b });
@@ -69,13 +85,18 @@ export class Stage {
       this.layers.shapes.append(path);
       if (fixed.some((o) => o.path !== path && around(b, o.b))) path.classList.add("container");
     }
-    element("path", { class: "pole", d: "M0 0h0" }, this.layers.part);
-    this.place(this.at);
+    if (summary.moving.length) element("path", { class: "pole", d: "M0 0h0" }, this.layers.part);
+    this.setPose(this.pose);
   }
 
-  /// `own`: the set of one condition, below the region.
-  setRegion(d: Drawing | null, own = false): void {
-    const g = own ? this.layers.own : this.layers.region;
+  setRegion(drawing: AnyDrawing | null, own = false): void {
+    this.draw(own ? this.layers.own : this.layers.region, drawing as Drawing | null);
+  }
+
+  /// Positions that only possibly belong.
+  setOuter(drawing: Drawing | null): void { this.draw(this.layers.outer, drawing); }
+
+  private draw(g: SVGElement, d: Drawing | null): void {
     g.replaceChildren();
     if (!d) return;
     const add = (style: string, data: string) => { if (data) element("path", { class: style, d: data }, g); };
@@ -89,15 +110,59 @@ export class Stage {
     add("points", dots(d.points));
   }
 
-  place(at: Point): void {
+  place(at: Place): void {
     this.at = at;
-    this.layers.part.setAttribute("transform", `translate(${at[0]} ${-at[1]})`);
+    const moving = this.summary?.moving[0];
+    this.layers.part.setAttribute("transform", this.transform(at, this.pose.angle, moving ? this.movementOf(moving) : null));
   }
 
-  setGhost(at: Point | null): void {
-    this.layers.ghost.toggleAttribute("hidden", !at);
+  private movementOf(shape: string): Movement | null {
+    return (this.pose.time !== null && this.summary?.motion?.movements.find((m) => m.shape === shape)) || null;
+  }
+
+  private transform(at: Place, angle: number, movement: Movement | null): string {
+    let [x, y] = at as Point;
+    let turn = angle;
+    const [cx, cy] = movement ? [0, 0] : this.summary?.about ?? [0, 0];
+    if (movement) {
+      const time = this.pose.time!, [dx, dy] = placeAlong(movement, time);
+      x += dx;
+      y += dy;
+      turn = along(movement.times, movement.angles, time, (a, b, t) => a + t * (b - a));
+    }
+    return `translate(${x} ${this.down * y})` + (turn ? ` rotate(${this.down * turn} ${cx} ${this.down * cy})` : "");
+  }
+
+  setPose(pose: Pose): void {
+    this.pose = pose;
+    for (const [name, path] of this.moved) {
+      const movement = this.movementOf(name);
+      if (movement) path.setAttribute("transform", this.transform([0, 0], 0, movement));
+      else path.removeAttribute("transform");
+    }
+    this.place(this.at);
+    this.setGhost(this.ghost);
+    this.drawMarks();
+  }
+
+  setGhost(at: Place | null): void {
+    this.ghost = at;
     this.layers.ghost.style.display = at ? "" : "none";
-    if (at) this.layers.ghost.setAttribute("transform", `translate(${at[0]} ${-at[1]})`);
+    if (at) this.layers.ghost.setAttribute("transform", this.transform(at, this.pose.angle, null));
+  }
+
+  setPlaced(placed: { shape: string; at: Place; angle: number }[]): void {
+    this.layers.placed.replaceChildren();
+    const names = new Set(placed.map((p) => p.shape));
+    for (const [name, path] of this.moved) path.style.display = names.has(name) ? "none" : "";
+    this.names = this.names.filter((n) => !names.has(n.text));
+    for (const p of placed) {
+      const drawing = this.summary?.shapes.find((s) => s.name === p.shape)?.drawing as Drawing | undefined;
+      if (!drawing) continue;
+      const [x, y] = p.at as Point;
+      const path = element("path", { class: "placed", d: lookOf(drawing), transform: `translate(${x} ${this.down * y}) rotate(${this.down * p.angle})` }, this.layers.placed);
+      element("title", {}, path).textContent = p.shape;
+    }
   }
 
   setAtoms(good: boolean, atoms: Atom[]): void {
@@ -106,13 +171,18 @@ export class Stage {
     this.drawMarks();
   }
 
+  setBetween(between: Between | null): void {
+    this.between = between;
+    this.drawMarks();
+  }
+
   /// Around all that has a bound: shapes and the part at its position.
   fit(): void {
-    const boxes = [this.layers.shapes, this.layers.part].map((g) => (g as unknown as SVGGraphicsElement).getBBox()).filter((b) => b.width || b.height);
-    const [px, py] = [this.at[0], -this.at[1]];
-    const part = boxes.pop();
-    const shifted = part ? [{ x: part.x + px, y: part.y + py, width: part.width, height: part.height }] : [];
-    const every = [...boxes, ...shifted];
+    const boxes = [this.layers.shapes, this.layers.placed].map((g) => g.getBBox());
+    const part = this.layers.part.getBBox();
+    const [px, py] = this.at as Point;
+    boxes.push(new DOMRect(part.x + px, part.y + this.down * py, part.width, part.height));
+    const every = boxes.filter((b) => b.width || b.height);
     if (!every.length) return;
     const x = Math.min(...every.map((b) => b.x)), y = Math.min(...every.map((b) => b.y));
     const w = Math.max(...every.map((b) => b.x + b.width)) - x, h = Math.max(...every.map((b) => b.y + b.height)) - y;
@@ -132,76 +202,134 @@ export class Stage {
 
   /// A pointer's place in the picture.
   private under(e: { clientX: number; clientY: number }): Point {
-    const matrix = this.svg.getScreenCTM()!.inverse();
-    const p = new DOMPoint(e.clientX, e.clientY).matrixTransform(matrix);
+    const p = new DOMPoint(e.clientX, e.clientY).matrixTransform(this.element.getScreenCTM()!.inverse());
     return [p.x, p.y];
   }
 
+  private inScene([x, y]: Point): Place { return this.rounded([x, this.down * y]); }
+
   private follow(): void {
-    const svg = this.svg;
-    let hold: { from: Point; at: Point; part: boolean } | null = null;
-    svg.addEventListener("pointerdown", (e) => {
-      const part = (e.target as Element).classList.contains("part");
-      hold = { from: this.under(e), at: this.at, part };
-      svg.setPointerCapture(e.pointerId);
-    });
-    svg.addEventListener("pointermove", (e) => {
-      if (!hold) return;
-      const [x, y] = this.under(e);
-      const dx = x - hold.from[0], dy = y - hold.from[1];
-      if (hold.part) this.onDrag(this.rounded([hold.at[0] + dx, hold.at[1] - dy]));
-      else {
-        this.box.x -= dx;
-        this.box.y -= dy;
-        this.show();
+    const down = new Map<number, PointerEvent>();
+    let hold: { from: Point; at: Place; part: boolean; far: boolean } | null = null;
+    const spread = (): { size: number; middle: Point } => {
+      const [a, b] = [...down.values()] as [PointerEvent, PointerEvent];
+      return { size: Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY), middle: this.under({ clientX: (a.clientX + b.clientX) / 2, clientY: (a.clientY + b.clientY) / 2 }) };
+    };
+    const begin = (e: PointerEvent) => {
+      down.set(e.pointerId, e);
+      const part = (e.target as Element).classList.contains("part") && down.size === 1;
+      hold = { from: this.under(e), at: this.at, part, far: false };
+      this.element.setPointerCapture(e.pointerId);
+    };
+    const pan = ([x, y]: Point, from: Point) => {
+      this.box.x -= x - from[0];
+      this.box.y -= y - from[1];
+      this.show();
+    };
+    const move = (e: PointerEvent) => {
+      const before = down.get(e.pointerId);
+      if (!before || !hold) return this.onHover(this.inScene(this.under(e)));
+      if (down.size === 2) {
+        const old = spread();
+        down.set(e.pointerId, e);
+        const { size, middle } = spread();
+        pan(middle, old.middle);
+        this.zoom(old.size / Math.max(size, 1), middle);
+        return;
       }
-    });
-    const release = () => {
+      down.set(e.pointerId, e);
+      const [x, y] = this.under(e);
+      hold.far ||= Math.hypot(x - hold.from[0], y - hold.from[1]) > 4 * this.unit;
+      if (!hold.part) return pan([x, y], hold.from);
+      if (hold.far) this.onDrag(this.rounded([hold.at[0]! + x - hold.from[0], hold.at[1]! + this.down * (y - hold.from[1])]));
+    };
+    const release = (e: PointerEvent) => {
+      down.delete(e.pointerId);
+      if (hold && !hold.far && e.type === "pointerup") this.onPick(this.inScene(this.under(e)));
       if (hold?.part) this.onDragged();
       hold = null;
     };
-    svg.addEventListener("pointerup", release);
-    svg.addEventListener("pointercancel", release);
-    svg.addEventListener("wheel", (e) => {
+    this.element.addEventListener("pointerdown", begin);
+    this.element.addEventListener("pointermove", move);
+    this.element.addEventListener("pointerup", release);
+    this.element.addEventListener("pointercancel", release);
+    this.element.addEventListener("wheel", (e) => {
       e.preventDefault();
       this.zoom(Math.exp(Math.sign(e.deltaY) * 0.15), this.under(e));
     }, { passive: false });
   }
 
-  /// To a tenth of a pixel, as a short decimal.
-  rounded([x, y]: Point): Point {
-    const places = Math.min(12, Math.max(0, Math.ceil(-Math.log10(this.unit)) + 1));
-    return [Number(x.toFixed(places)), Number(y.toFixed(places))];
-  }
+  rounded(at: Place): Place { return shortDecimals(at, this.unit); }
+
+  recolour(): void {}
 
   private show(): void {
     const { x, y, w, h } = this.box;
-    this.svg.setAttribute("viewBox", `${x} ${y} ${w} ${h}`);
+    this.element.setAttribute("viewBox", `${x} ${y} ${w} ${h}`);
     this.drawMarks();
     this.drawBar();
   }
 
   private drawMarks(): void {
-    const g = this.layers.marks, unit = this.unit;
+    const g = this.layers.marks, unit = this.unit, name = this.bar.dataset["unit"] ?? "";
     g.replaceChildren();
     const text = (style: string, x: number, y: number, content: string) => {
       const t = element("text", { class: style, x: `${x}`, y: `${y}`, "font-size": `${12 * unit}`, "stroke-width": `${3 * unit}` }, g);
       t.textContent = content;
     };
-    for (const n of this.names) text("name", n.x, n.y + 11 * unit, n.text);
+    const dimension = (style: string, p: Place, q: Place, value: number | null) => {
+      const [x1, y1, x2, y2] = [p[0]!, this.down * p[1]!, q[0]!, this.down * q[1]!];
+      element("line", { class: "dimension" + style, x1: `${x1}`, y1: `${y1}`, x2: `${x2}`, y2: `${y2}` }, g);
+      if (value) text("label" + style, (x1 + x2) / 2, (y1 + y2) / 2 - 5 * unit, `${shown(value)} ${name}`.trim());
+    };
+    for (const n of this.names) {
+      const movement = this.movementOf(n.text), [dx, dy] = movement ? placeAlong(movement, this.pose.time!) : [0, 0];
+      text("name", n.x + dx, n.y + this.down * dy + 11 * unit, n.text);
+    }
     for (const a of this.atoms) {
       const [p, q] = a.witness.points ?? [];
-      if (!p || !q) continue;
-      const style = a.true ? "" : " no";
-      element("line", { class: "dimension" + style, x1: `${p[0]}`, y1: `${-p[1]}`, x2: `${q[0]}`, y2: `${-q[1]}` }, g);
-      if (typeof a.value === "number" && a.value !== 0) text("label" + style, (p[0] + q[0]) / 2, -(p[1] + q[1]) / 2 - 5 * unit, `${shown(a.value)} ${this.bar.dataset["unit"] ?? ""}`.trim());
+      if (p && q) dimension(a.true ? "" : " no", p, q, typeof a.value === "number" ? a.value : null);
     }
+    if (this.between?.points) dimension(" between", ...this.between.points, this.between.distance);
   }
 
   private drawBar(): void {
-    const most = 140 * this.unit, power = 10 ** Math.floor(Math.log10(most));
-    const length = [5, 2, 1].map((k) => k * power).find((l) => l <= most) ?? power;
+    const length = roundLength(140 * this.unit);
     this.bar.style.width = `${length / this.unit}px`;
     this.bar.firstElementChild!.textContent = `${shown(length)} ${this.bar.dataset["unit"] ?? ""}`;
   }
+
+  /// The picture with the colours that it has now.
+  svg(): string {
+    const svg = this.element, copy = svg.cloneNode(true) as SVGSVGElement;
+    const shapes = svg.querySelectorAll("path, line, text, rect"), copies = copy.querySelectorAll("path, line, text, rect");
+    shapes.forEach((shape, k) => {
+      const style = getComputedStyle(shape);
+      for (const key of ["display", "fill", "fill-rule", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "vector-effect", "font-family", "text-anchor", "paint-order"])
+        copies[k]!.setAttribute(key, style.getPropertyValue(key));
+    });
+    const { width, height } = svg.getBoundingClientRect();
+    for (const [key, value] of Object.entries({ xmlns: kSvg, width, height })) copy.setAttribute(key, `${value}`);
+    copy.style.background = getComputedStyle(document.body).backgroundColor;
+    return copy.outerHTML;
+  }
+
+  async png(): Promise<Blob> {
+    const { width, height } = this.element.getBoundingClientRect(), sharp = Math.max(2, devicePixelRatio);
+    const image = new Image();
+    image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(this.svg());
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    canvas.width = width * sharp;
+    canvas.height = height * sharp;
+    const context = canvas.getContext("2d")!;
+    context.fillStyle = getComputedStyle(document.body).backgroundColor;
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return new Promise((done, fail) => canvas.toBlob((b) => (b ? done(b) : fail(new Error("no picture"))), "image/png"));
+  }
+}
+
+function layer(id: string, parent: Element): SVGGraphicsElement {
+  return element("g", { id: `layer-${id}` }, parent) as SVGGraphicsElement;
 }

@@ -3,9 +3,9 @@
 //
 // The page in a real browser.
 //
-// usage: node test/run.mjs PROGRAM [FOLDER]
+// usage: node test/run.mjs PROGRAM [FOLDER [WORDS]]
 //
-// Pictures of the page go to FOLDER, for people to look at. Chromium is the system's.
+// With WORDS, a regular expression, only the tests whose names fit. Pictures of the page go to FOLDER, for people to look at. Chromium is the system's.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { mkdtempSync, mkdirSync, writeFileSync, existsSync } from "node:fs";
@@ -15,6 +15,8 @@ import puppeteer from "puppeteer-core";
 
 const program = resolve(process.argv[2] ?? "../build/release/findspace");
 const pictures = process.argv[3] ?? "";
+const here = new URL(".", import.meta.url).pathname;
+const example = (name) => join(here, "../../examples", name);
 const folder = mkdtempSync(join(tmpdir(), "findspace_page_"));
 if (pictures) mkdirSync(pictures, { recursive: true });
 
@@ -44,7 +46,8 @@ async function view(path) {
   return { child, link, ended: new Promise((done) => child.once("exit", done)) };
 }
 
-const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
+const kFlags = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", args: kFlags });
 const running = [];
 const endAll = () => { for (const { child } of running) if (child.exitCode === null) child.kill(); };
 process.on("SIGTERM", () => { endAll(); process.exit(1); });
@@ -163,6 +166,122 @@ const tests = {
     await until(page, () => !document.querySelector("#layer-own .face") && document.querySelector("#layer-region .free") && !document.querySelector("#layer-region .face"));
     await close(opened);
   },
+  async "an angle turns the part and its region, and shows where it can stand"() {
+    const opened = await open(example("turn.json")), { page } = opened;
+    await until(page, () => document.querySelectorAll(".track i").length > 0);
+    const before = await page.$eval("#layer-region .face", (e) => e.getAttribute("d"));
+    await page.evaluate(() => {
+      const range = document.querySelector(".pose input[type=range]");
+      range.value = "30";
+      range.dispatchEvent(new Event("input"));
+      range.dispatchEvent(new Event("change"));
+    });
+    await until(page, (d) => document.querySelector("#layer-region .face").getAttribute("d") !== d && document.querySelector("#layer-part").getAttribute("transform").includes("rotate(-30"), before);
+    await shot(page, "angle-light");
+    await page.evaluate(() => document.getElementById("undo").click());
+    await until(page, (d) => document.querySelector("#layer-region .face").getAttribute("d") === d, before);
+    await close(opened);
+  },
+  async "time moves the shapes, and distances are those of the instant"() {
+    const opened = await open(example("carts.json"), { dark: true }), { page } = opened;
+    await setPlace(page, 6, 1);
+    await page.evaluate(() => {
+      const range = document.querySelector(".pose input[type=range]");
+      range.value = "5.5";
+      range.dispatchEvent(new Event("input"));
+    });
+    await until(page, () => [...document.querySelectorAll("#layer-shapes path")].some((e) => (e.getAttribute("transform") ?? "").startsWith("translate(5.5 ")));
+    await shot(page, "time-dark");
+    await close(opened);
+  },
+  async "the distance between two features, and an operation on the region"() {
+    const opened = await open(scene("slot10.json", kSlot)), { page } = opened;
+    await page.keyboard.press("m");
+    await page.mouse.click(...(await onScreen(page, 0, 10)));
+    await page.mouse.click(...(await onScreen(page, 40, 5)));
+    await until(page, () => document.getElementById("between").textContent === "40 mm from a corner of block to an edge of block");
+    await shot(page, "measure-light");
+    await page.select("#operation", "3");
+    await until(page, () => !document.querySelector("#layer-region .face") && document.querySelector("#layer-region .free"));
+    await close(opened);
+  },
+  async "words are completed"() {
+    const opened = await open(scene("slot11.json", kSlot)), { page } = opened;
+    await page.evaluate(() => { document.getElementById("where").value = ""; });
+    await page.focus("#where");
+    await page.keyboard.type("gap(pe");
+    await until(page, () => document.querySelector("#words li[aria-selected=true]")?.textContent === "peg");
+    await page.keyboard.press("Enter");
+    await page.keyboard.type(", bl");
+    await page.keyboard.press("Tab");
+    await page.keyboard.type(") >= 2");
+    await until(page, () => document.getElementById("mistake").textContent === "" && document.getElementById("where").value === "gap(peg, block) >= 2");
+    await close(opened);
+  },
+  async "space: the region with its sheet, line and point, a section, and a drag along an axis"() {
+    for (const dark of [false, true]) {
+      const opened = await open(example("rooms.json"), { dark }), { page } = opened;
+      await shot(page, dark ? "space-dark" : "space-light");
+      const lit = (threshold) => page.evaluate((threshold) => {
+        const canvas = document.createElement("canvas"), from = document.getElementById("space");
+        [canvas.width, canvas.height] = [from.width, from.height];
+        return new Promise((done) => requestAnimationFrame(() => {
+          const context = canvas.getContext("2d");
+          context.drawImage(from, 0, 0);
+          done(context.getImageData(0, 0, canvas.width, canvas.height).data.filter((v, k) => k % 4 === 3 && v > threshold).length);
+        }));
+      }, threshold);
+      await page.select("#section", "3");
+      await until(page, () => !document.getElementById("section-at").hidden);
+      await page.evaluate(() => {
+        const range = document.getElementById("section-at");
+        range.value = String(Number(range.min) + 0.2 * (Number(range.max) - Number(range.min)));
+        range.dispatchEvent(new Event("input"));
+      });
+      await new Promise((done) => setTimeout(done, 200));
+      await shot(page, dark ? "section-dark" : "section-light");
+      if (!dark) {
+        await page.keyboard.press("0");
+        const before = await page.evaluate(() => ["x", "y", "z"].map((k) => Number(document.getElementById(k).value)));
+        await page.focus("#space");
+        await page.keyboard.press("PageUp");
+        await until(page, (z) => Number(document.getElementById("z").value) > z, before[2]);
+        await page.evaluate(() => {
+          for (const [k, v] of [["x", 20], ["y", 20]]) document.getElementById(k).value = v;
+          document.getElementById("x").dispatchEvent(new Event("change"));
+        });
+        await until(page, () => document.getElementById("verdict").className === "bad");
+        await page.evaluate(() => document.getElementById("nearest").click());
+        await until(page, () => document.getElementById("verdict").textContent === "Feasible");
+      }
+      assert.equal(typeof lit, "function");
+      await close(opened);
+    }
+  },
+  async "a packing improves, and a dragged part stays where it fits"() {
+    const opened = await open(join(here, "../../tests/data/nesting/fu.json")), { page } = opened;
+    await until(page, () => document.querySelectorAll("#layer-items .item").length === 12);
+    await page.evaluate(() => document.getElementById("pack-stop").click());
+    await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
+    await shot(page, "pack-light");
+    const before = await page.$eval("#pack-facts", (e) => e.textContent);
+    const box = await (await page.$('[data-item="3"]')).boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2 + 10);
+    await page.mouse.up();
+    await until(page, (text) => document.getElementById("pack-facts").textContent !== text, before);
+    await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
+    await shot(page, "repaired-light");
+    await close(opened);
+  },
+  async "a placement is shown"() {
+    const opened = await open(example("components.json")), { page } = opened;
+    await until(page, () => document.getElementById("verdict").textContent === "All 4 are placed");
+    assert.equal(await page.$$eval("#layer-placed path", (all) => all.length), 4);
+    await shot(page, "placed-light");
+    await close(opened);
+  },
   async "keys move the part"() {
     const opened = await open(scene("slot4.json", kSlot)), { page } = opened;
     await setPlace(page, 20, 20);
@@ -221,7 +340,8 @@ const tests = {
 };
 
 let failed = 0;
-for (const [name, test] of Object.entries(tests)) {
+const chosen = Object.entries(tests).filter(([name]) => new RegExp(process.argv[4] ?? "").test(name));
+for (const [name, test] of chosen) {
   try {
     await test();
     console.log(`ok    ${name}`);
@@ -233,5 +353,5 @@ for (const [name, test] of Object.entries(tests)) {
 }
 await browser.close();
 endAll();
-console.log(`${Object.keys(tests).length} tests, ${failed} fail`);
+console.log(`${chosen.length} tests, ${failed} fail`);
 process.exit(failed ? 1 : 0);

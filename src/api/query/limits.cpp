@@ -48,7 +48,7 @@ namespace findspace {
 struct CancelScope::Limits {
   Options options;
   api::Watch watch{options};
-  plane::LimitWork here{&watch};
+  plane::ScopedStopCheck here{&watch};
 
   explicit Limits(const Cancel& cancel) { options.cancel = cancel; }
 };

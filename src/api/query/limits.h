@@ -12,12 +12,12 @@
 #include <type_traits>
 
 #include "findspace/options.h"
-#include "plane/base/work_limit.h"
+#include "plane/base/stop_check.h"
 
 namespace findspace::api {
 
 /// The limits of one question, from when it begins, and those of the thread that asks.
-class Watch : public plane::WorkLimit {
+class Watch : public plane::StopCheck {
  public:
   explicit Watch(const Options& options) : options_(options) {}
   void poll() override;
@@ -26,7 +26,7 @@ class Watch : public plane::WorkLimit {
   using Clock = std::chrono::steady_clock;
 
   const Options& options_;
-  plane::WorkLimit* const outer_ = plane::work_limit();
+  plane::StopCheck* const outer_ = plane::stop_check();
   const Clock::time_point begun_ = Clock::now();
   std::atomic<std::int64_t> memory_due_{0};  // milliseconds from the beginning
 };
@@ -37,7 +37,7 @@ auto limited(const Options& options, const F& question) -> std::invoke_result_t<
   std::optional<std::invoke_result_t<F>> out;
   Watch watch(options);
   plane::with_threads(options.threads, [&] {
-    const plane::LimitWork here(&watch);
+    const plane::ScopedStopCheck here(&watch);
     watch.poll();
     out.emplace(question());
   });

@@ -22,6 +22,7 @@ namespace findspace {
 using exact::Real;
 
 struct Phi::Data {
+  Shape first, second;
   Real step;  // one unit of the coordinates in the shapes' unit
   std::size_t a = 0, b = 0;
   std::optional<space::PlanarPhiUnion> planar{};  // one of these two
@@ -100,7 +101,7 @@ void each(std::span<const std::array<double, N>> positions, std::span<double> va
 Phi::Phi(const Shape& a, const Shape& b) {
   if (a.dimension() != b.dimension()) throw Error(ErrorCode::kBadValue, "shapes of the plane and of space together");
   const plane::Grid grid = api::common_grid(a.data().grid, b.data().grid);
-  auto data = std::make_shared<Data>(Data{grid.step()});
+  auto data = std::make_shared<Data>(Data{a, b, grid.step()});
   const plane::ShapePtr p = api::tree_on(a, grid), q = api::tree_on(b, grid);
   if (a.dimension() == 2)
     make_planar(*p, *q, grid.step_size(), *data);
@@ -144,6 +145,8 @@ int Phi::compare(const Point3& u, const Number& distance) const {
   return data_->space().compare_distance(steps(u, data_->step), rho);
 }
 
+const Shape& Phi::a() const { return data_->first; }
+const Shape& Phi::b() const { return data_->second; }
 int Phi::dimension() const { return data_->planar ? 2 : 3; }
 std::size_t Phi::parts_of_a() const { return data_->a; }
 std::size_t Phi::parts_of_b() const { return data_->b; }

@@ -12,7 +12,7 @@
 
 #include "api/query/world_data.h"
 #include "formula/language/lexer.h"
-#include "formula/planar/feasible_near.h"
+#include "formula/planar/sums.h"
 #include "plane/base/parallel.h"
 
 namespace findspace {
@@ -98,12 +98,12 @@ struct Query::Data {
     const World::Data& of = world.data();
     const formula::Solver& solver = of.plane("the region of a formula");
     std::call_once(made, [&] {
-      known = api::limited(of.options, [&] { return of.region(formula::feasible_near(solver, asked())); });
+      known = api::limited(of.options, [&] { return of.region(formula::exact_region(solver, asked())); });
     });
     return *known;
   }
   bool has_region() const {
-    return world.dimension() == 2 && !world.data().planar->rotations_in(asked()) && !api::rotating(asked());
+    return world.dimension() == 2 && !world.data().planar->known_between_bounds(asked()) && !api::rotating(asked());
   }
 
   template <std::size_t N>

@@ -39,6 +39,7 @@ std::optional<SpaceRegion::Bounds3> SpaceRegion::bounds() const {
   return box ? std::optional(Bounds3{box->low, box->high}) : std::nullopt;
 }
 
+const Query& SpaceRegion::query() const { return data_->query; }
 bool SpaceRegion::contains(const Point3& p) const { return data_->query.holds(p); }
 void SpaceRegion::contains(std::span<const Position3> positions, std::span<bool> inside) const {
   data_->query.holds(positions, inside);

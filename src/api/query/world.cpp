@@ -13,10 +13,10 @@
 #include "api/values/region_data.h"
 #include "formula/language/lexer.h"
 #include "formula/language/text.h"
-#include "formula/planar/feasible_near.h"
 #include "formula/planar/optimize.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/solve_rotation.h"
+#include "formula/planar/sums.h"
 #include "formula/solid/solve_rays.h"
 #include "plane/base/parallel.h"
 #include "plane/build/build.h"
@@ -34,89 +34,15 @@ namespace {
 exact::RealPoint planar(const Coordinates& p) { return {p[0], p[1]}; }
 space::RealVector solid(const Coordinates& p) { return {p[0], p[1], p[2]}; }
 
-std::optional<formula::Unit> unit_of(const std::string& name) {
-  if (name.empty()) return std::nullopt;
-  if (const auto unit = formula::find_unit(name)) return unit;
-  throw Error(ErrorCode::kUnknownName,
-              fmt::format("unknown unit '{}'; the units are {}", name, fmt::join(formula::kUnitNames, ", ")));
-}
-
-[[noreturn]] void unknown_shape(const formula::Context& context, const std::string& name) {
-  const std::string near = formula::question(name, context.shapes);
-  throw Error(ErrorCode::kUnknownName,
-              fmt::format("there is no shape '{}'{}", name,
-                          near.empty() ? "; the shapes are " + formula::listed(context.shapes) : near));
-}
-
-formula::Context context_of(const std::map<std::string, Shape>& shapes, const std::string& moving,
-                            const std::string& unit) {
-  formula::Context context;
-  for (const auto& [name, shape] : shapes) context.shapes.push_back(name);
-  if (shapes.count(moving) == 0) unknown_shape(context, moving);
-  context.moving = {moving};
-  context.unit = unit_of(unit);
-  context.dimension = shapes.at(moving).dimension();
-  for (const auto& [name, shape] : shapes)
-    if (shape.dimension() != context.dimension)
-      throw Error(ErrorCode::kBadValue, "shapes of the plane and of space in one world",
-                  fmt::format("shape '{}'", name));
+formula::Context named_context(const std::map<std::string, Shape>& shapes, const std::vector<std::string>& moving,
+                               const std::string& unit) {
+  if (shapes.empty()) throw Error(ErrorCode::kBadValue, "there are no shapes");
+  formula::Context context = api::context_of(shapes, unit);
+  if (moving.empty()) throw Error(ErrorCode::kBadValue, "no shape moves");
+  for (const std::string& name : moving)
+    if (shapes.count(name) == 0) api::unknown_shape(context, name);
+  context.moving = moving;
   return context;
-}
-
-plane::Grid grid_of(const std::map<std::string, Shape>& shapes) {
-  plane::Grid grid = shapes.begin()->second.data().grid;
-  for (const auto& [name, shape] : shapes) grid = api::common_grid(grid, shape.data().grid);
-  return grid;
-}
-
-plane::Region region_on(const Shape& shape, const plane::Grid& grid, const std::string& name) {
-  try {
-    if (shape.data().grid.step() == grid.step()) return shape.region().data().cells;
-    return plane::build(*api::tree_on(shape, grid), grid.step_size()).region;
-  } catch (const Error& e) {
-    throw e.within(fmt::format("shape '{}'", name));
-  }
-}
-
-std::shared_ptr<const formula::Solver> planar_solver(const World::Data& data) {
-  formula::World world;
-  for (const auto& [name, shape] : data.shapes) world.shapes.emplace(name, region_on(shape, data.grid, name));
-  world.moving = data.context.moving;
-  world.step = data.grid.step();
-  return std::make_shared<const formula::Solver>(std::move(world));
-}
-
-formula::SpaceShape solid_on(const plane::Shape& tree) {
-  auto made = formula::try_space_shape(tree);
-  if (made) return *std::move(made);
-  formula::SpaceShape none;
-  none.refused = made.refusal().error.what();  // its surface may do
-  return none;
-}
-
-/// Shapes of `before` whose trees are the same are taken over.
-std::shared_ptr<const formula::SpaceSolver> solid_solver(const World::Data& data, const World::Data* before) {
-  formula::SpaceWorld world;
-  auto rays = std::make_shared<formula::RayWorld>();
-  rays->moving = world.moving = data.context.moving;
-  rays->step = world.step = data.grid.step();
-  for (const auto& [name, shape] : data.shapes) {
-    const plane::ShapePtr tree = api::tree_on(shape, data.grid);
-    const auto known = before ? before->shapes.find(name) : data.shapes.end();
-    const bool same = before && known != before->shapes.end() && &known->second.data() == &shape.data() &&
-                      before->grid.step() == data.grid.step();
-    rays->shapes.emplace(name, same ? before->solid->world().rays->shapes.at(name) : formula::RayShape(tree));
-    world.shapes.emplace(name, same ? before->solid->world().shapes.at(name) : solid_on(*tree));
-  }
-  world.rays = std::move(rays);
-  return std::make_shared<const formula::SpaceSolver>(std::move(world));
-}
-
-void make_solver(World::Data& data, const World::Data* before = nullptr) {
-  if (data.dimension() == 2)
-    data.planar = planar_solver(data);
-  else
-    data.solid = solid_solver(data, before);
 }
 
 /// The world with one shape other than before; null: without it.
@@ -126,14 +52,18 @@ std::shared_ptr<const World::Data> changed(const World::Data& before, const std:
     data->shapes.insert_or_assign(name, *shape);
   else
     data->shapes.erase(name);
-  data->context = context_of(data->shapes, before.moving(), before.unit());
+  data->context = named_context(data->shapes, before.context.moving, before.unit());
+  data->context.motion = before.context.motion;
   if (shape) data->grid = api::common_grid(before.grid, shape->data().grid);
-  if (data->dimension() == 2 && before.planar && data->grid.step() == before.grid.step()) {
+  // Parts of collections are told by their solver alone.
+  const bool parts =
+      (shape && api::tree_of(*shape)->collection) || (before.planar && before.planar->world().parts.count(name) > 0);
+  if (data->dimension() == 2 && !parts && data->grid.step() == before.grid.step()) {
     formula::ShapeChanges changes;
-    changes[name] = shape ? std::optional(region_on(*shape, data->grid, name)) : std::nullopt;
+    changes[name] = shape ? std::optional(api::region_on(*shape, data->grid, name)) : std::nullopt;
     data->planar = std::make_shared<const formula::Solver>(*before.planar, std::move(changes));
   } else {
-    make_solver(*data, &before);
+    api::make_solver(*data, &before);
   }
   return data;
 }
@@ -179,7 +109,7 @@ const formula::SpaceSolver& World::Data::space(std::string_view what) const {
 
 const Shape& World::Data::shape(const std::string& name) const {
   const auto found = shapes.find(name);
-  if (found == shapes.end()) unknown_shape(context, name);
+  if (found == shapes.end()) api::unknown_shape(context, name);
   return found->second;
 }
 
@@ -225,10 +155,14 @@ Region World::Data::region(plane::Region cells) const { return api::make_region(
 
 // ---- World
 
-World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options) {
-  auto data = std::make_shared<Data>(Data{shapes, {}, context_of(shapes, moving, options.unit)});
-  data->grid = grid_of(shapes);
-  make_solver(*data);
+World::World(const std::map<std::string, Shape>& shapes, const std::string& moving, const WorldOptions& options)
+    : World(shapes, std::vector{moving}, options) {}
+
+World::World(const std::map<std::string, Shape>& shapes, const std::vector<std::string>& moving,
+             const WorldOptions& options) {
+  auto data = std::make_shared<Data>(Data{shapes, {}, named_context(shapes, moving, options.unit)});
+  data->grid = api::grid_of(shapes);
+  api::make_solver(*data);
   data_ = std::move(data);
 }
 
@@ -236,7 +170,11 @@ void World::set(const std::string& name, const Shape& shape) { data_ = changed(*
 
 void World::remove(const std::string& name) {
   data_->shape(name);
-  if (name == moving()) throw Error(ErrorCode::kBadValue, fmt::format("'{}' is the shape that moves", name));
+  const std::vector<std::string>& movers = data_->context.moving;
+  if (std::find(movers.begin(), movers.end(), name) != movers.end())
+    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is the shape that moves", name));
+  if (data_->motion && data_->motion->paths.count(name) > 0)
+    throw Error(ErrorCode::kBadValue, fmt::format("'{}' has a path in the motion", name));
   data_ = changed(*data_, name, nullptr);
 }
 
@@ -279,7 +217,7 @@ Check World::check(const Formula& f, const Point3& p) const { return check_of(*d
 Region World::solve(const Formula& formula) const {
   const formula::Solver& solver = data_->plane("the region of a formula");
   return api::limited(data_->options,
-                      [&] { return data_->region(formula::feasible_near(solver, data_->formula(formula.text()))); });
+                      [&] { return data_->region(formula::exact_region(solver, data_->formula(formula.text()))); });
 }
 
 SignMap World::sign_map(std::string_view distance, const Number& level) const {
@@ -298,7 +236,7 @@ Optimum World::minimize(std::string_view objective, const Formula& formula) cons
   const formula::Solver& solver = data_->plane("an optimum");
   const formula::Objective wanted = formula::parse_objective(objective, data_->context);
   return api::limited(data_->options, [&] {
-    formula::Optimum best = formula::optimize(formula::feasible_near(solver, data_->formula(formula.text())), wanted,
+    formula::Optimum best = formula::optimize(formula::exact_region(solver, data_->formula(formula.text())), wanted,
                                               distance::Sense::kMinimum, solver);
     return Optimum{best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
                    data_->region(std::move(best.at))};
@@ -349,13 +287,16 @@ OnLine World::on_line(const Formula& formula, const Point3& through, const Point
 
 Region World::shape(const std::string& name) const {
   data_->plane("a shape as a region");
-  return data_->region(region_on(data_->shape(name), data_->grid, name));
+  return data_->region(api::region_on(data_->shape(name), data_->grid, name));
 }
 
 const std::map<std::string, Shape>& World::shapes() const { return data_->shapes; }
-const std::string& World::moving() const { return data_->moving(); }
+const std::string& World::moving() const { return data_->context.moving.front(); }
+const std::vector<std::string>& World::moving_together() const { return data_->context.moving; }
 std::string World::unit() const { return data_->unit(); }
 int World::dimension() const { return data_->dimension(); }
 const Options& World::options() const { return data_->options; }
+const std::optional<Motion>& World::motion() const { return data_->motion; }
+const std::optional<Number>& World::time() const { return data_->time; }
 
 }  // namespace findspace

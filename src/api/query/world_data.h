@@ -24,12 +24,13 @@ struct World::Data {
   plane::Grid grid;
   formula::Context context;
   Options options{};
+  std::optional<Motion> motion{};                   // in the plane
+  std::optional<Number> time{};                     // of the motion
   std::shared_ptr<const formula::Solver> planar{};  // one of these two
   std::shared_ptr<const formula::SpaceSolver> solid{};
 
   int dimension() const { return context.dimension; }
   std::string unit() const { return context.unit ? std::string(formula::name(*context.unit)) : ""; }
-  const std::string& moving() const { return context.moving.front(); }
   /// kUnsupported in space.
   const formula::Solver& plane(std::string_view what) const;
   const formula::SpaceSolver& space(std::string_view what) const;
@@ -48,6 +49,21 @@ struct World::Data {
 };
 
 namespace api {
+
+/// What formulas over the shapes may speak of; nothing moves yet. kBadValue for shapes of both dimensions, kUnknownName
+/// for no unit. There is a shape.
+formula::Context context_of(const std::map<std::string, Shape>& shapes, const std::string& unit);
+[[noreturn]] void unknown_shape(const formula::Context& context, const std::string& name);
+/// One that holds all shapes; there is a shape.
+plane::Grid grid_of(const std::map<std::string, Shape>& shapes);
+/// A shape of the plane on a grid; errors name it.
+plane::Region region_on(const Shape& shape, const plane::Grid& grid, const std::string& name);
+/// Where it is not computed, `refused` says why: its surface may do.
+formula::SpaceShape solid_on(const plane::Shape& tree);
+/// kBadValue, kUnknownName for what is no motion of these shapes; in steps of the grid.
+formula::Motion motion_of(const World::Data& world, const Motion& motion);
+/// The solver of the data, which has all but that. Shapes of `before` whose trees are the same are taken over.
+void make_solver(World::Data& data, const World::Data* before = nullptr);
 
 /// kBadValue for as many coordinates as the world has not.
 distance::Coordinates place_of(const World::Data& world, const Point& p);

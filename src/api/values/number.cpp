@@ -24,6 +24,9 @@ namespace api {
 exact::Real real_of(const Number& number) { return exact::Real::parse_decimal(number.text()); }
 
 plane::Grid grid_of(const Grid& grid) {
+  static const std::string kUsual = Grid{}.step.text();
+  static const plane::Grid usual(exact::Real::parse_decimal(kUsual));
+  if (grid.step.text() == kUsual) return usual;
   exact::Real step = real_of(grid.step);
   if (step.sign() <= 0) throw Error(ErrorCode::kBadValue, "the step of a grid must be more than 0");
   return plane::Grid(std::move(step));

@@ -56,6 +56,11 @@ struct Walk {
   Walk(const plane::Region& region, const plane::Summary& summary, const exact::Real& step);
 };
 
+/// The points of an arc after its first one and before its last, so many that no chord is farther from it than `bound`;
+/// `around` asks for points of tangents around it instead.
+void add_arc(const Region::Edge& e, const Position& from, bool forward, double bound, bool around,
+             std::vector<Position>& out);
+
 Region make_region(plane::Region cells, const plane::Grid& grid, std::string unit = {});
 
 }  // namespace api

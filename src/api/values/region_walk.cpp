@@ -108,10 +108,8 @@ Walk::Walk(const plane::Region& region, const plane::Summary& summary, const exa
 
 }  // namespace api
 
-namespace {
+namespace api {
 
-/// The points of an arc after its first one, so many that no chord is farther from it than `bound`; `outside` asks for
-/// points of tangents around it instead.
 void add_arc(const Region::Edge& e, const Position& from, bool forward, double bound, bool around,
              std::vector<Position>& out) {
   // A chord of angle 2t is r (1 - cos t) from its arc, a corner of tangents r (1 / cos t - 1).
@@ -126,7 +124,7 @@ void add_arc(const Region::Edge& e, const Position& from, bool forward, double b
   }
 }
 
-}  // namespace
+}  // namespace api
 
 std::vector<std::vector<Position>> Region::flattened(double bound, Towards side) const {
   if (!(bound > 0)) throw Error(ErrorCode::kBadValue, "the bound must be more than 0");
@@ -140,7 +138,8 @@ std::vector<std::vector<Position>> Region::flattened(double bound, Towards side)
         points.push_back(from);
         // The set lies to the left; an arc that bends to it there is a bulge of the set.
         const bool bulge = s.forward;
-        if (e.arc) add_arc(e, from, s.forward, bound, bulge == (side == Towards::kOutside), points);
+        const bool around = side != Towards::kOnArcs && bulge == (side == Towards::kOutside);
+        if (e.arc) api::add_arc(e, from, s.forward, bound, around, points);
       }
     }
   }

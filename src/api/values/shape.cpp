@@ -11,10 +11,10 @@
 
 #include "api/values/region_data.h"
 #include "api/values/shape_data.h"
-#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "plane/build/build.h"
 #include "plane/contour/contour.h"
+#include "plane/contour/grid_points.h"
 #include "space/shape/rotated_shape.h"
 
 namespace findspace {
@@ -41,23 +41,24 @@ class Reader {
 
   const plane::Grid& grid() const { return grid_; }
   GridPoint point(const Point& p) { return grid_.nearest(api::real_of(p.x), api::real_of(p.y), rounding_); }
-  GridPoint point(const Position& p) { return grid_.nearest(p[0], p[1], rounding_); }
   exact::Real length(const Number& n) const { return grid_.steps(api::real_of(n)); }
 
   /// Those of a ring may end with the first one again.
-  template <class Points>
-  plane::Contour contour(const Points& points, const std::string& name, bool ring) {
+  plane::Contour contour(const std::vector<Point>& points, const std::string& name, bool ring) {
     plane::Contour out;
     out.reserve(points.size());
-    for (const auto& p : points) {
+    for (const Point& p : points) {
       try {
         out.push_back({.start = point(p)});
       } catch (const Error& e) {
         throw e.within(fmt::format("{}, vertex {}", name, out.size()));
       }
     }
-    if (ring && out.size() > 1 && out.front().start == out.back().start) out.pop_back();
-    return out;
+    return ring ? once_round(std::move(out)) : out;
+  }
+  plane::Contour contour(std::span<const Position> points, const std::string& name, bool ring) {
+    plane::Contour out = plane::grid_contour(grid_, points, name.c_str(), rounding_);
+    return ring ? once_round(std::move(out)) : out;
   }
 
   /// With arcs. Of a chain the last edge is only its end point.
@@ -82,6 +83,11 @@ class Reader {
   }
 
  private:
+  static plane::Contour once_round(plane::Contour ring) {
+    if (ring.size() > 1 && ring.front().start == ring.back().start) ring.pop_back();
+    return ring;
+  }
+
   plane::ContourEdge edge(GridPoint at, const Contour::Step& step, GridPoint end) {
     using Kind = Contour::Step::Kind;
     switch (step.kind) {
@@ -122,7 +128,9 @@ class Reader {
 template <class Ring, class Holes>
 Shape rings(const Ring& ring, const Holes& holes, const Grid& grid) {
   Reader reader(grid);
-  std::vector<plane::Contour> all{reader.contour(ring, "ring", true)};
+  std::vector<plane::Contour> all;
+  all.reserve(1 + std::size(holes));
+  all.push_back(reader.contour(ring, "ring", true));
   for (const auto& hole : holes) all.push_back(reader.contour(hole, fmt::format("hole {}", all.size() - 1), true));
   Tree tree;
   tree.kind = Tree::Kind::kRings;
@@ -224,6 +232,19 @@ Shape::Shape(const Region& region) {
   data_ = std::make_shared<const Data>(std::make_shared<const Tree>(std::move(tree)), region.data().grid, 2);
 }
 
+Shape Shape::collection(const std::vector<std::pair<std::string, Shape>>& parts) {
+  std::vector<Shape> shapes;
+  for (const auto& [name, part] : parts) {
+    Tree named = *api::tree_of(part);
+    named.name = name;
+    shapes.push_back(make_shape(std::make_shared<const Tree>(std::move(named)), part.data().grid, part.dimension()));
+  }
+  const Shape all = combined(Tree::Kind::kUnion, shapes, 1);
+  Tree tree = *api::tree_of(all);
+  tree.collection = true;
+  return make_shape(std::make_shared<const Tree>(std::move(tree)), all.data().grid, all.dimension());
+}
+
 Shape Shape::unite(const std::vector<Shape>& shapes) { return combined(Tree::Kind::kUnion, shapes, 1); }
 Shape Shape::intersect(const std::vector<Shape>& shapes) { return combined(Tree::Kind::kIntersection, shapes, 1); }
 Shape Shape::subtract(const std::vector<Shape>& shapes) { return combined(Tree::Kind::kDifference, shapes, 2); }
@@ -274,11 +295,11 @@ Shape Shape::rotated(const Number& degrees, Axis axis, const Point3& about) cons
   double moved = 0;
   const GridPoint c = data_->grid.nearest(api::real_of(about.x), api::real_of(about.y), rounding);
   const std::int64_t height = data_->grid.nearest(api::real_of(about.z), moved);
-  plane::Rounding turned;
+  plane::Rounding moved_points;
   const auto rotation = space::Rotation::about_axis(int(axis), api::real_of(degrees), {c.x, c.y, height});
-  plane::ShapePtr tree = space::rotated(*data_->tree, rotation, turned);
-  rounding.points += turned.points;
-  rounding.largest = std::max(rounding.largest, turned.largest);
+  plane::ShapePtr tree = space::rotated(*data_->tree, rotation, moved_points);
+  rounding.points += moved_points.points;
+  rounding.largest = std::max(rounding.largest, moved_points.largest);
   return make_shape(std::move(tree), data_->grid, 3, rounding);
 }
 

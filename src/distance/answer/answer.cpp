@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "space/polytope/real_vector.h"
 
 namespace findspace::distance {

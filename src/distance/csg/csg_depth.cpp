@@ -8,8 +8,8 @@
 
 #include "distance/search/boundary_slack.h"
 #include "distance/search/swept_part.h"
+#include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
-#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -291,16 +291,16 @@ BoundaryPlace CsgDepth::nearest_in(const Vector& low, const Vector& high, const 
 
 BoundaryPlace CsgDepth::nearest_to(const TouchingRule& away, const Vector& low, const Vector& high,
                                    const Incumbent& known, const Until* until) const {
-  CsgConstraints fronts(*this);
+  CsgConstraints constraints(*this);
   const auto [from, to] = askew(low, high);
-  return nearest_allowed(tetrahedra_of_box(from, to), fronts.rules(), away, size_, 0, known, until);
+  return nearest_allowed(tetrahedra_of_box(from, to), constraints.rules(), away, size_, 0, known, until);
 }
 
 BoundaryPlace CsgDepth::farthest_in(const Vector& low, const Vector& high, const Vector& p) const {
-  CsgConstraints fronts(*this);
+  CsgConstraints constraints(*this);
   const auto [from, to] = askew(low, high);
   return farthest_allowed(
-      tetrahedra_of_box(from, to), fronts.rules(), [p](const Vector& x) { return space::length(x - p); }, size_);
+      tetrahedra_of_box(from, to), constraints.rules(), [p](const Vector& x) { return space::length(x - p); }, size_);
 }
 
 }  // namespace findspace::distance

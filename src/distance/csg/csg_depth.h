@@ -4,7 +4,7 @@
 // The positions p at which a body B + p and a solid A that convex sets are cut out of have no interior in common, and
 // the one nearest to a position: the depth of B in A, and, of the solid that others leave, how far B is from fitting
 // among them. What a part of B has in common with a part of A that nothing is cut out of has slack that is concave in
-// p (meet_slack.h), so the front search (boundary_search.h) takes it as it is. Else each place x of A, with a plane
+// p (meet_slack.h), so the boundary search (boundary_search.h) takes it as it is. Else each place x of A, with a plane
 // between it and what is cut out, says a convex subset of A, and so a concave function below the slack that is the
 // slack itself where x is the deepest place: each cell of the search makes those that it needs (LazyConstraints), right
 // to the square of its size. Guarantee: doubles; the place is one at which common slack is at most 2^-42 of the sizes,

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "distance/csg/csg_part.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::distance {

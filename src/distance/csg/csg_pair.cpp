@@ -6,7 +6,7 @@
 
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_part.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

@@ -12,7 +12,7 @@
 #include "distance/csg/csg_pair.h"
 #include "distance/search/boundary_slack.h"
 #include "distance/search/solid_protrusion.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

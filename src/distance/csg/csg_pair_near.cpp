@@ -9,7 +9,7 @@
 #include "distance/csg/csg_depth.h"
 #include "distance/csg/csg_pair.h"
 #include "distance/search/swept_part.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

@@ -10,7 +10,7 @@
 #include "distance/search/boundary_slack.h"
 #include "distance/search/free_space.h"
 #include "distance/search/solid_protrusion.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

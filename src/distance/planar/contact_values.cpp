@@ -4,7 +4,7 @@
 #include "distance/planar/contact_values.h"
 
 #include "distance/planar/farthest.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/base/real_vector.h"
 
 namespace findspace::distance {
@@ -16,7 +16,7 @@ using plane::operator-;
 namespace {
 
 /// How shapes stand where boundaries tell the distance by themselves.
-Standing::Kind told_by_boundaries(Which which) {
+Standing::Kind decided_by_boundaries(Which which) {
   using Kind = Standing::Kind;
   return which == Which::kGamma1 ? Kind::kApart : which == Which::kEta1 ? Kind::kInside : Kind::kAround;
 }
@@ -35,7 +35,7 @@ std::vector<Feature> ContactValues::contact(const RealPoint& position, const Rea
 
 std::optional<PlanarAnswer> ContactValues::signed_distance(Which which, const RealPoint& p) const {
   const Standing s = boundaries_.standing(p);
-  if (s.kind != told_by_boundaries(which)) return signed_value(which, s, p);
+  if (s.kind != decided_by_boundaries(which)) return signed_value(which, s, p);
   const bool outside = s.kind == Standing::Kind::kApart;
   PlanarAnswer out = boundary_answer(outside ? s.pair->distance : -s.pair->distance, features(*s.pair));
   out.nearest = p + (s.pair->first - s.pair->second);

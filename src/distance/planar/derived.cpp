@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "exact/margins/rounding.h"
 #include "plane/base/real_vector.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/moved.h"
@@ -26,6 +27,11 @@ namespace {
 LevelCurve rotated_round(LevelCurve f) {
   f.k = -f.k;  // f(level) becomes f(-level)
   return f;
+}
+
+/// Minus a form.
+SmoothForm opposite(SmoothForm f) {
+  return {-f.value, -f.gx, -f.gy, -f.above, -f.below, [of = std::move(f.curve)] { return rotated_round(of()); }};
 }
 
 class CutOff : public TDistance {
@@ -57,10 +63,26 @@ class CutOff : public TDistance {
 
   RealPoint seed() const override { return f_->seed(); }
 
-  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
-    auto out = f_->fronts(p, tolerance);
+  std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
+    auto out = f_->level_curves(p, tolerance);
     if (negated_)
-      for (NearLevelCurve& n : out) n.front = rotated_round(std::move(n.front));
+      for (NearLevelCurve& n : out) n.curve = rotated_round(std::move(n.curve));
+    return out;
+  }
+
+  std::optional<std::vector<SmoothForm>> forms(const RealPoint& p, double radius) const override {
+    auto out = f_->forms(p, radius);
+    const auto v = f_->value(p);
+    if (!out || !v || v->minus_infinity) return std::nullopt;
+    const double above = (negated_ ? -1 : 1) * near_value(v->value) - near_value(floor_);
+    const double reach = radius * margin::kUpward + margin::kUpwardSteps;
+    if (above < -reach) out->clear();
+    if (negated_)
+      for (SmoothForm& form : *out) form = opposite(std::move(form));
+    if (above <= reach) {
+      out->push_back({near_value(floor_)});
+      out->back().curve = [floor = floor_] { return LevelCurve::line(Real(), Real(), -floor, Real(1)); };
+    }
     return out;
   }
 
@@ -104,8 +126,8 @@ class Greater : public TDistance {
 
   RealPoint seed() const override { return f_->seed(); }
 
-  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
-    auto out = f_->fronts(p, tolerance), more = g_->fronts(p, tolerance);
+  std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
+    auto out = f_->level_curves(p, tolerance), more = g_->level_curves(p, tolerance);
     out.insert(out.end(), more.begin(), more.end());
     return out;
   }
@@ -138,9 +160,9 @@ class Reflected : public TDistance {
     return {-p.x, -p.y};
   }
 
-  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
-    auto out = f_->fronts({-p.x, -p.y}, tolerance);
-    for (NearLevelCurve& n : out) n.front = n.front.reflected();
+  std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
+    auto out = f_->level_curves({-p.x, -p.y}, tolerance);
+    for (NearLevelCurve& n : out) n.curve = n.curve.reflected();
     return out;
   }
 
@@ -171,9 +193,9 @@ class Displaced : public TDistance {
 
   RealPoint seed() const override { return f_->seed() - by_; }
 
-  std::vector<NearLevelCurve> fronts(const RealPoint& p, double tolerance) const override {
-    auto out = f_->fronts(p + by_, tolerance);
-    for (NearLevelCurve& n : out) n.front = n.front.moved(by_);
+  std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
+    auto out = f_->level_curves(p + by_, tolerance);
+    for (NearLevelCurve& n : out) n.curve = n.curve.moved(by_);
     return out;
   }
 

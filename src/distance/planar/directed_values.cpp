@@ -8,7 +8,7 @@
 
 #include "distance/planar/farthest_corner.h"
 #include "distance/planar/farthest_place.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/base/real_vector.h"
 #include "plane/query/topology.h"
 

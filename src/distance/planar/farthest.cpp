@@ -8,7 +8,7 @@
 
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_features/smallest_circle.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "findspace/error.h"
 #include "plane/build/hull.h"
 #include "plane/complex/overlay.h"
@@ -102,7 +102,22 @@ RealPoint Farthest::seed() const {
                                            : set_.vertices[set_.edges[s.cell.index].v0].point);
 }
 
-std::vector<NearLevelCurve> Farthest::fronts(const RealPoint& p, double tolerance) const {
+std::optional<std::vector<SmoothForm>> Farthest::forms(const RealPoint& p, double radius) const {
+  const double x = near_value(p.x), y = near_value(p.y);
+  double most = 0;
+  for (const BoundaryFeature& s : features_) most = std::max(most, s.farthest(x, y));
+  const double reach = most - 2 * radius - (std::abs(x) + std::abs(y) + most) * margin::kLostByDoubles;
+  std::vector<SmoothForm> out;
+  for (const BoundaryFeature& s : features_) {
+    const double cx = s.arc ? s.cx : s.x0, cy = s.arc ? s.cy : s.y0;
+    SmoothForm form = ring_form(x, y, cx, cy, s.arc ? -s.r : 0, 1, radius);
+    if (form.value < reach) continue;
+    form.curve = [this, &s] { return far_level_curve(set_, s); };
+    out.push_back(std::move(form));
+  }
+  return out;
+}
+std::vector<NearLevelCurve> Farthest::level_curves(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y), most = 0;
   for (const BoundaryFeature& s : features_) most = std::max(most, s.farthest(x, y));
   std::vector<NearLevelCurve> out;

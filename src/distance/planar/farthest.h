@@ -26,7 +26,8 @@ class Farthest : public TDistance {
   plane::SignMap sign_map(const exact::Real& level) const override;
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
-  std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
+  std::optional<std::vector<SmoothForm>> forms(const exact::RealPoint& p, double radius) const override;
+  std::vector<NearLevelCurve> level_curves(const exact::RealPoint& p, double tolerance) const override;
   std::optional<Lowest> lowest() const override;
 
   /// A point of C farthest from p.

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/base/real_vector.h"
 #include "plane/query/nearest.h"
 

@@ -9,7 +9,7 @@
 
 #include "distance/planar/max_min_search.h"
 #include "distance/planar_features/curved_level_curve.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/base/real_vector.h"
 #include "plane/query/nearest.h"
 
@@ -31,9 +31,9 @@ constexpr MaxMinEffort kCoarse{margin::kMaxMinGuess, kMostRanges}, kFine{margin:
 
 bool inside(Mark m) { return m > 0; }
 
-/// Whether the level can be the max_min's value. That of a place on an edge may still grow beside it, but not fall.
-/// Other fronts meet there, too: the ridge between two lines goes on past the end of an edge, at levels less than the
-/// max_min's.
+/// Whether the level can be the max-min value. That of a place on an edge may still grow beside it, but not fall.
+/// Other level curves meet there, too: the ridge between two lines goes on past the end of an edge, at levels less than
+/// the max-min place's.
 bool is_value(const Real& level, const MaxMinPlace& max_min, double scale) {
   const auto i = level.interval();
   if (i.hi < max_min.value - scale * margin::kSurelyLess) return false;
@@ -42,7 +42,7 @@ bool is_value(const Real& level, const MaxMinPlace& max_min, double scale) {
 
 /// In p: where the edge's greatest distance from the inside of a circle of A is `level`: its least distance to the
 /// centre is r - level.
-std::vector<LevelCurve> hollow_fronts(const LevelCurve& edge, const LevelCurve& circle) {
+std::vector<LevelCurve> hollow_level_curves(const LevelCurve& edge, const LevelCurve& circle) {
   if (edge.circle) {
     Real x = circle.a - edge.a, y = circle.b - edge.b;
     return {LevelCurve::ring(x, y, circle.c + edge.c, circle.k), LevelCurve::ring(x, y, edge.c - circle.c, -circle.k)};
@@ -133,13 +133,13 @@ std::vector<FarthestFromSet::Meeting> FarthestFromSet::meetings(const MaxMinPlac
   const double scale = std::max(this->scale(px, py), scale_ + std::abs(max_min.x) + std::abs(max_min.y));
   std::vector<Index> near = near_features(max_min.x, max_min.y, scale * margin::kSamePlace);
   near.resize(std::min(near.size(), kMostMaxMins));
-  std::vector<LevelCurve> fronts;
-  for (Index k : near) fronts.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
+  std::vector<LevelCurve> level_curves;
+  for (Index k : near) level_curves.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
   std::optional<LevelCurve> edge;
   std::optional<BoundaryFeature> edge_part;
   if (max_min.cell.dimension == 1) {
     edge_part = edge_feature(b_, max_min.cell.index);
-    edge = still_front(b_, *edge_part).moved({-p.x, -p.y});
+    edge = fixed_level_curve(b_, *edge_part).moved({-p.x, -p.y});
   }
   std::vector<Meeting> out;
   auto take = [&](const std::vector<Index>& parts, const std::vector<Event>& all) {
@@ -151,14 +151,15 @@ std::vector<FarthestFromSet::Meeting> FarthestFromSet::meetings(const MaxMinPlac
       out.push_back({e.level, *e.at, parts});
     }
   };
-  for (std::size_t i = 0; i < fronts.size(); ++i) {
-    if (!edge) take({near[i]}, events(fronts[i]));
-    if (edge && (edge->circle || fronts[i].circle)) take({near[i]}, events(fronts[i], *edge));
+  for (std::size_t i = 0; i < level_curves.size(); ++i) {
+    if (!edge) take({near[i]}, events(level_curves[i]));
+    if (edge && (edge->circle || level_curves[i].circle)) take({near[i]}, events(level_curves[i], *edge));
     for (std::size_t j = 0; j < i; ++j) {
-      if (edge) take({near[i], near[j]}, events(fronts[i], fronts[j], *edge));
-      if (!edge && (fronts[i].circle || fronts[j].circle)) take({near[i], near[j]}, events(fronts[i], fronts[j]));
+      if (edge) take({near[i], near[j]}, events(level_curves[i], level_curves[j], *edge));
+      if (!edge && (level_curves[i].circle || level_curves[j].circle))
+        take({near[i], near[j]}, events(level_curves[i], level_curves[j]));
       for (std::size_t k = 0; !edge && k < j; ++k)
-        take({near[i], near[j], near[k]}, events(fronts[i], fronts[j], fronts[k]));
+        take({near[i], near[j], near[k]}, events(level_curves[i], level_curves[j], level_curves[k]));
     }
   }
   std::stable_sort(out.begin(), out.end(),
@@ -207,31 +208,32 @@ FarthestPlace FarthestFromSet::exact_place(const MaxMinPlace& max_min, const Rea
   return out;
 }
 
-void FarthestFromSet::add_fronts(const MaxMinPlace& max_min, const RealPoint& p, double tolerance,
-                                 std::vector<NearLevelCurve>& out) const {
+void FarthestFromSet::add_level_curves(const MaxMinPlace& max_min, const RealPoint& p, double tolerance,
+                                       std::vector<NearLevelCurve>& out) const {
   const double px = near_value(p.x), py = near_value(p.y);
   auto put = [&](const LevelCurve& f) { out.push_back({f, f.gap(px, py, max_min.value)}); };
   if (max_min.cell.dimension == 2) return put(LevelCurve::ring(Real(), Real(), -exact_place(max_min, p).value, 1));
-  std::vector<LevelCurve> fronts;
+  std::vector<LevelCurve> level_curves;
   for (Index k : near_features(max_min.x, max_min.y, tolerance))
-    fronts.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
+    level_curves.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
   if (max_min.cell.dimension == 0) {
     RealPoint b = b_.geometry.exact(b_.vertices[max_min.cell.index].point);
-    for (const LevelCurve& f : fronts) put(f.moved(b));
+    for (const LevelCurve& f : level_curves) put(f.moved(b));
     return;
   }
-  LevelCurve edge = still_front(b_, edge_feature(b_, max_min.cell.index));
-  for (std::size_t i = 0; i < fronts.size(); ++i) {
-    if (fronts[i].circle && fronts[i].k.sign() < 0)
-      for (const LevelCurve& f : hollow_fronts(edge, fronts[i])) put(f);
+  LevelCurve edge = fixed_level_curve(b_, edge_feature(b_, max_min.cell.index));
+  for (std::size_t i = 0; i < level_curves.size(); ++i) {
+    if (level_curves[i].circle && level_curves[i].k.sign() < 0)
+      for (const LevelCurve& f : hollow_level_curves(edge, level_curves[i])) put(f);
     if (edge.circle) {
-      // The far side of the arc: the front of its centre at level - radius.
-      LevelCurve f = fronts[i];
+      // The far side of the arc: the level curve of its centre at level - radius.
+      LevelCurve f = level_curves[i];
       f.c -= f.k * edge.c;
       put(f.moved({edge.a, edge.b}));
     }
     for (std::size_t j = 0; j < i; ++j)
-      if (const auto corner = corner_front(edge, fronts[i], fronts[j], max_min.x, max_min.y)) put(*corner);
+      if (const auto corner = corner_level_curve(edge, level_curves[i], level_curves[j], max_min.x, max_min.y))
+        put(*corner);
   }
 }
 

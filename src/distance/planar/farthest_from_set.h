@@ -7,11 +7,12 @@
 // least over those of their greatest distance in the box (at a corner, distances to convex parts being convex). In a
 // box with few parts the candidates are: B's vertices; on B's edges the places between two parts of A, by intervals
 // with the same bound; inside B the places equally far from three parts. The best place is then computed exactly from
-// the fronts that meet there; last, a finer search for what is more. Guarantee: numbers to about 1e-14 of the
-// coordinates, the final value exact in the place found, and no place has more by 2^-43 of the scale. A value at a place that no
-// formula gives, as where an arc of B crosses a parabola between two parts of A, is enclosed that tightly. Cost: about (n +
-// m) log(n + m) for shapes that are apart or similar. Source: branch and bound; Alt, Behrends, Blömer 1995 for where
-// the maximum can lie. Keywords: directed Hausdorff distance, lower envelope, branch and bound.
+// the level curves that meet there; last, a finer search for what is more. Guarantee: numbers to about 1e-14 of the
+// coordinates, the final value exact in the place found, and no place has more by 2^-43 of the scale. A value at a
+// place that no formula gives, as where an arc of B crosses a parabola between two parts of A, is enclosed that
+// tightly. Cost: about (n + m) log(n + m) for shapes that are apart or similar. Source: branch and bound; Alt,
+// Behrends, Blömer 1995 for where the maximum can lie. Keywords: directed Hausdorff distance, lower envelope, branch
+// and bound.
 #pragma once
 
 #include <limits>
@@ -43,17 +44,17 @@ class FarthestFromSet {
   /// Keeps references; both closed, B bounded.
   FarthestFromSet(const plane::Region& b, const plane::Region& a);
 
-  /// Peaks of value at least greatest - tolerance and more than `least_value`, the greatest first, one for each place,
-  /// as far as the effort goes.
+  /// Max-min places of value at least greatest - tolerance and more than `least_value`, the greatest first, one for
+  /// each place, as far as the effort goes.
   std::vector<MaxMinPlace> max_mins(double px, double py, double tolerance, double least_value,
                                     const MaxMinEffort& effort) const;
   /// The distance to A in the place of the max_min: exact, or in the place as the search has it.
   FarthestPlace exact_place(const MaxMinPlace& max_min, const exact::RealPoint& p) const;
   /// The farthest place if its value is more than `least_value`.
   std::optional<FarthestPlace> greatest(const exact::RealPoint& p, double least_value) const;
-  /// Fronts (in p) that decide the max_min's value, as far as they can be given.
-  void add_fronts(const MaxMinPlace& max_min, const exact::RealPoint& p, double tolerance,
-                  std::vector<NearLevelCurve>& out) const;
+  /// Level curves (in p) that decide the max-min value, as far as they can be given.
+  void add_level_curves(const MaxMinPlace& max_min, const exact::RealPoint& p, double tolerance,
+                        std::vector<NearLevelCurve>& out) const;
 
   /// The size of the numbers at p; rounding is relative to it.
   double scale(double px, double py) const;

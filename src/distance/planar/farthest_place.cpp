@@ -10,46 +10,29 @@
 
 #include "distance/planar/place_search.h"
 #include "distance/planar_features/feature_pair_search.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 
 using exact::Real;
 using exact::RealPoint;
 
-FarthestPlace PlaceSearch::exact_vertex(const Found& f) const {
-  RealPoint at = b_.region().geometry.exact(b_.region().vertices[f.cell.index].point);
-  at = {at.x + p_.x, at.y + p_.y};
-  FeaturePair near = nearest_point(a_, at);
+namespace {
+
+FarthestPlace exact_vertex(const PlacedSets& sets, const Found& f) {
+  RealPoint at = sets.b.region().geometry.exact(sets.b.region().vertices[f.cell.index].point);
+  at = {at.x + sets.p.x, at.y + sets.p.y};
+  FeaturePair near = nearest_point(sets.a, at);
   return {near.distance, at, f.cell, near};
 }
 
-/// The vertices and edges of A with a place no farther than `reach` that is the nearest of its line or vertex.
-std::vector<BoundaryFeature> PlaceSearch::parts_near(Spot at, double reach) const {
-  std::vector<BoundaryFeature> out;
-  auto add = [&](const BoundaryFeature& s) {
-    auto same = [&](const BoundaryFeature& k) { return k.cell == s.cell; };
-    if (s.distance(at.x, at.y) <= reach && std::none_of(out.begin(), out.end(), same)) out.push_back(s);
-  };
-  a_.for_near(at.x, at.y, reach, [&](plane::Index k) {
-    const BoundaryFeature& s = a_.features()[k];
-    if (s.faces(at.x, at.y)) add(s);
-    if (s.is_vertex()) return true;
-    const plane::Edge& e = a_.region().edges[s.cell.index];
-    add(vertex_feature(a_.region(), e.v0));
-    add(vertex_feature(a_.region(), e.v1));
-    return true;
-  });
-  return out;
-}
-
 /// A place of the found cell's line or of the plane, within `tolerance` of what was found, lies on the cell, or in B.
-bool PlaceSearch::is_in_b(const Found& f, const RealPoint& at, double tolerance) const {
-  const auto& b = b_.region();
-  const RealPoint own{at.x - p_.x, at.y - p_.y};
+bool is_in_b(const PlacedSets& sets, const Found& f, const RealPoint& at, double tolerance) {
+  const auto& b = sets.b.region();
+  const RealPoint own{at.x - sets.p.x, at.y - sets.p.y};
   const double x = near_value(own.x), y = near_value(own.y);
   if (f.cell.dimension == 2) {
-    if (auto in = b_.contains(x, y, b_.nearest(x, y))) return *in;
+    if (auto in = sets.b.contains(x, y, sets.b.nearest(x, y))) return *in;
     return mark_of(b, locate(b, own)) > 0;
   }
   const BoundaryFeature edge = edge_feature(b, f.cell.index);
@@ -62,8 +45,6 @@ bool PlaceSearch::is_in_b(const Found& f, const RealPoint& at, double tolerance)
   };
   return along(v, w) >= 0 && along(w, v) >= 0;
 }
-
-namespace {
 
 /// Some of many, spread over the directions in which they lie.
 std::vector<BoundaryFeature> spread(std::vector<BoundaryFeature> parts, Spot from) {
@@ -82,55 +63,56 @@ std::vector<BoundaryFeature> spread(std::vector<BoundaryFeature> parts, Spot fro
 
 /// The events of the parts of A around a place: of two of them and B's edge, or of three.
 template <class Take>
-void for_meetings(std::span<const LevelCurve> fronts, const std::optional<LevelCurve>& edge, Take&& take) {
-  for (std::size_t i = 0; i < fronts.size(); ++i)
+void for_meetings(std::span<const LevelCurve> level_curves, const std::optional<LevelCurve>& edge, Take&& take) {
+  for (std::size_t i = 0; i < level_curves.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      if (edge) take(i, events(fronts[i], fronts[j], *edge));
-      for (std::size_t k = 0; !edge && k < j; ++k) take(i, events(fronts[i], fronts[j], fronts[k]));
+      if (edge) take(i, events(level_curves[i], level_curves[j], *edge));
+      for (std::size_t k = 0; !edge && k < j; ++k) take(i, events(level_curves[i], level_curves[j], level_curves[k]));
     }
 }
 
-}  // namespace
-
 /// Where two parts of A and the edge meet at one distance, or three parts of A, the farthest of those places that lie
 /// in B. What was found itself, where no such place is as far.
-std::optional<FarthestPlace> PlaceSearch::exact_meeting(const Found& f) const {
-  const double tolerance = std::max(scale_ * margin::kMeetingOff, kMeetingRoom * f.error);
+std::optional<FarthestPlace> exact_meeting(const PlacedSets& sets, const Found& f) {
+  const double tolerance = std::max(sets.scale * margin::kMeetingOff, kMeetingTolerance * f.error);
   const Spot at = f.seen.at;
-  const auto parts = spread(parts_near(at, f.seen.near.distance + tolerance), at);
-  std::vector<LevelCurve> fronts;
-  for (const BoundaryFeature& s : parts) fronts.push_back(near_level_curve(a_.region(), s, at.x, at.y, 1));
+  const auto parts = spread(sets.parts_near(at, f.seen.near.distance + tolerance), at);
+  std::vector<LevelCurve> level_curves;
+  for (const BoundaryFeature& s : parts) level_curves.push_back(near_level_curve(sets.a.region(), s, at.x, at.y, 1));
   std::optional<LevelCurve> edge;
   if (f.cell.dimension == 1)
-    edge = still_front(b_.region(), edge_feature(b_.region(), f.cell.index)).moved({-p_.x, -p_.y});
+    edge =
+        fixed_level_curve(sets.b.region(), edge_feature(sets.b.region(), f.cell.index)).moved({-sets.p.x, -sets.p.y});
   std::optional<FarthestPlace> best;
   double most = -std::numeric_limits<double>::infinity(), least_error = 0;
-  for_meetings(fronts, edge, [&](std::size_t part, const std::vector<Event>& all) {
+  for_meetings(level_curves, edge, [&](std::size_t part, const std::vector<Event>& all) {
     for (const Event& e : all) {
       if (!e.at) continue;
       const double x = near_value(e.at->x), y = near_value(e.at->y), level = near_value(e.level);
       if (!(plain_length(x - at.x, y - at.y) <= tolerance)) continue;
-      const double error = std::abs(a_.nearest(x, y, f.seen.near.feature).distance - level);
-      const bool better = level > most + slack_ || (level > most - slack_ && error < least_error);
-      if (error > slack_ * 4 || (best && !better) || !is_in_b(f, *e.at, tolerance)) continue;
-      best = FarthestPlace{e.level, *e.at, f.cell, exact_pair(a_.region(), parts[part].cell, *e.at)};
+      const double error = std::abs(sets.a.nearest(x, y, f.seen.near.feature).distance - level);
+      const bool better = level > most + sets.slack || (level > most - sets.slack && error < least_error);
+      if (error > sets.slack * 4 || (best && !better) || !is_in_b(sets, f, *e.at, tolerance)) continue;
+      best = FarthestPlace{e.level, *e.at, f.cell, exact_pair(sets.a.region(), parts[part].cell, *e.at)};
       most = level;
       least_error = error;
     }
   });
-  if (most > f.seen.value - 8 * slack_) return best;
+  if (most > f.seen.value - 8 * sets.slack) return best;
   const RealPoint place{Real::from_double(at.x), Real::from_double(at.y)};
   // A place found by a box at B's boundary may lie beyond it; then the edge has its own.
-  if (f.cell.dimension == 2 && !is_in_b(f, place, tolerance)) return best;
-  FeaturePair near = nearest_point(a_, place);
+  if (f.cell.dimension == 2 && !is_in_b(sets, f, place, tolerance)) return best;
+  FeaturePair near = nearest_point(sets.a, place);
   FarthestPlace out{near.distance, place, f.cell, near};
-  out.open = near_value(near.distance) + 2 * f.error + slack_;
+  out.open = near_value(near.distance) + 2 * f.error + sets.slack;
   if (f.cell.dimension == 1) {
-    const auto own = exact_pair(b_.region(), f.cell, {place.x - p_.x, place.y - p_.y});
-    out.off = near_value(own->distance) + scale_ * margin::kFewRoundings;
+    const auto own = exact_pair(sets.b.region(), f.cell, {place.x - sets.p.x, place.y - sets.p.y});
+    out.off = near_value(own->distance) + sets.scale * margin::kFewRoundings;
   }
   return out;
 }
+
+}  // namespace
 
 PlanarAnswer FarthestPlace::answer() const {
   const Real most = Real::from_double(open);
@@ -138,26 +120,22 @@ PlanarAnswer FarthestPlace::answer() const {
   return enclosed_answer(value, value - Real::from_double(off), value < most ? most : value);
 }
 
-std::optional<FarthestPlace> PlaceSearch::run() {
-  if (a_.empty() || b_.empty()) return std::nullopt;
-  walk_boundary();
-  search_inside();
-  std::optional<FarthestPlace> best;
-  for (const Found& f : found_) {
-    // What lies beside a place within its error counts as found with it.
-    if (f.seen.value + 2 * f.error < best_ - slack_) continue;
-    auto k = f.cell.dimension == 0 ? exact_vertex(f) : exact_meeting(f);
-    if (k && (!best || k->value > best->value)) best = std::move(k);
-  }
-  if (open_ == 0) return best;
-  if (!best) best = exact_vertex({{}, first_});
-  best->open = std::max(best->open, open_);
-  return best;
-}
-
 std::optional<FarthestPlace> farthest_place(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes,
                                             const RealPoint& p, double least_value) {
-  return PlaceSearch(b, a, boxes, p, least_value).run();
+  if (a.empty() || b.empty()) return std::nullopt;
+  const PlacedSets sets(b, a, p);
+  const FoundPlaces found = PlaceSearch(sets, boxes, least_value).run();
+  std::optional<FarthestPlace> best;
+  for (const Found& f : found.places) {
+    // What lies beside a place within its error counts as found with it.
+    if (f.seen.value + 2 * f.error < found.best - sets.slack) continue;
+    auto k = f.cell.dimension == 0 ? exact_vertex(sets, f) : exact_meeting(sets, f);
+    if (k && (!best || k->value > best->value)) best = std::move(k);
+  }
+  if (found.open == 0) return best;
+  if (!best) best = exact_vertex(sets, {{}, found.first});
+  best->open = std::max(best->open, found.open);
+  return best;
 }
 
 }  // namespace findspace::distance

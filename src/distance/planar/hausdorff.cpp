@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "distance/planar/farthest_corner.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
@@ -24,7 +24,7 @@ using plane::SignMap;
 
 namespace {
 
-constexpr MaxMinEffort kToFindFronts{margin::kMaxMinGuess, 3000};  // a place near the max_min tells them
+constexpr MaxMinEffort kToFindLevelCurves{margin::kMaxMinGuess, 3000};  // a place near the max-min place tells them
 
 }  // namespace
 
@@ -74,16 +74,16 @@ RealPoint DirectedHausdorff::seed() const {
   return {p.x - q.x, p.y - q.y};
 }
 
-std::vector<NearLevelCurve> DirectedHausdorff::fronts(const RealPoint& p, double tolerance) const {
+std::vector<NearLevelCurve> DirectedHausdorff::level_curves(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
   tolerance = std::max(tolerance, search_.scale(x, y) * margin::kGuessedPlace);
-  auto max_mins = search_.max_mins(x, y, tolerance, search_.scale(x, y) * margin::kClearlyOut, kToFindFronts);
+  auto max_mins = search_.max_mins(x, y, tolerance, search_.scale(x, y) * margin::kClearlyOut, kToFindLevelCurves);
   std::vector<NearLevelCurve> out;
   if (max_mins.empty() || max_mins[0].value < tolerance)
-    out = containment().defined() ? containment().fronts(p, tolerance) : out;
+    out = containment().defined() ? containment().level_curves(p, tolerance) : out;
   for (const MaxMinPlace& k : max_mins) {
     std::size_t first = out.size();
-    search_.add_fronts(k, p, tolerance, out);
+    search_.add_level_curves(k, p, tolerance, out);
     for (std::size_t i = first; i < out.size(); ++i) out[i].gap = std::max(out[i].gap, max_mins[0].value - k.value);
   }
   return out;

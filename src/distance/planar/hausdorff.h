@@ -30,7 +30,7 @@ class DirectedHausdorff : public TDistance {
   plane::SignMap sign_map(const exact::Real& level) const override;
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
-  std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
+  std::vector<NearLevelCurve> level_curves(const exact::RealPoint& p, double tolerance) const override;
   std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
 
  private:

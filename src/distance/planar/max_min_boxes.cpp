@@ -6,7 +6,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/query/locate.h"
 
 namespace findspace::distance {

@@ -8,7 +8,8 @@
 #include <limits>
 #include <utility>
 
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::distance {
 
@@ -64,7 +65,7 @@ bool MaxMinSearch::agree(const List& list, Spot at) const {
   const double least = this->least(list, at);
   return std::all_of(list.begin(), list.end(), [&](Index k) {
     return a_[k].distance(at.x, at.y) <=
-           least + query_.scale * margin::kLostByDoubles;  // no sign: both parts make fronts later
+           least + query_.scale * margin::kLostByDoubles;  // no sign: both parts make level curves later
   });
 }
 
@@ -101,7 +102,7 @@ double MaxMinSearch::height(const List& list, Spot at) {
 void MaxMinSearch::record(const MaxMinPlace& max_min) {
   if (max_min.value <= query_.least_value || max_min.value < best_ - query_.tolerance) return;
   best_ = std::max(best_, max_min.value);
-  peaks_.push_back(max_min);
+  places_found_.push_back(max_min);
 }
 
 void MaxMinSearch::visit_vertices(const SearchRange& box) {
@@ -178,21 +179,21 @@ void MaxMinSearch::inner_candidates(const SearchRange& box) {
   const List list(box.a.begin(), box.a.begin() + std::ptrdiff_t(std::min<std::size_t>(box.a.size(), 8)));
   const bool some = list.size() < box.a.size();
   const double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2, slack = query_.scale * margin::kCandidateBox;
-  std::vector<LevelCurve> fronts;
-  for (Index k : list) fronts.push_back(near_level_curve(sets_.a, a_[k], cx, cy, 1));
+  std::vector<LevelCurve> level_curves;
+  for (Index k : list) level_curves.push_back(near_level_curve(sets_.a, a_[k], cx, cy, 1));
   const auto try_at = [&](const Event& e) {
     if (!e.at) return;
     const Spot at{near_value(e.at->x), near_value(e.at->y)};
     if (!(at.x >= box.x0 - slack && at.x <= box.x1 + slack && at.y >= box.y0 - slack && at.y <= box.y1 + slack)) return;
     if (in_b(at)) record({height(box.a, at), at.x, at.y, {2, 0}, some});
   };
-  for (std::size_t i = 0; i < fronts.size(); ++i) {
-    for (const Event& e : events(fronts[i])) try_at(e);
+  for (std::size_t i = 0; i < level_curves.size(); ++i) {
+    for (const Event& e : events(level_curves[i])) try_at(e);
     for (std::size_t j = 0; j < i; ++j) {
       if (a_[list[i]].arc || a_[list[j]].arc)
-        for (const Event& e : events(fronts[i], fronts[j])) try_at(e);
+        for (const Event& e : events(level_curves[i], level_curves[j])) try_at(e);
       for (std::size_t k = 0; k < j; ++k)
-        for (const Event& e : events(fronts[i], fronts[j], fronts[k])) try_at(e);
+        for (const Event& e : events(level_curves[i], level_curves[j], level_curves[k])) try_at(e);
     }
   }
 }
@@ -269,11 +270,12 @@ std::vector<MaxMinPlace> MaxMinSearch::found() {
     todo_.pop();
     if (matters(r)) look(r);
   }
-  std::erase_if(peaks_, [&](const MaxMinPlace& p) {
+  std::erase_if(places_found_, [&](const MaxMinPlace& p) {
     return p.value <= query_.least_value || p.value < best_ - query_.tolerance;
   });
-  std::sort(peaks_.begin(), peaks_.end(), [](const MaxMinPlace& p, const MaxMinPlace& q) { return p.value > q.value; });
-  return peaks_;
+  std::sort(places_found_.begin(), places_found_.end(),
+            [](const MaxMinPlace& p, const MaxMinPlace& q) { return p.value > q.value; });
+  return places_found_;
 }
 
 std::vector<MaxMinPlace> MaxMinSearch::run() {

@@ -28,7 +28,7 @@ struct MaxMinSets {
   const VoronoiCells& a_reach;
 };
 
-/// Which max_mins are asked for: those of value at least greatest - tolerance and more than `least_value`.
+/// Which max-min places are asked for: those of value at least greatest - tolerance and more than `least_value`.
 struct MaxMinQuery {
   double scale, tolerance, least_value;
   MaxMinEffort effort;  // a search that needs more ranges ends with what it has found
@@ -38,7 +38,7 @@ class MaxMinSearch {
  public:
   MaxMinSearch(const MaxMinSets& sets, double px, double py, const MaxMinQuery& query);
   std::vector<MaxMinPlace> run();
-  /// After run(), what that took for places looked at with more effort; the max_mins that are wished for now.
+  /// After run(), what that took for places looked at with more effort; the max-min places that are asked for now.
   std::vector<MaxMinPlace> finer(const MaxMinQuery& query);
   /// What no place left aside is farther than; 0 where all was looked at.
   double open() const { return todo_.empty() ? 0 : todo_.top().bound; }
@@ -80,7 +80,7 @@ class MaxMinSearch {
   std::priority_queue<SearchRange> todo_;
   std::vector<SearchRange> places_;  // parts of edges that were too short for more
   double best_ = 0;
-  std::vector<MaxMinPlace> peaks_;
+  std::vector<MaxMinPlace> places_found_;
   plane::ObservedCells seen_{"boxes of the farthest place of a set from another", true};
 };
 

@@ -9,7 +9,7 @@
 #include <queue>
 
 #include "distance/planar_features/feature_pair_search.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/base/stage_observer.h"
 
 namespace findspace::distance {

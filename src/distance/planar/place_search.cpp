@@ -9,7 +9,7 @@
 #include <queue>
 
 #include "distance/planar_features/feature_pair_search.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "plane/base/stage_observer.h"
 
 namespace findspace::distance {
@@ -20,68 +20,89 @@ using plane::Cell;
 using plane::Index;
 using plane::kNone;
 
-PlaceSearch::PlaceSearch(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes, const RealPoint& p,
-                         double least_value)
-    : a_(a),
-      b_(b),
+PlacedSets::PlacedSets(const FeatureTree& moving, const FeatureTree& fixed, const RealPoint& at)
+    : a(fixed),
+      b(moving),
+      p(at),
+      px(near_value(at.x)),
+      py(near_value(at.y)),
+      scale(a.scale() + b.scale() + std::abs(px) + std::abs(py)),
+      slack(scale * margin::kSameNumber) {}
+
+bool PlacedSets::in_a(Spot at, const FeatureTree::Near& near) const {
+  if (auto in = a.contains(at.x, at.y, near)) return *in;
+  if (near.distance <= slack) return true;
+  return mark_of(a.region(), locate(a.region(), {Real::from_double(at.x), Real::from_double(at.y)})) > 0;
+}
+
+bool PlacedSets::in_b(Spot at, const FeatureTree::Near& near) const {
+  double x = at.x - px, y = at.y - py;
+  if (auto in = b.contains(x, y, near)) return *in;
+  return near.distance <= slack ||
+         mark_of(b.region(), locate(b.region(), {Real::from_double(x), Real::from_double(y)})) > 0;
+}
+
+/// The distance to one part of A is convex, so a corner of the box has the greatest.
+double PlacedSets::most(const FeatureBox& box, Index feature) const {
+  const BoundaryFeature& s = a.features()[feature];
+  return std::sqrt(std::max(std::max(s.squared_distance(box.x0, box.y0), s.squared_distance(box.x1, box.y0)),
+                            std::max(s.squared_distance(box.x0, box.y1), s.squared_distance(box.x1, box.y1))));
+}
+
+FeatureBox PlacedSets::placed(Index node) const {
+  const FeatureBox& box = b.nodes()[node].box;
+  return {box.x0 + px, box.y0 + py, box.x1 + px, box.y1 + py};
+}
+
+std::vector<BoundaryFeature> PlacedSets::parts_near(Spot at, double reach) const {
+  std::vector<BoundaryFeature> out;
+  auto add = [&](const BoundaryFeature& s) {
+    auto same = [&](const BoundaryFeature& k) { return k.cell == s.cell; };
+    if (s.distance(at.x, at.y) <= reach && std::none_of(out.begin(), out.end(), same)) out.push_back(s);
+  };
+  a.for_near(at.x, at.y, reach, [&](plane::Index k) {
+    const BoundaryFeature& s = a.features()[k];
+    if (s.faces(at.x, at.y)) add(s);
+    if (s.is_vertex()) return true;
+    const plane::Edge& e = a.region().edges[s.cell.index];
+    add(vertex_feature(a.region(), e.v0));
+    add(vertex_feature(a.region(), e.v1));
+    return true;
+  });
+  return out;
+}
+
+PlaceSearch::PlaceSearch(const PlacedSets& sets, const MaxMinBoxes& boxes, double least_value)
+    : sets_(sets),
       boxes_(boxes),
-      p_(p),
-      px_(near_value(p.x)),
-      py_(near_value(p.y)),
-      scale_(a.scale() + b.scale() + std::abs(px_) + std::abs(py_)),
-      slack_(scale_ * margin::kSameNumber),
+      scale_(sets.scale),
+      slack_(sets.slack),
       best_(least_value),
-      left_(kLeastSteps + kStepsPerFeature * long(a.features().size() + b.features().size())) {}
-
-bool PlaceSearch::in_a(Spot at, const FeatureTree::Near& near) const {
-  if (auto in = a_.contains(at.x, at.y, near)) return *in;
-  if (near.distance <= slack_) return true;
-  return mark_of(a_.region(), locate(a_.region(), {Real::from_double(at.x), Real::from_double(at.y)})) > 0;
-}
-
-bool PlaceSearch::in_b(Spot at, const FeatureTree::Near& near) const {
-  double x = at.x - px_, y = at.y - py_;
-  if (auto in = b_.contains(x, y, near)) return *in;
-  return near.distance <= slack_ ||
-         mark_of(b_.region(), locate(b_.region(), {Real::from_double(x), Real::from_double(y)})) > 0;
-}
+      left_(kLeastSteps + kStepsPerFeature * long(sets.a.features().size() + sets.b.features().size())) {}
 
 Seen PlaceSearch::see(Spot at, Index guess) const {
-  auto near = a_.nearest(at.x, at.y, guess);
-  bool inside = near.distance > best_ - 2 * slack_ && in_a(at, near);
+  auto near = sets_.a.nearest(at.x, at.y, guess);
+  bool inside = near.distance > best_ - 2 * slack_ && sets_.in_a(at, near);
   return {at, inside ? 0 : near.distance, near, inside};
 }
 
 void PlaceSearch::record(const Seen& seen, Cell cell, double error) {
   if (seen.value + error <= best_ - slack_) return;
   if (error == 0) best_ = std::max(best_, seen.value);
-  for (const Found& f : found_)
+  for (const Found& f : out_.places)
     if (f.cell == cell && plain_length(f.seen.at.x - seen.at.x, f.seen.at.y - seen.at.y) <= std::max(error, slack_))
       return;
-  found_.push_back({seen, cell, error});
+  out_.places.push_back({seen, cell, error});
 }
 
 /// The corner of B farthest from the middle of A in the direction of B's: often the place, or near it.
 Index PlaceSearch::start() {
-  const FeatureBox &s = a_.nodes()[0].box, &t = b_.nodes()[0].box;
-  const auto v = b_.extreme(t.x0 + t.x1 + 2 * px_ - s.x0 - s.x1, t.y0 + t.y1 + 2 * py_ - s.y0 - s.y1);
-  const Seen seen = see({v.x + px_, v.y + py_}, kNone);
-  first_ = {0, v.vertex};
-  record(seen, first_);
+  const FeatureBox &s = sets_.a.nodes()[0].box, &t = sets_.b.nodes()[0].box;
+  const auto v = sets_.b.extreme(t.x0 + t.x1 + 2 * sets_.px - s.x0 - s.x1, t.y0 + t.y1 + 2 * sets_.py - s.y0 - s.y1);
+  const Seen seen = see({v.x + sets_.px, v.y + sets_.py}, kNone);
+  out_.first = {0, v.vertex};
+  record(seen, out_.first);
   return seen.near.feature;
-}
-
-/// The distance to one part of A is convex, so a corner of the box has the greatest.
-double PlaceSearch::most(const FeatureBox& box, Index feature) const {
-  const BoundaryFeature& s = a_.features()[feature];
-  return std::sqrt(std::max(std::max(s.squared_distance(box.x0, box.y0), s.squared_distance(box.x1, box.y0)),
-                            std::max(s.squared_distance(box.x0, box.y1), s.squared_distance(box.x1, box.y1))));
-}
-
-/// A box of B's boundary in its place.
-FeatureBox PlaceSearch::placed(Index node) const {
-  const FeatureBox& box = b_.nodes()[node].box;
-  return {box.x0 + px_, box.y0 + py_, box.x1 + px_, box.y1 + py_};
 }
 
 /// Boxes of B's boundary, the one with the largest bound first. A box is first bounded by the part of A that was
@@ -103,25 +124,25 @@ void PlaceSearch::walk_boundary() {
     todo.pop();
     if (e.bound <= best_ + slack_) break;
     if (spent()) return leave_open(e.bound);
-    const FeatureTree::Node& n = b_.nodes()[e.node];
+    const FeatureTree::Node& n = sets_.b.nodes()[e.node];
     if (!e.sharp) {
-      const FeatureBox box = placed(e.node);
+      const FeatureBox box = sets_.placed(e.node);
       const Spot c{(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
       const double radius = plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2;
-      const auto near = a_.nearest(c.x, c.y, e.guess);
-      const double bound = most(box, near.feature);
+      const auto near = sets_.a.nearest(c.x, c.y, e.guess);
+      const double bound = sets_.most(box, near.feature);
       if (bound <= best_ + slack_) continue;
-      if (!in_a(c, near))
+      if (!sets_.in_a(c, near))
         push({bound, e.node, near.feature, true});
       else if (near.distance <= radius)
         push({std::min(bound, radius), e.node, near.feature, true});
       continue;
     }
     if (n.right == kNone) {
-      for (Index k = n.first; k < n.last; ++k) visit_edge(b_.features()[k], e.guess);
+      for (Index k = n.first; k < n.last; ++k) visit_edge(sets_.b.features()[k], e.guess);
       continue;
     }
-    for (Index child : {e.node + 1, n.right}) push({most(placed(child), e.guess), child, e.guess});
+    for (Index child : {e.node + 1, n.right}) push({sets_.most(sets_.placed(child), e.guess), child, e.guess});
   }
 }
 
@@ -131,16 +152,16 @@ double PlaceSearch::split(const Seen& s, const Seen& t) const {
   for (int k = 0; k < 60 && high - low > margin::kNoHalving; ++k) {
     double m = (low + high) / 2;
     Spot at{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)};
-    (to_feature(at, s.near.feature) < to_feature(at, t.near.feature) ? low : high) = m;
+    (sets_.to_feature(at, s.near.feature) < sets_.to_feature(at, t.near.feature) ? low : high) = m;
   }
   return (low + high) / 2;
 }
 
 void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
-  const auto& region = b_.region();
-  const Spot from{edge.x0 + px_, edge.y0 + py_}, to{edge.x1 + px_, edge.y1 + py_};
+  const auto& region = sets_.b.region();
+  const Spot from{edge.x0 + sets_.px, edge.y0 + sets_.py}, to{edge.x1 + sets_.px, edge.y1 + sets_.py};
   // The distance to one part of A is convex along the edge.
-  if (std::max(to_feature(from, guess), to_feature(to, guess)) <= best_ + slack_) return;
+  if (std::max(sets_.to_feature(from, guess), sets_.to_feature(to, guess)) <= best_ + slack_) return;
   Seen first = see(from, guess);
   record(first, {0, edge.is_vertex() ? edge.cell.index : region.edges[edge.cell.index].v0});
   if (edge.is_vertex()) return;
@@ -152,8 +173,8 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
     parts.pop_back();
     const double size = plain_length(t.at.x - s.at.x, t.at.y - s.at.y);
     double bound =
-        std::min({std::max(s.near.distance, to_feature(t.at, s.near.feature)),
-                  std::max(to_feature(s.at, t.near.feature), t.near.distance), (s.value + t.value + size) / 2});
+        std::min({std::max(s.near.distance, sets_.to_feature(t.at, s.near.feature)),
+                  std::max(sets_.to_feature(s.at, t.near.feature), t.near.distance), (s.value + t.value + size) / 2});
     if (bound <= best_ + slack_ || size <= scale_ * margin::kShortPart) continue;
     if (spent()) {
       leave_open(bound);
@@ -174,7 +195,7 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
 /// Squares in which the distance to A can have a strict maximum, as far as B + p reaches; the one with the largest
 /// bound first, so that no ridge is walked along step by step.
 void PlaceSearch::search_inside() {
-  const auto& faces = b_.region().faces;
+  const auto& faces = sets_.b.region().faces;
   if (std::none_of(faces.begin(), faces.end(), [](const plane::Face& f) { return f.mark > 0; })) return;
   plane::ObservedCells seen_cells("squares of the farthest place inside a set", true);
   std::priority_queue<Square> todo;
@@ -191,7 +212,7 @@ void PlaceSearch::search_inside() {
     const auto nearest = look_inside(e);
     for (int k = 0; nearest && k < 4; ++k) {
       const MaxMinBoxes::Part quarter = e.part.quarter(k);
-      const double bound = std::min(e.bound, most(box_of(quarter), *nearest));
+      const double bound = std::min(e.bound, sets_.most(box_of(quarter), *nearest));
       if (bound > best_ + slack_) todo.push({bound, quarter, *nearest});
     }
   }
@@ -205,22 +226,29 @@ FeatureBox PlaceSearch::box_of(const MaxMinBoxes::Part& part) const {
 
 /// The feature of A nearest to the square's middle, if the square is to be divided.
 std::optional<Index> PlaceSearch::look_inside(const Square& e) {
-  const FeatureBox box = box_of(e.part), reach = placed(0);
+  const FeatureBox box = box_of(e.part), reach = sets_.placed(0);
   if (box.x0 >= reach.x1 || box.x1 <= reach.x0 || box.y0 >= reach.y1 || box.y1 <= reach.y0) return std::nullopt;
   const auto look = boxes_.look(e.part, e.guess);
-  if (look.barren || most(box, look.near.feature) <= best_ + slack_) return std::nullopt;
+  if (look.barren || sets_.most(box, look.near.feature) <= best_ + slack_) return std::nullopt;
   const Spot middle = boxes_.middle(e.part);
   const double half = boxes_.half(e.part), radius = half * std::sqrt(2.0);
-  const auto to_b = b_.nearest(middle.x - px_, middle.y - py_);
-  const bool in = in_b(middle, to_b);
+  const auto to_b = sets_.nearest_of_b(middle);
+  const bool in = sets_.in_b(middle, to_b);
   if (!in && to_b.distance > radius) return std::nullopt;
   const Seen seen{middle, look.inside ? 0 : look.near.distance, look.near, look.inside};
-  if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max_min stays
+  if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max-min place stays
   if (half > scale_ * margin::kExactPlaceBox || seen.inside) return look.near.feature;
-  const bool few = parts_near(middle, seen.value + kMeetingRoom * 4 * radius).size() <= kMostParts;
+  const bool few = sets_.parts_near(middle, seen.value + kMeetingTolerance * 4 * radius).size() <= kMostParts;
   if (!few && half > scale_ * margin::kTinyPlaceBox) return look.near.feature;
   record(seen, {2, 0}, 4 * radius);
   return std::nullopt;
+}
+
+FoundPlaces PlaceSearch::run() {
+  walk_boundary();
+  search_inside();
+  out_.best = best_;
+  return std::move(out_);
 }
 
 }  // namespace findspace::distance

@@ -6,6 +6,7 @@
 // Guarantee: as farthest_place.h. Keywords: branch and bound.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -16,7 +17,28 @@ namespace findspace::distance {
 inline constexpr std::size_t kMostParts = 10;  // of A at one place: their meetings are all tried
 /// A search ends after this many boxes, parts of edges and squares, and says what is still open.
 inline constexpr long kLeastSteps = 100000, kStepsPerFeature = 100;
-inline constexpr double kMeetingRoom = 8;  // of a found place's error: so near to it parts of A are to meet
+inline constexpr double kMeetingTolerance = 8;  // of a found place's error: so near to it parts of A are to meet
+
+/// B + p and A, as numbers.
+class PlacedSets {
+ public:
+  PlacedSets(const FeatureTree& b, const FeatureTree& a, const exact::RealPoint& p);
+
+  bool in_a(Spot at, const FeatureTree::Near& near) const;
+  bool in_b(Spot at, const FeatureTree::Near& near) const;
+  FeatureTree::Near nearest_of_b(Spot at) const { return b.nearest(at.x - px, at.y - py); }
+  double to_feature(Spot at, plane::Index feature) const { return a.features()[feature].distance(at.x, at.y); }
+  /// The greatest distance of a place in the box to a part of A.
+  double most(const FeatureBox& box, plane::Index feature) const;
+  /// A box of B's boundary in its place.
+  FeatureBox placed(plane::Index node) const;
+  /// The vertices and edges of A with a place no farther than `reach` that is the nearest of its line or vertex.
+  std::vector<BoundaryFeature> parts_near(Spot at, double reach) const;
+
+  const FeatureTree &a, &b;
+  const exact::RealPoint& p;
+  double px, py, scale, slack;
+};
 
 /// A place with its distance to A (0 inside A) and the part of A's boundary that is nearest. Where that part is too
 /// close to matter, the value is its distance and `inside` false, wherever the place lies.
@@ -33,12 +55,19 @@ struct Found {
   double error = 0;  // of the value
 };
 
+/// What a search found: places that can be the farthest, and what it did not look into.
+struct FoundPlaces {
+  std::vector<Found> places;
+  double best = 0;
+  plane::Cell first{};  // some vertex of B
+  double open = 0;      // no place is farther than this or than those found
+};
+
 class PlaceSearch {
  public:
-  PlaceSearch(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes, const exact::RealPoint& p,
-              double least_value);
+  PlaceSearch(const PlacedSets& sets, const MaxMinBoxes& boxes, double least_value);
 
-  std::optional<FarthestPlace> run();
+  FoundPlaces run();
 
  private:
   /// One that may hold a place of at most `bound`; the nearest feature of the square that it is a quarter of.
@@ -48,14 +77,9 @@ class PlaceSearch {
     plane::Index guess;
     bool operator<(const Square& o) const { return bound < o.bound; }
   };
-  bool in_a(Spot at, const FeatureTree::Near& near) const;
-  bool in_b(Spot at, const FeatureTree::Near& near) const;
   Seen see(Spot at, plane::Index guess) const;
-  double to_feature(Spot at, plane::Index feature) const { return a_.features()[feature].distance(at.x, at.y); }
   void record(const Seen& seen, plane::Cell cell, double error = 0);
   plane::Index start();
-  double most(const FeatureBox& box, plane::Index feature) const;
-  FeatureBox placed(plane::Index node) const;
   void walk_boundary();
   void visit_edge(const BoundaryFeature& edge, plane::Index guess);
   double split(const Seen& s, const Seen& t) const;
@@ -65,20 +89,13 @@ class PlaceSearch {
   /// Counts a step; true once all are taken.
   bool spent() { return left_ <= 0 || --left_ <= 0; }
   /// Something is not looked into that has no place farther than this.
-  void leave_open(double bound) { open_ = std::max(open_, bound); }
-  FarthestPlace exact_vertex(const Found& f) const;
-  std::vector<BoundaryFeature> parts_near(Spot at, double reach) const;
-  bool is_in_b(const Found& f, const exact::RealPoint& at, double tolerance) const;
-  std::optional<FarthestPlace> exact_meeting(const Found& f) const;
+  void leave_open(double bound) { out_.open = std::max(out_.open, bound); }
 
-  const FeatureTree &a_, &b_;
+  const PlacedSets& sets_;
   const MaxMinBoxes& boxes_;
-  const exact::RealPoint& p_;
-  double px_, py_, scale_, slack_, best_;
+  double scale_, slack_, best_;
   long left_;
-  plane::Cell first_{};
-  double open_ = 0;  // no place is farther than this or than those found
-  std::vector<Found> found_;
+  FoundPlaces out_;
 };
 
 }  // namespace findspace::distance

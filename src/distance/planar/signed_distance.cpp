@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "exact/margins/rounding.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
 
@@ -49,12 +50,30 @@ std::optional<PlanarAnswer> SignedDistance::value(const exact::RealPoint& p) con
   return exact_answer(sign > 0 ? n->distance : -n->distance, Way::kMap, std::optional(n->at));
 }
 
+std::optional<std::vector<SmoothForm>> SignedDistance::forms(const RealPoint& p, double radius) const {
+  if (!defined_) return std::nullopt;
+  std::call_once(sides_.made, [this] {
+    sides_.outside = std::make_unique<const BoundaryForms>(base_, 1);
+    sides_.inside = std::make_unique<const BoundaryForms>(base_, -1);
+  });
+  const double x = near_value(p.x), y = near_value(p.y);
+  const Mark at = mark_of(base_, locate(base_, p));
+  std::vector<SmoothForm> out;
+  for (const int sign : {1, -1}) {
+    const BoundaryForms& side = sign > 0 ? *sides_.outside : *sides_.inside;
+    // The disc has positions on the other side only if the boundary is within its radius.
+    const double other = at * sign < 0 ? (sign < 0 ? *sides_.outside : *sides_.inside).nearest(x, y) : 0;
+    if (other <= radius * margin::kUpward) side.add_forms(x, y, radius, out);
+  }
+  return out;
+}
+
 RealPoint SignedDistance::seed() const {
   if (base_.vertices.empty()) return {Real(), Real()};
   return base_.geometry.exact(base_.vertices[0].point);
 }
 
-std::vector<NearLevelCurve> SignedDistance::fronts(const RealPoint& p, double tolerance) const {
+std::vector<NearLevelCurve> SignedDistance::level_curves(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
   Mark at = mark_of(base_, locate(base_, p));
   std::vector<NearLevelCurve> out;

@@ -11,6 +11,8 @@
 // with a disc for each level other than 0. Keywords: signed distance, penetration depth, clearance, containment margin.
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <optional>
 
 #include "distance/planar_features/boundary_features.h"
@@ -38,12 +40,23 @@ class SignedDistance : public TDistance {
   /// f at a position; nothing if undefined.
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
-  std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const override;
+  std::optional<std::vector<SmoothForm>> forms(const exact::RealPoint& p, double radius) const override;
+  std::vector<NearLevelCurve> level_curves(const exact::RealPoint& p, double tolerance) const override;
   /// 0: the least level of sets without interior.
   std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
 
  private:
+  /// Made when first asked for; a copy makes its own.
+  struct Sides {
+    Sides() = default;
+    Sides(const Sides& /*other*/) {}
+    Sides& operator=(const Sides&) = delete;
+    std::once_flag made;
+    std::unique_ptr<const BoundaryForms> outside, inside;
+  };
+
   plane::SignMap base_;
+  mutable Sides sides_;
   bool defined_ = true;
 };
 

@@ -106,7 +106,7 @@ LevelCurve far_level_curve(const CellComplex& c, const BoundaryFeature& s) {
   return LevelCurve::ring(k.center_x(), k.center_y(), -k.w, 1);
 }
 
-LevelCurve still_front(const CellComplex& c, const BoundaryFeature& s) {
+LevelCurve fixed_level_curve(const CellComplex& c, const BoundaryFeature& s) {
   if (s.is_vertex()) {
     RealPoint at = c.geometry.exact(c.vertices[s.cell.index].point);
     return LevelCurve::ring(at.x, at.y, Real(), Real());

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The elementary parts of a closed set's boundary: vertices, segments and arcs, as numbers for search and as exact
-// fronts for decisions. Guarantee: numbers are right to about 1e-15 of the coordinates; fronts are exact. Keywords:
-// features, features.
+// level curves for decisions. Guarantee: numbers are right to about 1e-15 of the coordinates; level curves are exact.
+// Keywords: features, features.
 #pragma once
 
 #include <cmath>
@@ -67,6 +67,6 @@ LevelCurve near_level_curve(const plane::CellComplex& c, const BoundaryFeature& 
 /// Where the greatest distance to the vertex or arc is `level`.
 LevelCurve far_level_curve(const plane::CellComplex& c, const BoundaryFeature& s);
 /// A curve that keeps still: the line or circle of an edge, the place of a vertex (a circle of radius 0).
-LevelCurve still_front(const plane::CellComplex& c, const BoundaryFeature& s);
+LevelCurve fixed_level_curve(const plane::CellComplex& c, const BoundaryFeature& s);
 
 }  // namespace findspace::distance

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 

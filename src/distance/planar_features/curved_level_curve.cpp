@@ -46,8 +46,8 @@ std::optional<Corner> meeting(const LevelCurve& f, const LevelCurve& g, double n
 
 }  // namespace
 
-std::optional<LevelCurve> corner_front(const LevelCurve& edge, const LevelCurve& f, const LevelCurve& g, double near_x,
-                                       double near_y) {
+std::optional<LevelCurve> corner_level_curve(const LevelCurve& edge, const LevelCurve& f, const LevelCurve& g,
+                                             double near_x, double near_y) {
   const LevelCurve &first = f.circle ? f : g, &second = f.circle ? g : f;
   const auto c = first.circle ? meeting(first, second, near_x, near_y) : curve_crossing(f, g);
   if (!c) return std::nullopt;

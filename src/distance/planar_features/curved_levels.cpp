@@ -5,7 +5,7 @@
 #include <array>
 
 #include "distance/planar_features/curved_level_curve.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "exact/number/polynomial_root.h"
 
 namespace findspace::distance {
@@ -78,8 +78,8 @@ struct Curve {
 
 class Elimination {
  public:
-  explicit Elimination(std::span<const LevelCurve* const> fronts) {
-    for (const LevelCurve* f : fronts) curves_.push_back(curve(*f));
+  explicit Elimination(std::span<const LevelCurve* const> level_curves) {
+    for (const LevelCurve* f : level_curves) curves_.push_back(curve(*f));
   }
 
   bool possible() const { return possible_; }
@@ -243,8 +243,8 @@ std::vector<Rooted> Elimination::equations() const { return curves_.size() == 2 
 
 }  // namespace
 
-std::vector<Real> curved_levels(std::span<const LevelCurve* const> fronts, double low, double high) {
-  const Elimination elimination(fronts);
+std::vector<Real> curved_levels(std::span<const LevelCurve* const> level_curves, double low, double high) {
+  const Elimination elimination(level_curves);
   std::vector<Real> out;
   if (!elimination.possible()) return out;
   for (const Rooted& equation : elimination.equations())

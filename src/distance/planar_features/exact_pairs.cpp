@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "distance/planar_features/boundary_features.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "distance/planar_features/feature_pairs.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 
@@ -28,7 +28,7 @@ class PairSearch {
       : a_(a), b_(b), p_(p), px_(near_value(p.x)), py_(near_value(p.y)) {
     double scale = a.scale() + b.scale() + std::abs(px_) + std::abs(py_);
     slack_ = scale * margin::kSameNumber;
-    room_ = scale * margin::kPairMeets;
+    tolerance_ = scale * margin::kPairMeets;
   }
 
   /// Returns false where the boundaries meet or come closer than numbers can tell; not if `touching`.
@@ -57,7 +57,7 @@ class PairSearch {
 
   const FeatureTree &a_, &b_;
   const RealPoint& p_;
-  double px_, py_, slack_ = 0, room_ = 0, best_ = std::numeric_limits<double>::infinity();
+  double px_, py_, slack_ = 0, tolerance_ = 0, best_ = std::numeric_limits<double>::infinity();
   std::vector<Candidate> candidates_;
 };
 
@@ -112,7 +112,7 @@ bool PairSearch::run_nearest(bool touching) {
   walk(false, [&](const Placed& p, const Placed& q) {
     if (!worth(box_of(p.s).nearest_squared(box_of(q.s), 0, 0), false)) return true;
     nearest_features(p, q, [&](const Candidate& c) { keep(c); });
-    meet = !touching && (best_ <= slack_ || may_meet(p.s, q.s, room_));
+    meet = !touching && (best_ <= slack_ || may_meet(p.s, q.s, tolerance_));
     return !meet;
   });
   return !meet;
@@ -137,7 +137,7 @@ std::optional<FeaturePair> PairSearch::run_common(bool arcs) {
       if (!s.is_vertex() && !t.is_vertex() && segments_cross(s, t, slack_))
         found = crossing(a_.region(), b_.region(), s.cell, t.cell, p_);
     } else if (arcs) {
-      if (auto at = s.arc ? arc_meeting(s, t, room_) : arc_meeting(t, s, room_)) {
+      if (auto at = s.arc ? arc_meeting(s, t, tolerance_) : arc_meeting(t, s, tolerance_)) {
         RealPoint place{Real::from_double((*at)[0]), Real::from_double((*at)[1])};
         found = FeaturePair{Real(), place, place, s.cell, t.cell};
       }

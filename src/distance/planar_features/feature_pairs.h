@@ -13,7 +13,7 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/exact_pairs.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 

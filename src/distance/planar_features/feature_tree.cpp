@@ -8,7 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/union_find.h"
 
 namespace findspace::distance {

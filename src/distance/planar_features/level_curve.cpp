@@ -42,7 +42,7 @@ Event event_on(const Ray& r, const Real& t) {
   return {r.base[2] + t * r.along[2], RealPoint{r.base[0] + t * r.along[0], r.base[1] + t * r.along[1]}};
 }
 
-/// The points of a ray on a circle front: a quadratic equation in t.
+/// The points of a ray on a circle level curve: a quadratic equation in t.
 std::vector<Event> on_circle(const Ray& r, const LevelCurve& f) {
   Real u = r.base[0] - f.a, v = r.base[1] - f.b, w = f.c + f.k * r.base[2], z = f.k * r.along[2];
   Real a = r.along[0] * r.along[0] + r.along[1] * r.along[1] - z * z;

@@ -3,10 +3,11 @@
 //
 // The curve of positions at which one elementary distance (to a vertex, a line, a circle) equals a level, as a function
 // of that level: a line that moves, or a circle that grows or shrinks about its centre. A distance is a minimum and
-// maximum of elementary ones, so its extreme levels are among those where fronts meet:
+// maximum of elementary ones, so its extreme levels are among those where level curves meet:
 //   one circle:   its radius becomes 0;
-//   two fronts:   they touch (centres on one line, circle and line tangent, parallel lines coincide);
-//   three fronts: they pass through one point (Apollonius' problem, with lines and circles that keep still admitted).
+//   two level curves:   they touch (centres on one line, circle and line tangent, parallel lines coincide);
+//   three level curves: they pass through one point (Apollonius' problem, with lines and circles that keep still
+//   admitted).
 // Guarantee: all results are exact reals; every proper event of a pair is found, of a triple every one that square
 // roots can express (all, unless circles that move and circles that keep still are mixed). Cost: microseconds. Source:
 // Apollonius' problem by elimination; distances.md 3.5. Keywords: medial axis, Voronoi vertex, inscribed circle.
@@ -42,17 +43,17 @@ struct LevelCurve {
   static LevelCurve ring(exact::Real x, exact::Real y, exact::Real radius, exact::Real k) {
     return {true, std::move(x), std::move(y), std::move(radius), std::move(k), {}};
   }
-  /// The front of the moved elementary distance: f(p + by).
+  /// The level curve of the moved elementary distance: f(p + by).
   LevelCurve moved(const exact::RealPoint& by) const;
   /// Of f(-p).
   LevelCurve reflected() const;
-  /// About how far (x, y) is from the front at a level.
+  /// About how far (x, y) is from the level curve at a level.
   double gap(double x, double y, double level) const;
 };
 
-/// A front that passes near a position: at the position's own level it is `gap` away from it.
+/// A level curve that passes near a position: at the position's own level it is `gap` away from it.
 struct NearLevelCurve {
-  LevelCurve front;
+  LevelCurve curve;
   double gap;
 };
 
@@ -61,7 +62,7 @@ struct Event {
   std::optional<exact::RealPoint> at;  // where it happens, if that is one point
 };
 
-/// Of fronts that are not bent.
+/// Of level curves that are not bent.
 std::vector<Event> events(const LevelCurve& f);
 std::vector<Event> events(const LevelCurve& f, const LevelCurve& g);
 std::vector<Event> events(const LevelCurve& f, const LevelCurve& g, const LevelCurve& h);

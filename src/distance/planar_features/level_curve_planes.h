@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Fronts as sets of the space of (x, y, level): lines are planes there, and so is the difference of two circles'
-// equations. Guarantee: exact. Internal to the meetings of fronts (front.cpp, curved_level_curve.cpp).
+// Level curves as sets of the space of (x, y, level): lines are planes there, and so is the difference of two circles'
+// equations. Guarantee: exact. Internal to the meetings of level curves (level_curve.cpp, curved_level_curve.cpp).
 #pragma once
 
 #include <optional>

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 
@@ -100,17 +100,17 @@ class Proof {
     std::stable_sort(touching_.begin(), touching_.end(),
                      [&](const BoundaryFeature* s, const BoundaryFeature* t) { return off_touch(*s) < off_touch(*t); });
     if (touching_.size() > kMostTouching) touching_.resize(kMostTouching);
-    for (const BoundaryFeature* s : touching_) fronts_.push_back(far_level_curve(set, *s));
+    for (const BoundaryFeature* s : touching_) level_curves_.push_back(far_level_curve(set, *s));
   }
 
   std::optional<Circle> run() const {
-    for (std::size_t i = 0; i < fronts_.size(); ++i)
+    for (std::size_t i = 0; i < level_curves_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (auto c = first_good(events(fronts_[i], fronts_[j]), {i, j})) return c;
-    for (std::size_t i = 0; i < fronts_.size(); ++i)
+        if (auto c = first_good(events(level_curves_[i], level_curves_[j]), {i, j})) return c;
+    for (std::size_t i = 0; i < level_curves_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         for (std::size_t k = 0; k < j; ++k)
-          if (auto c = first_good(events(fronts_[i], fronts_[j], fronts_[k]), {i, j, k})) return c;
+          if (auto c = first_good(events(level_curves_[i], level_curves_[j], level_curves_[k]), {i, j, k})) return c;
     return std::nullopt;
   }
 
@@ -153,7 +153,7 @@ class Proof {
   bool between(const Circle& c, const std::vector<std::size_t>& made_of) const {
     std::vector<RealPoint> off;
     for (const std::size_t k : made_of) {
-      off.push_back({fronts_[k].a - c.center.x, fronts_[k].b - c.center.y});
+      off.push_back({level_curves_[k].a - c.center.x, level_curves_[k].b - c.center.y});
       if (off.back().x.sign() == 0 && off.back().y.sign() == 0) return false;
       if (!reaches(*touching_[k], off.back())) return false;
     }
@@ -172,7 +172,7 @@ class Proof {
       if (s.farthest(about_.x, about_.y) < about_.r - margin::kInsideCircle * size()) continue;
       const LevelCurve f = far_level_curve(set_, s);
       const Real x = f.a - c.center.x, y = f.b - c.center.y;
-      const auto full = [&](std::size_t m) { return same_circle(fronts_[m], f); };
+      const auto full = [&](std::size_t m) { return same_circle(level_curves_[m], f); };
       if (std::any_of(made_of.begin(), made_of.end(), full)) continue;
       // Of an arc that does not reach the direction from the centre its ends count, which are features.
       if (s.arc && !reaches(s, {x, y})) continue;
@@ -187,7 +187,7 @@ class Proof {
   std::span<const BoundaryFeature> features_;
   Round about_;
   std::vector<const BoundaryFeature*> touching_;
-  std::vector<LevelCurve> fronts_;
+  std::vector<LevelCurve> level_curves_;
 };
 
 }  // namespace

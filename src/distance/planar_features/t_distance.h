@@ -3,10 +3,10 @@
 //
 // What every distance f(p) of a moving shape B at p and a fixed shape A offers (a PositionFunction): its sign map at a
 // level and its value at a position. A T-distance (distances.md 3) is one that is 1-Lipschitz in p and tends to
-// infinity with |p|; it offers besides the elementary distances ("fronts") that can decide it near a position, from
-// which exact extrema are made. Distances along a direction (7.1) are no T-distances, they jump. Lengths are in grid
-// steps. Guarantee: sign maps and values are exact unless the family says otherwise. Keywords: T-distance, level set,
-// sublevel set.
+// infinity with |p|; it offers besides the elementary distances ("level curves") that can decide it near a position,
+// from which exact extrema are made. Distances along a direction (7.1) are no T-distances, they jump. Lengths are in
+// grid steps. Guarantee: sign maps and values are exact unless the family says otherwise. Keywords: T-distance, level
+// set, sublevel set.
 #pragma once
 
 #include <array>
@@ -16,6 +16,7 @@
 
 #include "distance/answer/answer.h"
 #include "distance/planar_features/level_curve.h"
+#include "distance/planar_features/smooth_form.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::distance {
@@ -38,8 +39,12 @@ class TDistance : public PositionFunction {
  public:
   /// A position where a search may begin.
   virtual exact::RealPoint seed() const = 0;
-  /// The fronts with a gap of at most `tolerance` at p.
-  virtual std::vector<NearLevelCurve> fronts(const exact::RealPoint& p, double tolerance) const = 0;
+  /// Smooth functions of which f is one at every position no farther than `radius` from p, where the family knows them.
+  virtual std::optional<std::vector<SmoothForm>> forms(const exact::RealPoint& /*p*/, double /*radius*/) const {
+    return std::nullopt;
+  }
+  /// The level curves with a gap of at most `tolerance` at p.
+  virtual std::vector<NearLevelCurve> level_curves(const exact::RealPoint& p, double tolerance) const = 0;
   /// The least value and the only position that has it, where the family can tell by itself.
   struct Lowest {
     exact::Real level;
@@ -52,7 +57,7 @@ class TDistance : public PositionFunction {
     exact::RealPoint by;
   };
   virtual std::optional<Elsewhere> elsewhere() const { return std::nullopt; }
-  /// Levels at which f may have a minimum or a plateau that no fronts explain.
+  /// Levels at which f may have a minimum or a plateau that no level curves explain.
   virtual std::vector<exact::Real> special_levels() const { return {}; }
 };
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
 

@@ -12,7 +12,8 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/point_set.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 #include "plane/base/stage_observer.h"
 #include "plane/complex/overlay.h"
@@ -34,7 +35,7 @@ namespace {
 
 using exact::kInfinity;
 constexpr Mark kPossible = 1, kCertain = 2;
-constexpr std::size_t kAtOnce = 8, kMostVertices = 200, kMostChosen = 32;
+constexpr std::size_t kAtOnce = 8, kMostVertices = 200, kMostChosen = 32, kMostCorners = 8;
 
 /// A value of f at a position of S; rotated so that less is better.
 struct Sample {
@@ -161,7 +162,18 @@ class PositionSearch {
     if (plane::is_empty(certain)) return n;
     n.sample.at = plane::summarize(certain, Real(1)).components.front().sample_point;
     n.sample.value = range(n.sample.at, 0).high;
+    if (window_.corners) look_at_corners(certain, n.sample);
     return n;
+  }
+
+  void look_at_corners(const CellComplex& certain, Sample& best) const {
+    std::size_t count = 0;
+    for (const auto& v : certain.vertices) {
+      if (v.mark == 0 || ++count > kMostCorners) continue;
+      const RealPoint at = certain.geometry.exact(v.point);
+      const double value = range(at, 0).high;
+      if (value < best.value) best = {value, at};
+    }
   }
 
   static bool by_low(const Node& a, const Node& b) { return a.low < b.low; }

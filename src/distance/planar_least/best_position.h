@@ -42,6 +42,7 @@ struct SearchWindow {
   bool worse_outside = false;
   double enough = 0;
   std::size_t most_boxes = 600;
+  bool corners = false;  // values cost little: those at corners of S in a box are asked for as well
 };
 
 /// Level and bound are in the units of f.

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "distance/planar_features/boundary_features.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
 #include "exact/planar/geometry_signs.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/overlay.h"

@@ -21,7 +21,7 @@ using plane::SignMap;
 
 using plane::cross;
 using plane::dot;
-using plane::turned_left;
+using plane::left_normal;
 using plane::operator+;
 using plane::operator-;
 using plane::operator*;
@@ -38,8 +38,8 @@ class Lengths {
       if (!base.is_arc(e)) continue;
       const Arc arc = arc_of(e);
       const Real scale = arc.radius / sqrt(square_);
-      add_line(arc.center + scale * turned_left(d_));
-      add_line(arc.center - scale * turned_left(d_));
+      add_line(arc.center + scale * left_normal(d_));
+      add_line(arc.center - scale * left_normal(d_));
       for (Index f = 0; f < base.edges.size(); ++f)
         base.is_arc(f) ? add_arcs(arc, arc_of(f)) : add_arc_and_line(arc, f);
     }

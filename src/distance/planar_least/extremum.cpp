@@ -11,7 +11,8 @@
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/extremum_candidates.h"
 #include "distance/planar_least/level_probe.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/plane.h"
 #include "plane/base/real_vector.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate.h"
@@ -129,7 +130,7 @@ Extremum ExtremumSearch::infinite(bool below) const {
 bool ExtremumSearch::bracket(const Real& value) {
   good_ = rotation_ * value.to_double();
   scale_ = std::max(scale_, std::abs(good_));
-  good_ += scale_ * margin::kBracketRoom;
+  good_ += scale_ * margin::kBracketSlack;
   double step = std::max(1.0, scale_ / 8);
   for (bad_ = good_ - step; reaches(Real::from_double(rotation_ * bad_)); step *= 2) {
     bad_ = good_ - step;
@@ -229,8 +230,8 @@ void ExtremumSearch::enclose() {
   beyond_ = Real::from_double(rotation_ * bad_);
 }
 
-/// Where two opposite fronts meet, positions as good as the level lie as far apart as the square root of what it is
-/// off: the bracket is narrowed, past doubles, until they are decided, or lie no nearer (curves and faces of best
+/// Where two opposite level curves meet, positions as good as the level lie as far apart as the square root of what it
+/// is off: the bracket is narrowed, past doubles, until they are decided, or lie no nearer (curves and faces of best
 /// ones).
 void ExtremumSearch::pin_down() {
   constexpr int kSteps = 12, kMostRounds = 10;

@@ -4,8 +4,8 @@
 // The least or greatest value of a T-distance f over a set S of positions, and where it is taken: inf {f(p) : p in S}
 // and the points of S (or, if none of them takes it, of the closure of S) at that value: points, curves or faces
 // (distances.md 4.4). Method: bisection on the level with exact sign maps brackets the value; where the sublevel set
-// has become small, the fronts that pass there are met in pairs and triples; each meeting is a candidate, and one is
-// accepted only with the proof that no position of S lies beyond it and some position on it, by one more exact sign
+// has become small, the level curves that pass there are met in pairs and triples; each meeting is a candidate, and one
+// is accepted only with the proof that no position of S lies beyond it and some position on it, by one more exact sign
 // map. Guarantee: `proven` values and sets are exact. A value that square roots cannot express is enclosed by exact
 // sign maps on both sides (proven = false): at `level` a position of the closure of S is as good, at `bound`, within
 // 1e-13 of the value or of the extent, none is; `at` has one such position for each component of those as good as

@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "distance/planar_features/curved_level_curve.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/union_find.h"
 
 namespace findspace::distance {
@@ -20,7 +21,7 @@ using plane::Region;
 
 namespace {
 
-constexpr std::size_t kMostPlaces = 12, kMostAtPlace = 8, kMostFronts = 20;
+constexpr std::size_t kMostPlaces = 12, kMostAtPlace = 8, kMostLevelCurves = 20;
 
 struct Place {
   double x, y;
@@ -64,10 +65,10 @@ bool same(const LevelCurve& f, const LevelCurve& g) {
   return close(f.a, g.a) && close(f.b, g.b) && close(f.c, g.c) && close(f.k, g.k);
 }
 
-void add_new(std::vector<LevelCurve>& fronts, const LevelCurve& f, std::size_t most) {
-  if (fronts.size() < most &&
-      std::none_of(fronts.begin(), fronts.end(), [&](const LevelCurve& g) { return same(f, g); }))
-    fronts.push_back(f);
+void add_new(std::vector<LevelCurve>& level_curves, const LevelCurve& f, std::size_t most) {
+  if (level_curves.size() < most &&
+      std::none_of(level_curves.begin(), level_curves.end(), [&](const LevelCurve& g) { return same(f, g); }))
+    level_curves.push_back(f);
 }
 
 class Collector {
@@ -82,11 +83,12 @@ class Collector {
     for (const Event& e : all) take(e.level);
   }
   /// Where they meet.
-  void take_meetings(const std::vector<const LevelCurve*>& fronts) {
-    if (std::any_of(fronts.begin(), fronts.end(), [](const LevelCurve* f) { return f->bend != nullptr; }))
-      for (const Real& level : curved_levels(fronts, low_, high_)) take(level);
+  void take_meetings(const std::vector<const LevelCurve*>& level_curves) {
+    if (std::any_of(level_curves.begin(), level_curves.end(), [](const LevelCurve* f) { return f->bend != nullptr; }))
+      for (const Real& level : curved_levels(level_curves, low_, high_)) take(level);
     else
-      take(fronts.size() == 2 ? events(*fronts[0], *fronts[1]) : events(*fronts[0], *fronts[1], *fronts[2]));
+      take(level_curves.size() == 2 ? events(*level_curves[0], *level_curves[1])
+                                    : events(*level_curves[0], *level_curves[1], *level_curves[2]));
   }
   std::vector<Real> sorted() && {
     std::stable_sort(levels_.begin(), levels_.end(),
@@ -117,12 +119,13 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
   double width = high - low, tolerance = 4 * (width + std::sqrt(width * scale));
   std::vector<LevelCurve> moving, still;
   for (const Place& p : near) {
-    auto fronts = f.fronts({Real::from_double(p.x), Real::from_double(p.y)}, tolerance);
-    std::stable_sort(fronts.begin(), fronts.end(),
+    auto level_curves = f.level_curves({Real::from_double(p.x), Real::from_double(p.y)}, tolerance);
+    std::stable_sort(level_curves.begin(), level_curves.end(),
                      [](const NearLevelCurve& u, const NearLevelCurve& v) { return u.gap < v.gap; });
-    for (const NearLevelCurve& n : fronts)
-      if (!n.front.bend) out.take(events(n.front));
-    for (std::size_t k = 0; k < fronts.size() && k < kMostAtPlace; ++k) add_new(moving, fronts[k].front, kMostFronts);
+    for (const NearLevelCurve& n : level_curves)
+      if (!n.curve.bend) out.take(events(n.curve));
+    for (std::size_t k = 0; k < level_curves.size() && k < kMostAtPlace; ++k)
+      add_new(moving, level_curves[k].curve, kMostLevelCurves);
   }
   if (over) {
     for (const BoundaryFeature& s : features(*over, [](plane::Mark m) { return m > 0; })) {
@@ -130,7 +133,7 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
           std::any_of(near.begin(), near.end(), [&](const Place& p) { return s.distance(p.x, p.y) <= tolerance; });
       if (!close) continue;
       if (!s.is_vertex())
-        add_new(still, still_front(*over, s), kMostFronts);
+        add_new(still, fixed_level_curve(*over, s), kMostLevelCurves);
       else if (auto v = f.value(over->geometry.exact(over->vertices[s.cell.index].point)))
         out.take(v->value);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Candidates for an extreme level of a T-distance over a set: the levels at which the fronts near some positions, and
-// the boundary of the set, meet. Guarantee: exact numbers; whether one is the extremum is for the caller to prove.
+// Candidates for an extreme level of a T-distance over a set: the levels at which the level curves near some positions,
+// and the boundary of the set, meet. Guarantee: exact numbers; whether one is the extremum is for the caller to prove.
 #pragma once
 
 #include <vector>

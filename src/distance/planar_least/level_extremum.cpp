@@ -9,7 +9,8 @@
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/extremum_candidates.h"
 #include "distance/planar_least/level_probe.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/plane.h"
 #include "plane/query/topology.h"
 
 namespace findspace::distance {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <queue>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

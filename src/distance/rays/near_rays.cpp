@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "distance/rays/value_rays.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 
@@ -143,7 +143,7 @@ class Walk {
   }
 
   /// The function is hardly less than 0 on what is left from `from` to `to`, and by a place hardly more on a part of
-  /// it. Where it is so again and again the line runs along the front: then its middle is looked at, too.
+  /// it. Where it is so again and again the line runs along the boundary: then its middle is looked at, too.
   void touch(double from, double to, const NearRule::Least& v) {
     const double middle = (from + to) / 2;
     if (std::exchange(touching_, true)) {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "distance/rays/ray_place.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/rays/oblique_line.h"
 
 namespace findspace::distance {

@@ -15,7 +15,7 @@
 #include <array>
 
 #include "distance/search/protrusion_field.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/body/body.h"
 #include "space/rays/ray_sources.h"
 

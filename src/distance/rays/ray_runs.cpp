@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "distance/planar/translation_value.h"
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::distance {
 
@@ -73,7 +73,7 @@ exact::Tried<RayRow> RayRuns::try_row(int j) const {
   const exact::Tried<RayRow> found = zero_(j);
   if (!found) return found;
   const RayRow& zero = *found;
-  const bool turned = !query_.forward && !query_.both_ways;
+  const bool backwards = !query_.forward && !query_.both_ways;
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
     const Section line = section(zero, i);
@@ -94,12 +94,12 @@ exact::Tried<RayRow> RayRuns::try_row(int j) const {
       after.push_back(sign(line, between(k + 1)));
     }
     const std::size_t count = stops.size();
-    out.before.push_back(static_cast<std::int8_t>(turned ? after.back() : after.front()));
+    out.before.push_back(static_cast<std::int8_t>(backwards ? after.back() : after.front()));
     for (std::size_t n = 0; n < count; ++n) {
-      const std::size_t k = turned ? count - 1 - n : n;
-      const int before_it = turned ? after[k + 1] : after[k], after_it = turned ? after[k] : after[k + 1];
+      const std::size_t k = backwards ? count - 1 - n : n;
+      const int before_it = backwards ? after[k + 1] : after[k], after_it = backwards ? after[k] : after[k + 1];
       if (before_it == here[k] && here[k] == after_it) continue;
-      out.events.push_back({position(turned ? -stops[k] : stops[k]), static_cast<std::int8_t>(here[k]),
+      out.events.push_back({position(backwards ? -stops[k] : stops[k]), static_cast<std::int8_t>(here[k]),
                             static_cast<std::int8_t>(after_it)});
     }
     out.first.push_back(static_cast<int>(out.events.size()));

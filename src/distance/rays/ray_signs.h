@@ -9,8 +9,8 @@
 //   mu           to a convex A: over all vertices of B; not above 0 it is eta1; above it, and in unions of round parts
 //                at 0, by search (protrusion_rays.h);
 //   gamma2, eta2, delta2, diameter   intersections of balls about the farthest candidates;  d1, h, dstar, penetration
-//   from these. Guarantee: exact on every line, round fronts included, but where the frontier itself is round and has
-//   to
+//   from these. Guarantee: exact on every line, round boundaries included, but where the frontier itself is round and
+//   has to
 // be measured from: the depth in a union of round parts, containment in such but at level 0, levels above 0 of
 // containment of round shapes in shapes that are not convex, of mu of them and of mu to a complement; these are by
 // values (value_rays.h). Cost: line_pieces.h for each piece of the sets or of their frontier. Keywords: ray map,

@@ -11,7 +11,7 @@
 #include "distance/rays/ray_signs.h"
 #include "distance/rays/value_rays.h"
 #include "distance/search/free_space.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/body/position_covers.h"
 #include "space/rays/ray_sources.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Sign maps on rays of distances along a direction u of round bodies where the sets to be swept have round fronts that
-// are not convex: with w the least of the convex distances to the open sets (of U, or of the complement of E), less
-// their radii,
+// Sign maps on rays of distances along a direction u of round bodies where the sets to be swept have round boundaries
+// that are not convex: with w the least of the convex distances to the open sets (of U, or of the complement of E),
+// less their radii,
 //   gamma1 < -t   where w < 0 on all of p + [-t, t] u;       eta1 < -t   where w > 0 on all of it;
 //   eta1 <= t     where w >= 0 somewhere on it;              eta2        from that and what lies farther off.
 // In a convex round A the greatest distance of B's corners takes the place of -w. On stretches these extremes

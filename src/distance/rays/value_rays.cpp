@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "distance/search/solid_protrusion.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
@@ -110,7 +110,7 @@ void ValueRays::look(Walk& walk, double from, double to) const {
   }
   // Numbers of the line are as exact as the value: what they lose is less than the blur.
   const double reach = std::max({v->low, -v->high, size_ * margin::kPlaceNoise}) - size_ * margin::kPlaceNoise;
-  // What is left between stretches whose signs are known is often less than the blur, and mostly not near the front.
+  // What is left between stretches whose signs are known is often less than the blur, and mostly not near the boundary.
   const bool near = reach < std::min(blur, to - from) / 2;
   const double part = near ? blur / 2 : reach;
   std::vector<SignStretch> decided;

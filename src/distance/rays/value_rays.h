@@ -3,10 +3,10 @@
 //
 // The sign map on rays of a function of the position that no step changes by more than its length, by its values: a
 // value v at a place says the sign as far as |v| on either side of it; what v is measured from may say the sign in a
-// ball, whose chord ends at the front or nearly so. What is left of a line is halved. So distances
-// at a level are decided from where round fronts are to be measured from. Guarantee: the sign is - or + only where that
-// is certain; 0 where the function is within kCertain of the sizes of 0 (more where a line runs along the front:
-// kCoarse). Cost: some forty values for each end, more where the line is nearly along the front; refused
+// ball, whose chord ends at the boundary or nearly so. What is left of a line is halved. So distances
+// at a level are decided from where round boundaries are to be measured from. Guarantee: the sign is - or + only where
+// that is certain; 0 where the function is within kCertain of the sizes of 0 (more where a line runs along the
+// boundary: kCoarse). Cost: some forty values for each end, more where the line is nearly along the boundary; refused
 // where the function is 0 on long stretches. Keywords: sphere tracing, interval bisection, Lipschitz bound.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 #include "distance/rays/line_signs.h"
 #include "distance/solid/solid_pair.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/rays/ray_map.h"
 
 namespace findspace::distance {

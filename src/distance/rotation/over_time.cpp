@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "distance/planar_features/boundary_features.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/plane.h"
+#include "exact/margins/rounding.h"
 #include "plane/build/path_region.h"
 #include "plane/build/swept.h"
 #include "plane/complex/overlay.h"

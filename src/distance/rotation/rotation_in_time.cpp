@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "distance/rotation/rotated_pair.h"
-#include "distance/rotation/rotation.h"
-#include "exact/number/margins.h"
+#include "distance/rotation/rotational_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/build/transform.h"
 
 namespace findspace::distance {

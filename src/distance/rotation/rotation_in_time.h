@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A rotational distance f(t) (rotating.h) at one position while the shapes are translated and turn: how far B has to
-// turn about a point that stands still until the answer at that time changes. f jumps; but over a short time the plain
-// distance at any turn changes by at most the way of the shapes, so that the circles of signs at the middle of the
-// time, taken at levels off by that way, bound f over the whole of it. Guarantee: certified bounds; at an instant
-// between two rotated shapes exact but for the rounding of rotated vertices. Extrema over time: by halving the time
-// where the bound is worst. Cost: two maps as rotated_pair.h for a piece of time, up to 150 of those. Source:
+// A rotational distance f(t) (rotational_distance.h) at one position while the shapes are translated and turn: how far
+// B has to turn about a point that stands still until the answer at that time changes. f jumps; but over a short time
+// the plain distance at any turn changes by at most the way of the shapes, so that the circles of signs at the middle
+// of the time, taken at levels off by that way, bound f over the whole of it. Guarantee: certified bounds; at an
+// instant between two rotated shapes exact but for the rounding of rotated vertices. Extrema over time: by halving the
+// time where the bound is worst. Cost: two maps as rotated_pair.h for a piece of time, up to 150 of those. Source:
 // distances.md 7.2, 7.3. With a radius all of this holds at every position that is not farther from p. Keywords:
 // angular clearance over time.
 #pragma once
@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "distance/planar_least/best_position.h"
-#include "distance/rotation/rotation_levels.h"
 #include "distance/rotation/rotation_motion.h"
+#include "distance/rotation/rotational_levels.h"
 
 namespace findspace::distance {
 

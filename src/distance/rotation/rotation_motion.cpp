@@ -11,7 +11,8 @@
 #include <utility>
 
 #include "distance/planar_features/boundary_features.h"
-#include "exact/number/margins.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/build/transform.h"
 #include "plane/query/scaled.h"
 

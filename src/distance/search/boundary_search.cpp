@@ -8,8 +8,8 @@
 #include <queue>
 
 #include "distance/search/boundary_columns.h"
+#include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
-#include "exact/number/margins.h"
 
 namespace findspace::distance {
 
@@ -28,7 +28,8 @@ struct BoundaryCell {
   std::vector<int> more;     // likewise, of LazyConstraints
   double key = 0;            // nothing in it is better
   int depth = 0;
-  /// Of cells as good as each other the smallest comes first: where all of a front is as near, any place of it will do.
+  /// Of cells as good as each other the smallest comes first: where all of a boundary is as near, any place of it will
+  /// do.
   bool operator<(const BoundaryCell& other) const {
     return key > other.key || (key == other.key && depth < other.depth);
   }
@@ -132,7 +133,7 @@ class BoundarySearch {
     if (distance_) go_nearer(x);
   }
 
-  bool inside_room(const Vector& x) const {
+  bool in_domain(const Vector& x) const {
     return std::any_of(domain_.begin(), domain_.end(), [&](const Tetrahedron& t) { return holds(t, x); });
   }
 
@@ -144,14 +145,14 @@ class BoundarySearch {
   }
 
   /// On the straight way from x to where the distance is from: as far as that is allowed. So complete faces of the
-  /// front that are as near as each other are settled at once.
+  /// boundary that are as near as each other are settled at once.
   void go_nearer(const Vector& x) {
     const Touching at = (*distance_)(x);
     double allowed_by = 0, by = at.value;
     for (int k = 0; k < 50 && by - allowed_by > margin::kNearerAtAll * size_; ++k) {
       const double middle = k == 0 ? by : (allowed_by + by) / 2;
       const Vector y = x - space::scaled(middle, at.slope);
-      if (inside_room(y) && allowed(y, nullptr)) {
+      if (in_domain(y) && allowed(y, nullptr)) {
         allowed_by = middle;
         const double value = objective(y);
         if (value < best_.value) take(y, value);

@@ -3,15 +3,15 @@
 //
 // The place of a domain nearest to a convex set, or farthest from one, among those that convex functions allow: each
 // of `keep_out` is to be at least 0 there (the place is outside a grown set), each of `keep_in` at most 0 (inside one).
-// So distances to and from round fronts are found, of which planes alone are not enough. Branch and bound over
+// So distances to and from round boundaries are found, of which planes alone are not enough. Branch and bound over
 // tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what its
 // tangent is there; weights for which no place of the cell can be allowed and better than the best one known are a
 // linear program, whose other side is a place to try. Both bounds are off by the square of a cell's size, so smooth
-// fronts cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed place is
-// better than `bound`. Passages and places of zero clearance, which numbers cannot tell from closed ones, make `bound`
-// differ from `value` (or nothing is found), unless such a place is known: `unresolved` is one. Cost: some hundred to
-// some thousand cells, each as many values as functions are near 0 in it. Keywords: reverse convex programming,
-// penetration depth, global optimisation.
+// boundaries cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed
+// place is better than `bound`. Passages and places of zero clearance, which numbers cannot tell from closed ones, make
+// `bound` differ from `value` (or nothing is found), unless such a place is known: `unresolved` is one. Cost: some
+// hundred to some thousand cells, each as many values as functions are near 0 in it. Keywords: reverse convex
+// programming, penetration depth, global optimisation.
 #pragma once
 
 #include <functional>

@@ -8,8 +8,8 @@
 
 #include "distance/search/boundary_cells.h"
 #include "distance/search/boundary_columns.h"
+#include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
-#include "exact/number/margins.h"
 
 namespace findspace::distance {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

@@ -8,7 +8,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/search/solid_protrusion.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 
@@ -104,7 +104,7 @@ bool GrownSet::holds(const RealVector& p) const {
   return space::dot(off, off) < radius * radius;
 }
 
-Answer GrownSet::front(const RealVector& p) const {
+Answer GrownSet::to_boundary(const RealVector& p) const {
   RealVector projection = center;
   bool inside = false;
   if (!planes.empty()) {
@@ -117,7 +117,7 @@ Answer GrownSet::front(const RealVector& p) const {
   const Real d = sqrt(space::dot(w, w));
   Answer out;
   out.value = (inside ? -d : d) - radius;
-  // The front lies a radius further out, on the line through p; at d = 0 the line is not known.
+  // The boundary lies a radius further out, on the line through p; at d = 0 the line is not known.
   if (out.value.sign() != 0 && d.sign() != 0)
     out.nearest = space::along(projection, (inside ? -radius : radius) / d, w);
   return out;
@@ -270,12 +270,13 @@ BoundaryPlace FreeSpace::nearly(const RealVector& p, const Until& until) const {
 }
 
 TriedAnswer FreeSpace::nearest(const RealVector& p, bool open) const {
-  // The front of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the place.
+  // The boundary of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the
+  // place.
   const Vector near = space::rounded(p);
   const double deepest = deepest_at(near);
   for (std::size_t k = 0; k < sets_.size(); ++k) {
     if (rules_.keep_out[k](near) > deepest + margin::kDeepestSets * size_) continue;
-    Answer v = sets_[k].front(p);
+    Answer v = sets_[k].to_boundary(p);
     if (!v.nearest || !allows_(*v.nearest)) continue;
     v.value = -v.value;
     return v;

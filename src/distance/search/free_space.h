@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Sets of positions with round fronts that no planes and balls alone express, and the place of such a set nearest to or
-// farthest from a position:
+// Sets of positions with round boundaries that no planes and balls alone express, and the place of such a set nearest
+// to or farthest from a position:
 //   outside   what a union of open convex sets, each grown by a ball, leaves: of parts with radii the complement of U,
 //             and E where A is not convex;
 //   inside    the positions at which a body lies in one convex round part, vertex by vertex;
@@ -10,7 +10,7 @@
 // Guarantee: places are found by search (boundary_search.h), mostly to 2^-40 of the sizes; `proven` is false and
 // `error` says how far values may be off; whether a place belongs is decided exactly. A passage or fit of zero
 // clearance, which numbers cannot tell from none, is found among the planes along the faces of the sets, exactly; one
-// between other fronts (an edge and a face, two edges) that would change the answer is refused, not passed over.
+// between other boundaries (an edge and a face, two edges) that would change the answer is refused, not passed over.
 // Keywords: penetration depth, rounded polyhedra, containment.
 #pragma once
 
@@ -34,8 +34,9 @@ struct GrownSet {
   exact::Real radius;
 
   bool holds(const space::RealVector& p) const;
-  /// The signed distance to its front, negative inside, and the place of the front nearest to p where that is known.
-  Answer front(const space::RealVector& p) const;
+  /// The signed distance to its boundary, negative inside, and the place of the boundary nearest to p where that is
+  /// known.
+  Answer to_boundary(const space::RealVector& p) const;
 };
 
 class FreeSpace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
-#include "exact/number/margins.h"
 
 namespace findspace::distance {
 

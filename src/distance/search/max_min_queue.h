@@ -10,7 +10,7 @@
 #include <queue>
 
 #include "distance/search/boundary_cells.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

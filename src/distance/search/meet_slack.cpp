@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "distance/search/lp_bound.h"
+#include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
-#include "exact/number/margins.h"
 
 namespace findspace::distance {
 

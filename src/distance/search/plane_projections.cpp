@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "distance/search/solid_protrusion.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 namespace {
@@ -24,7 +24,7 @@ double convex_run(const std::function<double(double)>& f, double size) {
   double before = -size * margin::kSecantStart, at = 0;
   double value_before = f(before), value = f(at);
   for (int count = 0; count < kMostRootSteps && value > size * margin::kDistanceNoise; ++count) {
-    // With tolerance for rounding, so that steps are rather too short.
+    // With a margin for rounding, so that steps are rather too short.
     const double slope = (value - value_before - size * margin::kDistanceNoise) / (at - before);
     if (slope >= 0 || value > -slope * (farthest - at)) return farthest;
     const double next = at - value / slope;

@@ -10,7 +10,7 @@
 #include "distance/search/lp_bound.h"
 #include "distance/search/max_min_queue.h"
 #include "distance/search/round_solid.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/polytope/convex_region.h"
 #include "space/polytope/polytope.h"
 

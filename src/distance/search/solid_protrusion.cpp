@@ -6,7 +6,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/search/round_solid.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

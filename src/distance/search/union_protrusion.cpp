@@ -9,7 +9,7 @@
 #include "distance/search/free_space.h"
 #include "distance/search/lp_bound.h"
 #include "distance/search/solid_protrusion.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 
@@ -111,7 +111,7 @@ double UnionProtrusion::beyond(const Vector& y) const {
   return least;
 }
 
-/// A tetrahedron within the piece; of a round one near the point, and nearly touching its front.
+/// A tetrahedron within the piece; of a round one near the point, and nearly touching its boundary.
 Tetrahedron UnionProtrusion::around(const Witness& witness, double reach) const {
   if (witness.piece < cells_.size()) return cells_[witness.piece];
   const RoundSolid& solid = rounds_[witness.piece - cells_.size()];

@@ -7,8 +7,8 @@
 //   D, int D: the same with the roles exchanged, reflected.
 // With them the sign map at level 0 of every distance, and the values of gamma1, eta1, delta1, gamma2, eta2, delta2 at
 // a position: the shapes may have sheets, lines and points, and may be unbounded. Guarantee: exact; what needs a grid
-// of more than BoxComplex::kMostCells cells is refused. Other levels have round fronts; where the '-' set is made of
-// separate boxes, levels below 0 have not and are exact too. Cost: pairs of boxes, painted on one grid. Keywords:
+// of more than BoxComplex::kMostCells cells is refused. Other levels have round boundaries; where the '-' set is made
+// of separate boxes, levels below 0 have not and are exact too. Cost: pairs of boxes, painted on one grid. Keywords:
 // configuration space, slots, exact fit.
 #pragma once
 

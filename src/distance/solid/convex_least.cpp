@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "distance/search/lp_bound.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

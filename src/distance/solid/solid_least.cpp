@@ -7,7 +7,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/solid/convex_least.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/body/outside_cells.h"
 #include "space/body/union_frontier.h"
 #include "space/polytope/deepest.h"
@@ -61,7 +61,7 @@ std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place,
   return out;
 }
 
-/// Of a signed distance: -(max_min - radius).
+/// Of a signed distance: -(max-min value - radius).
 TriedAnswer deepest_place(const Obstacles& all, const Real& radius, const RealVector& somewhere,
                           const std::function<TriedAnswer(const RealVector&)>& value) {
   const double size = space::size_of(space::rounded(somewhere)) + radius.to_double() + 1;

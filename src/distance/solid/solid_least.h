@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The least value of a T-distance of bodies over all positions (distances.md 3.1 to 3.4), and a position that takes it.
-//   gamma1, eta1, delta1   minus the radius of the largest ball in U, E, D: the max_min of the distance to the frontier
+//   gamma1, eta1, delta1   minus the radius of the largest ball in U, E, D: the max-min place of the distance to the
+//   frontier
 //                          of U, or to the open sets that cover the complement of E (solid_max_min.h); mu where B fits;
 //   gamma2, eta2, delta2   the smallest ball about the vertices of X, E, D, exactly; d1, dstar, penetration: 0;
 //   mu to a convex A, the Hausdorff distance of convex bodies: by tangents (convex_least.h);

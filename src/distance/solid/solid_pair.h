@@ -52,10 +52,10 @@ class SolidPair {
     std::vector<space::OutsideCell> cells;
     std::vector<Group> groups;  // one for each radius
     std::optional<space::BallMeet> balls;
-    bool round = false;  // the front of E is
+    bool round = false;  // the boundary of E is
     bool none = false;   // the moving one is too large
     mutable std::once_flag front_made;
-    mutable std::shared_ptr<const FreeSpace> front;
+    mutable std::shared_ptr<const FreeSpace> boundary;
     std::shared_ptr<const UnionContainers> in_union;  // where the fixed one is a union of round parts
   };
   struct Side {  // one of the two as moving, the other as fixed
@@ -67,7 +67,7 @@ class SolidPair {
 
   const Fit& fit(const Side& side) const;
   static std::unique_ptr<Fit> made_fit(const Side& side);
-  static const FreeSpace& front(const Side& side, const Fit& fit);
+  static const FreeSpace& boundary_of(const Side& side, const Fit& fit);
   TriedAnswer contained(const Side& side, const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
   std::optional<Answer> inside_polyhedra(const Side& side, const space::RealVector& p) const;

@@ -8,7 +8,7 @@
 //                         of rounded polytopes; else that of the parts less r in P, as (P (+) r) (-) r = P;
 //   in polyhedra          what is farther from the cover of outside cells less B's cores than their radii;
 //   in a union of round parts: solid_pair_union.cpp.
-// Guarantee: as solid_pair.h; fronts that are round are searched (free_space.h). Keywords: erosion, Minkowski
+// Guarantee: as solid_pair.h; boundaries that are round are searched (free_space.h). Keywords: erosion, Minkowski
 // difference, containment.
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) {
 
 }  // namespace
 
-const FreeSpace& SolidPair::front(const Side& side, const Fit& fit) {
+const FreeSpace& SolidPair::boundary_of(const Side& side, const Fit& fit) {
   std::call_once(fit.front_made, [&] {
     const Body &b = *side.moving, &a = *side.fixed;
     const space::Bounds3 box = *fit_box(b, a);
@@ -49,10 +49,11 @@ const FreeSpace& SolidPair::front(const Side& side, const Fit& fit) {
     for (const Fit::Group& group : fit.groups) {
       for (std::size_t k = 0; k < group.cover.size(); ++k) sets.push_back({group.cover.planes(k), {}, group.radius});
     }
-    fit.front = std::make_shared<const FreeSpace>(a.convex() ? FreeSpace::inside(b, a.parts[0], box.low, box.high)
-                                                             : FreeSpace::outside(std::move(sets), box.low, box.high));
+    fit.boundary =
+        std::make_shared<const FreeSpace>(a.convex() ? FreeSpace::inside(b, a.parts[0], box.low, box.high)
+                                                     : FreeSpace::outside(std::move(sets), box.low, box.high));
   });
-  return *fit.front;
+  return *fit.boundary;
 }
 
 std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
@@ -130,9 +131,9 @@ TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
     // Moved by as much, the way that B protrudes by, it often fits.
     if (!v.witness.empty()) {
       const RealVector q = space::minus(p, space::minus(v.witness[0].at, v.witness[1].at));
-      if (front(side, f).holds(q)) return std::optional(signed_value(p, q, 1));
+      if (boundary_of(side, f).holds(q)) return std::optional(signed_value(p, q, 1));
     }
-    return front(side, f).nearest(p, false);
+    return boundary_of(side, f).nearest(p, false);
   }
   const Fit& f = fit(side);
   if (f.balls) {
@@ -145,7 +146,7 @@ TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
   }
   if (auto v = inside_polyhedra(side, p)) return v;
   if (f.none) return std::nullopt;
-  if (f.round) return front(side, f).nearest(p, false);
+  if (f.round) return boundary_of(side, f).nearest(p, false);
   const auto q = f.groups[0].cover.nearest_in_complement(p);
   return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
 }
@@ -174,7 +175,7 @@ TriedAnswer SolidPair::farthest_fit(const Side& side, const RealVector& p) const
   if (f.none) return std::nullopt;
   if (f.in_union) return farthest_in_union(f, p);
   if (f.round) {
-    TriedAnswer v = front(side, f).farthest(p);
+    TriedAnswer v = boundary_of(side, f).farthest(p);
     if (v && *v) (*v)->nearest.reset();
     return v;
   }

@@ -7,7 +7,8 @@
 #include <algorithm>
 
 #include "distance/solid/solid_pair.h"
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

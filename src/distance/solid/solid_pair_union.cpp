@@ -12,7 +12,7 @@
 #include "distance/answer/answer.h"
 #include "distance/search/union_fit.h"
 #include "distance/solid/solid_pair.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

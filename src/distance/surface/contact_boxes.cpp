@@ -3,7 +3,7 @@
 #include "distance/surface/contact_boxes.h"
 
 #include "distance/search/boundary_cells.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

@@ -10,7 +10,7 @@
 #include <deque>
 
 #include "distance/surface/surface_depths.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/polytope/extent.h"
 #include "space/surface/contact_planes.h"
 #include "space/surface/real_overlap.h"

@@ -9,7 +9,7 @@
 #include "distance/search/boundary_search.h"
 #include "distance/surface/surface_ball_name.h"
 #include "distance/surface/surface_max_min.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "plane/base/stage_observer.h"
 #include "space/polytope/extent.h"
 

@@ -5,7 +5,7 @@
 // and no nearer to a triangle than r, and of them the one nearest to x or farthest from it. So how deep a ball lies in
 // a mesh, how far it is from fitting into one, and the farthest fit. Boxes are divided, nearest first, until few
 // triangles can be nearest to what they hold (a signed distance in the middle says what is clearly on one side of the
-// front); there the convex distances to these triangles are searched (boundary_search.h). What is found is named
+// boundary); there the convex distances to these triangles are searched (boundary_search.h). What is found is named
 // exactly, and tested exactly, where planes alone, one feature or spheres alone hold it. Guarantee: exact where named,
 // else to 2^-40 of the sizes, mostly (`proven` is false and `error` says how far off). Nothing is decided where that
 // was not reached, so of fits of no play. Cost: some hundred boxes of some microseconds, some dozen searches of a

@@ -7,7 +7,7 @@
 
 #include "distance/search/plane_projections.h"
 #include "distance/surface/contact_boxes.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

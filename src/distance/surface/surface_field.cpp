@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "distance/surface/surface_max_min.h"
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
+#include "exact/margins/space_distance.h"
 #include "space/surface/surface_gap.h"
 
 namespace findspace::distance {

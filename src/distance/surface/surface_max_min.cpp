@@ -8,7 +8,7 @@
 
 #include "distance/search/boundary_cells.h"
 #include "distance/search/lp_bound.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 

@@ -7,7 +7,7 @@
 #include "distance/search/convex_distance.h"
 #include "distance/surface/surface_max_min.h"
 #include "distance/surface/surface_pair.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 
@@ -24,7 +24,7 @@ void add_corners(const space::SurfaceSet& set, const Vector& by, MaxMinDomain& d
 }
 
 /// The parts of B, which are polytopes and balls.
-MaxMinDomain room_of_parts(const space::Body& b, const Vector& by) {
+MaxMinDomain domain_of_parts(const space::Body& b, const Vector& by) {
   MaxMinDomain domain;
   for (const space::BodyPart& part : b.parts) {
     if (part.point()) {
@@ -41,7 +41,7 @@ MaxMinDomain room_of_parts(const space::Body& b, const Vector& by) {
 }
 
 /// The balls of B, and the box about its surfaces; what lies outside these is decided by the field.
-MaxMinDomain room_of_field(const SurfaceField& field, const space::Body* hull) {
+MaxMinDomain domain_of_field(const SurfaceField& field, const space::Body* hull) {
   MaxMinDomain domain;
   for (const auto& ball : field.set().balls()) {
     const Vector center = space::plus(exact::approx(ball.center), field.by());
@@ -93,7 +93,7 @@ Answer SurfacePair::protrusion(const Side& side, const RealVector& p) {
   const Vector by = space::rounded(p);
   const SurfaceField of_a(a, {}), of_b(b, by);
   MaxMinDomain domain =
-      side.moving->parts ? room_of_parts(*side.moving->parts, by) : room_of_field(of_b, side.moving->outline.get());
+      side.moving->parts ? domain_of_parts(*side.moving->parts, by) : domain_of_field(of_b, side.moving->outline.get());
   add_corners(b, by, domain);
   const SurfaceMaxMin max_min = surface_max_min(domain, of_a);
   if (max_min.complete) {

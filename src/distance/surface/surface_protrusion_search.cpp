@@ -9,7 +9,7 @@
 #include "distance/search/lp_bound.h"
 #include "distance/search/max_min_queue.h"
 #include "distance/search/protrusion_field.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/surface/surface_side.h"
 
 namespace findspace::distance {

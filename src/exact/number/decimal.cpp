@@ -95,7 +95,7 @@ Real Decimal::value() const {
   } else {
     denominator = power_of_ten(-exponent);
   }
-  return detail::make_real(detail::closed_ratio(std::move(numerator), std::move(denominator)));
+  return detail::make_real(detail::quadratic_ratio(std::move(numerator), std::move(denominator)));
 }
 
 std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step) {

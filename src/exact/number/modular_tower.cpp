@@ -109,16 +109,16 @@ void ModularTower::add_product(Word* out, std::span<const Word> a, std::span<con
     }
     return;
   }
-  const std::size_t tolerance = (2 * degree - 1) * block;
-  std::fill_n(arena, tolerance, 0);
+  const std::size_t length = (2 * degree - 1) * block;
+  std::fill_n(arena, length, 0);
   for (std::size_t i = 0; i < degree; ++i) {
     const std::span<const Word> a_i = block_of(a, i);
     for (std::size_t k = 0; !a_i.empty() && k < degree; ++k) {
       const std::span<const Word> b_k = block_of(b, k);
-      if (!b_k.empty()) add_product(arena + (i + k) * block, a_i, b_k, arena + tolerance);
+      if (!b_k.empty()) add_product(arena + (i + k) * block, a_i, b_k, arena + length);
     }
   }
-  reduce(arena, level, arena + tolerance);
+  reduce(arena, level, arena + length);
   for (std::size_t k = 0; k < degree * block; ++k) {
     const Word s = out[k] + arena[k];  // below 2^32
     out[k] = s < prime_ ? s : s - prime_;

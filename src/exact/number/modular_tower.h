@@ -36,7 +36,7 @@ class ModularTower {
   Coefficients trimmed(Coefficients a) const;
   /// The same polynomial; none for 0.
   std::span<const Word> trimmed(std::span<const Word> a) const;
-  /// Adds a b, trimmed and neither 0, to as many coefficients as the larger has. `arena` has tolerance for four times
+  /// Adds a b, trimmed and neither 0, to as many coefficients as the larger has. `arena` has space for four times
   /// as many.
   void add_product(Word* out, std::span<const Word> a, std::span<const Word> b, Word* arena) const;
   /// Of 2 n - 1 coefficients of the variable with that index, n is its degree, to the first n.

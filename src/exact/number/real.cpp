@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "exact/number/decimal.h"
+#include "exact/number/expression_sign.h"
 #include "exact/number/real_node.h"
-#include "exact/number/real_sign.h"
 #include "exact/number/stages.h"
 #include "findspace/error.h"
 
@@ -17,14 +17,14 @@ namespace findspace::exact {
 
 namespace detail {
 
-Real make_real(Closed value) {
+Real make_real(Quadratic value) {
   if (value.rational() && mpz_fits_slong_p(value.q.get_mpz_t()) && fits_int128(value.p)) {
     return Access::make({to_int128(value.p), mpz_get_si(value.q.get_mpz_t())});
   }
   bool cancelled = false;
   const Interval enclosure = enclose(value, cancelled);
   const NodeKind kind = value.rational() ? NodeKind::kRational : NodeKind::kQuadratic;
-  return Access::adopt(new ClosedNode(kind, enclosure, std::move(value), cancelled));
+  return Access::adopt(new QuadraticNode(kind, enclosure, std::move(value), cancelled));
 }
 
 namespace {
@@ -32,7 +32,7 @@ namespace {
 /// Of a node without operands that could make a deep graph; false for others.
 bool destroy_leaf(Node* node) noexcept {
   if (is_closed(*node)) {
-    delete static_cast<ClosedNode*>(node);
+    delete static_cast<QuadraticNode*>(node);
   } else if (node->kind == NodeKind::kPolynomialRoot) {
     delete static_cast<RootNode*>(node);
   } else {
@@ -65,7 +65,7 @@ namespace {
 bool closed(const Real& x) { return !Access::node(x) || is_closed(*Access::node(x)); }
 
 /// The closed form of x: that of its node, or `storage` set to its inline value.
-const Closed& closed_of(const Real& x, Closed& storage) {
+const Quadratic& closed_of(const Real& x, Quadratic& storage) {
   if (const Node* node = Access::node(x)) return detail::closed(*node);
   const Small small = Access::small(x);
   set(storage.p, small.p);
@@ -73,11 +73,11 @@ const Closed& closed_of(const Real& x, Closed& storage) {
   return storage;
 }
 
-using ClosedOperation = std::optional<Closed> (*)(const Closed&, const Closed&);
+using QuadraticOperation = std::optional<Quadratic> (*)(const Quadratic&, const Quadratic&);
 
-std::optional<Real> closed_result(const Real& a, const Real& b, ClosedOperation op) {
+std::optional<Real> closed_result(const Real& a, const Real& b, QuadraticOperation op) {
   if (!closed(a) || !closed(b)) return std::nullopt;
-  Closed storage_a, storage_b;
+  Quadratic storage_a, storage_b;
   auto c = op(closed_of(a, storage_a), closed_of(b, storage_b));
   if (!c) return std::nullopt;
   return make_real(std::move(*c));
@@ -102,8 +102,8 @@ using namespace detail;
 Real Real::ratio(int128 numerator, int128 denominator) {
   if (denominator == 0) throw Error(ErrorCode::kBadValue, "a fraction with denominator 0");
   if (const auto small = detail::divide(Small{numerator, 1}, Small{denominator, 1})) return Access::make(*small);
-  Closed n = closed_integer(numerator), d = closed_integer(denominator);
-  return make_real(closed_ratio(std::move(n.p), std::move(d.p)));
+  Quadratic n = quadratic_of(numerator), d = quadratic_of(denominator);
+  return make_real(quadratic_ratio(std::move(n.p), std::move(d.p)));
 }
 
 Real Real::from_double(double finite) {
@@ -112,10 +112,10 @@ Real Real::from_double(double finite) {
   const double mantissa = std::frexp(finite, &exponent);
   const auto whole = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
   exponent -= 53;
-  Closed n = closed_integer(whole), d = closed_integer(1);
+  Quadratic n = quadratic_of(whole), d = quadratic_of(1);
   mpz_class& scaled = exponent >= 0 ? n.p : d.p;
   mpz_mul_2exp(scaled.get_mpz_t(), scaled.get_mpz_t(), static_cast<mp_bitcnt_t>(std::abs(exponent)));
-  return make_real(closed_ratio(std::move(n.p), std::move(d.p)));
+  return make_real(quadratic_ratio(std::move(n.p), std::move(d.p)));
 }
 
 Real Real::parse_decimal(std::string_view text) { return Decimal::parse(text).value(); }
@@ -177,7 +177,7 @@ Real operator/(const Real& a, const Real& b) {
 Real Real::operator-() const {
   if (!node_ && bits(numerator_) < 127) return Access::make({-numerator_, denominator_});
   if (closed(*this)) {
-    Closed storage;
+    Quadratic storage;
     return make_real(negate(closed_of(*this, storage)));
   }
   assert(node_);  // a value without a node is closed
@@ -191,7 +191,7 @@ Real sqrt(const Real& a) {
   if (s < 0) throw Error(ErrorCode::kBadValue, "square root of a negative number");
   if (s == 0) return 0;
   if (closed(a)) {
-    Closed storage;
+    Quadratic storage;
     if (auto c = root(closed_of(a, storage))) return make_real(std::move(*c));
   }
   return node_of(NodeKind::kSqrt, sqrt(a.interval()), a, 0);
@@ -208,7 +208,7 @@ int Real::sign() const {
     return detail::sign(detail::closed(*node_));
   }
   if (node_->kind == NodeKind::kQuadratic) {
-    const auto& held = static_cast<const ClosedNode&>(*node_);
+    const auto& held = static_cast<const QuadraticNode&>(*node_);
     ++(held.cancelled ? counts.quadratic : counts.filter);
     const int known = certain_sign(node_->interval);
     return known != 0 ? known : detail::sign(held.value);
@@ -252,8 +252,8 @@ int128 floor(const Real& x) {
     throw Error(ErrorCode::kOutOfRange, "a number too large to round to an integer");
   }
   if (x.is_rational()) {
-    Closed storage;
-    const Closed& held = closed_of(x, storage);
+    Quadratic storage;
+    const Quadratic& held = closed_of(x, storage);
     mpz_class below;
     mpz_fdiv_q(below.get_mpz_t(), held.p.get_mpz_t(), held.q.get_mpz_t());
     return to_int128(below);
@@ -278,7 +278,7 @@ double Real::to_double() const {
 std::optional<std::array<int128, 2>> Real::fraction() const {
   if (!node_) return std::array<int128, 2>{numerator_, denominator_};
   if (node_->kind != NodeKind::kRational) return std::nullopt;
-  const Closed& value = closed(*node_);
+  const Quadratic& value = closed(*node_);
   if (!fits_int128(value.p) || !fits_int128(value.q)) return std::nullopt;
   return std::array<int128, 2>{to_int128(value.p), to_int128(value.q)};
 }
@@ -289,7 +289,7 @@ std::string Real::text() const {
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), to_double()).ptr;
     return {buffer.data(), end};
   }
-  return closed_integer(numerator_).p.get_str();
+  return quadratic_of(numerator_).p.get_str();
 }
 
 }  // namespace findspace::exact

@@ -31,7 +31,7 @@ void Balls::evaluate_small(const Small& value) {
 
 void Balls::evaluate_leaf(const Step& step) {
   Ball& result = balls_.back();
-  const Closed& leaf = *step.leaf;
+  const Quadratic& leaf = *step.leaf;
   if (leaf.rational()) {
     result.set(leaf.p.get_mpz_t());
   } else {

@@ -7,17 +7,17 @@
 #include <memory>
 #include <vector>
 
+#include "exact/number/quadratic.h"
 #include "exact/number/real.h"
-#include "exact/number/real_closed.h"
 #include "exact/number/real_small.h"
 
 namespace findspace::exact::detail {
 
 /// kRational and kQuadratic.
-struct ClosedNode : Node {
-  ClosedNode(NodeKind kind_of, Interval enclosure, Closed held, bool was_cancelled)
+struct QuadraticNode : Node {
+  QuadraticNode(NodeKind kind_of, Interval enclosure, Quadratic held, bool was_cancelled)
       : Node(kind_of, enclosure), value(std::move(held)), cancelled(was_cancelled) {}
-  Closed value;
+  Quadratic value;
   bool cancelled;  // doubles alone would not have decided the sign
 };
 
@@ -50,11 +50,11 @@ struct Access {
 };
 
 inline bool is_closed(const Node& node) { return node.kind <= NodeKind::kQuadratic; }
-inline const Closed& closed(const Node& node) { return static_cast<const ClosedNode&>(node).value; }
+inline const Quadratic& closed(const Node& node) { return static_cast<const QuadraticNode&>(node).value; }
 inline bool is_unary(NodeKind kind) { return kind == NodeKind::kNeg || kind == NodeKind::kSqrt; }
 inline const OperationNode& operation(const Node& node) { return static_cast<const OperationNode&>(node); }
 
 /// The simplest form of a closed value.
-Real make_real(Closed value);
+Real make_real(Quadratic value);
 
 }  // namespace findspace::exact::detail

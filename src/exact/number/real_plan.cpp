@@ -89,7 +89,7 @@ int Plan::small_step(const Small& value) {
   return next;
 }
 
-int Plan::plain_root_step(const Closed& leaf) {
+int Plan::plain_root_step(const Quadratic& leaf) {
   for (int i = 0; i < static_cast<int>(steps_.size()); ++i) {
     if (steps_[i].kind == StepKind::kPlainRoot && steps_[i].leaf->n == leaf.n) return i;
   }
@@ -100,7 +100,7 @@ int Plan::plain_root_step(const Closed& leaf) {
 int Plan::leaf_step(const Real& x) {
   const Node* node = Access::node(x);
   if (!node) return small_step(Access::small(x));
-  const Closed& value = closed(*node);
+  const Quadratic& value = closed(*node);
   const int root = value.rational() ? -1 : plain_root_step(value);
   const auto next = static_cast<int>(steps_.size());
   const int found = leaves_.find_or_put(hash(value), next, [&](int step) {

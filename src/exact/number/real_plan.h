@@ -19,8 +19,8 @@ enum class StepKind : std::uint8_t { kSmall, kLeaf, kPlainRoot, kPolynomialRoot,
 
 struct Step {
   StepKind kind = StepKind::kSmall;
-  int a = -1, b = -1;            // operands; of a quadratic leaf, a is the step of its sqrt(n)
-  const Closed* leaf = nullptr;  // of kLeaf, and of kPlainRoot the leaf whose n it is
+  int a = -1, b = -1;               // operands; of a quadratic leaf, a is the step of its sqrt(n)
+  const Quadratic* leaf = nullptr;  // of kLeaf, and of kPlainRoot the leaf whose n it is
   const RootNode* polynomial = nullptr;
   Interval interval;  // the known enclosure
   Small small;        // of kSmall
@@ -67,7 +67,7 @@ class Plan {
   int step_of(const Real& x);  // -1 if x is an operation not done yet
   int leaf_step(const Real& x);
   int small_step(const Small& value);
-  int plain_root_step(const Closed& leaf);
+  int plain_root_step(const Quadratic& leaf);
   int operation_step(const OperationNode& node, int a, int b);
   int polynomial_step(const RootNode& node);
   bool operands_ready(const Node& node, std::vector<const Real*>& open);

@@ -9,11 +9,11 @@ namespace findspace::exact {
 namespace {
 
 using detail::Access;
-using detail::Closed;
 using detail::Node;
 using detail::NodeKind;
+using detail::Quadratic;
 
-std::string closed_text(const Closed& c) {
+std::string closed_text(const Quadratic& c) {
   const std::string over = c.q == 1 ? "" : "/" + c.q.get_str();
   if (c.rational()) return c.p.get_str() + over;
   std::string root = (c.r == 1 ? "" : c.r == -1 ? "-" : c.r.get_str() + "*") + "sqrt(" + c.n.get_str() + ")";
@@ -27,7 +27,7 @@ std::string plain_text(const Real& x) {
   const Node* node = Access::node(x);
   if (!node) {
     const detail::Small small = Access::small(x);
-    Closed value = detail::closed_integer(small.p);
+    Quadratic value = detail::quadratic_of(small.p);
     value.q = small.q;
     return closed_text(value);
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::exact::detail {
 
@@ -103,7 +103,7 @@ Fraction ZeroShape::polynomial(const Step& step) {
 }
 
 Fraction ZeroShape::leaf(const Step& step, double root) {
-  const Closed& c = *step.leaf;
+  const Quadratic& c = *step.leaf;
   return over(c.rational() ? bits_of(c.p) : bits_of_sum(bits_of(c.p), bits_of(c.r) + root), c.q);
 }
 

@@ -33,7 +33,7 @@ struct ExactAngle {
   RealPoint operator()(const RealPoint& p) const { return {cos * p.x - sin * p.y, sin * p.x + cos * p.y}; }
 };
 
-/// The rotates with a*cos + b*sin = c: none, one (a double root) or two. None as well where a = b = 0.
+/// The rotations with a*cos + b*sin = c: none, one (a double root) or two. None as well where a = b = 0.
 std::vector<ExactAngle> rotations_where(const Real& a, const Real& b, const Real& c);
 
 struct Angle {

@@ -42,10 +42,10 @@ struct Approx {
                    kTiny};
   }
   friend Approx operator/(const Approx& p, const Approx& q) {
-    double tolerance = std::abs(q.value) - q.error;
-    if (!(tolerance > 0)) return {0, std::numeric_limits<double>::infinity()};
+    double least = std::abs(q.value) - q.error;
+    if (!(least > 0)) return {0, std::numeric_limits<double>::infinity()};
     double v = p.value / q.value;
-    return {v, ((p.error + std::abs(v) * q.error) / tolerance + 2 * kUnit * std::abs(v)) * kGrow + kTiny};
+    return {v, ((p.error + std::abs(v) * q.error) / least + 2 * kUnit * std::abs(v)) * kGrow + kTiny};
   }
   /// Square root; the part of the range below zero is ignored (the caller knows the exact value is not negative).
   friend Approx sqrt(const Approx& p) {

@@ -6,7 +6,7 @@
 //
 // A line is a*x + b*y = c with (a, b) a primitive integer vector (a > 0, or a = 0 and b > 0) and c an integer, an
 // integer plus w*sqrt(a^2+b^2) (a grid line displaced by w, kept unevaluated), or any exact real. A circle has a grid
-// or a real centre and a real radius. A point is a grid point, a pair of exact reals, or "where supporting_curves i and
+// or a real centre and a real radius. A point is a grid point, a pair of exact reals, or "where supporting curves i and
 // j meet, root r": it is never replaced by rounded coordinates.
 //
 // Guarantee: exact; beside each curve and point stand doubles with certain error bounds. Cost: a crossing takes some
@@ -64,7 +64,7 @@ struct Point {
   enum class Kind : std::uint8_t { kGrid, kCross, kReal };
   Kind kind = Kind::kGrid;
   std::int8_t root = 0;            // kCross: 0 for two lines, else the sign of the square root (see geometry.cpp)
-  std::uint32_t i = 0, j = 0;      // kCross: supporting_curves, i < j; kReal: i indexes Geometry::reals
+  std::uint32_t i = 0, j = 0;      // kCross: supporting curves, i < j; kReal: i indexes Geometry::reals
   std::int64_t gx = 0, gy = 0;     // kGrid
   double x = 0, y = 0, error = 0;  // |exact - (x, y)| <= error in each coordinate
 };
@@ -89,7 +89,7 @@ class Geometry {
   std::uint32_t add_displaced(const SupportingCurve& line, const Real& shift);
   std::uint32_t add_grid_point(std::int64_t x, std::int64_t y);
   std::uint32_t add_real_point(const Real& x, const Real& y);
-  /// The point where supporting_curves i and j meet; `root` as in `Meeting` (geometry_signs.h). They must meet there.
+  /// The point where supporting curves i and j meet; `root` as in `Meeting` (geometry_signs.h). They must meet there.
   std::uint32_t add_crossing(std::uint32_t i, std::uint32_t j, int root);
 
   RealPoint exact(std::uint32_t p) const;

@@ -155,8 +155,8 @@ Meeting meet(const Geometry& g, std::uint32_t i, std::uint32_t j) {
   auto by_sign = [](int sign) { return sign > 0 ? Meeting{2, {-1, 1}} : sign == 0 ? Meeting{1, {0, 0}} : Meeting{}; };
   if (!s->circle) {
     Approx h = s->x * t->x + s->y * t->y - s->z;
-    Approx tolerance = (t->z - h) * (t->z + h);
-    return by_sign(tolerance.sign() != 0 ? tolerance.sign() : crossing_discriminant(*s, *t).sign());
+    Approx square = (t->z - h) * (t->z + h);
+    return by_sign(square.sign() != 0 ? square.sign() : crossing_discriminant(*s, *t).sign());
   }
   Approx dx = t->x - s->x, dy = t->y - s->y, l2 = dx * dx + dy * dy;
   Approx sum = s->z + t->z, difference = s->z - t->z;

@@ -66,7 +66,7 @@ int above_center(const Geometry& g, std::uint32_t p, std::uint32_t circle);
 /// Circle: sign of (x of p) - (x of the centre).
 int right_of_center(const Geometry& g, std::uint32_t p, std::uint32_t circle);
 
-/// How two different supporting_curves meet: 0, 1 or 2 points. Root values to give to add_crossing; a tangency has
+/// How two different supporting curves meet: 0, 1 or 2 points. Root values to give to add_crossing; a tangency has
 /// one point.
 struct Meeting {
   int count = 0;
@@ -74,7 +74,7 @@ struct Meeting {
 };
 Meeting meet(const Geometry& g, std::uint32_t i, std::uint32_t j);
 
-/// Is p by its definition the only common point of supporting_curves i and j, not both lines? (False may be for want
+/// Is p by its definition the only common point of supporting curves i and j, not both lines? (False may be for want
 /// of knowledge.)
 bool touch_at(const Geometry& g, std::uint32_t p, std::uint32_t i, std::uint32_t j);
 
@@ -88,7 +88,7 @@ struct Heading {
 int turn(const Geometry& g, std::uint32_t p, Heading h, Heading k);
 /// Sign of the dot product of the two tangent directions at p.
 int along(const Geometry& g, std::uint32_t p, Heading h, Heading k);
-/// Sign of curvature(h) - curvature(k), curvature positive when rotating left.
+/// Sign of curvature(h) - curvature(k), curvature positive when turning left.
 int compare_curvature(const Geometry& g, Heading h, Heading k);
 
 }  // namespace findspace::exact

@@ -32,9 +32,9 @@ std::uint32_t add_shifted_crossing(Geometry& g, const ShiftedLine& p, const Shif
   const SupportingCurve &k = g.supporting_curves[p.supporting_curve], &l = g.supporting_curves[q.supporting_curve];
   const bool opposite = (p.shift.value > 0) != (q.shift.value > 0);
   const Approx mx = opposite ? -k.x : k.x, my = opposite ? -k.y : k.y;
-  const Approx tolerance = Approx{1, 0} + (mx * l.x + my * l.y);
-  if (tolerance.sign() <= 0) return g.add_crossing(p.supporting_curve, q.supporting_curve, 0);
-  const Approx by = q.shift / tolerance;
+  const Approx divisor = Approx{1, 0} + (mx * l.x + my * l.y);
+  if (divisor.sign() <= 0) return g.add_crossing(p.supporting_curve, q.supporting_curve, 0);
+  const Approx by = q.shift / divisor;
   return add_near(g, p.supporting_curve, q.supporting_curve, from_int(x) + by * (mx + l.x),
                   from_int(y) + by * (my + l.y));
 }

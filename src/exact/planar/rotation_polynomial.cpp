@@ -26,7 +26,7 @@ Polynomial product(const Polynomial& a, const Polynomial& b) {
 }
 
 /// The turn by a quarter, several times.
-ExactAngle quarter_turned(ExactAngle t, int quarters) {
+ExactAngle quarter_rotated(ExactAngle t, int quarters) {
   for (int k = quarters & 3; k > 0; --k) t = {-t.sin, t.cos};
   return t;
 }
@@ -36,7 +36,7 @@ ExactAngle quarter_turned(ExactAngle t, int quarters) {
 RotationPolynomial RotationPolynomial::linear(const Real& constant, const Real& cosine, const Real& sine,
                                               int quarters) {
   // a cos(r + q) + b sin(r + q) = a' cos r + b' sin r, (a', b') being (a, b) rotated back by the quarters.
-  const ExactAngle v = quarter_turned({cosine, sine}, -quarters);
+  const ExactAngle v = quarter_rotated({cosine, sine}, -quarters);
   return {{constant + v.cos, Real(2) * v.sin, constant - v.cos}, 1};
 }
 
@@ -71,7 +71,7 @@ std::vector<ExactAngle> RotationPolynomial::rotations_between(double from, doubl
   std::vector<ExactAngle> out;
   for (const Real& u : roots_between(c_, lo, hi)) {
     const Real square = u * u, below = Real(1) + square;
-    out.push_back(quarter_turned({(Real(1) - square) / below, Real(2) * u / below}, quarters));
+    out.push_back(quarter_rotated({(Real(1) - square) / below, Real(2) * u / below}, quarters));
   }
   return out;
 }

@@ -27,7 +27,7 @@ class RotationPolynomial {
   friend RotationPolynomial operator*(const Real& s, const RotationPolynomial& a);
 
   bool is_zero() const;
-  /// The rotates at which it is 0, in the radians from - to, which lie within an eighth of a circle and a little more
+  /// The rotations at which it is 0, in the radians from - to, which lie within an eighth of a circle and a little more
   /// of `quarters`.
   std::vector<ExactAngle> rotations_between(double from, double to, int quarters) const;
 

@@ -15,14 +15,14 @@ struct Way {
 
 Way way(const MovedPoint& p, const MovedPoint& q, const RoughMovement& m) {
   const Grid3 d = q.at - p.at;
-  const double turned = q.moved == p.moved ? 0 : q.moved ? 1 : -1;
+  const double direction = q.moved == p.moved ? 0 : q.moved ? 1 : -1;
   Way out{};
   for (int k = 0; k < 3; ++k) {
-    const double whole = static_cast<double>(component(d, k)), by = turned * component(m.near, k);
+    const double whole = static_cast<double>(component(d, k)), by = direction * component(m.near, k);
     out.c[k] = whole + by;
     out.size = std::max(out.size, std::fabs(out.c[k]));
     // Of the conversion and the sum one rounding each.
-    out.error = std::max(out.error, 0x1p-52 * (std::fabs(whole) + std::fabs(by)) + std::fabs(turned) * m.off);
+    out.error = std::max(out.error, 0x1p-52 * (std::fabs(whole) + std::fabs(by)) + std::fabs(direction) * m.off);
   }
   out.size += out.error;
   return out;

@@ -188,10 +188,16 @@ Real rounded(const Real& value, const Real& unit, bool up) {
   return up ? -(Real(floor(-value / unit)) * unit) : Real(floor(value / unit)) * unit;
 }
 
+void refuse_sums(const Formula& formula) {
+  if (has_sums(formula))
+    throw Error(ErrorCode::kUnsupported, "an explanation where distances are compared with each other is not computed");
+}
+
 }  // namespace
 
 Explanation explain(const Solver& solver, const Formula& formula) {
-  if (solver.rotations_in(formula))
+  refuse_sums(formula);
+  if (solver.known_between_bounds(formula))
     throw Error(ErrorCode::kUnsupported,
                 "an explanation where shapes rotate, or of distances in rotation, is not computed by this version");
   return Explainer(solver, formula).run();
@@ -199,6 +205,7 @@ Explanation explain(const Solver& solver, const Formula& formula) {
 
 PositionExplanation explain_at(const Solver& solver, const Formula& formula, const RealPoint& p) {
   PositionExplanation out;
+  refuse_sums(formula);
   out.check = solver.check(formula, p);
   if (out.check.holds) return out;
   const Demands demands(formula);

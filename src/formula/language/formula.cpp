@@ -62,7 +62,7 @@ std::size_t bucket(const Distance& distance) {
 }
 
 bool same_sign_map(const Atom& a, const Atom& b) {
-  return a.minimum == b.minimum && a.distance == b.distance && a.level == b.level;
+  return a.minimum == b.minimum && a.distance == b.distance && a.level == b.level && a.more == b.more;
 }
 
 /// Of every atom the first one that has the same sign map.
@@ -82,6 +82,17 @@ std::vector<std::size_t> first_alike(const std::vector<Atom>& atoms) {
     first[k] = known == at ? k : known->second;
   }
   return first;
+}
+
+/// The node over atoms that are added to `atoms`.
+Node taken(const Node& node, const Formula& from, std::vector<Atom>& atoms) {
+  Node out{node.op, 0, {}};
+  if (node.op == Op::kAtom) {
+    out.atom = atoms.size();
+    atoms.push_back(from.atoms()[node.atom]);
+  }
+  for (const Node& operand : node.operands) out.operands.push_back(taken(operand, from, atoms));
+  return out;
 }
 
 Kind exchanged(Kind kind) {
@@ -145,7 +156,7 @@ Formula::Formula(Node root, std::vector<Atom> atoms) : root_(flattened(std::move
   sign_maps_.reserve(atoms_.size());
   for (std::size_t k = 0; k < atoms_.size(); ++k) {
     sign_map_of_.push_back(first[k] == k ? sign_maps_.size() : sign_map_of_[first[k]]);
-    if (first[k] == k) sign_maps_.push_back({atoms_[k].distance, atoms_[k].level, atoms_[k].minimum});
+    if (first[k] == k) sign_maps_.push_back({atoms_[k].distance, atoms_[k].level, atoms_[k].minimum, atoms_[k].more});
   }
   Program compiled = compile(root_, atoms_, sign_map_of_);
   program_ = std::move(compiled.instructions);
@@ -154,18 +165,39 @@ Formula::Formula(Node root, std::vector<Atom> atoms) : root_(flattened(std::move
 
 bool operator==(const Formula& a, const Formula& b) { return same_tree(a.root_, b.root_) && a.atoms_ == b.atoms_; }
 
+bool has_sums(const Formula& formula) {
+  return std::any_of(formula.atoms().begin(), formula.atoms().end(), [](const Atom& a) { return !a.more.empty(); });
+}
+
 Formula constant(bool value) { return Formula(Node{value ? Op::kTrue : Op::kFalse, 0, {}}, {}); }
 Formula negation(const Formula& formula) { return combine(Op::kNot, {&formula, 1}); }
 Formula conjunction(std::span<const Formula> formulas) { return combine(Op::kAnd, formulas); }
 Formula disjunction(std::span<const Formula> formulas) { return combine(Op::kOr, formulas); }
+
+Formula part_of(const Formula& formula, const Node& node) {
+  std::vector<Atom> atoms;
+  Node root = taken(node, formula, atoms);
+  return Formula(std::move(root), std::move(atoms));
+}
 
 Formula renamed(const Formula& formula, const std::map<std::string, std::string>& names) {
   std::vector<Atom> atoms = formula.atoms();
   for (Atom& atom : atoms) {
     rename(atom.distance.first, names);
     rename(atom.distance.second, names);
+    for (SumTerm& term : atom.more) {
+      rename(term.distance.first, names);
+      rename(term.distance.second, names);
+    }
   }
   return Formula(formula.root(), std::move(atoms));
+}
+
+std::vector<Distance> distances_of(const Objective& objective) {
+  if (objective.kind == Objective::Kind::kDistance) return {objective.distance};
+  std::vector<Distance> out;
+  for (const SumTerm& term : objective.terms) out.push_back(term.distance);
+  return out;
 }
 
 }  // namespace findspace::formula

@@ -58,11 +58,19 @@ Extremum opposite(Extremum prefix);
 /// so that a constraint holds at every instant.
 Extremum natural_extremum(const Distance& distance);
 
+/// weight * distance: a summand.
+struct SumTerm {
+  exact::Real weight;
+  Distance distance;
+  friend bool operator==(const SumTerm&, const SumTerm&) = default;
+};
+
 /// The same value with the moving shape as first argument, where the distance allows it: symmetric distances exchange
 /// their arguments, eta(A, B) is delta(B, A). The directed ones (mu, h, dstar) come back unchanged.
 Distance moving_first(const Distance& distance, std::span<const std::string> moving);
 
-/// `distance relation level`, or `distance -> min` if `minimum` (then relation is kEqual and level 0).
+/// `distance relation level`, or `distance -> min` if `minimum` (then relation is kEqual and level 0). With `more` the
+/// sum distance + more[0] + ... is compared: "gap(B, A) <= gap(B, C)" has the weight -1 in it.
 struct Atom {
   Distance distance;
   Relation relation = Relation::kEqual;
@@ -70,9 +78,11 @@ struct Atom {
   bool minimum = false;
   std::string written;  // the level as it was written, for one that is no finite decimal ("1mm" in inches)
   const PredicateName* predicate = nullptr;  // the word of its writer, where that is one; no part of the value
+  std::vector<SumTerm> more{};
 
   friend bool operator==(const Atom& a, const Atom& b) {
-    return a.distance == b.distance && a.relation == b.relation && a.minimum == b.minimum && a.level == b.level;
+    return a.distance == b.distance && a.relation == b.relation && a.minimum == b.minimum && a.level == b.level &&
+           a.more == b.more;
   }
 };
 
@@ -87,6 +97,7 @@ struct SignMap {
   Distance distance;
   exact::Real level;
   bool minimum = false;
+  std::vector<SumTerm> more{};  // as an atom's
   friend bool operator==(const SignMap&, const SignMap&) = default;
 };
 
@@ -139,27 +150,37 @@ class Formula {
   std::int32_t entry_ = Instruction::kTrue;
 };
 
+/// Whether some atom compares a sum of distances.
+bool has_sums(const Formula& formula);
+
 Formula constant(bool value);
 Formula negation(const Formula& formula);
 /// Of none: true (conjunction), false (disjunction).
 Formula conjunction(std::span<const Formula> formulas);
 Formula disjunction(std::span<const Formula> formulas);
 
+/// A node of the formula's tree as a formula of its own.
+Formula part_of(const Formula& formula, const Node& node);
+
 /// The formula with shapes renamed, e.g. {"self": "A1", "other": "A0"}; names that are not in the map stay.
 Formula renamed(const Formula& formula, const std::map<std::string, std::string>& names);
 
 /// What the scene keys `minimize` and `maximize` take.
 struct Objective {
-  enum class Kind : std::uint8_t { kDistance, kX, kY, kZ, kDistanceToPoint };
+  enum class Kind : std::uint8_t { kDistance, kX, kY, kZ, kDistanceToPoint, kSum };
   Kind kind = Kind::kDistance;
   Distance distance;               // of kDistance
   bool negated = false;            // of kDistance: the objective is -distance (`margin` is -eta1)
   std::vector<exact::Real> point;  // of kDistanceToPoint, in the scene's unit
   std::string point_text;          // "[1, 2]"; no part of the value
+  std::vector<SumTerm> terms{};    // of kSum
 
   friend bool operator==(const Objective& a, const Objective& b) {
     return a.kind == b.kind && a.negated == b.negated && a.distance == b.distance && a.point == b.point;
   }
 };
+
+/// The distances of an objective: none of a coordinate or a point.
+std::vector<Distance> distances_of(const Objective& objective);
 
 }  // namespace findspace::formula

@@ -57,6 +57,7 @@ struct Token {
     kComma,
     kPlus,
     kMinus,
+    kTimes,
     kFault,  // `text` is the message
     kEnd
   };

@@ -24,7 +24,8 @@ bool is_conjunction(const Node& node) {
 bool is_simple(const Atom& atom) {
   const Kind kind = atom.distance.kind;
   const bool is_signed = kind == Kind::kGamma1 || kind == Kind::kEta1 || kind == Kind::kDelta1;
-  return !atom.minimum && atom.distance.mode == Mode::kPlain && is_signed && atom.relation != Relation::kNotEqual;
+  return !atom.minimum && atom.more.empty() && atom.distance.mode == Mode::kPlain && is_signed &&
+         atom.relation != Relation::kNotEqual;
 }
 
 /// p - by * unit
@@ -64,7 +65,7 @@ std::optional<NearestFeasible> nearest_by_contact(const ContactWorld& world, con
   // By continuity all around then, too.
   const auto is_off_its_level = [&](std::size_t atom, const Coordinates& q) {
     const Atom& a = formula.atoms()[atom];
-    return !a.minimum && a.distance.mode == Mode::kPlain && world.sign(atom, q).value_or(0) != 0;
+    return !a.minimum && a.more.empty() && a.distance.mode == Mode::kPlain && world.sign(atom, q).value_or(0) != 0;
   };
   std::optional<NearestFeasible> farthest;
   std::size_t decides = 0;

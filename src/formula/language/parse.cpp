@@ -8,6 +8,7 @@
 #include "formula/language/evaluate.h"
 #include "formula/language/parse_call.h"
 #include "formula/language/parse_number.h"
+#include "formula/language/parse_sum.h"
 #include "formula/language/text.h"
 
 namespace findspace::formula {
@@ -126,51 +127,67 @@ class Grammar {
 
   Node number_first() {
     const Number number = read_number(cursor_);
+    if (cursor_.at(K::kTimes) || cursor_.at(K::kPlus) || cursor_.at(K::kMinus))
+      return sum_first(read_sum(cursor_, context_, calls_, number));
     if (!cursor_.at(K::kRelation)) {
       cursor_.fail_syntax("a relation (< <= = != >= >) is meant after the number, found {}", cursor_.found());
     }
     const Relation relation = cursor_.take().relation;
-    if (at_number(cursor_))
-      cursor_.fail_syntax("a distance is meant here, found a number; two numbers are not compared");
-    if (!cursor_.at(K::kName)) cursor_.fail_syntax("a distance is meant here, found {}", cursor_.found());
-    const Term term = calls_.distance();
-    Node first = add(comparison(term, mirrored(relation), number));
+    const Sum middle = read_sum(cursor_, context_, calls_);
+    if (middle.terms.empty())
+      cursor_.fail(ErrorCode::kSyntax, middle.span,
+                   "a distance is meant here, found a number; two numbers are not compared");
+    Node first = relate(middle, mirrored(relation), of_number(number));
     if (!cursor_.at(K::kRelation)) return first;
     // Written out, a chain under `not` needs parentheses, and that has to be readable too.
     check_depth(depth_ + 1);
     const Relation upper = cursor_.take().relation;
     Node node{Op::kAnd, 0, {}};
     node.operands.push_back(std::move(first));
-    node.operands.push_back(add(comparison(term, upper, level_number())));
+    node.operands.push_back(relate(middle, upper, of_number(level_number())));
     if (cursor_.at(K::kRelation)) cursor_.fail_syntax("a chain has two relations at most: 0.5 <= gap(B, A) <= 2");
     return node;
   }
 
-  Node distance_first() {
-    Term term = calls_.distance();
+  Node distance_first() { return sum_first(read_sum(cursor_, context_, calls_)); }
+
+  /// sum -> min, or sum REL sum.
+  Node sum_first(const Sum& left) {
     if (cursor_.at(K::kArrow)) {
       cursor_.take();
       if (!cursor_.accept_word("min")) cursor_.fail_syntax("only 'min' may follow '->', found {}", cursor_.found());
-      return minimum(term);
+      if (!left.term)
+        cursor_.fail(ErrorCode::kUnsupported, left.span, "'-> min' is of one distance; \"minimize\" takes a sum");
+      return minimum(*left.term);
     }
     if (!cursor_.at(K::kRelation)) {
-      cursor_.fail(ErrorCode::kSyntax, term.span, "a distance is a number, not a condition; compare it, e.g. {} >= 0",
-                   written(term.distance));
+      const std::string example = left.term ? written(left.term->distance) : "gap(B, A) + gap(B, C)";
+      cursor_.fail(ErrorCode::kSyntax, left.span, "a distance is a number, not a condition; compare it, e.g. {} >= 0",
+                   example);
     }
     const Relation relation = cursor_.take().relation;
-    Node node = add(comparison(std::move(term), relation, level_number()));
+    if (!at_number(cursor_) && !calls_.at_distance())
+      cursor_.fail_syntax("a number is meant here, found {}", cursor_.found());
+    Node node = relate(left, relation, read_sum(cursor_, context_, calls_));
     if (cursor_.at(K::kRelation)) {
       cursor_.fail_syntax("a chain has its distance in the middle: 0.5 <= gap(B, A) <= 2");
     }
     return node;
   }
 
+  Node relate(const Sum& left, Relation relation, const Sum& right) {
+    if (left.term && right.is_number()) return add(comparison(*left.term, relation, right.numbers.front()));
+    SumCondition found = condition(cursor_, context_, difference(left, right), relation);
+    if (!found.atom) return Node{found.holds ? Op::kTrue : Op::kFalse, 0, {}};
+    return add(*std::move(found.atom));
+  }
+
+  /// As the right side of a relation.
+  static Sum of_number(const Number& number) { return {{}, {number}, std::nullopt, number.span}; }
+
   /// The number on the right side of a relation.
   Number level_number() {
-    if (calls_.at_distance()) {
-      cursor_.fail_syntax(
-          "a distance is compared with a number, not with another distance; compare each with a number");
-    }
+    if (calls_.at_distance()) cursor_.fail_syntax("a number is meant at the end of a chain, found a distance");
     return read_number(cursor_);
   }
 
@@ -259,22 +276,44 @@ bool read_point(Cursor& cursor, const Context& context, Objective& objective) {
   return true;
 }
 
+/// One distance, or a sum of several.
+void read_distances(Cursor& cursor, const Context& context, Objective& objective) {
+  CallReader calls(cursor, context);
+  Sum sum = read_sum(cursor, context, calls);
+  if (!sum.numbers.empty())
+    cursor.fail(ErrorCode::kBadValue, sum.numbers.front().span,
+                "a number by itself does not change which position is best: leave it out");
+  if (sum.terms.empty())
+    cursor.fail(ErrorCode::kBadValue, sum.span, "these distances cancel: nothing is left of the sum");
+  for (const SumTerm& t : sum.terms)
+    if (t.distance.first.empty() || t.distance.second.empty())
+      cursor.fail(ErrorCode::kBadValue, sum.span, "a distance to an empty list is no objective");
+  const exact::Real& first = sum.terms.front().weight;
+  if (sum.terms.size() == 1 && exact::abs(first) == exact::Real(1)) {
+    objective.distance = std::move(sum.terms.front().distance);
+    objective.negated = first.sign() < 0;
+    return;
+  }
+  Context alone = context;  // of the shapes that are placed one is placed at a time
+  alone.independent = false;
+  alone.extra.clear();
+  check_sum(cursor, alone, sum);
+  objective.kind = Objective::Kind::kSum;
+  objective.terms = std::move(sum.terms);
+}
+
 }  // namespace
 
 Formula parse_formula(std::string_view text, const Context& context) { return Grammar(text, context).formula(); }
 
 Objective parse_objective(std::string_view text, const Context& context) {
   static constexpr char kForms[] =
-      "an objective is a distance such as gap(B, A), x, y, z or distance to [x, y]; found {}";
+      "an objective is a distance such as gap(B, A), a sum of distances, x, y, z or distance to [x, y]; found {}";
   Cursor cursor(text);
   Objective objective;
   if (!read_coordinate(cursor, context, objective) && !read_point(cursor, context, objective)) {
-    if (!cursor.at(K::kName)) cursor.fail_syntax(kForms, cursor.found());
-    Term term = CallReader(cursor, context).distance();
-    if (term.distance.first.empty() || term.distance.second.empty())
-      cursor.fail(ErrorCode::kBadValue, term.span, "a distance to an empty list is no objective");
-    objective.distance = std::move(term.distance);
-    objective.negated = term.negated;
+    if (!cursor.at(K::kName) && !at_number(cursor)) cursor.fail_syntax(kForms, cursor.found());
+    read_distances(cursor, context, objective);
   }
   if (!cursor.at(K::kEnd)) cursor.fail_syntax(kForms, cursor.found());
   return objective;

@@ -32,7 +32,7 @@
 #include "findspace/error.h"
 #include "formula/language/formula.h"
 #include "formula/language/units.h"
-#include "plane/base/work.h"
+#include "plane/base/work_budget.h"
 
 namespace findspace::formula {
 
@@ -48,7 +48,7 @@ struct Context {
   bool motion = false;       // the scene has a motion: `inf` and `sup` mean something
   std::optional<Unit> unit;  // the scene's unit; without one, numbers may not carry units
   int dimension = 2;
-  std::uint64_t work_limit = plane::kUsualWork;  // of a formula (plane/base/work.h)
+  std::uint64_t work_limit = plane::kUsualWorkBudget;  // of a formula (plane/base/work_budget.h)
 };
 
 inline constexpr int kDeepest = 200;

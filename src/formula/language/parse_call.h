@@ -73,7 +73,7 @@ class CallReader {
 
   Cursor& cursor_;
   const Context& context_;
-  plane::Work work_;
+  plane::WorkBudget work_;
   NameSet known_;  // shapes, by names in the context
 };
 

@@ -76,13 +76,18 @@ Goal parse_goal(std::string_view text, const Context& context) {
     return goal;
   }
   std::string rest(text);
-  if (at_sign(cursor)) {
+  const bool minus = cursor.at(K::kMinus);
+  if (at_sign(cursor) && cursor.at_word("distance", 1) && cursor.at_word("to", 2)) {
     const Token sign = cursor.take();
     goal.negated = sign.kind == K::kMinus;
     // Blanks keep every column where it was.
     for (std::size_t i = sign.span.begin; i < sign.span.end; ++i) rest[i] = ' ';
   }
   goal.objective = parse_objective(rest, context);
+  if (minus && goal.objective->kind == Objective::Kind::kDistance) {
+    goal.negated = true;  // not the distance itself: its own word may be minus another
+    goal.objective->negated = !goal.objective->negated;
+  }
   return goal;
 }
 

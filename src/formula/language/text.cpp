@@ -104,8 +104,33 @@ std::string text(const Distance& distance, Script script) {
   return distance_text(distance, script == Script::kAscii ? name(distance.kind) : symbol(distance.kind));
 }
 
+namespace {
+
+/// "gap(B, A) - 2 * gap(B, C)"; `word` writes a distance.
+template <class Word>
+std::string sum_text(std::span<const SumTerm> terms, const Word& word, bool negated_words) {
+  std::string out;
+  for (const SumTerm& t : terms) {
+    const bool minus = (t.weight.sign() < 0) != (negated_words && negated(t.distance));
+    const exact::Real size = exact::abs(t.weight);
+    const std::string decimal = decimal_text(size), factor = decimal.empty() ? size.text() : decimal;
+    out += out.empty() ? (minus ? "-" : "") : (minus ? " - " : " + ");
+    out += (factor == "1" ? "" : factor + " * ") + word(t.distance);
+  }
+  return out;
+}
+
+std::vector<SumTerm> all_terms(const Atom& atom) {
+  std::vector<SumTerm> out{{exact::Real(1), atom.distance}};
+  out.insert(out.end(), atom.more.begin(), atom.more.end());
+  return out;
+}
+
+}  // namespace
+
 std::string text(const Atom& atom, Script script) {
-  const std::string distance = text(atom.distance, script);
+  const std::string distance = sum_text(
+      all_terms(atom), [&](const Distance& d) { return text(d, script); }, false);
   if (atom.minimum) return distance + (script == Script::kAscii ? " -> min" : " → min");
   return fmt::format("{} {} {}", distance, text(atom.relation, script), level_text(atom, false));
 }
@@ -125,13 +150,20 @@ std::string written(const Distance& distance) {
   return distance_text(said, distance.spelled->name);
 }
 
+std::string written_sum(const Atom& atom) {
+  const auto word = [](const Distance& d) { return written(d); };
+  return sum_text(all_terms(atom), word, true);
+}
+
 std::string written(const Atom& atom) {
+  if (!atom.more.empty())
+    return fmt::format("{} {} {}", written_sum(atom), text(atom.relation), level_text(atom, false));
   const bool from_word = atom.predicate != nullptr && atom.predicate->level != PredicateName::Level::kNone;
-  const bool turned_round = atom.predicate != nullptr ? atom.predicate->negated : negated(atom.distance);
-  const std::string level = level_text(atom, turned_round);
+  const bool mirrors = atom.predicate != nullptr ? atom.predicate->negated : negated(atom.distance);
+  const std::string level = level_text(atom, mirrors);
   if (atom.predicate == nullptr) {
     if (atom.minimum) return written(atom.distance) + " -> min";
-    const Relation relation = turned_round ? mirrored(atom.relation) : atom.relation;
+    const Relation relation = mirrors ? mirrored(atom.relation) : atom.relation;
     return fmt::format("{} {} {}", written(atom.distance), text(relation), level);
   }
   const bool said = from_word && (atom.predicate->level == PredicateName::Level::kRequired || atom.level.sign() != 0);
@@ -166,6 +198,10 @@ std::string text(const Objective& objective, Script script) {
       return "z";
     case Objective::Kind::kDistanceToPoint:
       return "distance to " + objective.point_text;
+    case Objective::Kind::kSum: {
+      const auto word = [&](const Distance& d) { return script == Script::kAscii ? written(d) : text(d, script); };
+      return sum_text(objective.terms, word, script == Script::kAscii);
+    }
     case Objective::Kind::kDistance:
       break;
   }

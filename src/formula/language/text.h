@@ -29,6 +29,8 @@ std::string written(const Distance& distance);
 std::string written(const Atom& atom);
 std::string written(const Formula& formula);
 bool negated(const Distance& distance);
+/// The sum that an atom compares, in the words of its writer: "gap(B, A) - gap(B, C)".
+std::string written_sum(const Atom& atom);
 
 /// A canonical spelling in the plain word of its distance: eta1(B, A) is minus margin(B, A), inf eta1 minus sup margin.
 struct PlainText {

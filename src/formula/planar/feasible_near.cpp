@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "distance/planar/signed_distance.h"
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
 #include "formula/planar/least_values.h"
 #include "formula/planar/position_functions.h"
@@ -34,17 +34,6 @@ using plane::Index;
 using plane::Mark;
 using plane::PieceBox;
 using plane::Region;
-
-/// A node of a formula as a formula of its own.
-Node taken(const Node& node, const Formula& from, std::vector<Atom>& atoms) {
-  Node out{node.op, 0, {}};
-  if (node.op == Node::Op::kAtom) {
-    out.atom = atoms.size();
-    atoms.push_back(from.atoms()[node.atom]);
-  }
-  for (const Node& operand : node.operands) out.operands.push_back(taken(operand, from, atoms));
-  return out;
-}
 
 bool is_plain(const Distance& d) { return d.mode == Mode::kPlain; }
 
@@ -116,11 +105,7 @@ class Near {
     return region;
   }
 
-  Formula alone(const Node& node) const {
-    std::vector<Atom> atoms;
-    Node copy = taken(node, formula_, atoms);
-    return Formula(std::move(copy), std::move(atoms));
-  }
+  Formula alone(const Node& node) const { return part_of(formula_, node); }
 
   bool moves(const std::string& name) const {
     const auto& moving = world_.world().moving;
@@ -131,7 +116,7 @@ class Near {
   bool bounds(const Node& node) const {
     if (node.op != Node::Op::kAtom) return false;
     const Atom& atom = formula_.atoms()[node.atom];
-    return !atom.minimum && is_plain(atom.distance) && atom.distance.kind == Kind::kEta1 &&
+    return !atom.minimum && atom.more.empty() && is_plain(atom.distance) && atom.distance.kind == Kind::kEta1 &&
            moves(atom.distance.first[0]) && (atom.relation == Relation::kLess || atom.relation == Relation::kLessEqual);
   }
 
@@ -155,7 +140,7 @@ class Near {
     if (node.op != Node::Op::kAtom) return std::nullopt;
     const Atom& atom = formula_.atoms()[node.atom];
     const Distance d = moving_first(atom.distance, world_.world().moving);
-    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
+    if (atom.minimum || !atom.more.empty() || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
         atom.level.sign() < 0)
       return std::nullopt;
     auto mover = movers_.find(d.first);
@@ -172,7 +157,7 @@ class Near {
   /// gamma1 from level 0 on, of bounded shapes.
   bool is_local(const SignMap& wanted) const {
     const Distance d = moving_first(wanted.distance, world_.world().moving);
-    return !wanted.minimum && is_plain(d) && d.kind == Kind::kGamma1 && wanted.level.sign() >= 0 && moves(d.first[0]) &&
+    return !wanted.minimum && wanted.more.empty() && is_plain(d) && d.kind == Kind::kGamma1 && wanted.level.sign() >= 0 && moves(d.first[0]) &&
            std::all_of(d.second.begin(), d.second.end(),
                        [&](const std::string& name) { return world_.box(name) != nullptr; });
   }
@@ -180,6 +165,7 @@ class Near {
   plane::SignMap sign_map(const SignMap& wanted) const {
     const Real level = wanted.level / world_.step();
     const Distance d = moving_first(wanted.distance, world_.world().moving);
+    if (!wanted.more.empty()) return formula::sign_map(world_, wanted);
     if (wanted.minimum) return minimiser_map(least(world_, wanted.distance));
     if (!is_local(wanted)) return position_function(world_, wanted.distance)->sign_map(level);
     const auto known = movers_.find(d.first);

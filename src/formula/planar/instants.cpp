@@ -9,7 +9,7 @@
 #include <functional>
 #include <queue>
 
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"

@@ -8,7 +8,7 @@
 
 #include "distance/planar_least/directional_least.h"
 #include "distance/planar_least/level_extremum.h"
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "formula/language/text.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/rotation_values.h"

@@ -12,6 +12,7 @@
 #include "formula/planar/least_values.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/rotation_values.h"
+#include "formula/planar/sums.h"
 
 namespace findspace::formula {
 
@@ -59,6 +60,13 @@ Optimum between(Optimum certain, const Optimum& possible, Sense sense) {
   return certain;
 }
 
+/// The sum is finite, or infinite everywhere.
+Optimum best_sum(const distance::PositionBounds& over, const Objective& objective, Sense sense, const Solver& solver) {
+  const PreparedWorld& world = solver.prepared();
+  const distance::DistanceSum sum = distance_sum(world, objective.terms);
+  return optimum(best_position(sum, over, sense, reach_of(world, objective.terms)), world.step(), false);
+}
+
 }  // namespace
 
 bool is_bounded(const Objective& objective, const Solver& solver) {
@@ -66,6 +74,8 @@ bool is_bounded(const Objective& objective, const Solver& solver) {
 }
 
 Optimum optimize(const RegionBounds& regions, const Objective& objective, Sense sense, const Solver& solver) {
+  if (objective.kind == Objective::Kind::kSum)
+    return best_sum({regions.inner, regions.outer}, objective, sense, solver);
   if (!is_bounded(objective, solver)) {
     return between(optimize(regions.inner, objective, sense, solver), optimize(regions.outer, objective, sense, solver),
                    sense);
@@ -88,6 +98,8 @@ Optimum optimize(const plane::Region& region, const Objective& objective, Sense 
       auto f = distance::Farthest::from_point({objective.point.at(0) / step, objective.point.at(1) / step});
       return optimum(extremum(f, region, sense), step, false);
     }
+    case Objective::Kind::kSum:
+      return best_sum({region, region}, objective, sense, solver);
     case Objective::Kind::kDistance:
       break;
   }

@@ -8,11 +8,12 @@
 #include <cmath>
 #include <optional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
 #include "formula/planar/measure.h"
 #include "formula/planar/regions.h"
 #include "formula/planar/rotation_values.h"
+#include "formula/planar/sums.h"
 #include "formula/planar/swing.h"
 #include "plane/base/parallel.h"
 #include "plane/base/stopwatch.h"
@@ -41,9 +42,18 @@ std::optional<DecidedSign> clear_sign(const PreparedWorld& world, const SignMap&
   return std::nullopt;
 }
 
+/// Exactly where every summand has an exact value, else by their bounds.
+DecidedSign sum_sign(const PreparedWorld& world, const SignMap& wanted, const RealPoint& p) {
+  const distance::DistanceSum sum = distance_sum(world, terms_of(wanted));
+  const auto sign = sum.sign(p, wanted.level / world.step());
+  if (!sign) refuse(wanted.distance, "the sum that it is part of is too near to the level here to decide");
+  return {std::int8_t(*sign), Way::kMap};
+}
+
 }  // namespace
 
 DecidedSign decided_sign(const PreparedWorld& world, const SignMap& asked, const RealPoint& p) {
+  if (!asked.more.empty()) return sum_sign(world, asked, p);
   const SignMap wanted = plain_level(asked);
   const Roles r = world.roles(wanted.distance);
   const bool rotation = in_rotation(wanted);
@@ -112,10 +122,12 @@ Check check_at(const PreparedWorld& world, const Formula& formula, const RealPoi
     const std::size_t map = formula.sign_map_of(k);
     const plane::Stopwatch watch;
     const auto& known = decisions[map].value;
-    DistanceAt value = known && atom.distance.mode == Mode::kPlain && atom.distance == formula.sign_maps()[map].distance
-                           ? plain_distance_at(world, atom.distance, *known, p)
-                           : distance_at(world, atom.distance, p);
-    if (value.answer && !atom.minimum)
+    const bool same = known && atom.more.empty() && atom.distance.mode == Mode::kPlain &&
+                      atom.distance == formula.sign_maps()[map].distance;
+    DistanceAt value = same                ? plain_distance_at(world, atom.distance, *known, p)
+                       : atom.more.empty() ? distance_at(world, atom.distance, p)
+                                           : sum_at(world, formula.sign_maps()[map], written_sum(atom), p);
+    if (value.answer && !atom.minimum && atom.more.empty())
       value.answer = distance::narrowed(*std::move(value.answer), atom.level, signs[map]);
     out.atoms.push_back(atom_at(atom, std::move(value), signs[map]));
     out.atoms.back().way = decisions[map].way;

@@ -10,9 +10,9 @@
 #include <map>
 #include <vector>
 
-#include "distance/rotation/rotation_map.h"
-#include "distance/rotation/rotation_positions.h"
-#include "exact/number/margins.h"
+#include "distance/rotation/motion_maps.h"
+#include "distance/rotation/rotational_by_position.h"
+#include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
 #include "formula/planar/least_values.h"
@@ -81,8 +81,8 @@ BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked) {
   if ((kind == Which::kEta1 || kind == Which::kDelta1) && wanted.level.sign() <= 0)
     kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
   const auto bounds = [&](Which of, const Real& level) {
-    return distance::rotation_maps(world.shape(r.names.first), world.shape(r.names.second), of,
-                                   rotation_poses(world, r, false), sense, level / world.step());
+    return distance::motion_maps(world.shape(r.names.first), world.shape(r.names.second), of,
+                                 rotation_poses(world, r, false), sense, level / world.step());
   };
   const bool eta = kind == Which::kEta1 || kind == Which::kEta2, first = kind == Which::kEta1 || kind == Which::kDelta1;
   if (!eta && !first && kind != Which::kDelta2) return bounds(kind, wanted.level);
@@ -124,6 +124,7 @@ plane::SignMap observed(const SignMap& wanted, plane::SignMap map) {
 
 plane::SignMap sign_map(const PreparedWorld& world, const SignMap& asked) {
   const SignMap wanted = plain_level(asked);
+  if (!wanted.more.empty()) refuse(wanted.distance, "compared with other distances it has no sign map of its own");
   return observed(wanted, wanted.minimum
                               ? minimiser_map(least(world, wanted.distance))
                               : position_function(world, wanted.distance)->sign_map(wanted.level / world.step()));
@@ -144,6 +145,8 @@ plane::Region region_of(const Formula& formula, const std::vector<plane::SignMap
 
 std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const Formula& formula) {
   for (const SignMap& asked : formula.sign_maps()) {
+    if (!asked.more.empty())
+      return refused(asked.distance, "compared with other distances it has a region between two sets");
     if (asked.minimum) continue;  // the least value has positions
     if (auto why = between_bounds(world, plain_level(asked).distance)) return why;
   }

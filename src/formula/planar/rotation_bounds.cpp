@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "distance/rotation/rotation_angles.h"
 #include "distance/rotation/rotation_in_time.h"
-#include "exact/number/margins.h"
+#include "distance/rotation/rotational_by_angle.h"
+#include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
 #include "plane/query/moved.h"
 

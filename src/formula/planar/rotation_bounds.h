@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Angles where they are known between bounds only: distances in rotation about another point than the moving shape
-// rotates about, at levels other than 0 (rotation_angles.h). Keywords: interval, orientation, branch and bound.
+// rotates about, at levels other than 0 (rotational_by_angle.h). Keywords: interval, orientation, branch and bound.
 #pragma once
 
 #include <optional>

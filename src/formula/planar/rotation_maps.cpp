@@ -7,7 +7,7 @@
 
 #include "distance/rotation/rotated_directional.h"
 #include "distance/rotation/rotated_pair.h"
-#include "distance/rotation/rotation.h"
+#include "distance/rotation/rotational_distance.h"
 #include "formula/language/evaluate.h"
 #include "plane/base/real_vector.h"
 

@@ -9,6 +9,7 @@
 #include "formula/planar/position_check.h"
 #include "formula/planar/regions.h"
 #include "formula/planar/rotation_values.h"
+#include "formula/planar/sums.h"
 #include "formula/planar/swing.h"
 
 namespace findspace::formula {
@@ -18,10 +19,12 @@ using exact::RealPoint;
 plane::Region Solver::feasible(const Formula& formula) const { return formula::feasible(prepared_, formula); }
 
 RegionBounds Solver::feasible_bounds(const Formula& formula) const {
-  return formula::feasible_bounds(prepared_, formula);
+  return has_sums(formula) ? sum_region_bounds(*this, formula) : formula::feasible_bounds(prepared_, formula);
 }
 
-bool Solver::rotations_in(const Formula& formula) const { return formula::rotations_in(prepared_, formula); }
+bool Solver::known_between_bounds(const Formula& formula) const {
+  return has_sums(formula) || formula::rotations_in(prepared_, formula);
+}
 
 Check Solver::check(const Formula& formula, const RealPoint& p) const {
   return check_at(prepared_, formula, prepared_.steps(p));

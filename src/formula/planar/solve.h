@@ -30,8 +30,8 @@ class Solver {
   /// Regions of positions, in grid steps (regions.h).
   plane::Region feasible(const Formula& formula) const;
   RegionBounds feasible_bounds(const Formula& formula) const;
-  /// feasible() is refused, feasible_bounds() is not (rotation_values.h).
-  bool rotations_in(const Formula& formula) const;
+  /// feasible() is refused, feasible_bounds() is not (rotation_values.h, sums.h).
+  bool known_between_bounds(const Formula& formula) const;
 
   /// One position (position_check.h, measure.h, nearest_feasible.h).
   Check check(const Formula& formula, const exact::RealPoint& p) const;

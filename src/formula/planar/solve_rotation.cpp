@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/rotation/rotation.h"
-#include "exact/number/margins.h"
+#include "distance/rotation/rotational_distance.h"
+#include "exact/margins/formula.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
@@ -102,6 +102,7 @@ const Solver& RotationSolver::rotated_solver() const {
 }
 
 RotationMaps RotationSolver::maps(const Formula& formula) const {
+  if (has_sums(formula)) throw Error(ErrorCode::kUnsupported, "distances are not compared with each other over angles");
   return {world_, point_of_rotation(formula), world_.steps(pose_.at)};
 }
 

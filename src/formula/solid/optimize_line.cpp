@@ -52,6 +52,7 @@ OnLine on_line(const Objective& objective, const SpaceLine& line, const Real& st
       for (std::size_t k = 0; k < 3; ++k) off[k] = objective.point.at(k) / step - line.through[k];
       return {Real(), space::dot(off, along)};
     }
+    case Objective::Kind::kSum:  // refused where it is read
     case Objective::Kind::kDistance:
       break;
   }

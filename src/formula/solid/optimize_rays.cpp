@@ -6,7 +6,7 @@
 #include <cmath>
 #include <queue>
 
-#include "exact/number/margins.h"
+#include "exact/margins/formula.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::formula {

@@ -84,13 +84,13 @@ Tried<SurfaceRays> parts(const RayWorld& world, const SignMap& map, const RayGri
 
 /// Containment up to level 0 in a shape that has no convex parts, by those it is made of (container_parts.h); nothing
 /// where it is made of one.
-Tried<SurfaceRays> in_room(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
+Tried<SurfaceRays> in_container(const RayWorld& world, const SignMap& map, const Distance& d, const RayGrid& grid) {
   SurfaceRays out;
   out.least = false;
   if ((d.kind != Kind::kEta1 && d.kind != Kind::kMu) || map.level.sign() > 0 || d.second.size() != 1) return out;
-  const std::vector<ContainerPart> tolerance = container_parts(world.shapes.at(d.second[0]).stated());
-  if (tolerance.size() < 2) return out;
-  for (const ContainerPart& part : tolerance) {
+  const std::vector<ContainerPart> container = container_parts(world.shapes.at(d.second[0]).stated());
+  if (container.size() < 2) return out;
+  for (const ContainerPart& part : container) {
     RayWorld one = world;
     one.shapes.insert_or_assign(d.second[0], RayShape(part.shape));
     SignMap wanted{d, part.without ? -map.level : map.level, false};
@@ -174,7 +174,7 @@ Tried<SurfaceRays> by_sets(const RayWorld& world, const SignMap& map, const Dist
   if (whole) return SurfaceRays::of(*std::move(whole));
   if (is_directional(d)) return whole.refusal().within(written(map.distance));
   if (!second) {
-    Tried<SurfaceRays> containers = in_room(world, map, d, grid);
+    Tried<SurfaceRays> containers = in_container(world, map, d, grid);
     if (!containers || !containers->sources.empty()) return containers;
   }
   Tried<space::RaySourcePointer> cut = by_cut(world, map, d, second, grid);

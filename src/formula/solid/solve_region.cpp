@@ -104,15 +104,17 @@ ExactShape exact_shape(const plane::Shape& shape, bool flat) {
   return out;
 }
 
-ShapeBoundary shape_boundary(const plane::Shape& shape) {
-  if (auto surface = one_surface(shape)) return *std::move(surface);
-  if (auto made = try_space_shape(shape)) {
-    if (made->boxes) return *std::move(made->boxes);
-    if (known_convex(*made) && !made->body->round()) return made->body.pointer();
+std::optional<ShapeBoundary> shape_boundary(const plane::Shape& shape) {
+  std::optional<ShapeBoundary> out;
+  if (auto surface = one_surface(shape)) {
+    out.emplace(*std::move(surface));
+  } else if (auto made = try_space_shape(shape)) {
+    if (made->boxes)
+      out.emplace(*std::move(made->boxes));
+    else if (known_convex(*made) && !made->body->round())
+      out.emplace(made->body.pointer());
   }
-  throw Error(ErrorCode::kUnsupported,
-              "this is not bounded by one surface of flat faces; describe -o writes its surface as found on lines",
-              shape.place);
+  return out;
 }
 
 }  // namespace findspace::formula

@@ -42,7 +42,7 @@ ExactShape exact_shape(const plane::Shape& shape, bool flat);
 
 /// The boundary of a shape: one closed surface, the faces of boxes, or those of a convex polytope.
 using ShapeBoundary = std::variant<space::Triangles, space::BoxComplex, LazyBody::Pointer>;
-/// Throws Error(kUnsupported) for other shapes.
-ShapeBoundary shape_boundary(const plane::Shape& shape);
+/// Nothing for other shapes.
+std::optional<ShapeBoundary> shape_boundary(const plane::Shape& shape);
 
 }  // namespace findspace::formula

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "exact/number/margins.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"

@@ -27,7 +27,7 @@ std::optional<NearestFeasible> from_contacts(const SpaceSolver& solver, const Fo
                            },
                            [&](std::size_t atom, const Coordinates& q) -> std::optional<int> {
                              const Atom& a = formula.atoms()[atom];
-                             if (a.minimum) return std::nullopt;
+                             if (a.minimum || !a.more.empty()) return std::nullopt;
                              const auto v = value(a.distance, q);
                              if (!v) return std::nullopt;
                              if (!*v) return 1;

@@ -102,14 +102,11 @@ std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
 
 namespace {
 
-/// Nothing of it where a shape has no surface, or goes on for ever.
+/// Nothing of it where a shape has no surface, goes on for ever, or lies too far out.
 distance::Surfaced surfaced(const std::vector<SpaceShape>& shapes, std::int64_t scale) {
   auto set = std::make_shared<space::SurfaceSet>();
   for (const SpaceShape& s : shapes) {
-    if (s.surfaces)
-      set->add(*s.surfaces, scale);
-    else if (!s.body || !set->add(space::at_scale(*s.body, scale)))
-      return {};
+    if (!(s.surfaces ? set->add(*s.surfaces, scale) : s.body && set->add(*s.body, scale))) return {};
   }
   distance::Surfaced out{set, nullptr, false};
   const SpaceShape& only = shapes[0];
@@ -129,13 +126,8 @@ void SpacePair::make_surfaces() {
       if (!s.surfaces && s.body) surface_scale_ = std::lcm(surface_scale_, s.body->scale);
     }
   }
-  try {
-    surfaced_b_ = surfaced(moving_, surface_scale_);
-    surfaced_a_ = surfaced(fixed_, surface_scale_);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kOutOfRange) throw;
-    surfaced_b_ = surfaced_a_ = {};
-  }
+  surfaced_b_ = surfaced(moving_, surface_scale_);
+  surfaced_a_ = surfaced(fixed_, surface_scale_);
   surfaces_ = std::make_unique<distance::SurfacePair>(surfaced_b_, surfaced_a_);
 }
 

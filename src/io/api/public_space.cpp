@@ -6,14 +6,21 @@
 #include <fmt/format.h>
 
 #include "api/query/space_region_data.h"
+#include "findspace/error.h"
 #include "formula/language/text.h"
+#include "io/draw/draw_bodies.h"
 #include "io/mesh/space_surface.h"
 #include "io/write/write_json_space.h"
+#include "space/body/body.h"
 #include "space/polytope/solid.h"
 
 namespace findspace {
 
 using exact::Real;
+
+std::string Surface::text(std::string_view ending, std::string_view unit) const {
+  return io::surface_text({vertices, faces, {}}, "surface", ending, unit);
+}
 
 Surface SpaceRegion::surface() const {
   const auto& convex = data_->region.convex;
@@ -21,6 +28,8 @@ Surface SpaceRegion::surface() const {
       convex ? io::convex_surface(convex->set, data_->step) : io::box_surface(data_->region.boxes, data_->step);
   return {std::move(made.vertices), std::move(made.faces)};
 }
+
+std::string SpaceRegion::svg() const { return surface().text(".svg", data_->unit); }
 
 std::string SpaceRegion::json() const {
   const auto& convex = data_->region.convex;
@@ -126,6 +135,20 @@ class SolidText {
 };
 
 }  // namespace
+
+Surface Shape::surface() const {
+  if (dimension() == 2) throw Error(ErrorCode::kUnsupported, "a shape of the plane has no surface");
+  io::Surface made = io::solid_surface(*data_->tree, data_->grid.step()).surface;
+  return {std::move(made.vertices), std::move(made.faces)};
+}
+
+std::string Shape::svg() const {
+  if (dimension() == 2) return region().svg();
+  const space::Body body = space::body(*data_->tree);
+  io::BodiesPicture picture{"", "", {}, {}, {}, data_->grid.step_size()};
+  picture.bodies.push_back({&body, {}, false});
+  return io::bodies_svg(picture);
+}
 
 std::string Shape::exact_json() const {
   return dimension() == 2 ? region().exact_json() : SolidText(data_->grid.step()).tree(*data_->tree);

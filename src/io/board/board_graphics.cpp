@@ -52,7 +52,7 @@ bool Graphics::add(const Sexpr& item, const Affine& map) {
   } else if (kind == "poly") {
     add_polygon(item, map);
   } else if (kind == "curve") {
-    item.fail(ErrorCode::kUnsupported, "a Bézier curve is not read; only lines and circular arcs are");
+    curve(item, map);
   } else {
     return false;
   }
@@ -143,6 +143,36 @@ void Graphics::add_polygon(const Sexpr& item, const Affine& map) {
     last = point(vertex.need("end"), map);
   });
   if (last) segment(*last, *first);
+}
+
+/// By segments between points of the curve, at equal parameters. The chord of a parameter step h departs from the curve
+/// by at most h^2 / 8 of the second derivative, which is 6 of the second differences of the control points.
+void Graphics::curve(const Sexpr& item, const Affine& map) {
+  std::vector<GridPoint> control;
+  item.need("pts").each([&](const Sexpr& vertex) { control.push_back(point(vertex, map)); });
+  if (control.size() != 4) item.fail(ErrorCode::kSyntax, "a Bézier curve has four control points");
+  double bend = 0;
+  for (std::size_t k = 0; k < 2; ++k)
+    bend = std::max(bend, std::hypot(double(control[k].x) - 2 * double(control[k + 1].x) + double(control[k + 2].x),
+                                     double(control[k].y) - 2 * double(control[k + 1].y) + double(control[k + 2].y)));
+  constexpr double kMostSegments = 10000;
+  const double count = std::ceil(std::sqrt(6 * bend / 8 / double(kCurve)));
+  if (count > kMostSegments) item.fail(ErrorCode::kOutOfRange, "a Bézier curve longer than any board");
+  const int segments = std::max(1, int(count));
+  GridPoint last = control.front();
+  for (int k = 1; k <= segments; ++k) {
+    const double t = double(k) / segments, s = 1 - t;
+    const double weight[4] = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+    double x = 0, y = 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+      x += weight[c] * double(control[c].x);
+      y += weight[c] * double(control[c].y);
+    }
+    const GridPoint next = k == segments ? control.back() : GridPoint{std::llround(x), std::llround(y)};
+    segment(last, next);
+    last = next;
+  }
+  context_.notes.push_back(item.place());
 }
 
 Extent Graphics::extent() const {

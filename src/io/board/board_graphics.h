@@ -3,8 +3,9 @@
 //
 // Lines, arcs, circles, rectangles and polygons of a board's file, and the closed outlines they make. Ends that lie no
 // farther apart than kGap are joined: the piece with the second end is moved to the first. Arcs are read in both
-// notations: centre, start and angle (KiCad 5), or three points; through its three points an arc is exact. Curves are
-// refused with their place. Cost: O(n log n), and the number of open ends squared. Keywords: Edge.Cuts, courtyard.
+// notations: centre, start and angle (KiCad 5), or three points; through its three points an arc is exact. Bézier
+// curves are read as segments no farther from them than kCurve; the context notes their places. Cost: O(n log n), and
+// the number of open ends squared. Keywords: Edge.Cuts, courtyard.
 #pragma once
 
 #include <optional>
@@ -19,6 +20,8 @@ namespace findspace::io {
 
 /// Ends of pieces of an outline that are joined, in grid steps: 0.01 mm, as KiCad does.
 inline constexpr std::int64_t kGap = 10000;
+/// How far a segment may depart from the Bézier curve that it is a part of, in grid steps: 0.0001 mm.
+inline constexpr std::int64_t kCurve = 100;
 
 /// A straight or round piece of an outline.
 struct Piece {
@@ -73,6 +76,7 @@ class Graphics {
   void arc_about(const Sexpr& item, const Affine& map);
   void circle(const Sexpr& item, const Affine& map);
   void rectangle(const Sexpr& item, const Affine& map);
+  void curve(const Sexpr& item, const Affine& map);
   void join_ends();
   Drawing drawn();
   void draw(const Piece& piece, Outline& outline) const;

@@ -143,6 +143,10 @@ class BoardReader {
     const auto drawings = count([](const Part& p) { return p.body == nullptr; });
     if (drawings > 0)
       board_.notes.push_back(fmt::format("{} footprints are drawings without pads or body: left out", drawings));
+    if (!context_.notes.empty())
+      board_.notes.push_back(fmt::format("{} Bézier curves, the first at {}, are read as segments, at most {} mm off",
+                                         context_.notes.size(), context_.notes.front(),
+                                         show(double(kCurve) * context_.grid.step_size())));
     const RoundingLog& log = context_.rounding;
     if (log.points > 0)
       board_.notes.push_back(fmt::format("{} points rounded to the grid, largest move {} mm", log.points,

@@ -22,7 +22,7 @@ struct DimensionLine {
 /// Lines given twice are drawn once, as failing if one of them is.
 std::vector<DimensionLine> without_repetition(std::vector<DimensionLine> all);
 std::string dimension_lines(const std::vector<DimensionLine>& all, const Frame& frame);
-/// The middle of each one's text, in pixels: beside its line, clear of the others where there is tolerance.
+/// The middle of each one's text, in pixels: beside its line, clear of the others where there is space.
 std::vector<plane::Place> text_places(const std::vector<DimensionLine>& all, const Frame& frame);
 /// One entry for each kind there is.
 std::vector<LegendEntry> dimension_entries(const std::vector<DimensionLine>& all);

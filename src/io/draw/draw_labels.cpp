@@ -21,7 +21,7 @@ using plane::Place;
 
 constexpr int kColumns = 12, kRows = 9;  // places tried in a shape
 constexpr double kClearance = 4;         // pixels kept from lines
-constexpr double kCross = 8;             // half the width of the cross at a position, with some tolerance
+constexpr double kCross = 8;             // half the width of the cross at a position, with some space
 constexpr double kStride = 7;            // pixels between the points that stand for a line
 constexpr double kMostPoints = 20000;
 
@@ -145,16 +145,16 @@ bool Labeller::meets_smaller(std::size_t shape, const Box& b) const {
 std::optional<Labeller::Box> Labeller::place_inside(std::size_t shape) {
   const LabelledShape& s = shapes_[shape];
   const Component& c = *largest(s.summary);
-  const Box tolerance =
-      c.bbox ? pixel_box(s, *c.bbox)
-             : Box{{frame_.left, frame_.top}, {frame_.left + frame_.width(), frame_.top + frame_.height()}};
+  const Box area = c.bbox
+                       ? pixel_box(s, *c.bbox)
+                       : Box{{frame_.left, frame_.top}, {frame_.left + frame_.width(), frame_.top + frame_.height()}};
   const Box own = box_around(frame_.x(c.sample[0] + s.offset[0]), frame_.y(c.sample[1] + s.offset[1]), s.name);
   const double w = (own.high[0] - own.low[0]) / 2 + 3, h = (own.high[1] - own.low[1]) / 2 + 3;
   std::vector<Box> boxes{own};
   for (int j = 0; j < kRows; ++j) {
     for (int i = 0; i < kColumns; ++i) {
-      const double x = tolerance.low[0] + w + (tolerance.high[0] - tolerance.low[0] - 2 * w) * i / (kColumns - 1);
-      const double y = tolerance.low[1] + h + (tolerance.high[1] - tolerance.low[1] - 2 * h) * j / (kRows - 1);
+      const double x = area.low[0] + w + (area.high[0] - area.low[0] - 2 * w) * i / (kColumns - 1);
+      const double y = area.low[1] + h + (area.high[1] - area.low[1] - 2 * h) * j / (kRows - 1);
       boxes.push_back(box_around(x, y, s.name));
     }
   }

@@ -23,10 +23,10 @@ void include(std::optional<Bounds>& bounds, const Bounds& added) {
 
 Frame fit(const Bounds& bounds, double margin, double left, double top) {
   const double width = bounds.high[0] - bounds.low[0], height = bounds.high[1] - bounds.low[1];
-  const double size = std::max(width, height), tolerance = size > 0 ? size * margin : 1;
+  const double size = std::max(width, height), padding = size > 0 ? size * margin : 1;
   // A picture that is a line would have no height: it is given a sixth of its length.
-  const double extra_x = std::max(tolerance, (size / 6 - width) / 2),
-               extra_y = std::max(tolerance, (size / 6 - height) / 2);
+  const double extra_x = std::max(padding, (size / 6 - width) / 2),
+               extra_y = std::max(padding, (size / 6 - height) / 2);
   Frame f;
   f.world = {{bounds.low[0] - extra_x, bounds.low[1] - extra_y}, {bounds.high[0] + extra_x, bounds.high[1] + extra_y}};
   f.scale = std::min(kMapWidth / (f.world.high[0] - f.world.low[0]), kMapHeight / (f.world.high[1] - f.world.low[1]));

@@ -52,6 +52,8 @@ std::string sign(LegendEntry::Mark mark, double x, double y) {
       return dot("full", 2.6);
     case M::kHollow:
       return dot("hollow", 2.6);
+    case M::kCopper:
+      return box("copper", "copper-line");
     case M::kFixed:
       return box("fixed", "fixed-line");
     case M::kMoving:
@@ -152,6 +154,9 @@ path, circle {{ fill: none; stroke-linejoin: round }}
 .axis {{ stroke: #b9c0c6; stroke-width: 1 }}
 .bar {{ stroke: #33383d; stroke-width: 1.4 }}
 .label {{ text-anchor: middle; fill: #33383d; stroke: #fff; stroke-width: 3.5; stroke-opacity: .85; paint-order: stroke }}
+.copper {{ fill: #b87333; fill-opacity: .38; fill-rule: evenodd; stroke: none }}
+.copper-line {{ stroke: #b87333; stroke-width: .5 }}
+.copper-dot {{ fill: #b87333 }}
 .fixed {{ fill: #5b6873; fill-opacity: .13; fill-rule: evenodd; stroke: none }}
 .fixed-line {{ stroke: #5b6873; stroke-width: 1.1 }}
 .fixed-dot {{ fill: #5b6873 }}

@@ -21,6 +21,7 @@ struct LegendEntry {
     kFull,
     kHollow,
     kFixed,
+    kCopper,
     kMoving,
     kPole,
     kAround,

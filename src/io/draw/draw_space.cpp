@@ -126,7 +126,7 @@ class Parts {
     }
     return true;
   }
-  /// Whether a face of the picture ends or rotates here.
+  /// Whether a face of the picture ends or turns here.
   bool crease(const CellIndex& c, int k) const {
     std::array<bool, 4> drawn{};
     const auto about = faces_about(c, k);

@@ -8,7 +8,9 @@
 #pragma once
 
 #include "exact/number/real.h"
+#include "formula/solid/solve_region.h"
 #include "io/mesh/write_mesh.h"
+#include "plane/contour/shape.h"
 #include "space/box/box_complex.h"
 #include "space/box/convex_set.h"
 
@@ -18,5 +20,17 @@ namespace findspace::io {
 Surface box_surface(const space::BoxComplex& set, const exact::Real& step);
 /// Of the polytope; a radius around it is not drawn. No faces below dimension 3.
 Surface convex_surface(const space::ConvexSet& set, const exact::Real& step);
+
+/// Of a boundary that is known; of boxes without sheets, lines and points.
+Surface surface_of(const formula::ShapeBoundary& boundary, const exact::Real& step);
+
+/// The boundary of a shape of space, and whether it has sheets, lines or points besides, which a surface cannot hold.
+struct SolidSurface {
+  Surface surface;
+  bool lost = false;
+};
+/// Of what one closed surface bounds (a mesh, a prism, moved or mirrored), of shapes with axis-parallel faces and of
+/// convex polytopes. Throws Error(kUnsupported) for others, kGeometry for what has no volume or no bounds.
+SolidSurface solid_surface(const plane::Shape& shape, const exact::Real& step);
 
 }  // namespace findspace::io

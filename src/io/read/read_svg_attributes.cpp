@@ -136,7 +136,7 @@ Real svg_length(const pugi::xml_node& node, const char* name, const Real& missin
 /// Units of work for each operation before, by each operation after.
 constexpr std::uint64_t kLonger = 4;
 
-Affine read_svg_transform(std::string_view text, std::uint64_t& operations, plane::Work& work) {
+Affine read_svg_transform(std::string_view text, std::uint64_t& operations, plane::WorkBudget& work) {
   Affine all;
   while (!(text = trim(text)).empty()) {
     ++operations;

@@ -19,7 +19,7 @@ exact::Real svg_length(const pugi::xml_node& node, const char* name, const exact
 /// `translate scale rotate matrix skewX skewY`, in any sequence.
 /// The transform that an attribute states. `operations` counts those on the way from the root: numbers grow with each,
 /// so each costs as many units as the square of how many there are.
-Affine read_svg_transform(std::string_view text, std::uint64_t& operations, plane::Work& work);
+Affine read_svg_transform(std::string_view text, std::uint64_t& operations, plane::WorkBudget& work);
 /// How many millimetres one user unit of the drawing is, if its width or height states a unit.
 std::optional<exact::Real> svg_millimetres(const pugi::xml_node& root);
 /// Draws a path, polygon, polyline, line, rect, circle or ellipse.

@@ -86,8 +86,8 @@ struct Scene {
   std::shared_ptr<const Board> board;                      // where the scene is one of KiCad
   std::string moving_name;                                 // what moves, for titles; without it the names in `moving`
   GridPosition drawn_at{};                                 // the position at which `moving` stands as it was drawn
-  std::uint64_t work_limit = plane::kUsualWork;            // of each shape and each formula (plane/base/work.h)
-  std::vector<std::string> notes;  // what the reader of the result should know: points rounded, rings turned
+  std::uint64_t work_limit = plane::kUsualWorkBudget;      // of each shape and each formula (plane/base/work_budget.h)
+  std::vector<std::string> notes;  // what the reader of the result should know: points rounded, rings reversed
 
   /// What moves, in words: "U3", "A1, A2".
   std::string moving_text() const;

@@ -53,7 +53,7 @@ ShapePtr build_translate(ShapeReader& reader, const JsonValue& object, const Jso
   return share(std::move(shape));
 }
 
-/// In 3D the turned tree itself: about an axis through a point.
+/// In 3D the rotated tree itself: about an axis through a point.
 ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape& child, const exact::Real& degrees,
                        const Label& label) {
   const SceneReader& json = reader.json();
@@ -70,15 +70,15 @@ ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape
   return json.placed(label, object, [&] {
     plane::Rounding rounding;
     const auto rotation = space::Rotation::about_axis(axis, degrees, {center[0], center[1], center[2]});
-    Shape turned = *space::rotated(child, rotation, rounding);
-    turned.name.clear();
-    turned.place = json.place(label, object);
+    Shape rotated = *space::rotated(child, rotation, rounding);
+    rotated.name.clear();
+    rotated.place = json.place(label, object);
     if (rounding.points > 0) {
       reader.context().notes.push_back(
           fmt::format("{}: {} rotated points were put on the grid, moved by at most {:.2g}", label.text(),
                       rounding.points, rounding.largest * reader.context().grid.step_size()));
     }
-    return share(std::move(turned));
+    return share(std::move(rotated));
   });
 }
 

@@ -54,7 +54,7 @@ ShapePtr build_polygon(ShapeReader& reader, const JsonValue& object, const JsonV
   plane::RingSet set =
       reader.json().placed(label, value, [&] { return plane::make_rings(std::move(rings), context.grid.step_size()); });
   context.repeated_points += set.repeated_points;
-  context.turned_rings += set.turned_rings;
+  context.reversed_rings += set.reversed_rings;
   Shape shape = reader.node(Shape::Kind::kRings, label, object);
   shape.contours = std::move(set.contours);
   return share(std::move(shape));

@@ -87,7 +87,7 @@ ShapePtr build_prism(ShapeReader& reader, const JsonValue& object, const JsonVal
   plane::RingSet set =
       json.placed(label, value, [&] { return plane::make_rings(std::move(rings), context.grid.step_size()); });
   context.repeated_points += set.repeated_points;
-  context.turned_rings += set.turned_rings;
+  context.reversed_rings += set.reversed_rings;
   Solid solid;
   solid.form = Solid::Form::kPrism;
   solid.contours = std::move(set.contours);

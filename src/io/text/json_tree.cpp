@@ -172,7 +172,8 @@ class TokenStream {
 /// Takes the reader's events; the numbers it computes are not used.
 class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
-  TreeBuilder(std::string_view text, const std::string& name, plane::Work& work) : tokens_(text, name), work_(work) {}
+  TreeBuilder(std::string_view text, const std::string& name, plane::WorkBudget& work)
+      : tokens_(text, name), work_(work) {}
 
   JsonValue run() {
     using namespace rapidjson;
@@ -241,7 +242,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   }
 
   TokenStream tokens_;
-  plane::Work& work_;
+  plane::WorkBudget& work_;
   std::size_t start_ = 0;  // of the last token
   JsonValue root_;
   std::vector<JsonValue*> open_;
@@ -284,7 +285,7 @@ bool is_wide(std::string_view text) {
 
 }  // namespace
 
-JsonValue parse_json(std::string_view text, const std::string& name, plane::Work& work) {
+JsonValue parse_json(std::string_view text, const std::string& name, plane::WorkBudget& work) {
   if (is_wide(text)) throw Error(ErrorCode::kSyntax, "this is not JSON in UTF-8 but looks like UTF-16 or UTF-32", name);
   try {
     return TreeBuilder(text, name, work).run();

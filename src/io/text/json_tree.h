@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plane/base/work.h"
+#include "plane/base/work_budget.h"
 
 namespace findspace::io {
 
@@ -35,7 +35,7 @@ struct JsonValue {
 };
 
 /// Throws Error(kSyntax) at "name:line:column", and kLimit where there are too many values: one costs kJsonValue units.
-JsonValue parse_json(std::string_view text, const std::string& name, plane::Work& work);
+JsonValue parse_json(std::string_view text, const std::string& name, plane::WorkBudget& work);
 inline constexpr std::uint64_t kJsonValue = 2;
 
 }  // namespace findspace::io

@@ -44,9 +44,9 @@ std::vector<std::string> ReadContext::summary() const {
   }
   if (repeated_points > 0)
     all.push_back(fmt::format("{} dropped", count(repeated_points, "repeated point", "repeated points")));
-  if (turned_rings > 0) {
-    all.push_back(
-        fmt::format("{} reversed to run counter-clockwise", count(turned_rings, "clockwise ring", "clockwise rings")));
+  if (reversed_rings > 0) {
+    all.push_back(fmt::format("{} reversed to run counter-clockwise",
+                              count(reversed_rings, "clockwise ring", "clockwise rings")));
   }
   return all;
 }

@@ -20,7 +20,7 @@ struct ReadContext {
   explicit ReadContext(const ReadOptions& o) : options(o), work(o.work_limit), bytes_left(o.input_limit) {}
 
   ReadOptions options;
-  plane::Work work;                        // of reading
+  plane::WorkBudget work;                  // of reading
   std::uint64_t bytes_left = kUsualInput;  // of all files
   std::filesystem::path folder;            // where relative file names start
   std::optional<Unit> unit;                // the scene's
@@ -28,7 +28,7 @@ struct ReadContext {
 
   RoundingLog rounding;
   std::int64_t repeated_points = 0;  // dropped
-  std::int64_t turned_rings = 0;     // outer rings given clockwise
+  std::int64_t reversed_rings = 0;   // outer rings given clockwise
   std::int64_t grown_arcs = 0;       // whose ends were further apart than twice their radius
   std::vector<std::string> notes;    // anything else
 

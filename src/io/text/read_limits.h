@@ -8,17 +8,17 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "plane/base/work.h"
+#include "plane/base/work_budget.h"
 
 namespace findspace::io {
 
 inline constexpr std::uint64_t kUsualInput = std::uint64_t{256} << 20;
 
 struct ReadOptions {
-  bool files = true;                             // whether shapes may come from other files
-  std::filesystem::path root{};                  // these lie in this folder, links followed; empty: anywhere
-  std::uint64_t input_limit = kUsualInput;       // bytes of all files together, packed ones as they are unpacked
-  std::uint64_t work_limit = plane::kUsualWork;  // units, of reading, of each shape and of each formula
+  bool files = true;                                   // whether shapes may come from other files
+  std::filesystem::path root{};                        // these lie in this folder, links followed; empty: anywhere
+  std::uint64_t input_limit = kUsualInput;             // bytes of all files together, packed ones as they are unpacked
+  std::uint64_t work_limit = plane::kUsualWorkBudget;  // units, of reading, of each shape and of each formula
 };
 
 }  // namespace findspace::io

@@ -50,7 +50,7 @@ class CellsText {
     return json_string(numbers_.text(x));
   }
 
-  /// Only supporting_curves of edges and of vertices' definitions, in their order: the roots of crossings depend on it.
+  /// Only supporting curves of edges and of vertices' definitions, in their order: the roots of crossings depend on it.
   void number_supporting_curves() {
     supporting_curve_number_.assign(c_.geometry.supporting_curves.size(), kNone);
     for (const plane::Edge& e : c_.edges) supporting_curve_number_[e.supporting_curve] = 0;

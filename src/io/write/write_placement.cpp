@@ -21,7 +21,7 @@ std::string scaled(const Real& steps, const Real& step) {
   return json_number((Twofold(steps) * Twofold(step)).value());
 }
 
-std::string placed_json(const PlacedResult& p, const Real& step) {
+std::string placed_json(const planning::BodyOutcome& p, const Real& step) {
   std::string out = fmt::format("{{\"shape\": {}", json_string(p.shape));
   if (p.copy > 0) put(out, ", \"copy\": {}", p.copy);
   if (!p.at.empty()) {
@@ -82,9 +82,9 @@ std::string placement_json(const PlacementResult& result, const Real& step, std:
 std::string placement_text(const PlacementResult& result, const Real& step, std::string_view unit) {
   const std::string suffix = unit.empty() ? "" : fmt::format(" {}", unit);
   std::size_t width = 0;
-  for (const PlacedResult& p : result.placed) width = std::max(width, p.shape.size() + 5);
+  for (const planning::BodyOutcome& p : result.placed) width = std::max(width, p.shape.size() + 5);
   std::string out = fmt::format("Placement, {}\n", result.method);
-  for (const PlacedResult& p : result.placed) {
+  for (const planning::BodyOutcome& p : result.placed) {
     const std::string name = p.copy > 0 ? fmt::format("{} {}", p.shape, p.copy) : p.shape;
     put(out, "  {:<{}}  ", name, width);
     if (!p.at.empty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Placements as JSON and as text for people, as docs/results.md describes them.
+// Placements as JSON, as text for people and as pictures, as docs/results.md describes them.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/number/real.h"
+#include "planning/outcome/outcome.h"
 
 namespace findspace::io {
-
-/// Of one body, in the plane or in space; lengths in grid steps, values in the scene's unit.
-struct PlacedResult {
-  std::string shape;
-  int copy = 0;                      // 0: the only one
-  std::optional<exact::Real> angle;  // where the scene allows other angles than 0
-  std::vector<exact::Real> at;       // none: it has no position
-  bool attained = true;
-  std::vector<std::optional<exact::Real>> infimum;  // of the objectives, where it is not attained
-};
 
 /// All positions of a body (at one angle, if it may turn), as `map` writes them.
 struct PositionsResult {
@@ -30,16 +20,34 @@ struct PositionsResult {
   std::string region;
 };
 
-struct PlacementResult {
-  std::string method;
-  std::vector<PlacedResult> placed;
+struct PlacementResult : planning::Outcome {
   std::vector<PositionsResult> regions;  // those of one shape one after another
-  bool attained = true;
-  /// None: the search ended with a proof. Otherwise why it did not: then regions hold some of the positions only.
-  std::optional<std::string> unproven;
 };
+
+/// With the regions of bodies that are placed once; of copies they would be many and alike.
+PlacementResult placement_result(const planning::Problem& problem, const planning::SequentialPlacement& found);
+PlacementResult placement_result(const planning::Problem& problem, const planning::SimultaneousPlacement& found);
+PlacementResult placement_result(const planning::SpaceProblem& problem, const planning::SpacePlacement& found);
+PlacementResult placement_result(const planning::SpaceProblem& problem, const planning::SpaceSimultaneous& found);
 
 std::string placement_json(const PlacementResult& result, const exact::Real& step, std::string_view unit);
 std::string placement_text(const PlacementResult& result, const exact::Real& step, std::string_view unit);
+
+/// What a picture of a placement says besides the shapes.
+struct PlacementPicture {
+  std::string title;               // "Placement, sequential"
+  std::string subtitle;            // in the plane
+  std::vector<std::string> lines;  // in space
+  std::string unit;
+  std::vector<std::string> fixed;  // names of the shapes that stand still
+  bool y_down = false;
+};
+std::string placement_svg(const planning::Problem& problem, const planning::Poses& poses,
+                          const PlacementPicture& picture);
+/// In blue what is placed.
+std::string placement_svg(const planning::SpaceProblem& problem, const planning::SpacePoses& poses,
+                          const PlacementPicture& picture);
+/// The names that no body has, of those given.
+std::vector<std::string> standing_still(const planning::Demands& demands, const std::vector<std::string>& names);
 
 }  // namespace findspace::io

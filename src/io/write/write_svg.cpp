@@ -44,6 +44,7 @@ class PictureWriter {
   explicit PictureWriter(const Picture& p) : p_(p), position_(p.position) {
     if (p.region != nullptr) region_.emplace(NamedRegion{"", p.region}, p.step);
     if (p.around != nullptr) around_.emplace(NamedRegion{"", p.around}, p.step);
+    for (const plane::Region& r : p.copper) copper_.emplace_back(NamedRegion{"", &r}, p.step);
     for (const NamedRegion& r : p.fixed) fixed_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.moving) moving_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.rotated) moving_.emplace_back(r, p.step);
@@ -52,7 +53,7 @@ class PictureWriter {
     if (!position_ && p.of_positions) position_ = c != nullptr ? c->sample : p.home;
   }
 
-  std::string run() {
+  SvgDrawing run() {
     const Block title = title_block(p_.title, p_.subtitle, kLeft, kTop, kMapWidth);
     set_frame(kTop + title.height);
     const double width = std::max(frame_.width(), kMapWidth * 0.6), below = frame_.top + frame_.height() + kBelowMap;
@@ -60,10 +61,12 @@ class PictureWriter {
     const Block notes = legend(entries(), kLeft, below + bar.height, width);
     const double right = kLeft + std::max(width, title.svg.empty() ? 0 : title_width()) + kRight;
     const double bottom = below + bar.height + notes.height + 14;
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
-        "<title>{2}</title>\n{3}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{4}{5}{6}{7}</svg>\n",
-        pixels(right), pixels(bottom), xml_escaped(p_.title), style_sheet(), title.svg, map(), bar.svg, notes.svg);
+    return {
+        fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
+                    "<title>{2}</title>\n{3}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{4}{5}{6}{7}</svg>\n",
+                    pixels(right), pixels(bottom), xml_escaped(p_.title), style_sheet(), title.svg, map(), bar.svg,
+                    notes.svg),
+        right, bottom};
   }
 
  private:
@@ -101,9 +104,10 @@ class PictureWriter {
 
   std::string map() const {
     std::string out = fmt::format(
-        "<clipPath id=\"frame\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n<g "
-        "clip-path=\"url(#frame)\">\n",
-        pixels(frame_.left), pixels(frame_.top), pixels(frame_.width()), pixels(frame_.height()));
+        "<clipPath id=\"frame{4}\"><rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\"/></clipPath>\n<g "
+        "clip-path=\"url(#frame{4})\">\n",
+        pixels(frame_.left), pixels(frame_.top), pixels(frame_.width()), pixels(frame_.height()), p_.panel);
+    for (const Drawn& d : copper_) out += outline(d.net, frame_, "copper");
     for (const Drawn& d : fixed_) out += outline(d.net, frame_, "fixed");
     if (around_) out += outline(around_->net, frame_, "around");
     if (region_) out += region_faces(region_->net, frame_);
@@ -186,6 +190,7 @@ class PictureWriter {
     for (LegendEntry& e : arrow_entries(p_.arrows)) out.push_back(std::move(e));
     if (!placed_.empty()) out.push_back({M::kMoving, fmt::format("placed: {}", placed_.size())});
     if (around_) out.push_back({M::kAround, p_.around_text});
+    if (!copper_.empty()) out.push_back({M::kCopper, "pads and tracks"});
     if (!fixed_.empty()) out.push_back({M::kFixed, fixed_.size() == 1 ? "fixed shape" : "fixed shapes"});
     return out;
   }
@@ -193,13 +198,15 @@ class PictureWriter {
   const Picture& p_;
   std::optional<Place> position_;
   std::optional<Drawn> region_, around_;
-  std::vector<Drawn> fixed_, moving_, placed_;
+  std::vector<Drawn> copper_, fixed_, moving_, placed_;
   Frame frame_;
 };
 
 }  // namespace
 
-std::string picture_svg(const Picture& picture) { return PictureWriter(picture).run(); }
+std::string picture_svg(const Picture& picture) { return picture_drawing(picture).svg; }
+
+SvgDrawing picture_drawing(const Picture& picture) { return PictureWriter(picture).run(); }
 
 namespace {
 
@@ -208,9 +215,9 @@ Bounds drawing_bounds(Bounds b) {
   const double size = std::max(b.high[0] - b.low[0], b.high[1] - b.low[1]);
   for (int i : {0, 1}) {
     if (b.high[i] - b.low[i] > 0) continue;  // no sign: the size of a page
-    const double tolerance = size > 0 ? size / 20 : 1;
-    b.low[i] -= tolerance;
-    b.high[i] += tolerance;
+    const double padding = size > 0 ? size / 20 : 1;
+    b.low[i] -= padding;
+    b.high[i] += padding;
   }
   return b;
 }
@@ -224,7 +231,7 @@ DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std:
   const Drawn shape(named, step);
   const Bounds b = drawing_bounds(shape.bounds.value_or(Bounds{}));
   const double width = b.high[0] - b.low[0], height = b.high[1] - b.low[1];
-  const Frame frame{{{0, 0}, {0, 0}}, 1, 0, 0};  // only rotates y down
+  const Frame frame{{{0, 0}, {0, 0}}, 1, 0, 0};  // only turns y down
   std::string paths;
   const auto add = [&](auto&& draw, std::string_view attributes) {
     PathWriter path(shape.net, frame, {}, PathWriter::Digits::kAll);

@@ -25,6 +25,7 @@ struct NamedRegion {
 
 struct Picture {
   std::string title, subtitle;
+  std::string panel;                                   // of several in one drawing: a name of its own for its frame
   exact::Real step;                                    // one grid step in the scene's unit
   std::string unit;                                    // its name, or empty
   const plane::Region* region = nullptr;               // the region, if there is one
@@ -32,6 +33,7 @@ struct Picture {
   const plane::Region* around = nullptr;               // positions of which the region is a part, drawn faintly
   std::string around_text = "all feasible positions";  // in the legend
   bool of_positions = true;                            // the region is one of positions; else it is a shape
+  std::vector<plane::Region> copper;                   // pads and tracks of a board, filled, behind all else
   std::vector<NamedRegion> fixed;                      // in outline
   std::vector<NamedRegion> moving;                     // drawn at `position`
   std::vector<NamedRegion> rotated;                    // there too, rotated by the angle that is its name
@@ -47,12 +49,19 @@ struct Picture {
 
 std::string picture_svg(const Picture& picture);
 
+/// The same with its size, in pixels.
+struct SvgDrawing {
+  std::string svg;
+  double width, height;
+};
+SvgDrawing picture_drawing(const Picture& picture);
+
 struct DrawingText {
   std::string text;
   std::string lost;  // what it does not say of the region, for people; empty if nothing
 };
 
-/// The region alone: a group of a path a face and a path a free curve, in the scene's unit, y rotated down as SVG has
+/// The region alone: a group of a path a face and a path a free curve, in the scene's unit, y turned down as SVG has
 /// it. Throws Error(kUnsupported) for an unbounded region.
 DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std::string_view name,
                       std::optional<formula::Unit> unit);

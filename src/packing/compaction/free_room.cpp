@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {

@@ -8,12 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {
 
-constexpr double kTrust = 0.02;  // of the height
+constexpr double kTrust = 0.02;            // of the height
+constexpr double kLengthOfOverlap = 0.01;  // what the length costs beside a depth
 constexpr int kMostSteps = 40;
 constexpr int kMostSeparations = 12;
 
@@ -70,59 +71,64 @@ class Program {
 
 void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, std::size_t b, double trust, Goal goal,
                                double gap, bool on_grid) {
-  if (poses[a].variant > poses[b].variant) std::swap(a, b);
-  const Vec t = poses[b].at - poses[a].at;
+  const Pose &first = poses[a], &second = b < poses.size() ? poses[b] : row_.obstacles()[b - poses.size()];
+  const Vec t = second.at - first.at;
   const auto& variants = table_.variants();
-  const Variant &va = variants[poses[a].variant], &vb = variants[poses[b].variant];
+  const Variant &va = variants[first.variant], &vb = variants[second.variant];
   const double reach = 2 * trust + gap, clearance = reach + 2 * table_.gap();
   if (t.x - clearance > va.high.x - vb.low.x || t.x + clearance < va.low.x - vb.high.x) return;
   if (t.y - clearance > va.high.y - vb.low.y || t.y + clearance < va.low.y - vb.high.y) return;
-  const DepthField& field = table_.field(poses[a].variant, poses[b].variant);
-  const Nearest inside = field.nearest(t);
+  const FieldTable::Link& link = table_.link(first.variant, second.variant);
+  const DepthField& field = link.field();
+  const Vec at = link.in_field(t);
+  const Nearest inside = field.nearest(at);
   const double height = table_.height();
   const bool overlap = inside.depth > height * margin::kNoOverlap;
-  const Vec free = inside.depth > 0 ? inside.foot : t;
+  const Vec free = inside.depth > 0 ? inside.foot : at;
   free_room(field.polygon(), free, reach + (overlap ? inside.depth : 0), height, planes_);
   for (const HalfPlane& h : planes_) {
-    const double lacks = h.offset - dot(h.normal, t);
+    const double lacks = h.offset - dot(h.normal, at);
     const bool slanted = h.normal.x != 0 && h.normal.y != 0;
     const double wanted = goal == Goal::kLoosen && (slanted || !on_grid) ? gap : 0;
     const bool soft = (goal != Goal::kShorten && lacks > 0) || wanted > 0;
     const double need = soft ? lacks + wanted : std::min(lacks, 0.0);
-    rows_.push_back({a, b, h, need, std::max(wanted, need), soft});
+    rows_.push_back({a, b, link.turned(h.normal), need, std::max(wanted, need), soft});
   }
 }
 
 void LinearMoves::collect(const std::vector<Pose>& poses, double trust, Goal goal, double gap, bool on_grid) {
   rows_.clear();
   for (std::size_t a = 0; a < poses.size(); ++a)
-    for (std::size_t b = a + 1; b < poses.size(); ++b) collect_pair(poses, a, b, trust, goal, gap, on_grid);
+    for (std::size_t b = a + 1; b < poses.size() + row_.obstacles().size(); ++b)
+      collect_pair(poses, a, b, trust, goal, gap, on_grid);
 }
 
-bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double trust, Goal goal) {
+bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, double trust, Goal goal) {
   Program program(poses.size(), table_.height());
   const auto& variants = table_.variants();
   for (const Pose& p : poses) {
     const Variant& v = variants[p.variant];
-    const double right = goal == Goal::kSeparate ? length - v.high.x - p.at.x : trust;
-    program.add_column(std::clamp(-v.low.x - p.at.x, -trust, 0.0), std::clamp(right, 0.0, trust), 0);
+    const Room& room = row_.rooms()[row_.room_of(v, p.at)];
+    program.add_column(std::clamp(room.x - v.low.x - p.at.x, -trust, 0.0),
+                       std::clamp(room.x + room.width - v.high.x - p.at.x, 0.0, trust), 0);
     program.add_column(std::clamp(-v.low.y - p.at.y, -trust, 0.0),
-                       std::clamp(table_.height() - v.high.y - p.at.y, 0.0, trust), 0);
+                       std::clamp(room.height - v.high.y - p.at.y, 0.0, trust), 0);
   }
-  const double most = goal == Goal::kLoosen ? length + trust : length;
-  program.add_column(goal == Goal::kSeparate ? length : 0, most, 1);
-  for (std::size_t i = 0; i < poses.size() && goal != Goal::kSeparate; ++i) {
+  program.add_column(0, most, goal == Goal::kSeparate ? kLengthOfOverlap : 1);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
     program.begin_row(poses[i].at.x + variants[poses[i].variant].high.x);
     program.add(program.length(), 1);
     program.add(program.x(i), -1);
   }
   std::vector<int> slacks;
-  for (const Row& row : rows_) {
+  for (const Bound& row : rows_) {
     program.begin_row(row.need);
-    program.add(program.x(row.b), row.room.normal.x);
-    program.add(program.y(row.b), row.room.normal.y);
-    program.add(program.x(row.a), -row.room.normal.x);
-    program.add(program.y(row.a), -row.room.normal.y);
+    if (row.b < poses.size()) {
+      program.add(program.x(row.b), row.normal.x);
+      program.add(program.y(row.b), row.normal.y);
+    }
+    program.add(program.x(row.a), -row.normal.x);
+    program.add(program.y(row.a), -row.normal.y);
     if (!row.soft) continue;
     const double greatest = goal == Goal::kLoosen ? row.most_lacking : table_.height();
     slacks.push_back(program.add_column(0, greatest, goal == Goal::kLoosen ? 100 : 1));
@@ -134,7 +140,7 @@ bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double trust, 
     poses[i].at = poses[i].at + Vec{program.value(program.x(i)), program.value(program.y(i))};
   left_ = 0;
   for (const int slack : slacks) left_ += program.value(slack);
-  if (goal != Goal::kSeparate) length = program.value(program.length());
+  length = program.value(program.length());
   return true;
 }
 
@@ -143,18 +149,18 @@ double LinearMoves::shorten(std::vector<Pose>& poses, double length) {
   for (int step = 0; step < kMostSteps; ++step) {
     const double before = length;
     collect(poses, trust, Goal::kShorten, 0, false);
-    if (!solve(poses, length, trust, Goal::kShorten)) break;
+    if (!solve(poses, length, length, trust, Goal::kShorten)) break;
     if (before - length < margin::kCompactionGain * length) break;
   }
   return length;
 }
 
-bool LinearMoves::separate(std::vector<Pose>& poses, double length) {
+bool LinearMoves::separate(std::vector<Pose>& poses, double& length, double most) {
   const double trust = kTrust * table_.height(), enough = table_.height() * margin::kNoOverlap;
   double last = 0;
   for (int step = 0; step < kMostSeparations; ++step) {
     collect(poses, trust, Goal::kSeparate, 0, false);
-    if (!solve(poses, length, trust, Goal::kSeparate)) return false;
+    if (!solve(poses, length, most, trust, Goal::kSeparate)) return false;
     if (left_ <= enough) return true;
     if (step > 0 && left_ > 0.98 * last) return false;
     last = left_;
@@ -165,7 +171,7 @@ bool LinearMoves::separate(std::vector<Pose>& poses, double length) {
 double LinearMoves::loosen(std::vector<Pose>& poses, double length, double gap, bool on_grid) {
   const double trust = std::min(kTrust * table_.height(), 1000 * gap);
   collect(poses, trust, Goal::kLoosen, gap, on_grid);
-  solve(poses, length, trust, Goal::kLoosen);
+  solve(poses, length, length + trust, trust, Goal::kLoosen);
   return length;
 }
 

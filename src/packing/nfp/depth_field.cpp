@@ -34,14 +34,30 @@ DepthField::DepthField(NoFitPolygon polygon) : polygon_(std::move(polygon)), cel
     const double inverse = square > 0 ? 1 / square : 0;
     segments_.push_back({edge.from, edge.to, way, inverse, edge.slit ? 0 : std::sqrt(inverse)});
   }
+  least_.assign(cells_.size(), 0);
   if (width <= 0 || height <= 0) return;
   std::vector<std::uint32_t> all(segments_.size());
   std::iota(all.begin(), all.end(), 0u);
+  least_of_.assign(cells_.size(), -1);
   for (int row = 0; row < kCells; row += kBlock)
     for (int column = 0; column < kCells; column += kBlock) fill_block(column, row, all);
+  keep_least();
 }
 
-Nearest DepthField::nearest(const Cell& cell, Vec t) const {
+/// Rounded down to bytes.
+void DepthField::keep_least() {
+  constexpr double kMost = 254;
+  least_step_ = std::max(0.0, *std::max_element(least_of_.begin(), least_of_.end())) / kMost;
+  for (std::size_t k = 0; k < least_.size(); ++k)
+    if (least_of_[k] >= 0)
+      least_[k] = std::uint8_t(1 + (least_of_[k] > 0 ? std::max(0.0, std::floor(least_of_[k] / least_step_) - 1) : 0));
+  least_of_ = {};
+}
+
+Nearest DepthField::nearest(Vec t) const {
+  const int index = cell_at(t);
+  if (index == kNone) return {};
+  const Cell& cell = cells_[std::size_t(index)];
   double best = kFar, side = 0;
   Nearest result;
   for (std::uint32_t k = cell.begin; k < cell.begin + cell.count; ++k) {
@@ -57,9 +73,28 @@ Nearest DepthField::nearest(const Cell& cell, Vec t) const {
     result.edge = lists_[k];
     result.foot = foot;
   }
-  if (cell.kind == Kind::kMixed && side < 0) return {};
+  if (cell.mixed && side < 0) return {};
   result.depth = std::sqrt(best);
   return result;
+}
+
+/// As nearest(), the depth alone.
+double DepthField::depth(int index, Vec t) const {
+  if (index == kNone) return 0;
+  const Cell& cell = cells_[std::size_t(index)];
+  double best = kFar, side = 0;
+  const std::uint16_t* list = &lists_[cell.begin];
+  for (std::uint32_t k = 0; k < cell.count; ++k) {
+    const Segment& s = segments_[list[k]];
+    Vec foot;
+    const double square = square_to(s.from, s.to, s.way, s.inverse_square, t, foot);
+    if (square > best) continue;
+    const double height = cross(s.way, t - s.from) * s.inverse_length;
+    if (square == best && std::abs(height) <= std::abs(side)) continue;
+    best = square;
+    side = height;
+  }
+  return cell.mixed && side < 0 ? 0 : std::sqrt(best);
 }
 
 void DepthField::choose(Vec middle, Vec half, const std::vector<std::uint32_t>& from, Choice& choice) {
@@ -103,16 +138,16 @@ void DepthField::fill_block(int column, int row, const std::vector<std::uint32_t
   choose(middle_of(column, row, kBlock), double(kBlock) * half, all, block_);
   for (int r = row; r < row + kBlock; ++r)
     for (int c = column; c < column + kBlock; ++c)
-      fill(cells_[std::size_t(r * kCells + c)], middle_of(c, r, 1), half, block_.edges);
+      fill(std::size_t(r * kCells + c), middle_of(c, r, 1), half, block_.edges);
 }
 
-void DepthField::fill(Cell& cell, Vec middle, Vec half, const std::vector<std::uint32_t>& from) {
+void DepthField::fill(std::size_t index, Vec middle, Vec half, const std::vector<std::uint32_t>& from) {
+  Cell& cell = cells_[index];
   choose(middle, half, from, cell_);
   const double radius = std::sqrt(dot(half, half));
   if (cell_.distance > radius && cell_.side < 0) return;
-  cell.kind = cell_.distance > radius ? Kind::kInside : Kind::kMixed;
-  cell.least = float(std::max(0.0, 0.999 * (cell_.distance - radius)));
-  if (cell.kind == Kind::kMixed) cell.least = 0;
+  cell.mixed = cell_.distance <= radius;
+  least_of_[index] = std::max(0.0, cell_.distance - radius);
   cell.begin = std::uint32_t(lists_.size());
   for (const std::uint32_t e : cell_.edges) lists_.push_back(std::uint16_t(e));
   cell.count = std::uint16_t(cell_.edges.size());

@@ -25,27 +25,28 @@ class DepthField {
   explicit DepthField(NoFitPolygon polygon);
 
   const NoFitPolygon& polygon() const { return polygon_; }
-  double depth(Vec t) const {
-    const Cell* cell = at(t);
-    return cell == nullptr || cell->kind == Kind::kOutside ? 0 : nearest(*cell, t).depth;
+  double depth(Vec t) const { return depth(cell_at(t), t); }
+  Nearest nearest(Vec t) const;
+
+  /// The cell of a position, and what is known of it there; kNone where there is no overlap for certain.
+  static constexpr int kNone = -1;
+  int cell_at(Vec t) const {
+    const double cx = (t.x - polygon_.low.x) * inverse_x_, cy = (t.y - polygon_.low.y) * inverse_y_;
+    if (!(cx >= 0 && cy >= 0 && cx < kCells && cy < kCells)) return kNone;
+    const int cell = int(cy) * kCells + int(cx);
+    return least_[std::size_t(cell)] == 0 ? kNone : cell;
   }
   /// No more than the depth.
-  double least(Vec t) const {
-    const Cell* cell = at(t);
-    return cell == nullptr ? 0 : cell->least;
-  }
-  Nearest nearest(Vec t) const {
-    const Cell* cell = at(t);
-    return cell == nullptr || cell->kind == Kind::kOutside ? Nearest{} : nearest(*cell, t);
-  }
+  double least(int cell) const { return cell == kNone ? 0 : least_step_ * (least_[std::size_t(cell)] - 1); }
+  double depth(int cell, Vec t) const;
+  /// The depth in this cell will be asked for soon.
+  void expect(int cell) const { __builtin_prefetch(&cells_[std::size_t(cell)]); }
 
  private:
-  enum class Kind : std::uint8_t { kOutside, kInside, kMixed };
   struct Cell {
     std::uint32_t begin = 0;  // in lists_
-    float least = 0;
     std::uint16_t count = 0;
-    Kind kind = Kind::kOutside;
+    bool mixed = false;  // the boundary may pass through it
   };
   /// One line of the cache.
   struct alignas(64) Segment {
@@ -54,12 +55,6 @@ class DepthField {
   };
 
   static constexpr int kCells = 40, kBlock = 5;  // a block of cells shares what its edges can be
-  const Cell* at(Vec t) const {
-    const double cx = (t.x - polygon_.low.x) * inverse_x_, cy = (t.y - polygon_.low.y) * inverse_y_;
-    if (!(cx >= 0 && cy >= 0 && cx < kCells && cy < kCells)) return nullptr;
-    return &cells_[std::size_t(cy) * kCells + std::size_t(cx)];
-  }
-  Nearest nearest(const Cell& cell, Vec t) const;
   /// The edges among `from` that can be nearest within `half` of the point, and the nearest to itself.
   struct Choice {
     double distance = 0, side = 0;
@@ -67,14 +62,16 @@ class DepthField {
   };
   void choose(Vec middle, Vec half, const std::vector<std::uint32_t>& from, Choice& choice);
   void fill_block(int column, int row, const std::vector<std::uint32_t>& all);
-  void fill(Cell& cell, Vec middle, Vec half, const std::vector<std::uint32_t>& from);
+  void fill(std::size_t index, Vec middle, Vec half, const std::vector<std::uint32_t>& from);
+  void keep_least();
 
   NoFitPolygon polygon_;
-  double inverse_x_ = 0, inverse_y_ = 0;
+  double inverse_x_ = 0, inverse_y_ = 0, least_step_ = 0;
+  std::vector<std::uint8_t> least_;  // 0: outside; else 1 + the least depth in steps. A byte a cell stays in the cache
   std::vector<Cell> cells_;
   std::vector<std::uint16_t> lists_;
   std::vector<Segment> segments_;
-  std::vector<double> squares_;  // while the cells are made
+  std::vector<double> squares_, least_of_;  // while the cells are made
   Choice block_, cell_;
 };
 

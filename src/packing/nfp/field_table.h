@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The parts at their allowed angles ("variants"), and the depth field of every two of them. A field is made when it is
-// first asked for, by any thread. Guarantee: see depth_field.h. Keywords: no-fit polygon cache.
+// first asked for, by any thread. Pairs that are swapped, or both turned by 180 degrees, share one: the fewer fields
+// there are, the more of them stay in the cache. Guarantee: see depth_field.h. Keywords: no-fit polygon cache.
 #pragma once
 
 #include <atomic>
@@ -17,11 +18,14 @@
 namespace findspace::packing {
 
 struct Variant {
-  std::size_t part = 0;
+  std::size_t part = 0;  // kNoPart: an obstacle of a sheet
   Fraction angle;
   Vec low, high;  // the box of the part about its origin
   SearchShape shape;
+  bool mirrored = false;
+  const Zone* zone = nullptr;  // of an obstacle that keeps out some parts only
 };
+inline constexpr std::size_t kNoPart = std::size_t(-1);
 
 /// A part where it stands, relative to the corner between the edges.
 struct Pose {
@@ -31,37 +35,67 @@ struct Pose {
 
 class FieldTable {
  public:
-  /// Throws Error(kBadValue) where a part is higher than the strip at every angle.
+  /// Throws Error(kBadValue) where a part is higher than the strip at every angle. A part that fits no sheet has no
+  /// variants. The problem must live as long as the table.
   explicit FieldTable(const Problem& problem);
 
-  /// Between the edges.
+  /// Between the edges; of the highest sheet.
   double height() const { return height_; }
+  /// The widest gap of any two.
   double gap() const { return gap_; }
   double edge() const { return edge_; }
   const std::vector<Variant>& variants() const { return variants_; }
   const std::vector<std::size_t>& variants_of(std::size_t part) const { return of_part_[part]; }
+  /// The obstacles and zones of a kind of sheet.
+  const std::vector<std::size_t>& obstacles_of(std::size_t kind) const { return of_sheet_[kind]; }
 
   /// How far the variant must be moved to be this shape at its own position, if it looks the same.
   std::optional<Vec> offset_to(std::size_t variant, const SearchShape& shape) const;
 
-  /// Of positions of b relative to a; a <= b.
-  const DepthField& field(std::size_t a, std::size_t b) const {
-    const DepthField* known = table_[a * variants_.size() + b].load(std::memory_order_acquire);
-    return known != nullptr ? *known : make(a, b);
+  /// The depth field of b about a, or that of a pair that looks the same: swapped, or both turned by 180 degrees.
+  class Link {
+   public:
+    const DepthField& field() const { return *field_.load(std::memory_order_acquire); }
+    /// A position of b relative to a, in the field; and a vector of the field as one of positions, or the other way.
+    Vec in_field(Vec t) const { return sign_ * t + shift_; }
+    Vec turned(Vec v) const { return sign_ * v; }
+
+   private:
+    friend class FieldTable;
+    mutable std::atomic<const DepthField*> field_ = nullptr;
+    double sign_ = 1, gap_ = 0;
+    Vec shift_;
+    std::uint32_t first_ = 0, second_ = 0;  // the pair whose field it is
+  };
+  const Link& link(std::size_t a, std::size_t b) const {
+    const Link& known = links_[a * variants_.size() + b];
+    if (known.field_.load(std::memory_order_acquire) == nullptr) make(known);
+    return known;
   }
   double depth(const Pose& p, const Pose& q) const {
-    return p.variant <= q.variant ? field(p.variant, q.variant).depth(q.at - p.at)
-                                  : field(q.variant, p.variant).depth(p.at - q.at);
+    const Link& pair = link(p.variant, q.variant);
+    return pair.field().depth(pair.in_field(q.at - p.at));
   }
 
  private:
-  const DepthField& make(std::size_t a, std::size_t b) const;
-  void add_variants(const Problem& problem, std::size_t part);
+  struct Opposite {
+    std::size_t variant;
+    Vec off;  // the variant turned by 180 degrees is the other one, moved by this
+  };
 
-  double gap_, edge_, height_;
+  void make(const Link& link) const;
+  void add_variants(const Problem& problem, std::size_t part);
+  void add_obstacles(const Problem& problem);
+  void link_pairs(const Problem& problem);
+  void link_pair(const std::vector<std::optional<Opposite>>& opposites, std::size_t a, std::size_t b);
+  std::optional<double> gap_of(const Problem& problem, const Variant& a, const Variant& b) const;
+  std::optional<Opposite> opposite_of(std::size_t variant) const;
+
+  double gap_ = 0, edge_ = 0, height_ = 0;
   std::vector<Variant> variants_;
-  std::vector<std::vector<std::size_t>> of_part_;
-  mutable std::vector<std::atomic<const DepthField*>> table_;
+  std::vector<std::vector<std::size_t>> of_part_, of_sheet_;
+  std::vector<Link> links_;
+  DepthField nothing_{NoFitPolygon{}};  // of two that never collide
   mutable std::vector<std::unique_ptr<const DepthField>> made_;
   mutable std::mutex guard_;
 };

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::packing {
 namespace {

@@ -5,10 +5,12 @@
 #include "packing/search/arrangement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
-#include "exact/number/search_margins.h"
+#include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {
@@ -17,10 +19,20 @@ constexpr double kLeastGrowth = 1.2, kMostGrowth = 2.0, kDecay = 0.95;
 
 }  // namespace
 
-Arrangement::Arrangement(const FieldTable& table, std::vector<Pose> poses, double length)
-    : table_(&table), poses_(std::move(poses)), length_(length), shallow_(table.height() * margin::kNoOverlap) {
+Arrangement::Arrangement(const FieldTable& table, const Row& row, std::vector<Pose> poses, double length)
+    : table_(&table),
+      row_(&row),
+      size_(poses.size()),
+      poses_(std::move(poses)),
+      length_(length),
+      shallow_(table.height() * margin::kNoOverlap),
+      slack_(std::max(length, table.height()) * margin::kBoxRounding) {
+  poses_.insert(poses_.end(), row.obstacles().begin(), row.obstacles().end());
   const std::size_t n = poses_.size();
-  for (auto* side : {&low_x_, &low_y_, &high_x_, &high_y_}) side->resize(n);
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  const Lanes far{kFar, kFar, kFar, kFar};
+  boxes_.assign((n + kLanes - 1) / kLanes, {far, far, -far, -far});
+  for (std::size_t i = size_; i < n; ++i) move(i, poses_[i]);
   depths_.resize(n);
   near_.resize(n + 1);
   looks_.resize(n);
@@ -29,32 +41,56 @@ Arrangement::Arrangement(const FieldTable& table, std::vector<Pose> poses, doubl
 }
 
 void Arrangement::reset_weights() {
-  weights_.assign(size() * size(), 1);
+  weights_.assign(poses_.size() * poses_.size(), 1);
   strip_weights_.assign(size(), 1);
 }
 
-Vec Arrangement::least_position(std::size_t variant) const {
-  const Variant& v = table_->variants()[variant];
-  return {-v.low.x, -v.low.y};
-}
-
-Vec Arrangement::greatest_position(std::size_t variant) const {
-  const Variant& v = table_->variants()[variant];
-  return {length_ - v.high.x, table_->height() - v.high.y};
+void Arrangement::find_ranges() {
+  ranges_.clear();
+  first_range_.assign(1, 0);
+  excess_.clear();
+  for (const Variant& v : table_->variants()) {
+    Range tightest;
+    double least_excess = std::numeric_limits<double>::infinity();
+    for (const Room& room : row_->rooms()) {
+      const double end = std::min(room.x + room.width, length_);
+      const Range range{{room.x - v.low.x, -v.low.y}, {end - v.high.x, room.height - v.high.y}};
+      if (range.low.y > range.high.y) continue;
+      if (range.low.x <= range.high.x)
+        ranges_.push_back(range);
+      else if (range.low.x - range.high.x < least_excess)
+        least_excess = (tightest = range).low.x - range.high.x;
+    }
+    const bool fits = ranges_.size() > first_range_.back();
+    if (!fits) ranges_.push_back(tightest);
+    excess_.push_back(fits || v.part == kNoPart ? 0 : least_excess);
+    first_range_.push_back(std::uint32_t(ranges_.size()));
+  }
 }
 
 Vec Arrangement::inside(std::size_t variant, Vec at) const {
-  const Vec least = least_position(variant), most = greatest_position(variant);
-  return {std::max(least.x, std::min(at.x, most.x)), std::max(least.y, std::min(at.y, most.y))};
+  const auto into = [&](const Range& range) {
+    return Vec{std::max(range.low.x, std::min(at.x, range.high.x)),
+               std::max(range.low.y, std::min(at.y, range.high.y))};
+  };
+  Vec best = into(ranges_[first_range_[variant]]);
+  for (std::uint32_t k = first_range_[variant] + 1; k < first_range_[variant + 1]; ++k) {
+    const Vec other = into(ranges_[k]), off = other - at, least = best - at;
+    if (std::abs(off.x) + std::abs(off.y) < std::abs(least.x) + std::abs(least.y)) best = other;
+  }
+  return best;
 }
 
-double Arrangement::excess(std::size_t variant) const {
-  return std::max(0.0, least_position(variant).x - greatest_position(variant).x);
+Vec Arrangement::random_position(std::size_t variant, Random& random) const {
+  const std::uint32_t first = first_range_[variant], count = first_range_[variant + 1] - first;
+  const Range& range = ranges_[first + (count > 1 ? random.below(count) : 0)];
+  return {std::max(range.low.x, random.between(range.low.x, range.high.x)), random.between(range.low.y, range.high.y)};
 }
 
 void Arrangement::set_length(double length) {
   length_ = length;
-  set_poses(std::vector<Pose>(poses_));
+  find_ranges();
+  set_poses(poses());
 }
 
 void Arrangement::set_poses(const std::vector<Pose>& poses) {
@@ -64,61 +100,77 @@ void Arrangement::set_poses(const std::vector<Pose>& poses) {
 void Arrangement::move(std::size_t i, const Pose& pose) {
   const Variant& v = table_->variants()[pose.variant];
   poses_[i] = pose;
-  low_x_[i] = pose.at.x + v.low.x;
-  low_y_[i] = pose.at.y + v.low.y;
-  high_x_[i] = pose.at.x + v.high.x;
-  high_y_[i] = pose.at.y + v.high.y;
+  BoxBlock& block = boxes_[i / kLanes];
+  const std::size_t lane = i % kLanes;
+  block.low_x[lane] = float(pose.at.x + v.low.x - slack_);
+  block.low_y[lane] = float(pose.at.y + v.low.y - slack_);
+  block.high_x[lane] = float(pose.at.x + v.high.x + slack_);
+  block.high_y[lane] = float(pose.at.y + v.high.y + slack_);
+}
+
+template <class Meet>
+void Arrangement::for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const {
+  const Variant& v = table_->variants()[pose.variant];
+  const double gap = 1.01 * table_->gap();  // a grown polygon is a little larger than the gap
+  const float low_x = float(pose.at.x + v.low.x - gap), low_y = float(pose.at.y + v.low.y - gap),
+              high_x = float(pose.at.x + v.high.x + gap), high_y = float(pose.at.y + v.high.y + gap);
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    const BoxBlock& block = boxes_[b];
+    const auto met = (low_x < block.high_x) & (block.low_x < high_x) & (low_y < block.high_y) & (block.low_y < high_y);
+    looked_at_ += kLanes;
+    std::array<std::uint64_t, 2> halves;
+    std::memcpy(halves.data(), &met, sizeof halves);
+    if ((halves[0] | halves[1]) == 0) continue;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::size_t j = b * kLanes + lane;
+      if (met[lane] != 0 && j != i && !meet(j)) return;
+    }
+  }
 }
 
 std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose) const {
-  const Variant& v = table_->variants()[pose.variant];
-  const double gap = 1.01 * table_->gap();  // a grown polygon is a little larger than the gap
-  const double low_x = pose.at.x + v.low.x - gap, low_y = pose.at.y + v.low.y - gap,
-               high_x = pose.at.x + v.high.x + gap, high_y = pose.at.y + v.high.y + gap;
   std::size_t count = 0;
-  for (std::size_t j = 0; j < size(); ++j) {
-    near_[count] = std::uint32_t(j);
-    // All at once: which one fails cannot be foreseen.
-    count += std::size_t(int(low_x < high_x_[j]) & int(low_x_[j] < high_x) & int(low_y < high_y_[j]) &
-                         int(low_y_[j] < high_y) & int(j != i));
-  }
-  looked_at_ += size();
+  for_each_near(i, pose, [&](std::size_t j) {
+    near_[count++] = std::uint32_t(j);
+    return true;
+  });
   return {near_.data(), count};
 }
 
 double Arrangement::cost(std::size_t i, const Pose& pose, double bound) const {
-  const std::span<const std::uint32_t> others = near(i, pose);
-  const double* weights = &weights_[i * size()];
+  const double* weights = &weights_[i * poses_.size()];
   const double out = excess(pose.variant);
   double sum = out > 0 ? out * strip_weights_[i] : 0;
-  for (std::size_t k = 0; k < others.size(); ++k) {
-    const Pose& other = poses_[others[k]];
-    const bool first = other.variant <= pose.variant;
-    Look& look = looks_[k];
-    look.field = first ? &table_->field(other.variant, pose.variant) : &table_->field(pose.variant, other.variant);
-    look.at = first ? pose.at - other.at : other.at - pose.at;
-    look.least = weights[others[k]] * look.field->least(look.at);
-    sum += look.least;
-  }
-  for (std::size_t k = 0; k < others.size(); ++k) {
+  std::size_t count = 0;
+  for_each_near(i, pose, [&](std::size_t j) {
+    const Pose& other = poses_[j];
+    const FieldTable::Link& link = table_->link(pose.variant, other.variant);
+    const DepthField& field = link.field();
+    const Vec at = link.in_field(other.at - pose.at);
+    const int cell = field.cell_at(at);
+    if (cell == DepthField::kNone) return true;
+    field.expect(cell);
+    looks_[count] = {&field, at, cell, weights[j] * field.least(cell), weights[j]};
+    sum += looks_[count++].least;
+    return sum < bound;
+  });
+  for (std::size_t k = 0; k < count; ++k) {
     if (sum >= bound) return std::numeric_limits<double>::infinity();
-    const double depth = looks_[k].field->depth(looks_[k].at);
-    sum += (depth > shallow_ ? weights[others[k]] * depth : 0) - looks_[k].least;
+    const Look& look = looks_[k];
+    const double depth = look.field->depth(look.cell, look.at);
+    sum += (depth > shallow_ ? look.weight * depth : 0) - look.least;
   }
   return sum;
 }
 
 Arrangement::Exit Arrangement::exit(const Pose& pose, std::size_t j) const {
   const Pose& other = poses_[j];
-  const bool first = other.variant <= pose.variant;
-  const DepthField& field =
-      first ? table_->field(other.variant, pose.variant) : table_->field(pose.variant, other.variant);
-  const Vec t = first ? pose.at - other.at : other.at - pose.at;
-  const Nearest nearest = field.nearest(t);
+  const FieldTable::Link& link = table_->link(other.variant, pose.variant);
+  const Vec t = link.in_field(pose.at - other.at);
+  const Nearest nearest = link.field().nearest(t);
   if (nearest.depth <= shallow_) return {};
-  const NoFitEdge& edge = field.polygon().edges[std::size_t(nearest.edge)];
-  const Vec move = first ? nearest.foot - t : t - nearest.foot;
-  return {nearest.depth, move, edge.to - edge.from};
+  const NoFitEdge& edge = link.field().polygon().edges[std::size_t(nearest.edge)];
+  return {nearest.depth, link.turned(nearest.foot - t), link.turned(edge.to - edge.from)};
 }
 
 double Arrangement::loss() {
@@ -147,9 +199,9 @@ void Arrangement::update_weights() {
   for (const Overlap& o : overlaps_) deepest = std::max(deepest, o.depth);
   for (const Overlap& o : overlaps_) {
     const double growth = kLeastGrowth + (kMostGrowth - kLeastGrowth) * o.depth / deepest;
-    const double weight = weights_[o.i * size() + o.j] * growth / kDecay;
-    weights_[o.i * size() + o.j] = weight;
-    weights_[o.j * size() + o.i] = weight;
+    const double weight = weights_[o.i * poses_.size() + o.j] * growth / kDecay;
+    weights_[o.i * poses_.size() + o.j] = weight;
+    weights_[o.j * poses_.size() + o.i] = weight;
   }
   for (double& w : weights_) w = std::max(1.0, w * kDecay);
   for (std::size_t i = 0; i < size(); ++i)

@@ -16,16 +16,16 @@ using Memory = std::pmr::memory_resource*;
 class Arena {
  public:
   /// `items`: about how many cells the computation has.
-  explicit Arena(std::size_t items) : pool_(room_.data(), room_.size()), heap_(items > kFewItems) {}
+  explicit Arena(std::size_t items) : pool_(buffer_.data(), buffer_.size()), heap_(items > kFewItems) {}
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
   Memory memory() { return heap_ ? std::pmr::new_delete_resource() : &pool_; }
 
  private:
-  static constexpr std::size_t kFewItems = 500, kTolerance = 24 * 1024;
+  static constexpr std::size_t kFewItems = 500, kBytes = 24 * 1024;
 
-  alignas(std::max_align_t) std::array<std::byte, kTolerance> room_;
+  alignas(std::max_align_t) std::array<std::byte, kBytes> buffer_;
   std::pmr::monotonic_buffer_resource pool_;
   bool heap_;
 };

@@ -26,7 +26,7 @@ struct LatticeBox {
 
 class Bitmap {
  public:
-  /// Empty, with tolerance for the cells of the box, which is not.
+  /// Empty, with space for the cells of the box, which is not.
   explicit Bitmap(const LatticeBox& box);
 
   void add(const LatticeRun& run);

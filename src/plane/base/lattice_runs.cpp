@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 
 namespace findspace::plane {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "findspace/error.h"
 #include "plane/base/stage_observer.h"
-#include "plane/base/work_limit.h"
+#include "plane/base/stop_check.h"
 
 namespace findspace::plane {
 namespace {
@@ -26,9 +26,9 @@ bool is_of_threads(const std::runtime_error& e) {
 }  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
-  WorkLimit* const limit = work_limit();
+  StopCheck* const limit = stop_check();
   const auto run = [&](std::size_t k) {
-    const LimitWork here(limit);  // another thread's task, perhaps, that this one took over
+    const ScopedStopCheck here(limit);  // another thread's task, perhaps, that this one took over
     if (limit != nullptr) limit->poll();
     task(k);
   };

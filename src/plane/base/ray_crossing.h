@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How a path that rotates around a point crosses the ray from it to the right, tilted up by an infinitesimal: what a
+// How a path that turns around a point crosses the ray from it to the right, tilted up by an infinitesimal: what a
 // winding number at a point of the path itself counts. Guarantee: exact. Keywords: displaced winding number.
 #pragma once
 
@@ -14,7 +14,7 @@ struct Heading {
   Heading operator-() const { return {-x, -y}; }
 };
 
-/// +1 or -1 where a path that rotates from one direction to another around the point, counter-clockwise for rotation
+/// +1 or -1 where a path that turns from one direction to another around the point, counter-clockwise for rotation
 /// +1, crosses the ray upwards or downwards; else 0. The turn is of less than a full round.
 inline int ray_crossing(Heading from, Heading to, int rotation) {
   if (rotation == 0) return 0;

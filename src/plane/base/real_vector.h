@@ -17,7 +17,7 @@ inline RealVector operator*(const exact::Real& s, const RealVector& p) { return 
 inline bool operator==(const RealVector& p, const RealVector& q) { return p.x == q.x && p.y == q.y; }
 inline exact::Real dot(const RealVector& p, const RealVector& q) { return p.x * q.x + p.y * q.y; }
 inline exact::Real cross(const RealVector& p, const RealVector& q) { return p.x * q.y - p.y * q.x; }
-inline RealVector turned_left(const RealVector& p) { return {-p.y, p.x}; }
-inline RealVector turned_right(const RealVector& p) { return {p.y, -p.x}; }
+inline RealVector left_normal(const RealVector& p) { return {-p.y, p.x}; }
+inline RealVector right_normal(const RealVector& p) { return {p.y, -p.x}; }
 
 }  // namespace findspace::plane

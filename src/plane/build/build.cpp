@@ -33,7 +33,7 @@ bool is_boolean(Kind kind) {
 /// Operands of one overlay at most: an overlay keeps a mark of every operand for every cell.
 constexpr std::size_t kOperands = 32;
 
-/// Units of work (plane/base/work.h).
+/// Units of work (plane/base/work_budget.h).
 constexpr std::uint64_t kCell = 20, kPair = 20;
 
 /// What can have more edges than its operands.
@@ -156,7 +156,7 @@ class Builder {
     std::vector<RegionPtr> all;
     for (auto k = operands.begin() + difference; k != operands.end(); ++k) all.push_back(region(*k));
     if (kind == Kind::kIntersection) return *in_groups(std::move(all), intersect);
-    const Region united = united_apart(all);
+    Region united = united_apart(all);
     if (!difference) return united;
     RegionPtr first = region(operands[0]);
     return subtract(std::vector<const Region*>{first.get(), &united});
@@ -264,7 +264,7 @@ class Builder {
   RegionPtr child(const Shape& s, std::size_t k) { return region(s.children[k]); }
 
   double step_;
-  Work work_;
+  WorkBudget work_;
   std::unordered_map<const Shape*, std::size_t> uses_;  // as a child, under this root
   std::unordered_map<const Shape*, std::size_t> width_;
   std::unordered_map<const Shape*, std::uint64_t> depth_;  // of offsets

@@ -12,7 +12,7 @@
 
 #include <cstdint>
 
-#include "plane/base/work.h"
+#include "plane/base/work_budget.h"
 #include "plane/build/transform.h"
 #include "plane/complex/cell_complex.h"
 #include "plane/contour/shape.h"
@@ -27,6 +27,6 @@ struct BuildResult {
 /// The set of a 2D shape. Throws Error, its place that of the node: kUnsupported for a hull that is refused (hull.h),
 /// kGeometry where a rotated shape no longer is one, kOutOfRange where a shape leaves the grid, kLimit where it costs
 /// more than `work` units. `step`: size of a grid step, for the geometry of errors.
-BuildResult build(const Shape& shape, double step = 1, std::uint64_t work = kUsualWork);
+BuildResult build(const Shape& shape, double step = 1, std::uint64_t work = kUsualWorkBudget);
 
 }  // namespace findspace::plane

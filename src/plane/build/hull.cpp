@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "exact/planar/geometry_signs.h"
 #include "findspace/error.h"
 #include "plane/build/hull_wrap.h"
@@ -252,7 +252,7 @@ class Hull {
     for (std::size_t i = candidates_.corners; i < candidates_.elements.size(); ++i) {
       const HullElement& e = candidates_.elements[i];
       if (arc_mark(i) <= 0 || !touches(e, side)) continue;
-      RealVector normal = turned_right(side.direction);
+      RealVector normal = right_normal(side.direction);
       take(e.center + (e.radius / sqrt(dot(normal, normal))) * normal, true);
     }
     return reach;
@@ -260,7 +260,7 @@ class Hull {
 
   /// Does the arc touch the side's line at a place that is no end of it?
   static bool touches(const HullElement& e, const HullCurve& side) {
-    RealVector normal = turned_right(side.direction);
+    RealVector normal = right_normal(side.direction);
     if (cross(e.low, normal).sign() <= 0 || cross(normal, e.high).sign() <= 0) return false;
     Real gap = dot(normal, side.from - e.center);
     return gap * gap == e.radius * e.radius * dot(normal, normal);

@@ -80,8 +80,8 @@ class Wrapping {
     if (length2.sign() == 0 || tolerance < 0) return std::nullopt;
     Real root = tolerance == 0 ? Real(0) : sqrt(length2 - s * s);
     bool parallel = s.sign() == 0;  // the line is parallel to w
-    RealVector normal = parallel ? turned_right(w) : s * w - root * turned_left(w);
-    RealVector direction = turned_left(normal);
+    RealVector normal = parallel ? right_normal(w) : s * w - root * left_normal(w);
+    RealVector direction = left_normal(normal);
     if (!sweeps(h, normal)) return std::nullopt;
     if (g.arc() && !sweeps(g, normal) && !is_end(g, normal)) return std::nullopt;
     // A smaller circle inside that of `at` takes over only where the arc ends.

@@ -60,7 +60,7 @@ int SweepStrips::rise_of_line(const SupportingCurve& k) const {
   return (cross > 0) - (cross < 0);
 }
 
-/// Travelled to the right, the upper half of a circle rotates from straight up to straight down, the lower half back.
+/// Travelled to the right, the upper half of a circle turns from straight up to straight down, the lower half back.
 void SweepStrips::split_arc(Index e) {
   const Edge& d = m_.edges[e];
   if (window_.dx == 0) {

@@ -90,7 +90,7 @@ class SweepStrips {
   const CellComplex& m_;
   Window window_;
   bool rightward_;                   // the window's direction is lexicographically positive
-  Index end_supporting_curves_ = 0;  // first supporting_curve of the copy seen at the end
+  Index end_supporting_curves_ = 0;  // first supporting curve of the copy seen at the end
   std::vector<Index> part_start_;    // edge -> its first part
   std::vector<Index> upward_;        // vertex without event -> the part that leaves it upward
   std::vector<Index> lines_;         // node -> the line along which it is passed, or kNone

@@ -8,7 +8,7 @@
 // segment, closed, open or half open: S (+) [a, b] = {p : the window from p - b to p - a meets S}. S may be open,
 // closed or neither, unbounded, with curves and points without interior; M may be a sign map, whose levels are then
 // swept at once. Guarantee: exact. Cost: one arrangement of two copies of M and one segment for each place where M
-// rotates back against the window. Source: distances.md 7.1 (partial Minkowski operations), 7.3. Keywords: sweep, swept
+// turns back against the window. Source: distances.md 7.1 (partial Minkowski operations), 7.3. Keywords: sweep, swept
 // area, partial Minkowski sum, dilation.
 #pragma once
 

@@ -40,8 +40,8 @@ SupportingCurve shifted(const SupportingCurve& k, const GridPoint& by) {
                 : SupportingCurve::displaced_line(k.a, k.b, k.c + step, k.w);
 }
 
-/// The line or circle turned by 90 degrees about the origin; `flipped` where the line's direction is the opposite one.
-SupportingCurve turned(const SupportingCurve& k, bool& flipped) {
+/// The line or circle rotated by 90 degrees about the origin; `flipped` where the line's direction is the opposite one.
+SupportingCurve quarter_rotated(const SupportingCurve& k, bool& flipped) {
   flipped = false;
   if (k.circle) {
     return k.grid ? SupportingCurve::circle_at(-k.b, k.a, k.w) : SupportingCurve::circle_at(-k.real->y, k.real->x, k.w);
@@ -52,13 +52,13 @@ SupportingCurve turned(const SupportingCurve& k, bool& flipped) {
   return flipped ? SupportingCurve::displaced_line(a, b, -k.c, -k.w) : SupportingCurve::displaced_line(a, b, k.c, k.w);
 }
 
-/// The points and supporting_curves turned by 90 degrees about the origin, in the same order.
-Geometry turned(const Geometry& g) {
+/// The points and supporting curves rotated by 90 degrees about the origin, in the same order.
+Geometry quarter_rotated(const Geometry& g) {
   Geometry to;
   std::vector<char> flipped;
   for (const SupportingCurve& k : g.supporting_curves) {
     bool flip = false;
-    to.add(turned(k, flip));
+    to.add(quarter_rotated(k, flip));
     flipped.push_back(flip);
   }
   for (const exact::Point& p : g.points) {
@@ -76,7 +76,7 @@ Geometry turned(const Geometry& g) {
 /// By 90 degrees counter-clockwise about the origin. Circles are cut at other places, so the complex is made anew.
 CellComplex quarter_turn(const CellComplex& c) {
   MarkedCurves to(c.faces[0].mark);
-  to.curves.geometry = turned(c.geometry);
+  to.curves.geometry = quarter_rotated(c.geometry);
   for (Index e = 0; e < c.edges.size(); ++e) {
     const Edge& edge = c.edges[e];
     Index p = c.vertices[edge.v0].point, q = c.vertices[edge.v1].point;
@@ -107,7 +107,7 @@ CellComplex translated(CellComplex c, const GridPoint& by) {
       const exact::RealPoint& r = c.geometry.reals[p.i];
       moved.add_real_point(r.x + Real(by.x), r.y + Real(by.y));
     } else {
-      moved.add_crossing(p.i, p.j, p.root);  // supporting_curves keep their order and direction, so roots stay
+      moved.add_crossing(p.i, p.j, p.root);  // supporting curves keep their order and direction, so roots stay
     }
   }
   c.geometry = std::move(moved);

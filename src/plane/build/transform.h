@@ -34,7 +34,7 @@ struct Rounding {
 /// {s + by}. Throws Error(kOutOfRange) where a vertex leaves the grid (2^40 steps).
 CellComplex translated(CellComplex complex, const GridPoint& by);
 
-/// The set turned counter-clockwise about a point. `step`: size of a grid step, for the geometry of errors. Throws
+/// The set rotated counter-clockwise about a point. `step`: size of a grid step, for the geometry of errors. Throws
 /// Error(kGeometry) where the rounded curves cross or fall together, Error(kOutOfRange) as translated() does.
 CellComplex rotated(const CellComplex& complex, const GridPoint& about, const exact::Real& degrees, double step,
                     Rounding& rounding);

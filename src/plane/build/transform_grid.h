@@ -8,7 +8,7 @@
 
 namespace findspace::plane {
 
-/// Turned by `quarters` times 90 degrees plus `rest` degrees, 0 < rest < 90. The angle's sine and cosine are taken to
+/// Rotated by `quarters` times 90 degrees plus `rest` degrees, 0 < rest < 90. The angle's sine and cosine are taken to
 /// 2^-55.
 CellComplex rotated_on_grid(const CellComplex& complex, const GridPoint& about, int quarters, const exact::Real& rest,
                             double step, Rounding& rounding);

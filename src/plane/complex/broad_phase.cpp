@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/base/small_sort.h"
 
 namespace findspace::plane {
@@ -16,7 +16,7 @@ namespace {
 /// Up to here a sweep along x costs less than the cells.
 constexpr std::size_t kFewPieces = 256;
 
-/// y of the supporting_curve at x, clamped into the piece's box by the caller.
+/// y of the supporting curve at x, clamped into the piece's box by the caller.
 double y_at(const exact::Geometry& g, const Piece& p, double x) {
   const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
   if (!k.circle) {

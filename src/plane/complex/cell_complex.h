@@ -8,7 +8,7 @@
 // Invariants: faces[0] is the unbounded face. Every edge is x-monotone: a segment, or a part of the upper or lower half
 // of a circle, running from its lexicographically smaller end `v0` to `v1`. Half-edge 2e runs v0 -> v1, 2e+1 back; the
 // face of a half-edge lies to its left. Nothing can be merged further without leaving the x-monotone form: no edge
-// whose two sides and itself carry one mark, no vertex inside a curve of one supporting_curve with equal marks.
+// whose two sides and itself carry one mark, no vertex inside a curve of one supporting curve with equal marks.
 // Guarantee: exact; coordinates are implicit points of `exact::Geometry`. Source: distances.md 8.1; Halperin & Sharir,
 // Arrangements (Handbook of DCG). Keywords: DCEL, planar map, selective Nef complex, marked subdivision.
 #pragma once
@@ -80,7 +80,7 @@ struct CellComplex {
     return geometry.supporting_curves[edges[edge].supporting_curve];
   }
   bool is_arc(Index edge) const { return edges[edge].half != 0; }
-  /// Direction of travel of a half-edge on its supporting_curve (see exact::Heading).
+  /// Direction of travel of a half-edge on its supporting curve (see exact::Heading).
   exact::Heading heading(Index h) const {
     const Edge& e = edges[h / 2];
     bool right = !(h & 1u);

@@ -31,7 +31,7 @@ struct Input {
   std::vector<Index> isolated;
 };
 
-void make_room(Input& in, std::span<const CellComplex* const> operands) {
+void reserve(Input& in, std::span<const CellComplex* const> operands) {
   std::size_t supporting_curves = 0, points = 0, edges = 0;
   for (const CellComplex* c : operands) {
     supporting_curves += c->geometry.supporting_curves.size();
@@ -47,7 +47,7 @@ void make_room(Input& in, std::span<const CellComplex* const> operands) {
 
 Input gather(std::span<const CellComplex* const> operands) {
   Input in;
-  make_room(in, operands);
+  reserve(in, operands);
   for (Index k = 0; k < operands.size(); ++k) {
     const CellComplex& c = *operands[k];
     Index supporting_curve = Index(in.geometry.supporting_curves.size()), point = append(in.geometry, c.geometry);
@@ -244,6 +244,7 @@ class Weights {
 /// Where the sum of weights satisfies the rule. Cost: one arrangement, whatever the number of operands.
 template <class Rule>
 Region combine(std::span<const Region* const> regions, std::span<const std::int32_t> weight, Rule&& rule) {
+  if (regions.size() == 1) return *regions[0];
   Input in = gather(regions);
   Arena arena(in.pieces.size());
   const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
@@ -254,6 +255,7 @@ Region combine(std::span<const Region* const> regions, std::span<const std::int3
 
 CellComplex overlay(std::span<const CellComplex* const> operands,
                     const std::function<Mark(std::span<const Mark>)>& rule) {
+  if (operands.size() == 1) return remark(*operands[0], [&](Mark m) { return rule({&m, 1}); });
   Input in = gather(operands);
   Arena arena(in.pieces.size());
   const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());

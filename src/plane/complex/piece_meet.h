@@ -15,7 +15,7 @@
 
 namespace findspace::plane {
 
-/// Where a point of the supporting_curve lies with regard to a piece.
+/// Where a point of the supporting curve lies with regard to a piece.
 enum class Within { kOutside, kAtStart, kInside, kAtEnd };
 Within within(const exact::Geometry& g, const Piece& piece, Index point_on_supporting_curve);
 

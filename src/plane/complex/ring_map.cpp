@@ -30,7 +30,7 @@ void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
   if (2 * count < things.capacity() && things.capacity() * sizeof(Thing) > kLittle) things.shrink_to_fit();
 }
 
-/// What the rings use of a geometry; supporting_curves keep their order, as crossings need.
+/// What the rings use of a geometry; supporting curves keep their order, as crossings need.
 class UsedGeometry {
  public:
   UsedGeometry(exact::Geometry& g, std::span<const RingEdge> edges, Memory memory)
@@ -84,7 +84,7 @@ Index face_count(std::span<const NestedRing> rings) {
   return last + 1;
 }
 
-/// Joins the edges, which have their supporting_curves, to rings and faces. `point`: of a ring edge.
+/// Joins the edges, which have their supporting curves, to rings and faces. `point`: of a ring edge.
 template <class PointOf>
 void join_rings(CellComplex& c, std::span<const RingEdge> edges, std::span<const NestedRing> rings, RingMarks marks,
                 bool unbounded, PointOf point) {

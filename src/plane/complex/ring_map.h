@@ -42,7 +42,7 @@ struct RingMarks {
 CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                          RingMarks marks, bool unbounded = false);
 
-/// Points and supporting_curves that no ring uses are left out.
+/// Points and supporting curves that no ring uses are left out.
 SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                  bool unbounded = false);
 

@@ -256,7 +256,7 @@ class Merger {
     to.supporting_curves.reserve(std::size_t(std::count(supporting_curve.begin(), supporting_curve.end(), 0u)));
     to.points.reserve(std::size_t(std::count(point.begin(), point.end(), 0u)));
     for (Index k = 0; k < supporting_curve.size();
-         ++k)  // in order, so that crossings keep the order of their supporting_curves
+         ++k)  // in order, so that crossings keep the order of their supporting curves
       if (supporting_curve[k] == 0) supporting_curve[k] = to.add(g.supporting_curves[k]);
     for (Index k = 0; k < point.size(); ++k) {
       if (point[k] != 0) continue;

@@ -3,7 +3,7 @@
 //
 // Merging of cells that agree, so that a complex has no cell that could be dropped without changing the set
 // (distances.md 8.1): an edge whose two sides and itself carry one mark; a vertex whose star carries one mark; a vertex
-// that joins two edges of one supporting_curve with equal marks. Marks decide, never geometry alone: cracks, whiskers
+// that joins two edges of one supporting curve with equal marks. Marks decide, never geometry alone: cracks, whiskers
 // and isolated points stay. Guarantee: the same point set for every mark. Cost: O(cells), one exact comparison for each
 // component's smallest vertex.
 #pragma once

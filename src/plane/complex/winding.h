@@ -26,7 +26,7 @@ struct Chain {
   std::int32_t weight = 1;     // how often it counts; one closed curve has one weight
 };
 
-/// The path rotates from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path
+/// The path turns from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path
 /// runs from the back direction of `in` to the direction of `out`: clockwise if both lie displaced to the left,
 /// counter-clockwise if both to the right, else as `rotation` says (+1 counter-clockwise, -1 clockwise, 0 not at all;
 /// at a cusp, whose ends have one tangent, the way on which they are next to each other).

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <string>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "findspace/error.h"
 #include "plane/base/arena.h"
 #include "plane/contour/contour_boxes.h"
@@ -192,9 +192,9 @@ std::vector<Ring> clean_and_check(std::vector<Contour> rings, Label name, std::i
   return clean_rings;
 }
 
-Contour directed(Ring ring, int wanted, std::int64_t& turned) {
+Contour directed(Ring ring, int wanted, std::int64_t& reversed_so_far) {
   if ((ring.way != 0 ? ring.way : orientation(ring.edges)) == wanted) return std::move(ring.edges);
-  ++turned;
+  ++reversed_so_far;
   return reversed(ring.edges);
 }
 
@@ -225,7 +225,7 @@ RingSet make_rings(std::vector<Contour> input, double step) {
   set.contours.reserve(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     std::int64_t ignored = 0;  // either direction of a hole is usual
-    set.contours.push_back(directed(std::move(rings[i]), i == 0 ? 1 : -1, i == 0 ? set.turned_rings : ignored));
+    set.contours.push_back(directed(std::move(rings[i]), i == 0 ? 1 : -1, i == 0 ? set.reversed_rings : ignored));
   }
   return set;
 }

@@ -46,7 +46,7 @@ double sagitta(const ContourEdge& edge, GridPoint to);
 struct RingSet {
   std::vector<Contour> contours;     // the outer ring, then the holes
   std::int64_t repeated_points = 0;  // dropped
-  std::int64_t turned_rings = 0;     // given the other direction
+  std::int64_t reversed_rings = 0;   // given the other direction
 };
 
 /// Checks and normalises one outer ring and its holes. Throws Error(kGeometry) that names the ring, both edges and the

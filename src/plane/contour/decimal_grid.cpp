@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "findspace/error.h"
 
 namespace findspace::plane {

@@ -48,6 +48,14 @@ class Grid {
     double value, error;
   };
   Steps steps_near(double length) const;
+  /// The number of steps of a double that is on the grid; false where that is not seen at once.
+  bool whole_steps(double length, std::int64_t& steps) const {
+    constexpr double kMost = 1e12;  // below kLimit, and of so few digits no other decimal reads back as the double
+    const double value = length * steps_a_unit_;
+    if (!whole_ || !(value < kMost && value > -kMost)) return false;
+    steps = static_cast<std::int64_t>(value + (value < 0 ? -0.5 : 0.5));
+    return static_cast<double>(steps) / steps_a_unit_ == length;
+  }
 
  private:
   exact::Real step_;

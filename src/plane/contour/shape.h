@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A 2D shape as the scene states it: a tree of primitives on the decimal grid and constructive nodes over them.
-// Nothing is computed here; `build(shape)` in build.h rotates a tree into the exact point set (`Region`).
+// Nothing is computed here; `build(shape)` in build.h turns a tree into the exact point set (`Region`).
 // All coordinates are integers in grid steps; radii, offsets and the centre of an arc are exact reals in grid steps.
 #pragma once
 

@@ -9,6 +9,7 @@
 
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/ray_crossing.h"
+#include "plane/base/reserve_more.h"
 
 namespace findspace::plane {
 namespace {
@@ -45,6 +46,18 @@ bool can_enclose(const GridFace& face, const GridFace& other) {
 
 std::int32_t euler(const GridFace& bounded) { return 2 - std::int32_t(ring_sizes(bounded).size()); }
 
+constexpr std::size_t kEntriesPerFace = 2;
+
+std::vector<BoxSlabs::Entry> bounded_boxes(const std::vector<GridFace>& faces) {
+  std::vector<BoxSlabs::Entry> out;
+  for (Index k = 0; k < faces.size(); ++k) {
+    if (faces[k].unbounded) continue;
+    const GridBox box = box_of({&faces[k], 1});
+    out.push_back({double(box.x0), double(box.x1), double(box.y0), double(box.y1), k});
+  }
+  return out;
+}
+
 bool before(GridPoint p, GridPoint q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
 
 Heading heading(const GridCorner& edge) { return {edge.dx, edge.dy}; }
@@ -60,7 +73,10 @@ int compare_grid(Geometry& g, GridPoint p, Compare&& compare) {
 }  // namespace
 
 ConvolutionIndex::Side::Side(const GridFace& face)
-    : fan(face, std::pmr::new_delete_resource()), slabs(face), place(face.corners.size()) {
+    : fan(face, std::pmr::new_delete_resource()),
+      slabs(edge_slabs(face)),
+      place(face.corners.size()),
+      box(box_of({&face, 1})) {
   for (Index k = 0; k < fan.rays.size(); ++k) place[fan.rays[k].corner] = k;
   for (Index k = 0; k < face.corners.size(); ++k) by_place.push_back({face.corners[k].at, k});
   std::sort(by_place.begin(), by_place.end(), [](const auto& p, const auto& q) {
@@ -68,18 +84,56 @@ ConvolutionIndex::Side::Side(const GridFace& face)
   });
 }
 
-void ConvolutionIndex::Side::find_sweeps() {
-  for (Index v = 0; v < fan.corners.size(); ++v) sweep.push_back(fan.sweep(v));
+ConvolutionIndex::ConvolutionIndex(const GridOperand& a, const GridOperand& b)
+    : a_(a), b_(b), boxes_(bounded_boxes((a.faces.size() > b.faces.size() ? a : b).faces), kEntriesPerFace) {
+  for (int s : {0, 1}) {
+    sides_[std::size_t(s)].reserve(operand(s).faces.size());
+    for (const GridFace& f : operand(s).faces) sides_[std::size_t(s)].emplace_back(f);
+  }
+  pairs_.reserve(a.faces.size() * b.faces.size());
+  for (Index i = 0; i < a.faces.size(); ++i)
+    for (Index j = 0; j < b.faces.size(); ++j) add_pair(i, j);
 }
 
-ConvolutionIndex::ConvolutionIndex(const GridOperand& a, const GridOperand& b) : a_(a), b_(b) {
-  for (const GridFace& p : a.faces)
-    for (const GridFace& q : b.faces) {
-      std::int32_t base = p.unbounded ? euler(q) : q.unbounded ? euler(p) : 0;
-      Pair& pair = pairs_.emplace_back(Pair{{Side(p), Side(q)}, base, can_enclose(p, q) || can_enclose(q, p)});
-      EdgeFan::place(pair.side[0].fan, pair.side[1].fan);
-      for (Side& s : pair.side) s.find_sweeps();
+void ConvolutionIndex::add_pair(Index i, Index j) {
+  const GridFace &p = a_.faces[i], &q = b_.faces[j];
+  Pair& pair = pairs_.emplace_back(Pair{{i, j}, {}, 0, can_enclose(p, q) || can_enclose(q, p)});
+  pair.base = p.unbounded ? euler(q) : q.unbounded ? euler(p) : 0;
+  EdgeFan::place(sides_[0][i].fan, sides_[1][j].fan);
+  for (std::size_t s : {0, 1}) {
+    const EdgeFan& fan = sides_[s][pair.face[s]].fan;
+    pair.at[s] = ranks_.size();
+    reserve_more(ranks_, fan.corners.size());
+    reserve_more(sweeps_, fan.corners.size());
+    for (Index v = 0; v < fan.corners.size(); ++v) {
+      ranks_.push_back(fan.rank[v]);
+      sweeps_.push_back(fan.sweep(v));
     }
+  }
+}
+
+std::vector<Index> ConvolutionIndex::pairs_meeting(const Range& r) const {
+  const std::size_t many = a_.faces.size() > b_.faces.size() ? 0 : 1;
+  std::vector<Index> out;
+  const auto add = [&](Index of_many, Index of_few) {
+    out.push_back(many == 0 ? of_many * Index(b_.faces.size()) + of_few : of_few * Index(b_.faces.size()) + of_many);
+  };
+  const std::vector<GridFace>&faces = operand(int(many)).faces, &others = operand(1 - int(many)).faces;
+  for (Index k = 0; k < others.size(); ++k) {
+    if (others[k].unbounded) {
+      for (Index i = 0; i < faces.size(); ++i) add(i, k);
+      continue;
+    }
+    const GridBox& box = sides_[1 - many][k].box;
+    boxes_.visit(r.y0 - double(box.y1), r.y1 - double(box.y0), [&](const BoxSlabs::Entry& e) {
+      if (e.x1 >= r.x0 - double(box.x1) && e.x0 <= r.x1 - double(box.x0)) add(e.item, k);
+      return true;
+    });
+    for (Index i = 0; i < faces.size(); ++i)
+      if (faces[i].unbounded) add(i, k);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 bool ConvolutionIndex::may_be_unresolved() const {
@@ -88,20 +142,18 @@ bool ConvolutionIndex::may_be_unresolved() const {
 
 std::size_t ConvolutionIndex::convex_count() const {
   std::size_t count = 0;
-  for (const Pair& pair : pairs_)
+  for (Index p = 0; p < pairs_.size(); ++p)
     for (int s : {0, 1}) {
-      const Side &moved = pair.side[std::size_t(s)], &other = pair.side[std::size_t(1 - s)];
-      for (Index v = 0; v < other.fan.corners.size(); ++v) {
-        if (other.fan.corners[v].turn <= 0) continue;
-        const EdgeFan::Sweep& sweep = other.sweep[v];
-        count += sweep.size(moved.place.size());
-      }
+      const Side &moved = of(p, s), &other = of(p, 1 - s);
+      for (Index v = 0; v < other.fan.corners.size(); ++v)
+        if (other.fan.corners[v].turn > 0) count += sweep(p, 1 - s, v).size(moved.place.size());
     }
   return count;
 }
 
 bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unresolved) const {
-  for (Index k = 0; k < pairs_.size(); ++k) {
+  const exact::Point q = g.points[point];
+  for (Index k : pairs_meeting({q.x - q.error, q.y - q.error, q.x + q.error, q.y + q.error})) {
     if (number(g, point, k) != 0) return true;
     unresolved |= pairs_[k].may_enclose;
   }
@@ -118,7 +170,7 @@ std::int32_t ConvolutionIndex::number(Geometry& g, Index point, Index pair) cons
       number += past_curve(g, point, c);
       return true;
     });
-  return number + past_corners(g, point, pairs_[pair]);
+  return number + past_corners(g, point, pair);
 }
 
 /// Sign of the point's side of the line of a curve: +1 to the left of the edge's direction.
@@ -164,38 +216,33 @@ std::int32_t ConvolutionIndex::past_curve(Geometry& g, Index point, const Curve&
 }
 
 /// Corners of the two paths that meet at the point.
-std::int32_t ConvolutionIndex::past_corners(Geometry& g, Index point, const Pair& pair) const {
+std::int32_t ConvolutionIndex::past_corners(Geometry& g, Index point, Index pair) const {
   const exact::Point q = g.points[point];
   const GridPoint at{std::llround(q.x), std::llround(q.y)};
   if (std::abs(q.x - double(at.x)) > q.error || std::abs(q.y - double(at.y)) > q.error) return 0;
   if (compare_grid(g, at, [&](Index i) { return compare_xy(g, i, point); }) != 0) return 0;
   std::int32_t number = 0;
-  const std::size_t few = pair.side[0].place.size() < pair.side[1].place.size() ? 0 : 1;
-  const auto& places = pair.side[1 - few].by_place;
-  for (Index v = 0; v < pair.side[few].fan.corners.size(); ++v) {
-    const GridPoint other = pair.side[few].fan.corners[v].at, wanted{at.x - other.x, at.y - other.y};
+  const Side &a = of(pair, 0), &b = of(pair, 1);
+  const auto& places = a.by_place;
+  for (Index v = 0; v < b.fan.corners.size(); ++v) {
+    const GridPoint other = b.fan.corners[v].at, wanted{at.x - other.x, at.y - other.y};
     auto k = std::lower_bound(places.begin(), places.end(), wanted,
                               [](const auto& p, GridPoint w) { return before(p.first, w); });
     for (; k != places.end() && k->first.x == wanted.x && k->first.y == wanted.y; ++k)
-      number += past_corner(pair, few == 0 ? std::array{v, k->second} : std::array{k->second, v});
+      number += past_corner(pair, {k->second, v});
   }
   return number;
 }
 
 /// The paths that arrive at a pair of corners, each with the curve on which it goes on: where the first of the two
-/// rotates, swept from the direction of arrival, ends.
-std::int32_t ConvolutionIndex::past_corner(const Pair& pair, const std::array<Index, 2>& corners) {
-  auto corner = [&](int s) -> const GridCorner& {
-    return pair.side[std::size_t(s)].fan.corners[corners[std::size_t(s)]];
-  };
-  const Index count = Index(pair.side[0].place.size() + pair.side[1].place.size());
+/// turns, swept from the direction of arrival, ends.
+std::int32_t ConvolutionIndex::past_corner(Index pair, const std::array<Index, 2>& corners) const {
+  auto corner = [&](int s) -> const GridCorner& { return of(pair, s).fan.corners[corners[std::size_t(s)]]; };
+  const Index count = Index(of(pair, 0).place.size() + of(pair, 1).place.size());
   // The place of an edge among those of both sets.
-  auto key = [&](int s, Index edge) {
-    const Side& side = pair.side[std::size_t(s)];
-    return side.place[edge] + side.fan.rank[edge];
-  };
+  auto key = [&](int s, Index edge) { return of(pair, s).place[edge] + rank(pair, s, edge); };
   // From a direction to the end of a turn, counter-clockwise if `left`.
-  auto tolerance = [&](int s, Index from, bool left) {
+  auto to_end = [&](int s, Index from, bool left) {
     const GridCorner& c = corner(s);
     if (c.turn == 0) return Index(0);
     Index in = key(s, c.before), out = key(s, corners[std::size_t(s)]);
@@ -208,20 +255,20 @@ std::int32_t ConvolutionIndex::past_corner(const Pair& pair, const std::array<In
     if (other.turn == 0) continue;
     const bool forward = other.turn > 0;
     const Index line = forward ? mine.before : corners[std::size_t(s)];
-    const Side &side = pair.side[std::size_t(s)], &fixed = pair.side[std::size_t(1 - s)];
-    if (!fixed.sweep[corners[std::size_t(1 - s)]].holds(side.place[line])) continue;
+    const Side& side = of(pair, s);
+    if (!sweep(pair, 1 - s, corners[std::size_t(1 - s)]).holds(side.place[line])) continue;
     const Index from = key(s, line);
     const bool left = (mine.turn >= 0) == forward;
-    const Index rooms[2] = {tolerance(0, from, left), tolerance(1, from, left)};
-    const int next = rooms[0] < rooms[1] ? 0 : 1;
-    const GridCorner& turned = corner(next);
-    const bool goes_on = (turned.turn >= 0) == left;
-    const Side& leaves = pair.side[std::size_t(next)];
-    const GridCorner& edge_out = leaves.fan.corners[goes_on ? corners[std::size_t(next)] : turned.before];
+    const Index ends[2] = {to_end(0, from, left), to_end(1, from, left)};
+    const int next = ends[0] < ends[1] ? 0 : 1;
+    const GridCorner& turning = corner(next);
+    const bool goes_on = (turning.turn >= 0) == left;
+    const Side& leaves = of(pair, next);
+    const GridCorner& edge_out = leaves.fan.corners[goes_on ? corners[std::size_t(next)] : turning.before];
     const bool forward_out = corner(1 - next).turn > 0;
     const Heading in = forward ? heading(side.fan.corners[line]) : -heading(side.fan.corners[line]);
     const Heading out = forward_out ? heading(edge_out) : -heading(edge_out);
-    const int turn = rooms[next] == 0 ? 0 : left ? 1 : -1;
+    const int turn = ends[next] == 0 ? 0 : left ? 1 : -1;
     number += ray_crossing(-in, out, forward == forward_out ? (forward ? -1 : 1) : turn);
   }
   return number;

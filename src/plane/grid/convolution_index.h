@@ -4,17 +4,18 @@
 // The convolution (convolution.h) of two sets of grid polygons, n by m curves, not made but found: which of its curves
 // reach into a box, and its displaced winding number at a point, which is the Euler characteristic of the intersection
 // of a face of A and one of B reflected and moved there. Curves are an edge of one set with a corner of the other whose
-// turn sweeps the edge's direction. Guarantee: exact for every point. Cost: O((n + m) log(n + m)) to prepare; a
-// question looks, for every corner of one set, at the other's edges in a strip; microseconds for small shapes, 0.3 ms
-// for 1000 corners each. Keywords: convolution cycles, range query, point in Minkowski sum.
+// turn sweeps the edge's direction. Guarantee: exact for every point. Cost: O((n + m) log(n + m)) to prepare one face
+// with one, and memory of O(n + m); a question looks at the pairs of faces whose boxes it meets, and there, for every
+// corner of one, at the other's edges in a strip; microseconds for small shapes, 0.3 ms for 1000 corners each.
+// Keywords: convolution cycles, range query, point in Minkowski sum.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "plane/grid/box_slabs.h"
 #include "plane/grid/edge_fan.h"
-#include "plane/grid/edge_slabs.h"
 #include "plane/grid/reduced_convolution.h"
 
 namespace findspace::plane {
@@ -36,12 +37,10 @@ class ConvolutionIndex {
   };
 
   const GridOperand& operand(int side) const { return side == 0 ? a_ : b_; }
-  const GridCorner& edge(const Curve& c) const { return pairs_[c.pair].side[c.side].fan.corners[c.edge]; }
-  const GridCorner& corner(const Curve& c) const { return pairs_[c.pair].side[1 - c.side].fan.corners[c.corner]; }
+  const GridCorner& edge(const Curve& c) const { return of(c.pair, c.side).fan.corners[c.edge]; }
+  const GridCorner& corner(const Curve& c) const { return of(c.pair, 1 - c.side).fan.corners[c.corner]; }
   GridPoint from(const Curve& c) const { return sum(edge(c).at, corner(c).at); }
-  GridPoint to(const Curve& c) const {
-    return sum(pairs_[c.pair].side[c.side].fan.corners[edge(c).next].at, corner(c).at);
-  }
+  GridPoint to(const Curve& c) const { return sum(of(c.pair, c.side).fan.corners[edge(c).next].at, corner(c).at); }
 
   /// Could an intersection be a ring, so that numbers alone do not decide?
   bool may_be_unresolved() const;
@@ -51,7 +50,7 @@ class ConvolutionIndex {
   /// Calls visit(curve) for the curves at convex corners whose boxes meet the range, while it returns true.
   template <class Visit>
   bool visit_convex(const Range& range, Visit&& visit) const {
-    for (Index p = 0; p < pairs_.size(); ++p)
+    for (Index p : pairs_meeting(range))
       for (int s : {0, 1})
         if (!visit_side(
                 p, s, range, [](const GridCorner& c) { return c.turn > 0; }, visit))
@@ -64,35 +63,46 @@ class ConvolutionIndex {
   bool holds(exact::Geometry& g, Index point, bool& unresolved) const;
 
  private:
+  /// A face by itself.
   struct Side {
     EdgeFan fan;
-    EdgeSlabs slabs;
-    std::vector<Index> place;  // corner -> of its edge among the rays
-    std::vector<EdgeFan::Sweep> sweep;
+    BoxSlabs slabs;
+    std::vector<Index> place;                           // corner -> of its edge among the rays
     std::vector<std::pair<GridPoint, Index>> by_place;  // corners, for those at a point
+    GridBox box;
 
     explicit Side(const GridFace& face);
-    void find_sweeps();
   };
+  /// A face with one of the other set: from `at` on, rank and sweep of its corners.
   struct Pair {
-    std::array<Side, 2> side;
+    std::array<Index, 2> face;
+    std::array<std::size_t, 2> at;
     std::int32_t base;  // the number far away
     bool may_enclose;   // one could go round a hole of the other
   };
+
+  const Side& of(Index pair, int s) const { return sides_[std::size_t(s)][pairs_[pair].face[std::size_t(s)]]; }
+  const EdgeFan::Sweep& sweep(Index pair, int s, Index corner) const {
+    return sweeps_[pairs_[pair].at[std::size_t(s)] + corner];
+  }
+  Index rank(Index pair, int s, Index corner) const { return ranks_[pairs_[pair].at[std::size_t(s)] + corner]; }
+  void add_pair(Index i, Index j);
+  /// Those whose sums can reach into the range, or around it, ascending.
+  std::vector<Index> pairs_meeting(const Range& range) const;
 
   static GridPoint sum(GridPoint p, GridPoint q) { return {p.x + q.x, p.y + q.y}; }
 
   template <class Wanted, class Visit>
   bool visit_side(Index p, int s, const Range& r, Wanted&& wanted, Visit&& visit) const {
-    const Side &moved = pairs_[p].side[std::size_t(s)], &other = pairs_[p].side[std::size_t(1 - s)];
+    const Side &moved = of(p, s), &other = of(p, 1 - s);
     for (Index v = 0; v < other.fan.corners.size(); ++v) {
       const GridCorner& c = other.fan.corners[v];
       if (c.turn == 0 || !wanted(c)) continue;
-      const EdgeFan::Sweep& sweep = other.sweep[v];
+      const EdgeFan::Sweep& swept = sweep(p, 1 - s, v);
       const double dx = double(c.at.x), dy = double(c.at.y);
-      bool on = moved.slabs.visit(r.y0 - dy, r.y1 - dy, [&](const EdgeSlabs::Entry& e) {
-        if (e.x1 < r.x0 - dx || e.x0 > r.x1 - dx || !sweep.holds(moved.place[e.corner])) return true;
-        return bool(visit(Curve{p, s, e.corner, v}));
+      bool on = moved.slabs.visit(r.y0 - dy, r.y1 - dy, [&](const BoxSlabs::Entry& e) {
+        if (e.x1 < r.x0 - dx || e.x0 > r.x1 - dx || !swept.holds(moved.place[e.item])) return true;
+        return bool(visit(Curve{p, s, e.item, v}));
       });
       if (!on) return false;
     }
@@ -101,12 +111,16 @@ class ConvolutionIndex {
 
   std::int32_t number(exact::Geometry& g, Index point, Index pair) const;
   std::int32_t past_curve(exact::Geometry& g, Index point, const Curve& c) const;
-  std::int32_t past_corners(exact::Geometry& g, Index point, const Pair& pair) const;
-  static std::int32_t past_corner(const Pair& pair, const std::array<Index, 2>& corners);
+  std::int32_t past_corners(exact::Geometry& g, Index point, Index pair) const;
+  std::int32_t past_corner(Index pair, const std::array<Index, 2>& corners) const;
   int side_of(exact::Geometry& g, Index point, const Curve& c) const;
 
   GridOperand a_, b_;
-  std::vector<Pair> pairs_;
+  std::array<std::vector<Side>, 2> sides_;
+  std::vector<Pair> pairs_;  // by face of A, then of B
+  std::vector<Index> ranks_;
+  std::vector<EdgeFan::Sweep> sweeps_;
+  BoxSlabs boxes_;  // of the faces of the set that has more
 };
 
 }  // namespace findspace::plane

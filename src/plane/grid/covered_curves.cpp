@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCells = 512;             // along the longer side of a set
 constexpr std::size_t kMostCorners = 256;  // that are tried
-constexpr double kRoom = 2;                // grid steps: far more than the rounding of sums below 2^43 steps
+constexpr double kWider = 2;               // grid steps: far more than the rounding of sums below 2^43 steps
 
 Outline outline(const std::vector<GridFace>& faces) {
   Outline out;
@@ -53,7 +53,7 @@ bool CoveredCurves::Set::covers(double x, double y, double half) const {
 
 bool CoveredCurves::covers(const Set& cells, Set& moved, const CoveredBox& box) {
   const double x = box.x0 + (box.x1 - box.x0) / 2, y = box.y0 + (box.y1 - box.y0) / 2;
-  const double half = std::max(box.x1 - box.x0, box.y1 - box.y0) / 2 + kRoom;
+  const double half = std::max(box.x1 - box.x0, box.y1 - box.y0) / 2 + kWider;
   const auto serves = [&](std::size_t k) { return cells.covers(x - moved.corners[k].x, y - moved.corners[k].y, half); };
   if (serves(moved.last)) return true;
   for (std::size_t k = 0; k < moved.corners.size(); ++k)

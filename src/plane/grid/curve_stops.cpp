@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index kFewStops = 8;
 
-/// One crossing, or one degenerate.
+/// One crossing, or one degenerate vertex.
 bool same_meeting(const Stop& s, const Stop& t) {
   return s.other == t.other && (s.other != kNone || s.point == t.point);
 }
@@ -39,8 +39,8 @@ class StopFinder {
   CurveStops& out_;
 };
 
-/// Puts stops in order along every curve; what meets at one point becomes a degenerate, or is dropped if it is there
-/// twice.
+/// Puts stops in order along every curve; what meets at one point becomes a degenerate vertex, or is dropped if it is
+/// there twice.
 class StopSorter {
  public:
   StopSorter(const ReducedConvolution& c, CurveStops& out, Memory memory)

@@ -15,13 +15,13 @@
 
 namespace findspace::plane {
 
-/// Where another curve crosses a curve, or a degenerate lies on it.
+/// Where another curve crosses a curve, or a degenerate vertex lies on it.
 struct Stop {
   Index piece;  // kNone: one at the same place stands for it
   Index point;
-  Index other;      // the other curve; kNone at a degenerate
+  Index other;      // the other curve; kNone at a degenerate vertex
   bool from_right;  // the other curve passes from the right to the left
-  Index twin;       // the place of this crossing among the stops of the other curve; at a degenerate its number
+  Index twin;       // the place of this crossing among the stops of the other curve; at a degenerate vertex its number
 };
 
 struct CurveStops {

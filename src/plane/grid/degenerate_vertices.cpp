@@ -9,7 +9,7 @@
 namespace findspace::plane {
 namespace {
 
-/// Where an directed_edge points, seen from another one.
+/// Where a half-edge points, seen from another one.
 enum ExactAngle { kRight = 1, kBack = 2, kLeft = 3, kSame = 4 };
 
 int cross_sign(const DirectedEdge& p, const DirectedEdge& q) {
@@ -23,7 +23,7 @@ ExactAngle turn(const DirectedEdge& from, const DirectedEdge& to) {
   return same ? kSame : kBack;
 }
 
-/// Is p passed before q, turning clockwise from another directed_edge?
+/// Is p passed before q, turning clockwise from another half-edge?
 bool comes_first(const DirectedEdge& from, const DirectedEdge& p, const DirectedEdge& q) {
   const ExactAngle u = turn(from, p), v = turn(from, q);
   if (u != v) return u < v;

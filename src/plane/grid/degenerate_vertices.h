@@ -3,7 +3,7 @@
 //
 // The places where directed curves do more than continue or cross in pairs, and the ways that leave them: which way
 // comes next in clockwise order, and whether the inner sides of the curves go all round the place. Guarantee: exact.
-// Cost: the pairs of directed_edges at a degenerate. Used by meeting_curves.cpp and transversal_sum.cpp only.
+// Cost: the pairs of half-edges at a degenerate vertex. Used by meeting_curves.cpp and transversal_sum.cpp only.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 namespace findspace::plane {
 
-/// A way of a curve that leaves a degenerate.
+/// A way of a curve that leaves a degenerate vertex.
 struct DirectedEdge {
   Index degenerate, curve, slot;
   bool starts;          // part `slot` of the curve starts there, or ends there
-  bool hides;           // the curve's inner side hides directions at the degenerate
-  std::int64_t dx, dy;  // away from the degenerate
-  Index next = kNone;   // another directed_edge of the degenerate
+  bool hides;           // the curve's inner side hides directions at the degenerate vertex
+  std::int64_t dx, dy;  // away from the degenerate vertex
+  Index next = kNone;   // another half-edge of the degenerate vertex
 };
 
 class DegenerateVertices {
@@ -31,15 +31,15 @@ class DegenerateVertices {
       : points_(points), degenerate_of_(memory), same_(memory), directed_edges_(memory), first_directed_edge_(memory) {}
 
   bool empty() const { return same_.empty(); }
-  /// A point becomes a degenerate, or stays one.
+  /// A point becomes a degenerate vertex, or stays one.
   void make(Index point);
   /// Two points are the same place.
   void tie(Index p, Index q);
-  /// Numbers the degenerate_vertices; no more are made. `points`: how many there are.
+  /// Numbers the degenerate vertices; no more are made. `points`: how many there are.
   void settle(std::size_t points);
 
   Index count() const { return count_; }
-  /// The degenerate at a point, or kNone.
+  /// The degenerate vertex at a point, or kNone.
   Index at(Index point) const { return empty() ? kNone : degenerate_of_[point]; }
   /// One of its points.
   Index point(Index degenerate) const {
@@ -53,9 +53,10 @@ class DegenerateVertices {
     directed_edges_.push_back(directed_edge);
   }
 
-  /// Of the other directed_edges, the first clockwise from the one of a part that starts at the degenerate.
+  /// Of the other half-edges, the first clockwise from the one of a part that starts at the degenerate vertex.
   const DirectedEdge& clockwise(Index degenerate, Index curve, Index slot) const;
-  /// Do inner sides of curves hide all directions? Only then can the degenerate be a single point outside the open sum.
+  /// Do inner sides of curves hide all directions? Only then can the degenerate vertex be a single point outside the
+  /// open sum.
   bool is_surrounded(Index degenerate) const;
 
  private:
@@ -66,10 +67,10 @@ class DegenerateVertices {
   Index& parent(Index point);
 
   std::size_t points_;
-  std::pmr::vector<Index> degenerate_of_;  // point -> degenerate; empty while there is none
-  std::pmr::vector<Index> same_;           // degenerate -> one with a smaller number at the same place, or itself
+  std::pmr::vector<Index> degenerate_of_;  // point -> degenerate vertex; empty while there is none
+  std::pmr::vector<Index> same_;  // degenerate vertex -> one with a smaller number at the same place, or itself
   std::pmr::vector<DirectedEdge> directed_edges_;
-  std::pmr::vector<Index> first_directed_edge_;  // degenerate -> the last one added
+  std::pmr::vector<Index> first_directed_edge_;  // degenerate vertex -> the last one added
   Index count_ = 0;
 };
 

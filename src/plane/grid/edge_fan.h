@@ -37,7 +37,7 @@ class EdgeFan {
     std::size_t size(std::size_t all) const { return wraps ? all - first + end : end - first; }
     bool holds(Index place) const { return wraps ? place >= first || place < end : place >= first && place < end; }
   };
-  /// The directions between the two edges of a corner, counter-clockwise whichever way it rotates.
+  /// The directions between the two edges of a corner, counter-clockwise whichever way it turns.
   Sweep sweep(Index corner) const {
     const GridCorner& c = corners[corner];
     if (c.turn == 0) return {};

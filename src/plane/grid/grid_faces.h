@@ -26,7 +26,7 @@ struct GridFace {
   std::vector<GridCorner> corners;  // ring by ring
   bool unbounded = false;
 
-  /// One ring that rotates left at every corner and round once.
+  /// One ring that turns left at every corner and round once.
   bool is_convex() const;
 };
 

@@ -21,7 +21,7 @@ DirectedEdge directed_edge(const MeetingCurves& curves, const exact::Geometry& g
           .dy = forward ? -k.a : k.a};
 }
 
-/// The directed edges of all degenerate vertices.
+/// The half-edges of all degenerate vertices.
 void add_directed_edges(const MeetingCurves& curves, const ReducedConvolution& c, DegenerateVertices& all) {
   const auto add = [&](Index degenerate, CurvePart part, bool starts, bool hides) {
     all.add(directed_edge(curves, c.geometry, degenerate, part, starts, hides));

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The curves of a reduced convolution with the places where they meet (curve_stops.h): how they run, in which parts
-// stops divide them, and the directed edges about each degenerate vertex. Guarantee: exact. Cost: that of the stops.
+// stops divide them, and the half-edges about each degenerate vertex. Guarantee: exact. Cost: that of the stops.
 // Used by transversal_sum.cpp only.
 #pragma once
 
@@ -38,8 +38,8 @@ class MeetingCurves {
   Index part_count() const { return Index(found_.stops.size()) + size(); }
   Index start(CurvePart p) const { return p.slot == 0 ? start(p.curve) : stop(p.curve, p.slot - 1).point; }
   Index end(CurvePart p) const { return p.slot == stop_count(p.curve) ? end(p.curve) : stop(p.curve, p.slot).point; }
-  /// The degenerate at which a part starts, or kNone.
-  Index knot_before(CurvePart p) const {
+  /// The degenerate vertex at which a part starts, or kNone.
+  Index degenerate_before(CurvePart p) const {
     if (p.slot == 0) return found_.degenerate_vertices.at(start(p.curve));
     const Stop& s = stop(p.curve, p.slot - 1);
     return s.other == kNone ? s.twin : kNone;

@@ -55,24 +55,24 @@ class Cutter {
     const exact::Point a = g_.points[piece.p0], b = g_.points[piece.p1];
     bool steep = std::abs(b.y - a.y) > b.x - a.x;
     double u0 = steep ? a.y : a.x, v0 = steep ? a.x : a.y, u1 = steep ? b.y : b.x, v1 = steep ? b.x : b.y;
-    bool turned = u1 < u0;
-    if (turned) {
+    bool reversed = u1 < u0;
+    if (reversed) {
       std::swap(u0, u1);
       std::swap(v0, v1);
     }
-    Index from = turned ? piece.p1 : piece.p0, to = turned ? piece.p0 : piece.p1;
+    Index from = reversed ? piece.p1 : piece.p0, to = reversed ? piece.p0 : piece.p1;
     std::int64_t first = mask_.line_of(u0), last = mask_.line_of(u1);
     Index open = kNone;  // start of the part that is kept at present
     for (std::int64_t line = first; line <= last;) {
       std::int64_t depth = depth_of(line, u0, v0, u1, v1, steep);
       if (depth == 0 && open == kNone) open = line == first ? from : border(piece, line, steep);
       if (depth > 0 && open != kNone) {
-        keep(piece, open, border(piece, line, steep), turned, out);
+        keep(piece, open, border(piece, line, steep), reversed, out);
         open = kNone;
       }
       line += std::max<std::int64_t>(depth, 1);
     }
-    if (open != kNone) keep(piece, open, to, turned, out);
+    if (open != kNone) keep(piece, open, to, reversed, out);
   }
 
  private:
@@ -95,11 +95,11 @@ class Cutter {
     return g_.add_crossing(piece.supporting_curve, at->second, 0);
   }
 
-  void keep(const Piece& piece, Index from, Index to, bool turned, std::vector<Piece>& out) const {
+  void keep(const Piece& piece, Index from, Index to, bool reversed, std::vector<Piece>& out) const {
     if (compare_xy(g_, from, to) == 0) return;
     Piece part = piece;
-    part.p0 = turned ? to : from;
-    part.p1 = turned ? from : to;
+    part.p0 = reversed ? to : from;
+    part.p1 = reversed ? from : to;
     out.push_back(part);
   }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 
+#include "plane/base/reserve_more.h"
 #include "plane/grid/edge_fan.h"
 
 namespace findspace::plane {
@@ -101,10 +102,10 @@ class FacePair {
     if (count < kManyCurves) covered_ = nullptr;
     if (covered_) count = keep_edges(b_, a_, 0) + keep_edges(a_, b_, 1);
     auto& g = out_.geometry;
-    g.supporting_curves.reserve(g.supporting_curves.size() + count);
-    g.points.reserve(g.points.size() + 2 * count);
-    out_.pieces.reserve(out_.pieces.size() + count);
-    out_.sides.reserve(out_.sides.size() + count);
+    reserve_more(g.supporting_curves, count);
+    reserve_more(g.points, 2 * count);
+    reserve_more(out_.pieces, count);
+    reserve_more(out_.sides, count);
     return count;
   }
 

@@ -21,7 +21,7 @@ namespace findspace::plane {
 struct InnerSide {
   bool left = false;  // its inner side is to the left of p0 -> p1
   /// Whether the displaced curve passes between its end and the directions on its inner side: not at a corner that
-  /// rotates round the other way.
+  /// turns round the other way.
   bool hides_at_p0 = true, hides_at_p1 = true;
 };
 

@@ -12,10 +12,10 @@
 
 namespace findspace::plane {
 
-/// Is the point of this geometry, to which points and supporting_curves may be added, in the open sum?
+/// Is the point of this geometry, to which points and supporting curves may be added, in the open sum?
 using InsideTest = std::function<bool(exact::Geometry&, Index point)>;
 
-/// A point of the supporting_curve strictly between two of its points.
+/// A point of the supporting curve strictly between two of its points.
 Index point_between(exact::Geometry& geometry, Index supporting_curve, Index p, Index q);
 
 /// -1 on the open sum, 0 on its boundary, +1 elsewhere. `sides`: of the arrangement's pieces; those

@@ -46,7 +46,7 @@ class OuterWalks {
 
   /// To the part before; false where the walk would pass an inner side.
   bool advance(CurvePart& at) const {
-    if (Index degenerate = curves_.knot_before(at); degenerate != kNone) {
+    if (Index degenerate = curves_.degenerate_before(at); degenerate != kNone) {
       const DirectedEdge& directed_edge = curves_.degenerate_vertices().clockwise(degenerate, at.curve, at.slot);
       if (directed_edge.starts) return false;
       at = {directed_edge.curve, directed_edge.slot};
@@ -143,13 +143,14 @@ class TransversalSum {
     return false;
   }
 
-  /// False where the ring passes a degenerate that a ring has passed before.
+  /// False where the ring passes a degenerate vertex that a ring has passed before.
   bool add_ring(std::span<const CurvePart> walk) {
     starts_.push_back(Index(rings_.size()));
     if (rings_.empty()) rings_.reserve(walk.size());
     for (std::size_t k = walk.size(); k-- > 0;) {
       CurvePart p = walk[k], before = walk[k + 1 == walk.size() ? 0 : k + 1];
-      if (Index degenerate = curves_.knot_before(p); degenerate != kNone && passed_[degenerate]++ > 0) return false;
+      if (Index degenerate = curves_.degenerate_before(p); degenerate != kNone && passed_[degenerate]++ > 0)
+        return false;
       if (straight(before.curve, p.curve)) continue;
       rings_.push_back({curves_.start(p), curves_.supporting_curve(p.curve), curves_.right(p.curve)});
     }
@@ -167,7 +168,7 @@ class TransversalSum {
   MeetingCurves curves_;
   std::pmr::vector<RingEdge> rings_;
   std::pmr::vector<Index> starts_;
-  std::pmr::vector<int> passed_;  // degenerate -> times a ring passed it
+  std::pmr::vector<int> passed_;  // degenerate vertex -> times a ring passed it
   Memory memory_;
 };
 

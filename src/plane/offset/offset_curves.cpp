@@ -61,9 +61,9 @@ class Builder {
     arc_to_.assign(n, kNone);
     const auto turns_left = [](const GridCorner& c) { return c.turn > 0; };
     const std::size_t arcs = std::size_t(std::count_if(corners.begin(), corners.end(), turns_left));
-    room_ = n + arcs + n / 8 + 4;  // a few arcs are cut in two, a few edges get loose ends
-    g_.supporting_curves.reserve(room_);
-    g_.points.reserve(room_ + n / 8);
+    capacity_ = n + arcs + n / 8 + 4;  // a few arcs are cut in two, a few edges get loose ends
+    g_.supporting_curves.reserve(capacity_);
+    g_.points.reserve(capacity_ + n / 8);
     for (Index k = 0; k < n; ++k) {
       if (corners[k].turn > 0 && !(covering && edges.covers_arc(k)))
         circle_[k] = g_.add(SupportingCurve::circle_at(corners[k].at.x, corners[k].at.y, radius));
@@ -79,8 +79,8 @@ class Builder {
         undo_crossing(k);
         undo_crossing(corners_[k].next);
       }
-    out_.pieces.reserve(room_);
-    out_.tracks.reserve(room_);
+    out_.pieces.reserve(capacity_);
+    out_.tracks.reserve(capacity_);
     for (Index k = 0; k < n; ++k) {
       if (circle_[k] != kNone) add_arc(k);
       if (line_[k] != kNone) add_piece(line_[k], from_[k], to_[k], 0, points_right(corners_[k]), false, k);
@@ -195,7 +195,7 @@ class Builder {
   exact::Approx approx_;  // of the radius
   OffsetCurves out_;
   exact::Geometry& g_;
-  std::size_t room_ = 0;
+  std::size_t capacity_ = 0;
   std::vector<Index> line_, circle_;      // of the displaced edge and of the arc of a corner; kNone: left out
   std::vector<Index> from_, to_;          // ends of the displaced edges
   std::vector<Index> arc_from_, arc_to_;  // ends of the arcs

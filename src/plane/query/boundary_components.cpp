@@ -23,7 +23,7 @@ class Numbering {
   std::unordered_map<Index, Index> of_;
 };
 
-/// The supporting_curves and points that the cells of `out`, numbered as in `from`, need; in order, so that crossings
+/// The supporting curves and points that the cells of `out`, numbered as in `from`, need; in order, so that crossings
 /// keep the order of their supporting_curves.
 void take_geometry(CellComplex& out, const exact::Geometry& from) {
   std::vector<Index> supporting_curves;

@@ -46,7 +46,7 @@ class CurveNet {
   Place at(Index vertex) const { return {scaled(measures_.x(vertex)), scaled(measures_.y(vertex))}; }
   /// The boundary cycle a half-edge belongs to, the face on its left.
   Ring ring(Index half_edge) const;
-  /// The same for any closed chain of half-edges that rotates off at vertices that are left only.
+  /// The same for any closed chain of half-edges that turns off at vertices that are left only.
   Ring ring(std::span<const Index> half_edges) const;
   double scaled(const Twofold& steps) const { return (steps * step_).value(); }
   /// The leftmost, rightmost, highest and lowest points of its circle that lie inside an arc, in its direction: they

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "exact/planar/geometry_signs.h"
 #include "plane/complex/piece_meet.h"
 

@@ -3,7 +3,7 @@
 
 #include "plane/query/measure_cells.h"
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/query/measure_cells_places.h"
 
 namespace findspace::plane {
@@ -71,7 +71,7 @@ Twofold CellMeasures::swept_area(Index half_edge, const Twofold& ox, const Twofo
   Index from = c_.origin(half_edge), to = c_.target(half_edge);
   Twofold twice = determinant(x_[from] - ox, y_[from] - oy, x_[to] - ox, y_[to] - oy);
   if (c_.is_arc(arc)) {
-    // The circular segment between chord and arc, to the right of the chord where the arc rotates left.
+    // The circular segment between chord and arc, to the right of the chord where the arc turns left.
     const Twofold& r = circle(arc).radius;
     Twofold segment = r * r * angle(arc) - spread(arc).cross;
     twice += c_.heading(half_edge).forward ? segment : -segment;

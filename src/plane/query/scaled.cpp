@@ -17,7 +17,7 @@ CellComplex scaled(CellComplex complex, std::int64_t factor) {
   for (Index p = 0; p < complex.geometry.points.size(); ++p) {
     const exact::Point& q = complex.geometry.points[p];
     if (q.kind == exact::Point::Kind::kCross) {
-      to.add_crossing(q.i, q.j, q.root);  // supporting_curves keep their order and direction, so roots stay
+      to.add_crossing(q.i, q.j, q.root);  // supporting curves keep their order and direction, so roots stay
     } else {
       const exact::RealPoint at = complex.geometry.exact(p);
       to.add_real_point(f * at.x, f * at.y);

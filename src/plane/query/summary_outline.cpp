@@ -135,7 +135,7 @@ FaceOutline::Spot FaceOutline::climb(Spot best, int steps) const {
   return best;
 }
 
-FaceOutline::Spot FaceOutline::roomiest() const {
+FaceOutline::Spot FaceOutline::clearest() const {
   const double n = double(curves_.size() + points_.size()) + 1;
   const int budget = int(std::clamp(kBudget / n, 8.0, 400.0)), lines = std::min(kLines, budget);
   Spot best;

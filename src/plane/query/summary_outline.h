@@ -20,8 +20,8 @@ class FaceOutline {
 
   FaceOutline(const CellComplex& c, const CellMeasures& measures, Index face, std::span<const Index> half_edges);
 
-  /// The place with most tolerance among those looked at.
-  Spot roomiest() const;
+  /// The place with the most clearance among those looked at.
+  Spot clearest() const;
   double clearance(double x, double y) const;
 
  private:

@@ -48,9 +48,9 @@ RealPoint Sampler::inside_face(Index face) {
   std::span<const Index> half_edges(half_edges_.data() + start_[face], start_[face + 1] - start_[face]);
   if (half_edges.empty() && s_.faces[face].isolated.empty()) return {};
   FaceOutline outline(s_, measures_, face, half_edges);
-  FaceOutline::Spot spot = outline.roomiest();
+  FaceOutline::Spot spot = outline.clearest();
   if (spot.clearance > 0) {
-    // A grid point with as few digits as the tolerance around it allows.
+    // A grid point with as few digits as the clearance around it allows.
     double unit = spot.clearance < 8 ? 1 : std::pow(10, std::floor(std::log10(spot.clearance / 8)));
     RealPoint p{on_lattice(spot.x, unit), on_lattice(spot.y, unit)};
     if (is_inside(p, face)) return p;

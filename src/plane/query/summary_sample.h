@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A point of a cell that stands well for it: of a face one with tolerance around it, of an edge its middle. Guarantee:
-// the point of a face is strictly inside, proved by exact point location; wherever there is tolerance it is a grid
+// A point of a cell that stands well for it: of a face one with clearance around it, of an edge its middle. Guarantee:
+// the point of a face is strictly inside, proved by exact point location; wherever there is clearance it is a grid
 // point with few digits. Method: the middles of the gaps along vertical lines, climbing from the best to more
 // clearance; in a face too thin for doubles the exact middle over one of its edges. Cost: O(n) and at most some 2
 // million distances a face. Keywords: interior point, label point, pole of inaccessibility.

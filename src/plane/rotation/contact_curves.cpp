@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 
 namespace findspace::plane {
 
@@ -112,7 +112,7 @@ RoughCurve ContactCurves::rough(const ContactPair& k, double angle) const {
   return c;
 }
 
-RealVector exact_normal(const EdgeFeature& e) { return e.side > 0 ? turned_left(e.q - e.p) : turned_right(e.q - e.p); }
+RealVector exact_normal(const EdgeFeature& e) { return e.side > 0 ? left_normal(e.q - e.p) : right_normal(e.q - e.p); }
 
 Real times_length(const Real& r, const RealVector& n) { return r.sign() == 0 ? Real() : r * sqrt(plane::dot(n, n)); }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 
 namespace findspace::plane {
 namespace {
@@ -91,7 +91,7 @@ std::vector<RealVector> line_meets_circle(const RealVector& n, const Real& offse
   if (rest.sign() < 0) return {};
   const RealVector projection = c.center + away / square * n;
   if (rest.sign() == 0) return {projection};
-  const RealVector half = sqrt(rest) / square * turned_left(n);
+  const RealVector half = sqrt(rest) / square * left_normal(n);
   return {projection - half, projection + half};
 }
 

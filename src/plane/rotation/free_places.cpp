@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/query/topology.h"
 #include "plane/rotation/curve_meetings.h"
 
@@ -19,7 +19,7 @@ using exact::RealPoint;
 
 namespace {
 
-constexpr double kBeside = 64;  // rooms: how far beside a point a position is tried
+constexpr double kBeside = 64;  // tolerances: how far beside a point a position is tried
 
 ContactCurves contact_curves(const Region& a, const Region& b, FreePlaces::Keep keep, const RealPoint& p) {
   return {contact_features(b, {}, is_in), contact_features(a, p, keep == FreePlaces::Keep::kApart ? is_in : is_out)};
@@ -72,11 +72,11 @@ FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
       keep_(keep),
       around_(signs(a)),
 
-      room_(margin::kRotatedRoom * (size_of(a) + size_of(b))) {
+      tolerance_(margin::kRotatedTolerance * (size_of(a) + size_of(b))) {
   const ContactCurves all = contact_curves(a, b, keep, {});
   RoughBox whole{1, 0, 0, 0};
   for (const ContactPair& k : all.pairs(0, 0)) {
-    const RoughBox box = box_of(all.rough(k, 0), room_);
+    const RoughBox box = box_of(all.rough(k, 0), tolerance_);
     const bool first = curves_.empty();
     whole = first ? box
                   : RoughBox{std::min(whole.x0, box.x0), std::min(whole.y0, box.y0), std::max(whole.x1, box.x1),
@@ -139,7 +139,7 @@ class FreePlaces::From::Search {
     }
     for (const ContactPair& k : pairs_) rough_.push_back(curves_.rough(k, 0));
     for (std::size_t i = 0; i < rough_.size(); ++i) {
-      for (RoughPoint s : rough_projections(rough_[i], f_.room_)) add(s, 0, i, i);
+      for (RoughPoint s : rough_projections(rough_[i], f_.tolerance_)) add(s, 0, i, i);
       for (std::size_t k = i + 1; k < rough_.size(); ++k) add_meetings(i, k);
     }
     std::sort(candidates_.begin(), candidates_.end(), [&](const Candidate& c, const Candidate& d) {
@@ -152,7 +152,7 @@ class FreePlaces::From::Search {
     Real least;  // the best one's square
     double reached = 0;
     for (const Candidate& c : candidates_) {
-      const double off = f_.room_ + c.off;
+      const double off = f_.tolerance_ + c.off;
       if (best && (far_ ? c.distance < reached - off : c.distance > reached + off)) continue;
       if (certain_.held(c.at.real() + x_, c.at.imag() + y_, off)) continue;
       const std::optional<bool> free = is_free(c);
@@ -179,7 +179,7 @@ class FreePlaces::From::Search {
   };
 
   void add(RoughPoint at, double off, std::size_t first, std::size_t second) {
-    const double tolerance = f_.room_ + off;
+    const double tolerance = f_.tolerance_ + off;
     if (RoughBox{at.real() - tolerance, at.imag() - tolerance, at.real() + tolerance, at.imag() + tolerance}.apart(
             window_))
       return;
@@ -187,15 +187,15 @@ class FreePlaces::From::Search {
   }
 
   void add_meetings(std::size_t i, std::size_t k) {
-    for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], margin::kRoughCurveError * f_.room_)) {
-      const double tolerance = f_.room_ + m.off;
+    for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], margin::kRoughCurveError * f_.tolerance_)) {
+      const double tolerance = f_.tolerance_ + m.off;
       if (rough_[i].holds(m.at, tolerance) && rough_[k].holds(m.at, tolerance)) add(m.at, m.off, i, k);
     }
   }
 
   /// By a position beside it, if numbers tell.
   std::optional<bool> is_free(const Candidate& c) const {
-    const double step = kBeside * (f_.room_ + c.off), reach = 2 * step;
+    const double step = kBeside * (f_.tolerance_ + c.off), reach = 2 * step;
     const RoughPoint u = rough_[c.first].normal_at(c.at), v = rough_[c.second].normal_at(c.at);
     const double along = length(u + v) / 2;  // the cosine of half the angle between them
     if (along < margin::kOpenCurves || std::min(bend(c.first), bend(c.second)) < 8 * reach / along) return std::nullopt;
@@ -215,7 +215,7 @@ class FreePlaces::From::Search {
     const double round = length(c.at - r.center) - std::abs(r.radius);
     const double over = r.line ? dot(r.normal, c.at) - r.offset() : r.radius > 0 ? round : -round;
     if (std::abs(over) > reach || !r.holds(c.at, reach)) return true;
-    return over > 2 * (f_.room_ + c.off) && (r.line || std::abs(r.radius) > 8 * reach) &&
+    return over > 2 * (f_.tolerance_ + c.off) && (r.line || std::abs(r.radius) > 8 * reach) &&
            dot(r.normal_at(c.at), way) > margin::kOpenCurves;
   }
 

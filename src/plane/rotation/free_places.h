@@ -68,7 +68,7 @@ class FreePlaces {
   mutable std::optional<RotatedContact> contact_;  // of B with that, once it is asked for; guarded
   std::vector<Curve> curves_;
   std::optional<GridBox> bounds_;
-  double room_ = 0;  // lengths below it are left to exact numbers
+  double tolerance_ = 0;  // lengths below it are left to exact numbers
 };
 
 /// Seen from a position p.

@@ -29,7 +29,7 @@ RoughCurve FreeWay::rough(double angle, double reach) const {
 ExactCurve FreeWay::exact(const exact::ExactAngle& rotation) const {
   ExactCurve c;
   c.line = true;
-  c.normal = turned_left(rotations ? rotation(along) : along);
+  c.normal = left_normal(rotations ? rotation(along) : along);
   return c;
 }
 
@@ -45,7 +45,7 @@ SectorCurve FreeWay::sector(double middle) const {
 
 ExactSectorCurve FreeWay::exact_sector(int quarters) const {
   using exact::RotationPolynomial;
-  const RealVector n = turned_left(along);
+  const RealVector n = left_normal(along);
   const RotationPolynomial none = RotationPolynomial::constant(Real());
   if (!rotations) return {true, RotationPolynomial::constant(n.x), RotationPolynomial::constant(n.y), none, {}};
   return {true,

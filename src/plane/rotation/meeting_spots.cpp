@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/rotation/curve_meetings.h"
 
 namespace findspace::plane {
@@ -36,7 +36,7 @@ double MeetingSpots::travel(const ContactCurves& curves, const ContactPair& k, d
 }
 
 MeetingSpots::MeetingSpots(const FreeQuestion& q, std::span<const ContactPair> pairs, double middle, double half)
-    : half_(half), room_(q.tolerance), level_(q.level.to_double()), spots_(pairs.size() * pairs.size()) {
+    : half_(half), tolerance_(q.tolerance), level_(q.level.to_double()), spots_(pairs.size() * pairs.size()) {
   for (const ContactPair& k : pairs) {
     curves_.push_back(q.curves.rough(k, middle));
     travels_.push_back(travel(q.curves, k, half));
@@ -47,7 +47,7 @@ MeetingSpots::MeetingSpots(const FreeQuestion& q, std::span<const ContactPair> p
     for (std::size_t k = i + 1; k < pairs.size(); ++k) {
       Spot& s = spots_[i * pairs.size() + k] = place(i, k);
       if (s.travel == std::numeric_limits<double>::infinity()) continue;
-      const double tolerance = s.travel + room_;
+      const double tolerance = s.travel + tolerance_;
       s.possible = away(curves_[i], s.at) <= tolerance + travels_[i] &&
                    away(curves_[k], s.at) <= tolerance + travels_[k] && (q.far || length(s.at) <= level_ + tolerance) &&
                    !well_inside(there, q.open, s.at, tolerance + rotated);
@@ -62,25 +62,25 @@ MeetingSpots::Spot MeetingSpots::place(std::size_t i, std::size_t k) const {
   if (c.line && d.line) {
     const double sine = std::abs((std::conj(c.normal) * d.normal).imag());
     if (sine < 4 * half_) return {};
-    out.at = rough_meetings(c, d, room_).at(0).at;
+    out.at = rough_meetings(c, d, tolerance_).at(0).at;
     out.travel = 2 * std::max(travels_[i], travels_[k]) / (sine - 2 * half_) * 1.5;
     return out;
   }
   const bool first = !c.line && (d.line || std::abs(c.radius) <= std::abs(d.radius));
   out.at = first ? c.center : d.center;
-  out.travel = std::abs(first ? c.radius : d.radius) + travels_[first ? i : k] + room_;
+  out.travel = std::abs(first ? c.radius : d.radius) + travels_[first ? i : k] + tolerance_;
   return out;
 }
 
 bool MeetingSpots::may_meet_at_level(std::size_t i, std::size_t k) const {
   const Spot& s = spot(i, k);
-  return s.possible && std::abs(length(s.at) - level_) <= s.travel + room_;
+  return s.possible && std::abs(length(s.at) - level_) <= s.travel + tolerance_;
 }
 
 /// Whether the third curve comes to the spot of two.
 bool MeetingSpots::may_come(std::size_t i, std::size_t k, std::size_t third) const {
   const Spot& s = spot(i, k);
-  return s.possible && away(curves_[third], s.at) <= s.travel + travels_[third] + room_;
+  return s.possible && away(curves_[third], s.at) <= s.travel + travels_[third] + tolerance_;
 }
 
 }  // namespace findspace::plane

@@ -43,7 +43,7 @@ class MeetingSpots {
   Spot place(std::size_t i, std::size_t k) const;
   bool may_come(std::size_t i, std::size_t k, std::size_t third) const;
 
-  double half_ = 0, room_ = 0, level_ = 0;
+  double half_ = 0, tolerance_ = 0, level_ = 0;
   std::vector<RoughCurve> curves_;  // in the middle
   std::vector<double> travels_;
   std::vector<Spot> spots_;  // by pairs of curves

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 
 namespace findspace::plane {
 
@@ -110,7 +110,7 @@ Points cross_circles(const RotatedEdge& e, const RotatedEdge& f) {
   if (rest.sign() < 0) return {};
   const RealVector projection = e.center + along / square * d;
   if (rest.sign() == 0) return {projection};
-  const RealVector half = sqrt(rest) / square * turned_left(d);
+  const RealVector half = sqrt(rest) / square * left_normal(d);
   return {projection - half, projection + half};
 }
 
@@ -153,7 +153,7 @@ RealVector point_between(const RotatedEdge& e, const RealVector& s, const RealVe
   }
   const RealVector p = near_middle(e, s, t);
   if (place_on(e, p) > 0 && compare_along(e, s, p) < 0 && compare_along(e, p, t) < 0) return p;
-  const RealVector chord = t - s, normal = turned_right(chord);
+  const RealVector chord = t - s, normal = right_normal(chord);
   return e.center + e.radius / sqrt(dot(normal, normal)) * normal;
 }
 

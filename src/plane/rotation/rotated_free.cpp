@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/base/parallel.h"
 #include "plane/rotation/curve_meetings.h"
 
@@ -31,7 +31,7 @@ RotatedFree::RotatedFree(const Pair& pair, Keep keep, std::optional<FreeWay> way
               contact_features(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out)),
       rotation_(pair.rotating, pair.about, is_in),
       open_(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out),
-      room_(margin::kRotatedRoom * std::max({1.0, rotation_.reach(), open_.reach()})) {}
+      tolerance_(margin::kRotatedTolerance * std::max({1.0, rotation_.reach(), open_.reach()})) {}
 
 /// The signs at single angles. One thread at a time.
 class RotatedFree::Look {
@@ -69,17 +69,17 @@ class RotatedFree::Look {
     candidates_.clear();
     add({RoughPoint(), 0}, kNone, kNone);
     for (std::size_t i = 0; i < rough_.size(); ++i) {
-      if (!far_ && rough_[i].least() > rough_level_ + f_.room_) continue;
+      if (!far_ && rough_[i].least() > rough_level_ + f_.tolerance_) continue;
       if (f_.way_) {
         add_crossings(i, f_.way_->rough(angle, 1));
         continue;
       }
-      for (RoughPoint s : rough_projections(rough_[i], f_.room_)) add({s, 0}, i, i);
+      for (RoughPoint s : rough_projections(rough_[i], f_.tolerance_)) add({s, 0}, i, i);
       for (std::size_t k = i + 1; k < rough_.size(); ++k) {
-        if (!far_ && rough_[k].least() > rough_level_ + f_.room_) continue;
+        if (!far_ && rough_[k].least() > rough_level_ + f_.tolerance_) continue;
         if (never_cross(i, k)) continue;
-        for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], margin::kRoughCurveError * f_.room_)) {
-          const double tolerance = f_.room_ + m.off;
+        for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], margin::kRoughCurveError * f_.tolerance_)) {
+          const double tolerance = f_.tolerance_ + m.off;
           if (rough_[i].holds(m.at, tolerance) && rough_[k].holds(m.at, tolerance)) add(m, i, k);
         }
       }
@@ -106,13 +106,13 @@ class RotatedFree::Look {
 
   void add(const RoughMeeting& m, std::size_t first, std::size_t second) {
     const double d = std::abs(m.at);
-    if (!far_ && d > rough_level_ + f_.room_ + m.off) return;
+    if (!far_ && d > rough_level_ + f_.tolerance_ + m.off) return;
     candidates_.push_back({m.at, d, m.off, first, second});
   }
 
   void add_crossings(std::size_t i, const RoughCurve& way) {
-    for (const RoughMeeting& m : rough_meetings(rough_[i], way, margin::kRoughCurveError * f_.room_)) {
-      const double tolerance = f_.room_ + m.off;
+    for (const RoughMeeting& m : rough_meetings(rough_[i], way, margin::kRoughCurveError * f_.tolerance_)) {
+      const double tolerance = f_.tolerance_ + m.off;
       const bool ahead = way.p != RoughPoint() || m.at.real() * way.q.real() + m.at.imag() * way.q.imag() >= -tolerance;
       if (ahead && rough_[i].holds(m.at, tolerance)) add(m, i, kNone);
     }
@@ -120,7 +120,7 @@ class RotatedFree::Look {
 
   bool surely_not_free(const Candidate& c) const {
     if (f_.keep_ == Keep::kNotWithin) return false;
-    return surely_meets(*here_, f_.open_, c.at, f_.keep_ == Keep::kApart, f_.room_ + c.off);
+    return surely_meets(*here_, f_.open_, c.at, f_.keep_ == Keep::kApart, f_.tolerance_ + c.off);
   }
 
   bool is_free(const RealVector& s) {
@@ -152,14 +152,14 @@ class RotatedFree::Look {
     const double over = c.distance - rough_level_;
     const std::optional<RealVector> s = exact_point(c);
     if (!s || !is_free(*s)) return std::nullopt;
-    if (std::abs(over) > f_.room_ * 10 + c.off) return Mark(over > 0 ? 1 : -1);
+    if (std::abs(over) > f_.tolerance_ * 10 + c.off) return Mark(over > 0 ? 1 : -1);
     return Mark(compare(plane::dot(*s, *s), level_ * level_));
   }
 
   Mark nearest() {
     Mark least = 1;
     for (const Candidate& c : candidates_) {
-      if (least == 0 && c.distance > rough_level_ + f_.room_ + c.off) continue;
+      if (least == 0 && c.distance > rough_level_ + f_.tolerance_ + c.off) continue;
       const std::optional<Mark> m = of_free(c);
       if (m && *m < 0) return -1;
       if (m) least = std::min(least, *m);
@@ -170,7 +170,7 @@ class RotatedFree::Look {
   Mark farthest() {
     std::optional<Mark> most;
     for (auto c = candidates_.rbegin(); c != candidates_.rend(); ++c) {
-      if (most && c->distance < rough_level_ - f_.room_ - c->off) continue;
+      if (most && c->distance < rough_level_ - f_.tolerance_ - c->off) continue;
       const std::optional<Mark> m = of_free(*c);
       if (m && *m > 0) return 1;
       if (m && (!most || *m > *most)) most = m;
@@ -192,8 +192,8 @@ class RotatedFree::Look {
 };
 
 RotationMap RotatedFree::rotation_map(const Real& level, bool far) const {
-  const FreeQuestion question{curves_, rotation_, open_, keep_ == Keep::kApart,
-                              level,   far,       room_, way_ ? &*way_ : nullptr};
+  const FreeQuestion question{curves_, rotation_, open_,      keep_ == Keep::kApart,
+                              level,   far,       tolerance_, way_ ? &*way_ : nullptr};
   const std::vector<FreeEvent> events = free_events(question);
   if (events.empty()) return RotationMap::uniform(Look(*this, level, far).sign(ExactAngle{}));
   const std::size_t n = events.size();

@@ -53,7 +53,7 @@ class RotatedFree {
   std::optional<FreeWay> way_;
   ContactCurves curves_;
   RoughSet rotation_, open_;
-  double room_;
+  double tolerance_;
 };
 
 }  // namespace findspace::plane

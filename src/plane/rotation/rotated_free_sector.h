@@ -1,101 +1,92 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The events (rotated_free_events.h) in one sector of angles. Guarantee: all of the sector, exact; some twice, some too
-// many. Three curves of which two touch at every angle (contact_joints.h) are passed over: where they hold B, the third
-// touches one of the two. Curves on one circle are solved for once.
+// The contact curves of one sector of angles, and the events (rotated_free_events.h) that are found in it. Equations of
+// the angle are solved here; rotated_free_finders.h says which ones. Guarantee: an angle is exact, and lies in the
+// sector. Cost: that of a root.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 #include "plane/rotation/contact_joints.h"
 #include "plane/rotation/meeting_spots.h"
 #include "plane/rotation/rotated_free_events.h"
 
 namespace findspace::plane {
 
+/// a cos + b sin = c; `back`: of minus the angle.
+struct RotatedEquation {
+  exact::Real a, b, c;
+  bool back = false;
+};
+/// dot(v, rotated w) = c.
+RotatedEquation rotated_dot(const RealVector& v, const RealVector& w, exact::Real c, bool back = false);
+/// |v - rotated w| = r.
+RotatedEquation rotated_gap(const RealVector& v, const RealVector& w, const exact::Real& r);
+/// The line of a pair is `away` from the origin.
+RotatedEquation line_equation(const ContactCurves& curves, const ContactPair& pair, const exact::Real& away);
+
 class FreeSector {
  public:
-  FreeSector(const FreeQuestion& question, const ContactTies& ties, double middle, double half);
+  /// Angles between middle - half and middle + half; `pairs`: those that can touch in the sector.
+  FreeSector(const FreeQuestion& question, const ContactTies& ties, std::vector<ContactPair> pairs, double middle,
+             double half);
 
-  /// Adds to `found`. `pairs`: those that can touch in the sector.
-  void run(std::vector<ContactPair> pairs);
-  std::vector<FreeEvent> found;
+  const FreeQuestion& question() const { return q_; }
+  double middle() const { return middle_; }
+  double half() const { return half_; }
+  double level() const { return level_; }
+  /// Half the sector as the tangent of a half angle, a little wider.
+  double span() const { return std::tan(half_ / 2) * (1 + margin::kSectorSlack); }
 
- private:
-  /// a cos + b sin = c; `back`: of minus the angle.
-  struct Equation {
-    exact::Real a, b, c;
-    bool back = false;
-  };
-  static Equation rotated_dot(const RealVector& v, const RealVector& w, exact::Real c, bool back = false);
-  static Equation rotated_gap(const RealVector& v, const RealVector& w, const exact::Real& r);
-
-  void halve(const std::vector<ContactPair>& pairs);
-  bool possible(double angle, RoughPoint s, double tolerance) const;
-  bool in_sector(double angle) const;
-
-  template <class Witness>
-  void solve(const Equation& e, Witness witness);
-  void single(std::size_t i);
-  Equation line_equation(const ContactPair& k, const exact::Real& away) const;
-  void touching(std::size_t i, std::size_t j);
-  bool opposite(const RoughCurve& c, const RoughCurve& d) const;
-  template <class Witness>
-  void parallel_lines(const ContactPair& k, const ContactPair& m, Witness witness);
-  template <class Witness>
-  void edge_along_edge(const ContactPair& k, const ContactPair& m, Witness witness);
-  void corner(std::size_t i, std::size_t k);
-  void meeting(std::size_t i, std::size_t k, std::size_t m);
-
-  // On a way only: rotated_free_way.cpp.
-  void single_on_way(std::size_t i);
-  void touching_way(std::size_t i);
-  void corner_on_way(std::size_t i, std::size_t k);
-  Equation passing(const ContactPair& k, const RealVector& s) const;
-  bool meet_on_way(std::size_t i, std::size_t k, double angle, double tolerance) const;
-
+  const std::vector<ContactPair>& pairs() const { return pairs_; }
+  const SectorCurve& form(std::size_t i) const { return forms_[i]; }
+  /// The first curve on the line or circle of curve i.
+  std::size_t alike(std::size_t i) const { return alike_[i]; }
+  const MeetingSpots& spots() const { return spots_; }
+  RoughCurve rough_curve(std::size_t i, double angle) const { return q_.curves.rough(pairs_[i], angle); }
   const ExactSectorCurve& exact_form(std::size_t i, int quarters);
+
+  bool holds(double angle) const {
+    return std::abs(std::remainder(angle - middle_, 2 * kPi)) <= half_ + margin::kSectorSlack;
+  }
+  /// Whether F can have a part within `tolerance` of s, at that angle.
+  bool possible(double angle, RoughPoint s, double tolerance) const;
+
+  /// Adds the solutions in the sector that `witness(angle)` admits.
+  template <class Witness>
+  void solve(const RotatedEquation& e, Witness witness);
+  /// Adds the exact roots in a place of those that a rounded polynomial may have.
   template <class Make>
   void add_roots(const RootPlace& place, Make polynomial);
   void add(exact::ExactAngle t);
+  std::vector<FreeEvent> found;
 
+ private:
   const FreeQuestion& q_;
-  const ContactTies& ties_;
   double middle_, half_, level_;
   std::vector<ContactPair> pairs_;
   std::vector<SectorCurve> forms_;
-  std::vector<std::size_t> alike_;  // by curve: the first one on the same line or circle
-  /// The angles at which two or three lines and circles meet; `second`: added to `found`.
-  struct Solved {
-    bool looked = false;
-    std::vector<std::pair<RootPlace, bool>> places;
-    template <class Find>
-    void look(Find find);
-  };
-  std::map<std::array<std::size_t, 3>, Solved> solved_;       // by `alike_`, ascending
+  std::vector<std::size_t> alike_;
   std::vector<std::optional<ExactSectorCurve>> exact_forms_;  // by quarters and curve, where they were needed
   MeetingSpots spots_;
 };
 
-/// The rotates of the equation in the sector that `witness(angle)` admits.
 template <class Witness>
-void FreeSector::solve(const Equation& e, Witness witness) {
+void FreeSector::solve(const RotatedEquation& e, Witness witness) {
   const double a = rough(e.a), b = rough(e.b), c = rough(e.c), norm = std::hypot(a, b);
   if (norm == 0 || std::abs(c) > norm * (1 + margin::kSectorSlack)) return;
   const double spread = std::acos(std::clamp(c / norm, -1.0, 1.0)), to = std::atan2(b, a);
   bool wanted = false;
   for (double angle : {to - spread, to + spread}) {
     const double here = e.back ? -angle : angle;
-    wanted |= in_sector(here) && witness(here);
+    wanted |= holds(here) && witness(here);
   }
   if (!wanted) return;
   for (const exact::ExactAngle& t : rotations_where(e.a, e.b, e.c)) add(e.back ? -t : t);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 
 namespace findspace::plane {
 namespace {
@@ -50,7 +50,7 @@ class EventCollector {
     }
     for (const RealVector& v : t_.vertices) size_ = std::max(size_, std::abs(rough(v)));
     for (const RealVector& v : f_.vertices) size_ = std::max(size_, std::abs(rough(v)));
-    room_ = size_ * margin::kTangencyRoom;
+    tolerance_ = size_ * margin::kTangencyTolerance;
   }
 
   std::vector<ExactAngle> run() {
@@ -76,7 +76,7 @@ class EventCollector {
   template <class Plausible>
   void add(const Real& a, const Real& b, const Real& c, bool back, Plausible plausible) {
     const double ra = rough(a), rb = rough(b), rc = rough(c), norm = std::hypot(ra, rb);
-    if (std::abs(rc) > norm * (1 + margin::kTangencyRoom) + room_ * room_) return;
+    if (std::abs(rc) > norm * (1 + margin::kTangencyTolerance) + tolerance_ * tolerance_) return;
     // Where doubles see no solution, perhaps there is a tangency: near the direction (a, b).
     const double ratio = norm > 0 ? std::clamp(rc / norm, -1.0, 1.0) : 0, spread = std::sqrt(1 - ratio * ratio);
     const RoughPoint middle = norm > 0 ? RoughPoint(ra, rb) / norm : RoughPoint(1, 0);
@@ -91,20 +91,20 @@ class EventCollector {
   /// A point v, rotated (or the edge rotated back), on an edge.
   void vertex_on_edge(const RealVector& v, const RotatedEdge& e, const RoughEdge& r, bool back) {
     const RoughPoint at = rough(v);
-    const auto plausible = [&](RoughPoint rotation) { return near(r, at * rotation, room_); };
+    const auto plausible = [&](RoughPoint rotation) { return near(r, at * rotation, tolerance_); };
     if (!e.arc) {
-      const RealVector n = turned_left(e.q - e.p);
+      const RealVector n = left_normal(e.q - e.p);
       return add(plane::dot(n, v), plane::cross(v, n), plane::dot(n, e.p), back, plausible);
     }
     // |R v - z|^2 = r^2
-    if (std::abs(std::abs(at) - std::abs(r.center)) > r.radius + room_) return;
+    if (std::abs(std::abs(at) - std::abs(r.center)) > r.radius + tolerance_) return;
     const RealVector& z = e.center;
     const Real two(2), c = plane::dot(v, v) + plane::dot(z, z) - e.radius * e.radius;
     add(two * plane::dot(z, v), two * plane::cross(v, z), c, back, plausible);
   }
 
   void vertex_on_vertex(const RealVector& v, const RealVector& w) {
-    if (std::abs(std::abs(rough(v)) - std::abs(rough(w))) > room_) return;
+    if (std::abs(std::abs(rough(v)) - std::abs(rough(w))) > tolerance_) return;
     const Real square = plane::dot(v, v);
     if (square.sign() == 0 || !(square == plane::dot(w, w))) return;
     found_.push_back({plane::dot(v, w) / square, plane::cross(v, w) / square});
@@ -120,7 +120,7 @@ class EventCollector {
   /// The circle, rotated (or the line rotated back: then `back`, and the circle stands still), touches the line.
   void line_and_circle(const RotatedEdge& line, const RoughEdge& l, const RotatedEdge& circle, const RoughEdge& o,
                        bool back) {
-    const RealVector n = turned_left(line.q - line.p);
+    const RealVector n = left_normal(line.q - line.p);
     const RoughPoint rn = RoughPoint(0, 1) * (l.q - l.p);
     const Real length = sqrt(plane::dot(n, n)), level = plane::dot(n, line.p), reach = circle.radius * length;
     const Real a = plane::dot(n, circle.center), b = plane::cross(circle.center, n);
@@ -129,7 +129,7 @@ class EventCollector {
       const RoughPoint projection = rn / std::abs(rn) * (o.radius * -side);
       const auto plausible = [&](RoughPoint rotation) {
         const RoughPoint at = o.center * rotation + projection;
-        return near(l, at, room_) && near(o, at / rotation, room_);
+        return near(l, at, tolerance_) && near(o, at / rotation, tolerance_);
       };
       add(a, b, side > 0 ? level + reach : level - reach, back, plausible);
     }
@@ -144,10 +144,10 @@ class EventCollector {
       const Real reach = side > 0 ? e.radius + f.radius : e.radius - f.radius;
       const auto plausible = [&](RoughPoint rotation) {
         const RoughPoint z = r.center * rotation, way = s.center - z;
-        if (std::abs(way) <= room_) return true;  // one circle on the other
+        if (std::abs(way) <= tolerance_) return true;  // one circle on the other
         const double to = side > 0 || r.radius > s.radius ? r.radius : -r.radius;
         const RoughPoint at = z + way / std::abs(way) * to;
-        return near(r, at / rotation, room_) && near(s, at, room_);
+        return near(r, at / rotation, tolerance_) && near(s, at, tolerance_);
       };
       add(a, b, squares - reach * reach, false, plausible);
     }
@@ -157,7 +157,7 @@ class EventCollector {
     std::vector<std::pair<double, ExactAngle>> keyed;
     for (ExactAngle& t : found_) keyed.emplace_back(exact::Angle{t, Real(0)}.degrees(), std::move(t));
     const auto order = [](const auto& p, const auto& q) {
-      if (std::abs(p.first - q.first) > margin::kTangencyRoom) return p.first < q.first ? -1 : 1;
+      if (std::abs(p.first - q.first) > margin::kTangencyTolerance) return p.first < q.first ? -1 : 1;
       return compare(exact::Angle{p.second, Real(0)}, exact::Angle{q.second, Real(0)});
     };
     std::sort(keyed.begin(), keyed.end(), [&](const auto& p, const auto& q) { return order(p, q) < 0; });
@@ -170,7 +170,7 @@ class EventCollector {
 
   const RotatedNet &t_, &f_;
   std::vector<RoughEdge> t_rough_, f_rough_;
-  double size_ = 1, room_ = 0;
+  double size_ = 1, tolerance_ = 0;
   std::vector<ExactAngle> found_;
 };
 

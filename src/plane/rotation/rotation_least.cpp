@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 
 namespace findspace::plane {
 namespace {

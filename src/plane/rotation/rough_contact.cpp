@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/plane.h"
 
 namespace findspace::plane {
 namespace {
@@ -39,16 +39,17 @@ RoughContact::RoughContact(const RotatedNet& rotating, const RotatedNet& fixed) 
 
 void RoughContact::set(const exact::ExactAngle& angle, const RealVector& shift) {
   const RoughPoint by = rounded_point(shift), rotation(angle.cos.to_double(), angle.sin.to_double());
-  room_ = margin::kRotatedPoint * (reach_ + length(by));
+  tolerance_ = margin::kRotatedPoint * (reach_ + length(by));
   now_.clear();
   for (const RoughPoint& v : vertices_) now_.push_back(rotation * v + by);
 }
 
 bool RoughContact::is_near(const Line& f, RoughPoint at) const {
   const RoughBox& b = f.box;
-  if (at.real() < b.x0 - room_ || at.real() > b.x1 + room_ || at.imag() < b.y0 - room_ || at.imag() > b.y1 + room_)
+  if (at.real() < b.x0 - tolerance_ || at.real() > b.x1 + tolerance_ || at.imag() < b.y0 - tolerance_ ||
+      at.imag() > b.y1 + tolerance_)
     return false;
-  return f.arc || square_away(at, f.p, f.q) <= room_ * room_;
+  return f.arc || square_away(at, f.p, f.q) <= tolerance_ * tolerance_;
 }
 
 std::optional<RoughPoint> RoughContact::clear(Index vertex) const {
@@ -56,18 +57,18 @@ std::optional<RoughPoint> RoughContact::clear(Index vertex) const {
   for (const Line& f : lines_)
     if (is_near(f, at)) return std::nullopt;
   for (const RoughPoint& p : alone_)
-    if (std::norm(at - p) <= room_ * room_) return std::nullopt;
+    if (std::norm(at - p) <= tolerance_ * tolerance_) return std::nullopt;
   return at;
 }
 
 std::optional<std::vector<Index>> RoughContact::crossed(const RotatedEdge& e) const {
   if (e.arc) return std::nullopt;
   const RoughPoint p = now_[e.v0], q = now_[e.v1], d = q - p;
-  const RoughBox box{std::min(p.real(), q.real()) - room_, std::min(p.imag(), q.imag()) - room_,
-                     std::max(p.real(), q.real()) + room_, std::max(p.imag(), q.imag()) + room_};
+  const RoughBox box{std::min(p.real(), q.real()) - tolerance_, std::min(p.imag(), q.imag()) - tolerance_,
+                     std::max(p.real(), q.real()) + tolerance_, std::max(p.imag(), q.imag()) + tolerance_};
   for (const RoughPoint& a : alone_)
-    if (square_away(a, p, q) <= room_ * room_) return std::nullopt;
-  const double r = room_ * length(d);
+    if (square_away(a, p, q) <= tolerance_ * tolerance_) return std::nullopt;
+  const double r = tolerance_ * length(d);
   std::vector<Index> out;
   for (Index k = 0; k < lines_.size(); ++k) {
     const Line& f = lines_[k];
@@ -76,7 +77,7 @@ std::optional<std::vector<Index>> RoughContact::crossed(const RotatedEdge& e) co
     const double a = cross(d, f.p - p), b = cross(d, f.q - p);
     if ((a > r && b > r) || (a < -r && b < -r)) continue;
     const RoughPoint g = f.q - f.p;
-    const double s = room_ * length(g), u = cross(g, p - f.p), v = cross(g, q - f.p);
+    const double s = tolerance_ * length(g), u = cross(g, p - f.p), v = cross(g, q - f.p);
     if ((u > s && v > s) || (u < -s && v < -s)) continue;
     if (std::abs(a) <= r || std::abs(b) <= r || std::abs(u) <= s || std::abs(v) <= s) return std::nullopt;
     out.push_back(k);

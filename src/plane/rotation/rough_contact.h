@@ -39,7 +39,7 @@ class RoughContact {
   std::vector<RoughPoint> vertices_, now_;  // of the rotating net; in the pose
   std::vector<Line> lines_;                 // of the fixed one
   std::vector<RoughPoint> alone_;           // its isolated vertices
-  double reach_ = 0, room_ = 0;
+  double reach_ = 0, tolerance_ = 0;
 };
 
 }  // namespace findspace::plane

@@ -69,9 +69,9 @@ std::optional<Real> inner_place(const Step& s, const Real& y) {
 
 /// The same for an x-monotone arc.
 std::optional<Real> arc_place(const Step& s, const Real& y) {
-  Real dy = y - s.center.real_y(), tolerance = s.radius * s.radius - dy * dy;
-  if (tolerance.sign() < 0 || (tolerance.sign() == 0 && s.ccw) || dy.sign() * s.half <= 0) return std::nullopt;
-  Real root = sqrt(tolerance), x = s.ccw ? s.center.real_x() - root : s.center.real_x() + root;
+  Real dy = y - s.center.real_y(), square = s.radius * s.radius - dy * dy;
+  if (square.sign() < 0 || (square.sign() == 0 && s.ccw) || dy.sign() * s.half <= 0) return std::nullopt;
+  Real root = sqrt(square), x = s.ccw ? s.center.real_x() - root : s.center.real_x() + root;
   int from = compare(x, s.from.real_x()), to = compare(x, s.to.real_x());
   return from * to < 0 ? std::optional<Real>(x) : std::nullopt;
 }

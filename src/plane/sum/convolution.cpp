@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "plane/sum/convolution_nodes.h"
+#include "plane/base/reserve_more.h"
+#include "plane/sum/convolution_walks.h"
 
 namespace findspace::plane {
 
@@ -19,31 +20,25 @@ Index add_position(exact::Geometry& g, const Position& p) {
   return p.grid() ? g.add_grid_point(p.x, p.y) : g.add_real_point(p.real->x, p.real->y);
 }
 
-/// Room for `more` items without giving up growth by doubling.
-template <class T>
-void make_room(std::vector<T>& v, std::size_t more) {
-  if (v.size() + more > v.capacity()) v.reserve(std::max(v.size() + more, 2 * v.capacity()));
-}
-
 }  // namespace
 
 /// Gives the convolution of one path of a with one path of b its coordinates.
 class PathPair {
  public:
   PathPair(ConvolutionBuilder& out, const TurningPath& a, const TurningPath& b, Index keys)
-      : out_(out), walks_(a, b, keys) {}
+      : out_(out), nodes_(a, b, keys) {}
 
   void run() {
-    auto& nodes = walks_.nodes;
+    auto& nodes = nodes_.nodes;
     reserve(nodes.size());
-    for (const auto& still : walks_.stills) {
-      Position at = *walks_.turn(0, still.at[0]).center + *walks_.turn(1, still.at[1]).center;
+    for (const StillWalk& still : connect_nodes(nodes_)) {
+      Position at = *nodes_.turn(0, still.at[0]).center + *nodes_.turn(1, still.at[1]).center;
       out_.circled.push_back({add_position(out_.curves.geometry, at), still.rounds});
     }
     for (Index k = 0; k < nodes.size(); ++k) {
       Node& n = nodes[k];
       if (n.kind == Kind::kLine)
-        n.supporting_curve = add_line(walks_.line_of(n), walks_.turn_of(n));
+        n.supporting_curve = add_line(nodes_.line_of(n), nodes_.turn_of(n));
       else
         n.supporting_curve = k > 0 && on_one_circle(nodes[k - 1], n) ? nodes[k - 1].supporting_curve : add_circle(n);
     }
@@ -56,10 +51,10 @@ class PathPair {
   using Node = ConvolutionNodes::Node;
   using Kind = ConvolutionNodes::Kind;
   using Line = ConvolutionNodes::Line;
-  using ExactAngle = ConvolutionNodes::ExactAngle;
+  using Turn = ConvolutionNodes::Turn;
 
   /// centre + radius * normal of a turn in the direction of a line.
-  static Position place(const ExactAngle& t, const Direction& d) {
+  static Position place(const Turn& t, const Direction& d) {
     if (!t.arc) return *t.center;
     Position n = d.right_normal();
     Real r = t.radius();
@@ -70,42 +65,42 @@ class PathPair {
   Index add_end(const Node& n, const Node& m) {
     auto& g = out_.curves.geometry;
     if (n.kind == Kind::kLine) {
-      const Line& l = walks_.line_of(n);
-      const ExactAngle& t = walks_.turn_of(n);
+      const Line& l = nodes_.line_of(n);
+      const Turn& t = nodes_.turn_of(n);
       const Position &p = n.forward ? *l.to : *l.from, &q = *t.center;
       if (!t.arc && p.grid() && q.grid()) return g.add_grid_point(p.x + q.x, p.y + q.y);
       if (n.smooth_end && touch_obliquely(n, m)) return g.add_crossing(n.supporting_curve, m.supporting_curve, 0);
       return add_position(g, p + place(t, *l.direction));
     }
     if (n.smooth_end && touch_obliquely(m, n)) return g.add_crossing(m.supporting_curve, n.supporting_curve, 0);
-    const Direction& d = walks_.direction_at(n, n.key_out);
-    return add_position(g, place(walks_.turn(0, n.at[0]), d) + place(walks_.turn(1, n.at[1]), d));
+    const Direction& d = nodes_.direction_at(n, n.key_out);
+    return add_position(g, place(nodes_.turn(0, n.at[0]), d) + place(nodes_.turn(1, n.at[1]), d));
   }
 
   /// Smooth neighbours, a line and a circle: their common point needs no coordinates; but where the line is parallel to
   /// an axis these are simple.
   bool touch_obliquely(const Node& line, const Node& arc) const {
     if (line.kind != Kind::kLine || arc.kind != Kind::kArc) return false;
-    const Direction& d = *walks_.line_of(line).direction;
+    const Direction& d = *nodes_.line_of(line).direction;
     return d.grid() && d.x != 0 && d.y != 0;
   }
 
   void reserve(std::size_t more) {
-    make_room(out_.curves.geometry.supporting_curves, more);
-    make_room(out_.curves.pieces, more);
-    make_room(out_.curves.forward, more);
-    make_room(out_.chains, more);
-    make_room(out_.corners, more);
+    reserve_more(out_.curves.geometry.supporting_curves, more);
+    reserve_more(out_.curves.pieces, more);
+    reserve_more(out_.curves.forward, more);
+    reserve_more(out_.chains, more);
+    reserve_more(out_.corners, more);
   }
 
   void finish(Node& n) {
     std::int8_t half = 0;
     bool right;
     if (n.kind == Kind::kLine) {
-      const Direction& d = *walks_.line_of(n).direction;
+      const Direction& d = *nodes_.line_of(n).direction;
       right = (d.x > 0 || (d.x == 0 && d.y > 0)) == n.forward;
     } else {
-      const ExactAngle &p = walks_.turn(0, n.at[0]), &q = walks_.turn(1, n.at[1]);
+      const Turn &p = nodes_.turn(0, n.at[0]), &q = nodes_.turn(1, n.at[1]);
       half = std::int8_t((p.radius() + q.radius()).sign() * (p.arc ? p.normal_up() : q.normal_up()));
       right = (half < 0) == n.turns_left;
     }
@@ -123,21 +118,21 @@ class PathPair {
   /// Two arcs of one circle about one vertex, as far as that shows at once.
   bool on_one_circle(const Node& n, const Node& m) const {
     if (n.kind != Kind::kArc || m.kind != Kind::kArc || n.at[0] != m.at[0]) return false;
-    const ExactAngle &p = walks_.turn(1, n.at[1]), &q = walks_.turn(1, m.at[1]);
+    const Turn &p = nodes_.turn(1, n.at[1]), &q = nodes_.turn(1, m.at[1]);
     if (!p.arc || !q.arc || p.sign != q.sign) return false;
     return p.center->grid() && q.center->grid() && p.center->x == q.center->x && p.center->y == q.center->y &&
            p.radius() == q.radius();
   }
 
   Index add_circle(const Node& n) {
-    const ExactAngle &p = walks_.turn(0, n.at[0]), &q = walks_.turn(1, n.at[1]);
+    const Turn &p = nodes_.turn(0, n.at[0]), &q = nodes_.turn(1, n.at[1]);
     Position c = *p.center + *q.center;
     Real r = abs(p.radius() + q.radius());
     return out_.curves.geometry.add(c.grid() ? SupportingCurve::circle_at(c.x, c.y, r)
                                              : SupportingCurve::circle_at(c.real->x, c.real->y, r));
   }
 
-  Index add_line(const Line& l, const ExactAngle& t) {
+  Index add_line(const Line& l, const Turn& t) {
     // Directions are primitive: the canonical normal needs no division.
     std::int64_t a = l.direction->y, b = -l.direction->x;
     bool flipped = a < 0 || (a == 0 && b < 0);
@@ -159,7 +154,7 @@ class PathPair {
   }
 
   ConvolutionBuilder& out_;
-  ConvolutionNodes walks_;
+  ConvolutionNodes nodes_;
 };
 
 void ConvolutionBuilder::add(const Part& a, const Part& b) {

@@ -4,8 +4,8 @@
 // The signed convolution of boundary paths: for every pair of boundary places with one tangent direction the sum of the
 // two places. Its curves are the candidates for the boundary of a Minkowski sum, and its winding number at p, taken on
 // the displaced curves, is the Euler characteristic of A n (p - B). A path is a sequence of lines (one direction) and
-// rotates (an interval of directions about a centre: a vertex, or an arc with its signed radius); a line meets a turn
-// in a translated line, two rotates meet in an arc of the summed radius. Guarantee: exact; equal directions are decided
+// turns (an interval of directions about a centre: a vertex, or an arc with its signed radius); a line meets a turn
+// in a translated line, two turns meet in an arc of the summed radius. Guarantee: exact; equal directions are decided
 // apart by turning B by an infinitesimal. Cost: O((n+m) log(n+m) + curves) for polygons. Source: Guibas, Ramshaw,
 // Stolfi 1983; Wein 2006 for arcs. Keywords: convolution cycles, kinetic framework.
 #pragma once

@@ -4,7 +4,6 @@
 #include "plane/sum/convolution_nodes.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace findspace::plane {
 
@@ -14,8 +13,6 @@ ConvolutionNodes::ConvolutionNodes(const TurningPath& a, const TurningPath& b, I
   nodes.reserve(count);
   for (int s : {0, 1}) add_lines(s);
   add_arcs();
-  for (Index k = 0; k < nodes.size(); ++k) connect(k);
-  add_still_walks();
 }
 
 Index ConvolutionNodes::count_lines(int s) {
@@ -27,7 +24,7 @@ Index ConvolutionNodes::count_lines(int s) {
     return Index(at - p.sorted.begin());
   };
   ranges_[s].reserve(other.size());
-  for (const ExactAngle& turn : other.turns) {
+  for (const Turn& turn : other.turns) {
     Index first = below(turn.low), end = turn.low + turn.length;
     Index count = turn.length == 0 ? 0 : end < keys_ ? below(end) - first : n - first + below(end - keys_);
     ranges_[s].push_back({first, count, 0});
@@ -72,7 +69,7 @@ void ConvolutionNodes::add_arcs() {
 }
 
 void ConvolutionNodes::add_arc(Index i, Index j) {
-  const ExactAngle &p = side_[0]->turns[i], &q = side_[1]->turns[j];
+  const Turn &p = side_[0]->turns[i], &q = side_[1]->turns[j];
   if (p.length == 0 || q.length == 0) return;
   Index low;
   if (minus(q.low, p.low) < p.length)
@@ -85,7 +82,7 @@ void ConvolutionNodes::add_arc(Index i, Index j) {
   Index high_end = minus(high(p), low) <= minus(high(q), low) ? high(p) : high(q);
   if (low / 2 == high_end / 2) return;  // one direction only: a single place
   if (sum == 0) {                       // equal radii: a single place in many directions
-    still_.push_back({i, j});
+    still.push_back({i, j});
     return;
   }
   Node node{.kind = Kind::kArc, .side = 0};
@@ -100,120 +97,10 @@ void ConvolutionNodes::add_arc(Index i, Index j) {
   nodes.push_back(node);
 }
 
-void ConvolutionNodes::connect(Index k) {
-  Node& from = nodes[k];
-  if (from.kind == Kind::kArc) {
-    Index turns[2] = {from.at[0], from.at[1]};
-    return step_out(turns, from.key_out, from.turns_left, 0, k, true);
-  }
-  const TurningPath& p = *side_[from.side];
-  Index turns[2];
-  turns[1 - from.side] = from.at[1 - from.side];
-  turns[from.side] = from.forward ? from.at[from.side] : p.turn_before(from.at[from.side]);
-  bool left = (p.turns[turns[from.side]].sign > 0) == from.forward;
-  if (!to_arc(turns, from.key_out, 0, k)) step_out(turns, from.key_out, left, 0, k, false);
-}
-
-bool ConvolutionNodes::to_arc(const Index turns[2], Index key, std::int64_t turned, Index k) {
-  if (!still_.empty()) passed_.insert(pair_key(turns[0], turns[1]));
-  if (arc_node_.empty()) return false;
-  auto found = arc_node_.find(pair_key(turns[0], turns[1]));
-  if (found == arc_node_.end() || k == kNone) return false;
-  follow(k, found->second, key, turned);
-  return true;
-}
-
-void ConvolutionNodes::step_out(Index turns[2], Index key, bool left, std::int64_t turned, Index k, bool moved) {
-  for (;;) {
-    Index tolerance[2] = {0, 0};
-    for (int s : {0, 1}) {
-      const ExactAngle& t = side_[s]->turns[turns[s]];
-      tolerance[s] = moved ? 0 : left ? minus(high(t), key) : minus(key, t.low);
-    }
-    int s;
-    if (moved) {  // already at an end: of which side?
-      const ExactAngle& t = side_[0]->turns[turns[0]];
-      s = key == (left ? high(t) : t.low) ? 0 : 1;
-    } else {
-      s = tolerance[0] < tolerance[1] ? 0 : 1;
-      turned += left ? std::int64_t(tolerance[s]) : -std::int64_t(tolerance[s]);
-      key = left ? plus(key, tolerance[s]) : minus(key, tolerance[s]);
-    }
-    const TurningPath& p = *side_[s];
-    bool ahead = (p.turns[turns[s]].sign > 0) == left;  // leaves at the turn's end
-    Index line = ahead ? p.line_after(turns[s]) : turns[s];
-    if (!p.lines[line].empty) return follow(k, line_node(s, line, turns[1 - s]), key, turned);
-    turns[s] = ahead ? line : p.turn_before(line);
-    left = (p.turns[turns[s]].sign > 0) == ahead;
-    moved = false;
-    if (to_arc(turns, key, turned, k)) return;
-    if (k == kNone && turns[0] == loop_start_[0] && turns[1] == loop_start_[1]) {  // a walk that stays at one point
-      loop_turned_ = turned;
-      return;
-    }
-  }
-}
-
-void ConvolutionNodes::add_still_walks() {
-  for (const auto& [i, j] : still_) {
-    if (passed_.count(pair_key(i, j))) continue;
-    const ExactAngle &p = side_[0]->turns[i], &q = side_[1]->turns[j];
-    Index turns[2] = {i, j};
-    // Displaced inwards the sum of the radii is a little less than 0, outwards a little more: clockwise both times.
-    Index low = minus(q.low, p.low) < p.length ? q.low : p.low;
-    Index key = minus(high(p), low) <= minus(high(q), low) ? high(p) : high(q);
-    loop_start_[0] = i;
-    loop_start_[1] = j;
-    loop_turned_ = 0;
-    step_out(turns, key, false, 0, kNone, false);
-    int rounds = int(loop_turned_ / std::int64_t(keys_));
-    if (rounds == 0) continue;
-    stills.push_back({{i, j}, rounds});
-  }
-}
-
-void ConvolutionNodes::follow(Index from, Index to, Index key, std::int64_t turned) {
-  Node &n = nodes[from], &m = nodes[to];
-  n.next = to;
-  n.smooth_end = m.smooth_start = n.key_out / 2 == key / 2;
-  n.rotation = std::int8_t((turned > 0) - (turned < 0));
-  // A cusp: the path goes from one end to the other where they are next to each other.
-  const bool cusp = n.forward != m.forward && n.smooth_end && std::abs(turned) <= 1;
-  if (cusp) n.rotation = std::int8_t(bend_sum(n, m));
-  if (!still_.empty()) n.extra = extra_rounds(n, m, key, turned);
-}
-
-const Direction& ConvolutionNodes::direction_of(const Node& n, Index key) const {
-  return n.kind == Kind::kLine ? *line_of(n).direction : direction_at(n, key);
-}
-
-std::int8_t ConvolutionNodes::extra_rounds(const Node& in, const Node& out, Index key, std::int64_t turned) const {
-  const Direction &d = direction_of(in, in.key_out), &e = direction_of(out, key);
-  std::int64_t keys = keys_, full = turned / keys, rest = turned % keys;
-  int cross = cross_sign(d, e), sign = (rest > 0) - (rest < 0);
-  // How far the rest rotates, in half rotates: 0 less than one, 1 exactly one, 2 more.
-  int halves = cross == sign ? 0 : cross == -sign ? 2 : dot_sign(d, e) < 0 ? 1 : 0;
-  if (cross == 0 && halves == 0 && 2 * (sign * rest) > keys) {
-    full += sign;
-    halves = 0;
-  }
-  if (in.forward != out.forward) return std::int8_t(full);
-  // Displaced to the left, the path goes round clockwise by half a turn less what it rotates; to the right, the other
-  // way.
-  int side = in.forward ? 1 : -1, bend = halves == 1 ? -side * bend_sum(in, out) : 0;
-  if (side * sign < 0 && (halves == 2 || bend > 0)) full -= side;
-  if (side * sign > 0 && (halves == 2 || bend < 0)) full += side;
-  return std::int8_t(full);
-}
-
-int ConvolutionNodes::bend_sum(const Node& in, const Node& out) const {
-  auto bend = [](const Node& n) { return n.kind == Kind::kLine ? 0 : n.turns_left ? 1 : -1; };
-  int p = bend(in), q = bend(out);
-  if (p + q != 0 || p == 0) return p + q;
-  auto radius = [&](const Node& n) {
-    return abs(side_[0]->turns[n.at[0]].radius() + side_[1]->turns[n.at[1]].radius());
-  };
-  return p * compare(radius(out), radius(in));  // the smaller radius bends more
+Index ConvolutionNodes::arc_node(Index i, Index j) const {
+  if (arc_node_.empty()) return kNone;
+  const auto found = arc_node_.find(pair_key(i, j));
+  return found == arc_node_.end() ? kNone : found->second;
 }
 
 const Direction& ConvolutionNodes::direction_at(const Node& n, Index key) const {
@@ -223,7 +110,7 @@ const Direction& ConvolutionNodes::direction_at(const Node& n, Index key) const 
     if (before.key == key) return *before.direction;
     if (after.key == key) return *after.direction;
   }
-  return *side_[0]->lines[0].direction;  // not reached: an arc ends where one of its rotates ends
+  return *side_[0]->lines[0].direction;  // not reached: an arc ends where one of its turns ends
 }
 
 }  // namespace findspace::plane

@@ -29,7 +29,7 @@ exact::Real reach_of(const Part& p) {
 
 }  // namespace
 
-std::vector<Part> Operand::turned(std::vector<Part> parts) const {
+std::vector<Part> Operand::oriented(std::vector<Part> parts) const {
   if (mirrored)
     for (Part& p : parts) p = plane::mirrored(std::move(p));
   return parts;

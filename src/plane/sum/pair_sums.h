@@ -21,12 +21,14 @@ struct Operand {
   bool mirrored = false;
   bool flat = true;  // with its parts that have no interior
 
-  std::vector<Part> solid_parts() const { return turned(face_parts(cells, wanted)); }
-  std::vector<Part> flat_parts() const { return flat ? turned(plane::flat_parts(cells, wanted)) : std::vector<Part>(); }
+  std::vector<Part> solid_parts() const { return oriented(face_parts(cells, wanted)); }
+  std::vector<Part> flat_parts() const {
+    return flat ? oriented(plane::flat_parts(cells, wanted)) : std::vector<Part>();
+  }
   std::optional<std::vector<GridFace>> grid() const { return grid_faces(cells, wanted, mirrored); }
 
  private:
-  std::vector<Part> turned(std::vector<Part> parts) const;
+  std::vector<Part> oriented(std::vector<Part> parts) const;
 };
 
 /// Adds up the convolutions of pairs of parts; where an intersection of the two could be a ring, whose Euler

@@ -10,11 +10,11 @@ namespace {
 
 using exact::int128;
 using Line = TurningPath::Line;
-using ExactAngle = TurningPath::ExactAngle;
+using Turn = TurningPath::Turn;
 
-/// The turn from one step to the next; `rotates`: by more than nothing.
-ExactAngle vertex_turn(const Step& in, const Step& out, bool flat, bool& turns) {
-  ExactAngle t{.center = &out.from};
+/// The turn from one step to the next; `turns`: by more than nothing.
+Turn vertex_turn(const Step& in, const Step& out, bool flat, bool& turns) {
+  Turn t{.center = &out.from};
   int c = cross_sign(in.end, out.start);
   turns = c != 0;
   if (c != 0) {
@@ -28,14 +28,14 @@ ExactAngle vertex_turn(const Step& in, const Step& out, bool flat, bool& turns) 
   return t;
 }
 
-ExactAngle arc_turn(const Step& s) { return {.center = &s.center, .arc = &s, .sign = std::int8_t(s.ccw ? 1 : -1)}; }
+Turn arc_turn(const Step& s) { return {.center = &s.center, .arc = &s, .sign = std::int8_t(s.ccw ? 1 : -1)}; }
 
 Line empty_line(const Direction& d, const Position& p) { return {&d, &p, &p, true}; }
 
 /// A point by itself (+1), or one missing from its surroundings (-1).
 TurningPath around_point(const Position& p, std::int8_t sign) {
   static const Direction east{1, 0, nullptr}, west{-1, 0, nullptr};
-  ExactAngle half{.center = &p, .sign = sign, .half_turn = true};
+  Turn half{.center = &p, .sign = sign, .half_turn = true};
   return {.lines = {empty_line(east, p), empty_line(west, p)}, .turns = {half, half}, .sorted = {}};
 }
 
@@ -56,7 +56,7 @@ TurningPath TurningPath::from(const Path& path, bool flat) {
       out.lines.push_back({&s.start, &s.from, &s.to});
     }
     bool turns;
-    ExactAngle t = vertex_turn(s, n, flat, turns);
+    Turn t = vertex_turn(s, n, flat, turns);
     if (turns || (!s.arc && !n.arc)) {
       if (out.lines.size() == out.turns.size()) out.lines.push_back(empty_line(s.end, s.to));
       out.turns.push_back(t);
@@ -94,7 +94,7 @@ int compare(const Entry& p, const Entry& q) {
   return (left < right) - (left > right);
 }
 
-void set_interval(const TurningPath& p, Index k, Index keys, ExactAngle& t) {
+void set_interval(const TurningPath& p, Index k, Index keys, Turn& t) {
   Index from = p.lines[k].key, to = p.lines[p.line_after(k)].key;
   t.low = t.sign > 0 ? from : to;
   Index high = t.sign > 0 ? to : from;

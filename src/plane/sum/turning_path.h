@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A boundary path in the form a convolution walks it: line, turn, line, turn ... Lines may have length 0 (between an
-// arc and a corner), rotates may be empty (between segments in one direction). Directions are replaced by their places
+// arc and a corner), turns may be empty (between segments in one direction). Directions are replaced by their places
 // in the circular order of all directions of both operands: keys. Nothing is copied: a turning path refers to its
 // `Path`, which must outlive it.
 #pragma once
@@ -21,10 +21,10 @@ struct TurningPath {
     Index key = 0;
     Index place = 0;  // in `sorted`, unless empty
   };
-  struct ExactAngle {  // turn k follows line k
+  struct Turn {  // turn k follows line k
     const Position* center;
     const Step* arc = nullptr;  // null: a vertex
-    std::int8_t sign = 1;       // +1 rotates left, -1 right
+    std::int8_t sign = 1;       // +1 turns left, -1 right
     bool half_turn = false;     // by exactly 180 degrees at a vertex
     Index low = 0, length = 0;  // keys swept: low, low + 1, ..., low + length, counter-clockwise whatever the sign
 
@@ -34,7 +34,7 @@ struct TurningPath {
     std::int8_t normal_up() const { return std::int8_t(arc->half * sign); }
   };
   std::vector<Line> lines;
-  std::vector<ExactAngle> turns;
+  std::vector<Turn> turns;
   std::vector<Index> sorted;  // the lines that are not empty, by key
 
   /// `flat`: the path of a curve or point that is a set of its own, walked on both sides.
@@ -45,7 +45,7 @@ struct TurningPath {
   Index turn_before(Index line) const { return line == 0 ? Index(lines.size() - 1) : line - 1; }
 };
 
-/// Gives all lines their keys (even for a, odd for b) and all rotates their intervals; returns the number of keys.
+/// Gives all lines their keys (even for a, odd for b) and all turns their intervals; returns the number of keys.
 Index assign_keys(std::vector<TurningPath>& a, std::vector<TurningPath>& b);
 
 }  // namespace findspace::plane

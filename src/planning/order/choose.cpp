@@ -8,9 +8,13 @@
 #include <cstdint>
 #include <utility>
 
+#include "distance/planar_features/point_set.h"
 #include "distance/planar_least/coordinate.h"
+#include "exact/number/real_size.h"
 #include "findspace/error.h"
 #include "formula/planar/optimize.h"
+#include "formula/planar/position_functions.h"
+#include "formula/planar/sums.h"
 #include "plane/query/locate.h"
 #include "plane/query/moved.h"
 #include "plane/query/summary.h"
@@ -29,6 +33,7 @@ using plane::Region;
 namespace {
 
 constexpr int kGridSteps = 8, kMostDecimals = 12;
+constexpr double kLongNumber = 4096;  // bits of a sign about a coordinate, from which on the grid is taken unasked
 constexpr std::int64_t kLargestCoefficient = std::int64_t{1} << 40;
 
 RealPoint opposite(const RealPoint& p) { return {-p.x, -p.y}; }
@@ -75,24 +80,72 @@ class Goals {
   /// Nothing: the goal says nothing about this body now.
   std::optional<Best> least(const Goal& goal, const AtAngle& at) const {
     if (goal.form) return of_form(scaled(*goal.form), at.region);
+    if (goal.objective->kind == Objective::Kind::kSum) return of_sum(*goal.objective, at);
     if (goal.objective->kind != Objective::Kind::kDistance) return of_objective(goal, *goal.objective, at.region);
     Poses poses = poses_;
     poses[body_] = Pose{at.angle, {}};
-    const formula::Distance& wanted = goal.objective->distance;
+    const auto found = bound(goal.objective->distance, poses);
+    if (!found) return std::nullopt;
+    Objective objective = *goal.objective;
+    objective.distance = found->distance;
+    if (!found->first || !found->second) return of_objective(goal, objective, at.region);
+    return *found->first == body_ ? relative(goal, objective, at.region, poses[*found->second]->at)
+                                  : relative_back(goal, objective, at.region, poses[*found->first]->at);
+  }
+
+ private:
+  /// The distance as one between placed bodies and still shapes, if it depends on where this body is.
+  std::optional<Relations::Bound> bound(const formula::Distance& wanted, const Poses& poses) const {
     for (const auto* names : {&wanted.first, &wanted.second}) {
       auto role = roles_.find(names->front());
       if (role != roles_.end() && !poses[role->second.body]) return std::nullopt;
     }
-    const Relations::Bound found = relations_.bind(wanted, roles_, poses);
+    Relations::Bound found = relations_.bind(wanted, roles_, poses);
     if (found.first == found.second || (found.first != body_ && found.second != body_)) return std::nullopt;
-    Objective bound = *goal.objective;
-    bound.distance = found.distance;
-    if (!found.first || !found.second) return of_objective(goal, bound, at.region);
-    return *found.first == body_ ? relative(goal, bound, at.region, poses[*found.second]->at)
-                                 : relative_back(goal, bound, at.region, poses[*found.first]->at);
+    return found;
   }
 
- private:
+  /// The best position of a sum; distances to bodies that are placed later do not count yet.
+  std::optional<Best> of_sum(const Objective& objective, const AtAngle& at) const {
+    const formula::PreparedWorld& world = relations_.solver().prepared();
+    Poses poses = poses_;
+    poses[body_] = Pose{at.angle, {}};
+    std::vector<distance::Summand> summands;
+    std::vector<formula::SumTerm> terms;
+    for (const formula::SumTerm& t : objective.terms) {
+      const auto found = bound(t.distance, poses);
+      if (!found) continue;
+      terms.push_back({t.weight, found->distance});
+      distance::Summand s{objective_distance(world, found->distance), t.weight};
+      if (found->first && found->second) {
+        s.reflected = *found->first != body_;
+        const RealPoint& other = poses[s.reflected ? *found->first : *found->second]->at;
+        s.by = s.reflected ? other : opposite(other);
+      }
+      summands.push_back(std::move(s));
+    }
+    if (summands.empty()) return std::nullopt;
+    return best_of(distance::DistanceSum(std::move(summands)), at.region, reach_of(world, terms));
+  }
+
+  /// Of the places that a search found the one with the least value.
+  Best best_of(const distance::DistanceSum& sum, const Region& region, double reach) const {
+    const distance::Extremum e = best_position(sum, {region, region}, Sense::kMinimum, reach);
+    Best out{std::nullopt, e.unbounded, e.exists, Region::uniform(0)};
+    std::optional<RealPoint> best;
+    for (const auto& v : e.at.vertices) {
+      if (v.mark <= 0) continue;
+      const RealPoint p = e.at.geometry.exact(v.point);
+      const auto value = sum.value(p);
+      if (!value || (out.value && !(*value < *out.value))) continue;
+      out.value = value;
+      best = p;
+    }
+    if (best) out.at = distance::point_set({&*best, 1});
+    if (out.value) out.value = *out.value * relations_.problem().world.step;
+    return out;
+  }
+
   Best of_form(const ScaledForm& f, const Region& region) const {
     distance::Extremum e =
         distance::linear_extremum(region, f.form, f.factor.sign() > 0 ? Sense::kMinimum : Sense::kMaximum);
@@ -239,10 +292,13 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
   }
   if (positions.empty()) return out;
   out.pose = first_of_all(positions);
-  if (on_grid) {
+  const bool is_long =
+      !on_grid && std::max(exact::sign_bits(out.pose->at.x), exact::sign_bits(out.pose->at.y)) > kLongNumber;
+  if (on_grid || is_long) {
     const auto& whole =
         *std::find_if(all.begin(), all.end(), [&](const AtAngle& p) { return p.angle == out.pose->angle; });
     out.pose->at = near_grid(whole.region, out.pose->at);
+    out.shortened = is_long;
   }
   return out;
 }

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "distance/planar/signed_distance.h"
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "findspace/error.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -72,7 +72,7 @@ class Stand {
       shape = plane::rotated(shape, about, degrees, world_.step.to_double(), slice.rounding);
     }
     const Solver solver(world_);
-    if (!solver.rotations_in(formula)) {
+    if (!solver.known_between_bounds(formula)) {
       slice.region = solver.feasible(formula);
       return;
     }

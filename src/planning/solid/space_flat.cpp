@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "distance/rays/ray_covers.h"
-#include "exact/number/margins.h"
+#include "exact/margins/space_distance.h"
 #include "space/rays/piece_rays.h"
 
 namespace findspace::planning {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The objectives of a placement in space, as its three supporting_curves take them: linear forms of the position and
+// The objectives of a placement in space, as its three algorithms take them: linear forms of the position and
 // distances to points, the first first; before them, coordinates that must have a value. What the objectives leave open
 // is decided by the least z, then y, then x.
 #pragma once

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "space/body/erosion.h"
 #include "space/body/flat_core.h"
 

@@ -111,13 +111,9 @@ ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells) 
       }
       points.push_back({c[0], c[1], c[2]});
     }
-    try {
-      result.parts.push_back(Polytope::hull(points));
-    } catch (const Error&) {
-      // A cell without volume: of a mesh that crosses itself, or made flat by rounding. The volume check has the last
-      // word.
-      continue;
-    }
+    // A cell without volume, of a mesh that crosses itself or made flat by rounding, is left out. The volume check has
+    // the last word.
+    if (auto hull = Polytope::try_hull(points)) result.parts.push_back(*std::move(hull));
   }
   if (exact) join_neighbours(result.parts);
   return result;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "space/body/projection_search.h"
 
 namespace findspace::space {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "space/body/observe_body.h"
 #include "space/phi/contact_surface.h"
 

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
+#include "exact/margins/space.h"
 
 namespace findspace::space {
 

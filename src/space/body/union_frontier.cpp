@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::space {
 namespace {

@@ -44,7 +44,7 @@ std::vector<LinePiece> pieces_about(const std::vector<RayFacet>& facets, const R
 RaySourcePointer clearance_rays(const Triangles& a, const Triangles& b, const Real& level, const RayGrid& grid,
                                 PairRays::Side side_of_a) {
   const bool complement = side_of_a == PairRays::Side::kComplement;
-  const RayBody fixed(complement ? turned_inside_out(a) : a), mirrored(scaled(b, -1));
+  const RayBody fixed(complement ? inside_out(a) : a), mirrored(scaled(b, -1));
   std::vector<RaySourcePointer> both;
   both.push_back(std::make_unique<PairRays>(a, b, grid, side_of_a));
   both.push_back(std::make_unique<PieceRays>(pieces_about(convolution(fixed, mirrored), level), 1, grid));

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "plane/base/parallel.h"
 #include "space/convolution/ray_ball_patch.h"
 #include "space/convolution/ray_ball_row.h"
@@ -31,7 +31,7 @@ std::pair<double, double> range(double c, double cos_angle, double sin_angle) {
 
 RayBody prepared(const Triangles& a, const RayGrid& grid, bool complement) {
   Triangles t = with_axis(scaled(a, grid.parts), grid.axis);
-  return RayBody(complement ? turned_inside_out(std::move(t)) : std::move(t));
+  return RayBody(complement ? inside_out(std::move(t)) : std::move(t));
 }
 
 }  // namespace

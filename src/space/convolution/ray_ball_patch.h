@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "exact/planar/approx.h"
 #include "space/convolution/ray_body.h"
 

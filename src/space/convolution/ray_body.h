@@ -35,7 +35,7 @@ Triangles triangles(const Polytope& polytope);
 Triangles scaled(Triangles t, std::int64_t factor);
 Triangles moved(Triangles t, const Point& by);
 /// The same surface seen from the other side: the complement of the solid.
-Triangles turned_inside_out(Triangles t);
+Triangles inside_out(Triangles t);
 /// The axes exchanged so that `axis` (0, 1, 2) becomes the third: (x, y, z), (y, z, x) or (z, x, y).
 Triangles with_axis(Triangles t, int axis);
 

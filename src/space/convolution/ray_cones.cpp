@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "space/polytope/vector.h"
 
 namespace findspace::space {

@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
+#include "exact/margins/space.h"
 #include "space/polytope/near_features.h"
 
 namespace findspace::space {

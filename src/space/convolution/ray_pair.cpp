@@ -64,7 +64,7 @@ void observe_facets(const std::vector<RayFacet>& facets) {
 
 PairRays::PairRays(const Triangles& a, const Triangles& b, const RayGrid& grid, Side side_of_a)
     : complement_(side_of_a == Side::kComplement),
-      a_(complement_ ? turned_inside_out(prepared(a, grid)) : prepared(a, grid)),
+      a_(complement_ ? inside_out(prepared(a, grid)) : prepared(a, grid)),
       b_(prepared(b, grid)),
       base_winding_(complement_ ? b_->euler() : 0),
       overlap_(std::in_place, a_, *b_, complement_) {

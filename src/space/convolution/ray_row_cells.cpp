@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::space {
 

@@ -76,7 +76,7 @@ Triangles triangles(const Polytope& polytope) {
 
 Triangles scaled(Triangles t, std::int64_t factor) {
   for (Point& p : t.points) p = {p.x * factor, p.y * factor, p.z * factor};
-  return factor < 0 ? turned_inside_out(std::move(t)) : t;
+  return factor < 0 ? inside_out(std::move(t)) : t;
 }
 
 Triangles moved(Triangles t, const Point& by) {
@@ -84,7 +84,7 @@ Triangles moved(Triangles t, const Point& by) {
   return t;
 }
 
-Triangles turned_inside_out(Triangles t) {
+Triangles inside_out(Triangles t) {
   for (Face& f : t.faces) std::swap(f[1], f[2]);
   return t;
 }

@@ -216,10 +216,10 @@ class Orientation {
 void orient(Mesh& mesh, double step, std::vector<std::string>& notes) {
   const std::vector<std::vector<int>> stated = mesh.faces;
   Orientation(mesh).run(step);
-  int turned = 0;
-  for (std::size_t f = 0; f < stated.size(); ++f) turned += mesh.faces[f] != stated[f];
-  if (turned == 0) return;
-  notes.push_back(fmt::format("{} face{} reversed to point outward", turned, turned == 1 ? " was" : "s were"));
+  int reversed = 0;
+  for (std::size_t f = 0; f < stated.size(); ++f) reversed += mesh.faces[f] != stated[f];
+  if (reversed == 0) return;
+  notes.push_back(fmt::format("{} face{} reversed to point outward", reversed, reversed == 1 ? " was" : "s were"));
 }
 
 }  // namespace findspace::space

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The sense of a mesh's faces. A mesh is one or more shells, pieces joined over edges of two faces. Neighbours are made
-// to agree; a shell that lies in no other points outward, and what lies in it rotates with it where all its faces
+// to agree; a shell that lies in no other points outward, and what lies in it turns with it where all its faces
 // pointed inward. Shells inside others keep their sense where faces agreed as they were stated, so that cavities stay
 // cavities; where they did not, the number of shells about one says whether it is a cavity or an island. Guarantee:
 // exact; which shell lies in which is decided by crossings of a line that misses all edges (moved aside symbolically).

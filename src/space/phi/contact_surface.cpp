@@ -92,7 +92,7 @@ ContactSurface::ContactSurface(const Point& a, const Polytope& b) : first_{0} {
   for (int g = 0; g < b.facet_count(); ++g) {
     const Plane& plane = b.planes()[g];
     std::vector<int> circuit = b.circuit(g);
-    std::reverse(circuit.begin(), circuit.end());  // the reflection rotates it about
+    std::reverse(circuit.begin(), circuit.end());  // the reflection reverses it
     add_facet(std::move(circuit), {-plane.normal, plane.offset + exact::dot(plane.normal, a)}, Contact::kVF, {0, g});
   }
 }

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "space/phi/plane_scan.h"
 
 namespace findspace::space {

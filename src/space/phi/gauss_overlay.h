@@ -59,8 +59,8 @@ class GaussOverlay {
   const Polytope& b_;
   ContactSurface& out_;
   // Arena comes from here: for small bodies nothing is allocated but the surface itself.
-  std::array<std::byte, 8192> room_;
-  std::pmr::monotonic_buffer_resource arena_{room_.data(), room_.size()};
+  std::array<std::byte, 8192> buffer_;
+  std::pmr::monotonic_buffer_resource arena_{buffer_.data(), buffer_.size()};
   std::pmr::vector<int> place_{&arena_};  // of each facet of A: one lowest vertex of B, or -1
   std::pmr::vector<int> queue_{&arena_}, tied_{&arena_}, ring_a_{&arena_}, ring_b_{&arena_};
   std::pmr::vector<Flat> flat_p_{&arena_}, flat_q_{&arena_};  // of the planar sum in hand

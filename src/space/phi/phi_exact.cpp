@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "space/phi/phi_level.h"
 
 namespace findspace::space {

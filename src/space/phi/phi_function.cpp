@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "space/phi/plane_scan.h"
 
 namespace findspace::space {

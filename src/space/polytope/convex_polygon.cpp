@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::space {
 namespace {

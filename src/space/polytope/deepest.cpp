@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::space {

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "space/polytope/real_vector.h"
 
 namespace findspace::space {

@@ -21,10 +21,6 @@
 namespace findspace::space {
 namespace {
 
-[[noreturn]] void flat(const std::string& what) {
-  throw Error(ErrorCode::kGeometry, "a polytope needs interior, but " + what);
-}
-
 std::string text(int128 value) {
   if (value < 0) return "-" + text(-value);
   std::string digits;
@@ -95,20 +91,20 @@ int Hull::off_plane(const Triangle& t) const {
   return -1;
 }
 
-void Hull::start() {
+std::optional<std::string> Hull::start() {
   const std::string all = "its " + std::to_string(points_.size()) + " points ";
-  if (points_.empty()) flat("it has no points");
+  if (points_.empty()) return "it has no points";
   const int a = static_cast<int>(std::min_element(points_.begin(), points_.end()) - points_.begin());
   const int b = farthest_from(a);
-  if (b < 0) flat("all its points are one point");
+  if (b < 0) return "all its points are one point";
   const int c = off_line(a, b);
   if (c < 0) {
     const Point e = points_[b] - points_[a];
-    flat(all + "lie on one line of direction " + text(exact::primitive({e.x, e.y, e.z})));
+    return all + "lie on one line of direction " + text(exact::primitive({e.x, e.y, e.z}));
   }
   const int base = make(a, b, c);
   const int d = off_plane(triangles_[base]);
-  if (d < 0) flat(all + "lie in one plane of normal " + text(exact::primitive(triangles_[base].normal)));
+  if (d < 0) return all + "lie in one plane of normal " + text(exact::primitive(triangles_[base].normal));
   const bool above = side(triangles_[base], d) > 0;
   triangles_.clear();
   const std::array<int, 4> v = above ? std::array<int, 4>{a, c, b, d} : std::array<int, 4>{a, b, c, d};
@@ -127,6 +123,7 @@ void Hull::start() {
       break;
     }
   }
+  return std::nullopt;
 }
 
 void Hull::add(int t) {
@@ -232,7 +229,9 @@ void check_range(std::span<const Point> points) {
 
 }  // namespace
 
-Polytope Polytope::hull(std::span<const Point> points, Repair* repair) {
+Polytope Polytope::hull(std::span<const Point> points, Repair* repair) { return try_hull(points, repair).or_throw(); }
+
+exact::Tried<Polytope> Polytope::try_hull(std::span<const Point> points, Repair* repair) {
   check_range(points);
   // Duplicates go first; the rest keeps its order, so vertices come out in the order in which they were given.
   std::vector<int> order(points.size());
@@ -244,7 +243,8 @@ Polytope Polytope::hull(std::span<const Point> points, Repair* repair) {
   std::vector<Point> distinct;
   for (const int i : order) distinct.push_back(points[i]);
   Hull hull(distinct);
-  hull.run();
+  if (const auto flat = hull.run())
+    return exact::Refusal(Error(ErrorCode::kGeometry, "a polytope needs interior, but " + *flat));
   std::vector<std::vector<int>> circuits = hull.merged();
   std::vector<int> index(distinct.size(), -1);
   for (const auto& ring : circuits) {

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,11 +30,13 @@ class Hull {
     for (const Point& p : points_) approx_.push_back(exact::approx(p));
   }
 
-  void run() {
-    start();
+  /// What leaves the points without interior, if something does.
+  std::optional<std::string> run() {
+    if (auto flat = start()) return flat;
     for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
       while (triangles_[t].alive && !triangles_[t].outside.empty()) add(t);
     }
+    return std::nullopt;
   }
 
   /// The facets as circuits of indices of the points.
@@ -59,7 +63,7 @@ class Hull {
   int farthest_from(int a) const;
   int off_line(int a, int b) const;
   int off_plane(const Triangle& t) const;
-  void start();
+  std::optional<std::string> start();
   void add(int t);
   void find_visible(int t, int apex);
   void cover_horizon(int apex);

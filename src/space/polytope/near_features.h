@@ -12,7 +12,7 @@
 #include <cmath>
 #include <optional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "exact/number/real.h"
 #include "space/polytope/vector.h"
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/number/tried.h"
 #include "exact/solid/space_sign.h"
 
 namespace findspace::space {
@@ -53,6 +54,8 @@ class Polytope {
   /// The convex hull. Throws Error(kGeometry) when the points lie in one plane, on one line or in one place, and
   /// Error(kOutOfRange) when a coordinate exceeds the limit.
   static Polytope hull(std::span<const Point> points, Repair* repair = nullptr);
+  /// The same; refused with that Error(kGeometry) instead of thrown.
+  static exact::Tried<Polytope> try_hull(std::span<const Point> points, Repair* repair = nullptr);
 
   /// The intersection of the half spaces. Vertices off the grid are put on it and counted in `repair`. Throws
   /// Error(kGeometry) when the intersection is empty, unbounded or flat. Cost O(n^3) for n half spaces.

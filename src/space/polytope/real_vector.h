@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "exact/number/real.h"
 #include "space/polytope/polytope.h"
 #include "space/polytope/vector.h"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A 3D primitive as the scene states it, on the grid. It hangs in a node of the shape tree (plane::Shape::solid) whose
-// constructive nodes both dimensions share. Nothing is computed here; convex_parts.h rotates trees into polytopes.
+// constructive nodes both dimensions share. Nothing is computed here; convex_parts.h turns trees into polytopes.
 #pragma once
 
 #include <memory>

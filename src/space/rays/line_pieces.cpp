@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::space {
 namespace {

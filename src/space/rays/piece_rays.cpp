@@ -21,7 +21,7 @@ PieceRays::PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, c
   pieces_.resize(pieces.size());
   plane::parallel_for((pieces.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
     for (std::size_t k = block * kBlock; k < std::min(pieces.size(), (block + 1) * kBlock); ++k)
-      pieces_[k] = turned(pieces[k], scale);
+      pieces_[k] = aligned(pieces[k], scale);
   });
   first_.assign(static_cast<std::size_t>(grid.nv) + 1, 0);
   for (const Piece& p : pieces_) {

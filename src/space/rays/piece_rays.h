@@ -36,16 +36,16 @@ class PieceRays : public RaySource, private RayRoots {
     int first_column = 0, last_column = -1, first_row = 0, last_row = -1;
     bool none() const { return last_column < first_column || last_row < first_row; }
   };
-  /// A piece for numbers of type T, turned so that the lines run along z, in parts of a grid step.
+  /// A piece for numbers of type T, its axes exchanged so that the lines run along z, in parts of a grid step.
   template <class T>
-  struct Turned {
+  struct Aligned {
     std::vector<std::array<T, 4>> planes;
     std::array<T, 3> base{}, direction{};
     T length{}, square{};
   };
   struct Piece {
-    Turned<exact::Real> exact;
-    Turned<exact::Approx> near;
+    Aligned<exact::Real> exact;
+    Aligned<exact::Approx> near;
     std::vector<std::int8_t> rise;  // the sign of each plane's z
     std::vector<char> held;         // as of the LinePiece
     bool round = false, held_round = false, cylinder = false, upright = false;
@@ -79,9 +79,9 @@ class PieceRays : public RaySource, private RayRoots {
   template <class T>
   static bool narrow(Bound<T>& end, const T& at, int side, bool holds, bool any_held);
   template <class T>
-  static Span<T> meet(const Piece& piece, const Turned<T>& data, const T& x, const T& y);
+  static Span<T> meet(const Piece& piece, const Aligned<T>& data, const T& x, const T& y);
   template <class T>
-  static void meet_round(const Piece& piece, const Turned<T>& data, const T& x, const T& y, Span<T>& span);
+  static void meet_round(const Piece& piece, const Aligned<T>& data, const T& x, const T& y, Span<T>& span);
   Span<exact::Real> meet_exactly(int piece, int i, int j) const;
   bool stretch(int piece, int i, int j, Stretch& out) const;
   static bool surely_before(const End& a, const End& b);
@@ -95,7 +95,7 @@ class PieceRays : public RaySource, private RayRoots {
 
   std::array<exact::Real, 3> components(const RealVector& v) const;
   static Lines find_lines(const RayGrid& grid, const Vector& low, const Vector& high, std::int64_t scale);
-  Piece turned(const LinePiece& from, std::int64_t scale) const;
+  Piece aligned(const LinePiece& from, std::int64_t scale) const;
 
   RayGrid grid_;
   Of of_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "space/rays/oblique_line.h"
 #include "space/rays/piece_rays.h"
 
@@ -65,7 +65,7 @@ bool PieceRays::any_line(const RayGrid& grid, const Vector& low, const Vector& h
   return !find_lines(grid, low, high, scale).none();
 }
 
-PieceRays::Piece PieceRays::turned(const LinePiece& from, std::int64_t scale) const {
+PieceRays::Piece PieceRays::aligned(const LinePiece& from, std::int64_t scale) const {
   Piece piece;
   piece.lines = find_lines(grid_, from.low, from.high, scale);
   if (piece.lines.none()) {
@@ -104,7 +104,7 @@ PieceRays::Piece PieceRays::turned(const LinePiece& from, std::int64_t scale) co
 }
 
 template <class T>
-void PieceRays::meet_round(const Piece& piece, const Turned<T>& d, const T& x, const T& y, Span<T>& span) {
+void PieceRays::meet_round(const Piece& piece, const Aligned<T>& d, const T& x, const T& y, Span<T>& span) {
   const T u = x - d.base[0], v = y - d.base[1];
   T a, b{}, c;  // a z^2 - 2 b z + c <= 0, z from the base
   if (piece.cylinder) {
@@ -156,7 +156,7 @@ bool PieceRays::narrow(Bound<T>& end, const T& at, int side, bool holds, bool an
 }
 
 template <class T>
-PieceRays::Span<T> PieceRays::meet(const Piece& piece, const Turned<T>& d, const T& x, const T& y) {
+PieceRays::Span<T> PieceRays::meet(const Piece& piece, const Aligned<T>& d, const T& x, const T& y) {
   Span<T> span;
   span.meets = Meets::kInside;
   if (piece.round) meet_round(piece, d, x, y, span);

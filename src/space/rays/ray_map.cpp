@@ -189,13 +189,13 @@ std::int8_t sign_at(const RayRow& row, int i, const exact::Real& z) {
   return sign;
 }
 
-void each_row(const RaySource& source, const std::function<void(int, RayRow&&)>& take) {
-  const int rows = source.grid().nv;
+void RaySource::each_row(const std::function<void(int, RayRow&&)>& take) const {
+  const int rows = grid().nv;
   for (int begin = 0; begin < rows; begin += kRowsAtOnce) {
     const int count = std::min(kRowsAtOnce, rows - begin);
     std::vector<RayRow> block(count);
     plane::parallel_for(static_cast<std::size_t>(count),
-                        [&](std::size_t k) { block[k] = source.row(begin + static_cast<int>(k)); });
+                        [&](std::size_t k) { block[k] = row(begin + static_cast<int>(k)); });
     for (int k = 0; k < count; ++k) take(begin + k, std::move(block[k]));
   }
 }

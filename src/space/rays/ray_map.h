@@ -90,8 +90,10 @@ class RaySource {
   virtual exact::Tried<RayRow> try_row(int j) const = 0;
   /// The same; Error(kUnsupported) instead of a refusal.
   RayRow row(int j) const { return try_row(j).or_throw(); }
-  /// Whether a search tells the signs, so that 0 means a place near the front as well as on it.
+  /// Whether a search tells the signs, so that 0 means a place near the boundary as well as on it.
   virtual bool searched() const { return false; }
+  /// What each_row() does; a source whose rows come from several processes has its own way.
+  virtual void each_row(const std::function<void(int, RayRow&&)>& take) const;
 };
 
 /// One sign map from several on the same grid: the sign of `combine` at every place, from the signs of the sources
@@ -103,7 +105,7 @@ std::int8_t sign_at(const RayRow& row, int i, const exact::Real& z);
 
 /// All rows of a source, made in parallel; take(j, row) is called for j = 0, 1, 2 ... in order, from one thread at a
 /// time.
-void each_row(const RaySource& source, const std::function<void(int, RayRow&&)>& take);
+inline void each_row(const RaySource& source, const std::function<void(int, RayRow&&)>& take) { source.each_row(take); }
 std::vector<RayRow> all_rows(const RaySource& source);
 
 }  // namespace findspace::space

@@ -131,7 +131,7 @@ std::optional<BoxComplex> filled(const Faces& faces) {
       for (std::size_t s = 0; s + 1 < steps.size(); ++s) {
         depth += steps[s].second;
         if (steps[s].first == steps[s + 1].first) continue;
-        // A surface that covers some space twice, or rotates it inside out, is for the convex parts to refuse.
+        // A surface that covers some space twice, or turns it inside out, is for the convex parts to refuse.
         if (depth < 0 || depth > 1) return std::nullopt;
         if (depth == 0) continue;
         IntervalBox box;

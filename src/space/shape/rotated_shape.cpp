@@ -27,7 +27,7 @@ class Rotator {
     }
     if (s.kind == Kind::kTranslate) return translated(s, r);
     Rotation first = r, others = r;
-    // Of a sum only one operand moves; -x rotates into -(turn x - by).
+    // Of a sum only one operand moves; -x turns into -(turn x - by).
     if (s.kind == Kind::kMinkowskiSum || s.kind == Kind::kMinkowskiDifference) others.by = RealVector{};
     if (s.kind == Kind::kMirror) first.by = negated(r.by);
     for (std::size_t k = 0; k < s.children.size(); ++k)

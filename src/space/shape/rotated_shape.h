@@ -29,7 +29,7 @@ struct Rotation {
 };
 
 /// Throws Error(kOutOfRange) where a vertex leaves the grid, Error(kUnsupported) for a prism with arcs that is not
-/// turned into one, Error(kGeometry) where rounding breaks a surface. `rounding` is decided every point that moved.
+/// made one, Error(kGeometry) where rounding breaks a surface. `rounding` counts every point that moved.
 plane::ShapePtr rotated(const plane::Shape& shape, const Rotation& rotation, plane::Rounding& rounding);
 
 }  // namespace findspace::space

@@ -35,7 +35,7 @@ struct Wanted {
   Wanted with(Topology t) const { return {grid, by, t}; }
   Wanted grown(const Real& more) const { return {grid, by + more, topology}; }
   /// Of the complement.
-  Wanted turned() const {
+  Wanted complemented() const {
     return {grid, -by,
             interior()                       ? Topology::kClosure
             : topology == Topology::kClosure ? Topology::kInterior
@@ -183,7 +183,7 @@ RaySourcePointer boundary_rays(const plane::Shape& shape, const Placing& placing
   const Wanted closed = wanted.with(Topology::kClosure);
   std::vector<RaySourcePointer> sources;
   sources.push_back(rays_of(*shape.children[0], placing, closed));
-  sources.push_back(negated_rays(rays_of(*shape.children[0], placing, closed.turned())));
+  sources.push_back(negated_rays(rays_of(*shape.children[0], placing, closed.complemented())));
   return greatest_rays(std::move(sources));
 }
 
@@ -201,7 +201,7 @@ RaySourcePointer joined_rays(const plane::Shape& shape, const Placing& placing, 
   std::vector<RaySourcePointer> sources;
   for (std::size_t k = 0; k < shape.children.size(); ++k) {
     const bool without = shape.kind == Kind::kDifference && k > 0;
-    auto rays = rays_of(*shape.children[k], placing, without ? wanted.turned() : wanted);
+    auto rays = rays_of(*shape.children[k], placing, without ? wanted.complemented() : wanted);
     sources.push_back(without ? negated_rays(std::move(rays)) : std::move(rays));
   }
   return shape.kind == Kind::kUnion ? union_rays(std::move(sources)) : greatest_rays(std::move(sources));
@@ -218,7 +218,7 @@ RaySourcePointer rays_of(const plane::Shape& shape, const Placing& placing, cons
     case Kind::kDifference:
       return joined_rays(shape, placing, wanted);
     case Kind::kComplement:
-      return negated_rays(rays_of(*shape.children[0], placing, wanted.turned()));
+      return negated_rays(rays_of(*shape.children[0], placing, wanted.complemented()));
     case Kind::kTranslate:
       return child(placing.moved({shape.points[0].x, shape.points[0].y, shape.lift}));
     case Kind::kMirror:

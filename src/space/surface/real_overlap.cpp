@@ -41,8 +41,7 @@ bool any_piece(const RayBody& body, Visit visit) {
 }  // namespace
 
 RealOverlap::RealOverlap(const SurfaceSet::Sheet& a, const SurfaceSet::Sheet& b, bool a_inside_out) : a_(a), b_(b) {
-  if (a_inside_out)
-    turned_ = std::make_unique<const RayBody>(turned_inside_out(Triangles{a.body.points, a.body.faces}));
+  if (a_inside_out) inside_out_ = std::make_unique<const RayBody>(inside_out(Triangles{a.body.points, a.body.faces}));
 }
 
 bool RealOverlap::interiors_meet(const RealVector& p, Recent& recent) const {
@@ -76,7 +75,7 @@ bool RealOverlap::pieces_inside(const RealVector& p) const {
   const auto side = [](const SurfaceSet::Sheet& sheet, const RealVector& x) {
     return side_of(sheet.body, sheet.tree, x, rounded(x));
   };
-  const SurfaceSide in_a = turned_ ? SurfaceSide::kOutside : SurfaceSide::kInside;
+  const SurfaceSide in_a = inside_out_ ? SurfaceSide::kOutside : SurfaceSide::kInside;
   return any_piece(a_.body, [&](int f) { return side(b_, minus(middle_of(a_.body, f), p)) == SurfaceSide::kInside; }) ||
          any_piece(b_.body, [&](int g) { return side(a_, plus(middle_of(b_.body, g), p)) == in_a; });
 }

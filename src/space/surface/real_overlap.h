@@ -32,7 +32,7 @@ class RealOverlap {
   bool surely_meet(const Vector& p, double off, const Recent& recent) const;
 
   /// A, inside out where that is asked for.
-  const RayBody& a() const { return turned_ ? *turned_ : a_.body; }
+  const RayBody& a() const { return inside_out_ ? *inside_out_ : a_.body; }
   const RayBody& b() const { return b_.body; }
 
  private:
@@ -40,7 +40,7 @@ class RealOverlap {
 
   const SurfaceSet::Sheet& a_;
   const SurfaceSet::Sheet& b_;
-  std::unique_ptr<const RayBody> turned_;
+  std::unique_ptr<const RayBody> inside_out_;
 };
 
 }  // namespace findspace::space

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "exact/number/margins.h"
+#include "exact/margins/space.h"
 #include "space/polytope/near_features.h"
 
 namespace findspace::space {

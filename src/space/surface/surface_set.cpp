@@ -17,23 +17,36 @@ SurfaceSet::Sheet::Sheet(Triangles surface) : body(std::move(surface)), tree(bod
   }
 }
 
-void SurfaceSet::add(const std::vector<RaySolid>& solids, std::int64_t scale) {
+namespace {
+
+bool in_range(const Point& p, std::int64_t factor) {
+  const std::int64_t most = exact::kRayLimit / factor;
+  const auto in = [&](std::int64_t c) { return -most <= c && c <= most; };
+  return in(p.x) && in(p.y) && in(p.z);
+}
+
+}  // namespace
+
+bool SurfaceSet::add(const std::vector<RaySolid>& solids, std::int64_t scale) {
+  const auto near = [&](const Point& p) { return in_range(p, scale); };
   for (const RaySolid& s : solids) {
+    if (!std::all_of(s.surface.points.begin(), s.surface.points.end(), near) || (s.ball() && !near(s.center)))
+      return false;
     if (s.ball())
       balls_.push_back({{s.center.x * scale, s.center.y * scale, s.center.z * scale}, s.radius * Real(scale)});
     else
       sheets_.push_back(std::make_unique<const Sheet>(scale == 1 ? s.surface : scaled(s.surface, scale)));
   }
+  return true;
 }
 
-bool SurfaceSet::add(const Body& body) {
+bool SurfaceSet::add(const Body& body, std::int64_t scale) {
   if (body.outside) return false;
+  const auto near = [&](const Point& p) { return in_range(p, scale / body.scale); };
   for (const BodyPart& part : body.parts) {
-    for (const Point& v : part.vertices()) {
-      for (const std::int64_t c : {v.x, v.y, v.z}) {
-        if (c > exact::kRayLimit || c < -exact::kRayLimit) return false;
-      }
-    }
+    if (!near(part.center) || !std::all_of(part.vertices().begin(), part.vertices().end(), near)) return false;
+  }
+  for (const BodyPart& part : at_scale(body, scale).parts) {
     if (part.point())
       balls_.push_back({part.center, part.radius});
     else if (part.core && part.radius.sign() == 0)

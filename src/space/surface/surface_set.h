@@ -31,10 +31,10 @@ class SurfaceSet {
   };
 
   SurfaceSet() = default;
-  /// In grid steps, taken times `scale`. Throws Error(kOutOfRange) beyond 2^38.
-  void add(const std::vector<RaySolid>& solids, std::int64_t scale);
-  /// The boundaries of the parts, in the body's steps; false where a part is round and no ball, or too far out.
-  bool add(const Body& body);
+  /// In grid steps, taken times `scale`; false where one is too far out.
+  bool add(const std::vector<RaySolid>& solids, std::int64_t scale);
+  /// The boundaries of the parts, at that scale; false where a part is round and no ball, or too far out.
+  bool add(const Body& body, std::int64_t scale);
 
   const std::vector<std::unique_ptr<const Sheet>>& sheets() const { return sheets_; }
   const std::vector<Ball>& balls() const { return balls_; }

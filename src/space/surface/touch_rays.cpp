@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "exact/number/margins.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 #include "space/rays/piece_rays.h"
 
@@ -90,11 +90,8 @@ std::vector<RealVector> outer_corners(const std::vector<FlatPiece>& pieces) {
     }
   }
   std::vector<HalfSpace> planes;
-  try {
-    const Polytope hull = Polytope::hull(points);
-    for (const Plane& p : hull.planes()) planes.emplace_back(p);
-  } catch (const Error& e) {
-    if (e.code() != ErrorCode::kGeometry) throw;  // flat: all of them
+  if (const auto hull = Polytope::try_hull(points)) {  // flat: all of them
+    for (const Plane& p : hull->planes()) planes.emplace_back(p);
   }
   std::vector<RealVector> out;
   for (const FlatPiece::Corner* c : corners) {

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "mpi/mpi_team.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plane/base/parallel.h"
+#include "space/rays/row_bytes.h"
+
+namespace findspace::app {
+
+/// Rows `begin` to `begin + count - 1` of the source on a grid; count 0: there are no more.
+struct BlockRequest {
+  std::int64_t axis, parts, u, v, du, dv, nu, nv, begin, count;
+
+  space::RayGrid grid() const {
+    return {static_cast<int>(axis), parts, u, v, du, dv, static_cast<int>(nu), static_cast<int>(nv)};
+  }
+};
+
+struct MpiTeam::Made {
+  space::RayGrid grid;
+  formula::RegionOnLines region;
+  std::string bytes;  // of the rows on their way to rank 0
+  MPI_Request sending = MPI_REQUEST_NULL;
+};
+
+namespace {
+
+enum Tag { kAsk = 1, kBlock, kRows, kFailed, kBye };
+constexpr int kInHand = 2;  // blocks that a rank has asked for: the one it makes, and the next
+constexpr int kAhead = 64;  // blocks beyond those handed on
+constexpr int kMostRows = 32, kBlocksARank = 32;
+
+bool same(const space::RayGrid& a, const space::RayGrid& b) {
+  return a.axis == b.axis && a.parts == b.parts && a.u == b.u && a.v == b.v && a.du == b.du && a.dv == b.dv &&
+         a.nu == b.nu && a.nv == b.nv;
+}
+
+std::vector<space::RayRow> rows_of(const space::RaySource& source, int begin, int count) {
+  std::vector<space::RayRow> out(static_cast<std::size_t>(count));
+  plane::parallel_for(out.size(), [&](std::size_t k) { out[k] = source.row(begin + static_cast<int>(k)); });
+  return out;
+}
+
+}  // namespace
+
+/// Rows of a source that all ranks make; this is rank 0's end.
+class SharedRows : public space::RaySource {
+ public:
+  SharedRows(MpiTeam& team, space::RaySourcePointer own) : team_(team), own_(std::move(own)), reader_(*own_) {}
+  const space::RayGrid& grid() const override { return own_->grid(); }
+  exact::Tried<space::RayRow> try_row(int j) const override { return own_->try_row(j); }
+  bool searched() const override { return own_->searched(); }
+  void each_row(const std::function<void(int, space::RayRow&&)>& take) const override;
+
+ private:
+  using Rows = std::vector<space::RayRow>;
+  struct Progress {
+    int rows, blocks, next = 0, taken = 0;
+    std::map<int, Rows> made;
+    int away = 0;  // blocks that others make
+  };
+  int begin_of(const Progress& p, int block) const { return block * p.rows; }
+  int count_of(const Progress& p, int block) const { return std::min(p.rows, grid().nv - begin_of(p, block)); }
+  Rows own_rows(const Progress& p, int block) const { return rows_of(*own_, begin_of(p, block), count_of(p, block)); }
+  void hear(Progress& p, bool wait) const;
+  void give(Progress& p) const;
+  void receive(Progress& p, const MPI_Status& message) const;
+
+  MpiTeam& team_;
+  space::RaySourcePointer own_;
+  mutable space::RowReader reader_;
+};
+
+void SharedRows::give(Progress& p) const {
+  while (!team_.waiting_.empty() && p.next < p.blocks && p.next - p.taken < kAhead) {
+    const space::RayGrid& g = grid();
+    const BlockRequest request{
+        g.axis, g.parts, g.u, g.v, g.du, g.dv, g.nu, g.nv, begin_of(p, p.next), count_of(p, p.next)};
+    MPI_Send(&request, sizeof request, MPI_BYTE, team_.waiting_.back(), kBlock, team_.ranks_);
+    team_.waiting_.pop_back();
+    ++p.next;
+    ++p.away;
+  }
+}
+
+void SharedRows::receive(Progress& p, const MPI_Status& message) const {
+  int size = 0;
+  MPI_Get_count(&message, MPI_BYTE, &size);
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  MPI_Recv(bytes.data(), size, MPI_BYTE, message.MPI_SOURCE, message.MPI_TAG, team_.ranks_, MPI_STATUS_IGNORE);
+  if (message.MPI_TAG == kAsk) {
+    team_.waiting_.push_back(message.MPI_SOURCE);
+    return;
+  }
+  std::int64_t begin = 0;
+  std::memcpy(&begin, bytes.data(), sizeof begin);
+  const int block = static_cast<int>(begin) / p.rows;
+  --p.away;
+  if (message.MPI_TAG == kFailed) {  // here it fails as well, with its message
+    p.made.emplace(block, own_rows(p, block));
+    return;
+  }
+  std::string_view rest = std::string_view(bytes).substr(sizeof begin);
+  Rows rows;
+  for (int k = 0; k < count_of(p, block); ++k) rows.push_back(reader_.read(static_cast<int>(begin) + k, rest));
+  p.made.emplace(block, std::move(rows));
+}
+
+void SharedRows::hear(Progress& p, bool wait) const {
+  for (bool first = true;; first = false) {
+    int there = 1;
+    MPI_Status message;
+    if (wait && first)
+      MPI_Probe(MPI_ANY_SOURCE, MPI_ANY_TAG, team_.ranks_, &message);
+    else
+      MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, team_.ranks_, &there, &message);
+    if (there == 0 || message.MPI_TAG == kBye) return;  // a rank that has ended is heard at the end
+    receive(p, message);
+    give(p);
+  }
+}
+
+void SharedRows::each_row(const std::function<void(int, space::RayRow&&)>& take) const {
+  Progress p{};
+  p.rows = std::clamp(grid().nv / (team_.count_ * kBlocksARank), 1, kMostRows);
+  p.blocks = (grid().nv + p.rows - 1) / p.rows;
+  while (p.taken < p.blocks) {
+    give(p);
+    hear(p, false);
+    if (const auto ready = p.made.find(p.taken); ready != p.made.end()) {
+      Rows rows = std::move(ready->second);
+      p.made.erase(ready);
+      for (int k = 0; k < int(rows.size()); ++k) take(begin_of(p, p.taken) + k, std::move(rows[k]));
+      ++p.taken;
+    } else if (p.next < p.blocks && p.next - p.taken < kAhead) {
+      const int block = p.next++;
+      p.made.emplace(block, own_rows(p, block));
+    } else {
+      hear(p, true);
+    }
+  }
+}
+
+MpiTeam::MpiTeam(MPI_Comm ranks) : ranks_(ranks) {
+  MPI_Comm_rank(ranks, &rank_);
+  MPI_Comm_size(ranks, &count_);
+}
+
+space::RaySourcePointer MpiTeam::shared(space::RaySourcePointer rows) {
+  if (count_ == 1 || rows->grid().oblique) return rows;
+  return std::make_unique<SharedRows>(*this, std::move(rows));
+}
+
+void MpiTeam::serve_block(const Source& source, const BlockRequest& request) {
+  const std::int64_t begin = request.begin;
+  std::string bytes(reinterpret_cast<const char*>(&begin), sizeof begin);
+  Tag tag = kRows;
+  try {
+    const space::RayGrid grid = request.grid();
+    if (!made_->region.rays || !same(made_->grid, grid)) {
+      made_->region = source(grid);
+      made_->grid = grid;
+    }
+    for (const space::RayRow& row :
+         rows_of(*made_->region.rays, static_cast<int>(begin), static_cast<int>(request.count)))
+      space::append_bytes(row, bytes);
+  } catch (const std::exception&) {
+    bytes.resize(sizeof begin);
+    tag = kFailed;
+  }
+  MPI_Wait(&made_->sending, MPI_STATUS_IGNORE);
+  made_->bytes = std::move(bytes);
+  MPI_Isend(made_->bytes.data(), static_cast<int>(made_->bytes.size()), MPI_BYTE, 0, tag, ranks_, &made_->sending);
+}
+
+void MpiTeam::serve(const Source& source) {
+  made_ = std::make_unique<Made>();
+  for (int k = 0; k < kInHand; ++k) MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, ranks_);
+  while (true) {
+    BlockRequest request{};
+    MPI_Recv(&request, sizeof request, MPI_BYTE, 0, kBlock, ranks_, MPI_STATUS_IGNORE);
+    if (request.count == 0) break;
+    serve_block(source, request);
+    MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, ranks_);
+  }
+  released_ = true;
+  MPI_Wait(&made_->sending, MPI_STATUS_IGNORE);
+  made_.reset();
+}
+
+void MpiTeam::finish() {
+  BlockRequest end{};
+  if (!leads()) {
+    if (!released_) MPI_Recv(&end, sizeof end, MPI_BYTE, 0, kBlock, ranks_, MPI_STATUS_IGNORE);
+    MPI_Send(nullptr, 0, MPI_BYTE, 0, kBye, ranks_);
+    return;
+  }
+  for (int rank = 1; rank < count_; ++rank) MPI_Send(&end, sizeof end, MPI_BYTE, rank, kBlock, ranks_);
+  for (int left = count_ - 1; left > 0;) {
+    MPI_Status message;
+    MPI_Recv(nullptr, 0, MPI_BYTE, MPI_ANY_SOURCE, MPI_ANY_TAG, ranks_, &message);  // asks for blocks, too
+    if (message.MPI_TAG == kBye) --left;
+  }
+}
+
+}  // namespace findspace::app

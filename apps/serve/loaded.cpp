@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "serve/loaded.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "findspace/error.h"
+#include "formula/language/names.h"
+#include "io/write/json_text.h"
+#include "serve/loaded_plane.h"
+#include "serve/loaded_space.h"
+#include "space_commands.h"
+
+namespace findspace::app {
+namespace {
+
+constexpr std::array<const char*, 5> kFreeNames{"position", "line", "angle", "time", "pose"};
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string numbers(const std::vector<exact::Real>& values) {
+  return io::list(values, [](const exact::Real& v) { return io::json_number(v.to_double()); });
+}
+
+/// What formulas are written with.
+std::string words() {
+  std::vector<std::string> all;
+  for (const formula::PredicateName& name : formula::predicate_names()) all.emplace_back(name.name);
+  for (const formula::DistanceName& name : formula::distance_names()) all.emplace_back(name.name);
+  return io::list(all, io::json_string);
+}
+
+}  // namespace
+
+std::unique_ptr<Loaded> Loaded::make(io::Scene scene) {
+  if (scene.dimension == 3) return std::make_unique<LoadedSpace>(std::move(scene));
+  return std::make_unique<LoadedPlane>(std::move(scene));
+}
+
+std::string Loaded::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
+
+void Loaded::refuse(const std::string& what) const {
+  throw Error(ErrorCode::kUnsupported, what + " is not computed", scene_.file);
+}
+
+void Loaded::require_moving() const {
+  if (scene_.moving.empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
+}
+
+void Loaded::read_formula() {
+  formula_ = with_session([](const Session& session) { return session.where(); });
+}
+
+formula::Formula Loaded::parsed(const std::string& where) const {
+  if (where.empty()) return {};
+  return with_session([&](const Session& session) { return formula::parse_formula(where, session.context()); });
+}
+
+void Loaded::set_where(const std::string& where) {
+  formula::Formula other = parsed(where);
+  formula_ = std::move(other);
+  scene_.where = {where, "formula", 1, 1};
+  scene_.conditions.clear();
+  forget_answers();
+}
+
+std::string Loaded::shape_json(const std::string& name, bool drawing) const {
+  const auto& atoms = formula_.atoms();
+  const bool used = std::any_of(atoms.begin(), atoms.end(), [&](const formula::Atom& a) {
+    return holds(a.distance.first, name) || holds(a.distance.second, name);
+  });
+  std::string out = fmt::format(R"({{"name": {}, "moving": {}, "used": {})", io::json_string(name),
+                                io::truth(holds(scene_.moving, name)), io::truth(used));
+  const std::string look = drawing ? drawing_of(name) : "";
+  if (!look.empty()) out += ", \"drawing\": " + look;
+  return out + "}";
+}
+
+std::string Loaded::free_json() const {
+  using Kind = io::Free::Kind;
+  const io::Free& free = scene_.free;
+  std::string out = fmt::format(R"("free": "{}")", kFreeNames[static_cast<std::size_t>(free.kind)]);
+  if (free.kind == Kind::kAngle || free.kind == Kind::kPose)
+    io::put(out, R"(, "about": [{}, {}])", io::json_number(double(free.about[0]) * step()),
+            io::json_number(double(free.about[1]) * step()));
+  if (free.kind == Kind::kPose) out += ", \"angles\": " + numbers(free.angles);
+  return out;
+}
+
+std::string Loaded::motion_json() const {
+  if (!scene_.motion.given()) return "";
+  const auto movement = [&](const io::Movement& m) {
+    const std::string path = io::list(m.path, [&](const io::GridPosition& p) {
+      return fmt::format("[{}, {}]", io::json_number(double(p[0]) * step()), io::json_number(double(p[1]) * step()));
+    });
+    return fmt::format(R"({{"shape": {}, "path": {}, "times": {}, "angles": {}}})", io::json_string(m.shape), path,
+                       numbers(m.times), numbers(m.angles));
+  };
+  return fmt::format(R"(, "motion": {{"start": {}, "end": {}, "movements": {}}})",
+                     io::json_number(scene_.motion.start.to_double()), io::json_number(scene_.motion.end.to_double()),
+                     io::list(scene_.motion.movements, movement));
+}
+
+std::string Loaded::summary_json(bool drawing) const {
+  std::vector<std::string> names;
+  for (const plane::ShapePtr& s : scene_.shapes) names.push_back(s->name);
+  const std::string shapes = io::list(names, [&](const std::string& name) { return shape_json(name, drawing); });
+  return fmt::format(R"({{"dimension": {}, {}"step": {}, "y": "{}", "where": {}, "moving": {}, {}{}, "place": {}, )"
+                     R"("shapes": {}, "words": {}}})",
+                     scene_.dimension, io::unit_key(unit()), io::json_number(step()), scene_.y_down ? "down" : "up",
+                     io::json_string(scene_.where.text), io::list(scene_.moving, io::json_string), free_json(),
+                     motion_json(), io::truth(scene_.place.given()), shapes, words());
+}
+
+std::string Loaded::place_json(double seconds) const {
+  if (!scene_.place.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"place\"", scene_.file);
+  Options options;
+  options.json = true;
+  options.place = true;
+  return with_session(options,
+                      [&](const Session& session) { return place_scene(session, planning::Limit(seconds)).text; });
+}
+
+void check_reach(const io::Scene& scene, const Spot& spot) {
+  if (spot.at.size() != std::size_t(scene.dimension))
+    throw Error(ErrorCode::kBadValue, fmt::format("a position of this scene has {} numbers", scene.dimension),
+                scene.file);
+  for (const exact::Real& c : spot.at) scene.grid.steps(c);
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "serve/loaded_plane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "findspace/error.h"
+#include "formula/explain/explain.h"
+#include "formula/planar/feasible_near.h"
+#include "formula/planar/rotation_bounds.h"
+#include "formula/planar/solve_rotation.h"
+#include "io/draw/draw_region.h"
+#include "io/write/json_text.h"
+#include "io/write/write_explanation.h"
+#include "io/write/write_position.h"
+#include "io/write/write_rotations.h"
+#include "io/write/write_witness.h"
+#include "planar_map.h"
+#include "plane/complex/extent.h"
+#include "plane/query/in_order.h"
+#include "report.h"
+#include "serve/features.h"
+
+namespace findspace::app {
+namespace {
+
+using exact::Real;
+using exact::RealPoint;
+using Kind = io::Free::Kind;
+
+/// Where unbounded sets are cut off in drawings, in sizes of what is bounded in the scene.
+constexpr double kAround = 3;
+
+/// The scene's coordinates; y runs downwards.
+io::Frame drawing_frame(const plane::Bounds& world, bool y_down) {
+  io::Frame frame;
+  frame.world = world;
+  frame.left = world.low[0];
+  frame.y_down = y_down;
+  frame.top = y_down ? world.low[1] : -world.high[1];
+  return frame;
+}
+
+void include(std::optional<plane::PieceBox>& all, const std::optional<plane::PieceBox>& more) {
+  if (more) all = all ? joined(*all, *more) : *more;
+}
+
+std::string places_json(const std::vector<plane::Place>& places) {
+  return io::list(places, [](const plane::Place& p) {
+    return fmt::format("[{}, {}]", io::json_number(p[0]), io::json_number(p[1]));
+  });
+}
+
+RealPoint point_of(const Spot& spot) { return {spot.at[0], spot.at[1]}; }
+
+bool has_rotations(const formula::Formula& formula) {
+  return std::any_of(formula.atoms().begin(), formula.atoms().end(),
+                     [](const formula::Atom& a) { return a.distance.mode == formula::Mode::kRotation; });
+}
+
+}  // namespace
+
+LoadedPlane::LoadedPlane(io::Scene given) : Loaded(std::move(given)) {
+  read_formula();
+  with_session(
+      [&](const Session& session) { upright_.solver = std::make_shared<const formula::Solver>(session.world()); });
+}
+
+void LoadedPlane::forget_answers() {
+  if (scene().named_only) {  // of a board only the shapes that the formula names are there
+    with_session(
+        [&](const Session& session) { upright_.solver = std::make_shared<const formula::Solver>(session.world()); });
+    rotated_.reset();
+  }
+  upright_.answers.reset();
+  if (rotated_) rotated_->answers.reset();
+}
+
+RealPoint LoadedPlane::about() const {
+  const io::GridPosition& p = scene().free.about;
+  return {Real(p[0]), Real(p[1])};
+}
+
+const LoadedPlane::Rotated& LoadedPlane::rotated(const std::optional<Real>& degrees) const {
+  if (!degrees || degrees->sign() == 0) return upright_;
+  if (scene().motion.given()) refuse("an angle in a scene with \"motion\"");
+  if (!rotated_ || !(rotated_->degrees == *degrees)) {
+    Rotated made{*degrees, nullptr, {}, {}};
+    made.solver = std::make_shared<const formula::Solver>(
+        formula::rotated_world(solver().world(), about(), *degrees, made.rounding));
+    rotated_ = std::move(made);
+  }
+  return *rotated_;
+}
+
+std::shared_ptr<const RegionAnswers> LoadedPlane::solved(const formula::Solver& solver,
+                                                         const formula::Formula& formula) const {
+  const bool line = scene().free.kind == Kind::kLine;
+  const auto kept = [&](plane::Region region) { return line ? on_line(region, scene().free) : std::move(region); };
+  const Real& step = solver.world().step;
+  if (!solver.known_between_bounds(formula))
+    return std::make_shared<const RegionAnswers>(kept(formula::feasible_near(solver, formula)), std::nullopt, step);
+  formula::RegionBounds bounds = solver.feasible_bounds(formula);
+  return std::make_shared<const RegionAnswers>(kept(std::move(bounds.inner)), kept(std::move(bounds.outer)), step);
+}
+
+const RegionAnswers& LoadedPlane::answers(const Rotated& rotated) const {
+  require_moving();
+  if (!rotated.answers) rotated.answers = solved(*rotated.solver, formula());
+  return *rotated.answers;
+}
+
+std::string LoadedPlane::drawing_json(const plane::Region& region) const {
+  const Real& step = solver().world().step;
+  std::optional<plane::PieceBox> box = plane::extent(region);
+  for (const auto& [name, shape] : solver().world().shapes) include(box, plane::extent(shape));
+  const double size = step.to_double();
+  plane::Bounds world{{-1, -1}, {1, 1}};
+  if (box) world = {{box->x0 * size, box->y0 * size}, {box->x1 * size, box->y1 * size}};
+  const double more = kAround * std::max(world.high[0] - world.low[0], world.high[1] - world.low[1]);
+  for (int k : {0, 1}) {
+    world.low[k] -= more;
+    world.high[k] += more;
+  }
+  const plane::CurveNet net(region, step);
+  const io::RegionDrawing d = io::region_drawing(net, drawing_frame(world, scene().y_down));
+  return fmt::format(R"({{"faces": {}, "closed": {}, "open": {}, "free": {}, "points": {}, "full": {}, "hollow": {}}})",
+                     io::json_string(d.faces), io::json_string(d.closed), io::json_string(d.open),
+                     io::json_string(d.free), places_json(d.points), places_json(d.full), places_json(d.hollow));
+}
+
+std::string LoadedPlane::drawing_of(const std::string& shape) const {
+  const auto found = solver().world().shapes.find(shape);
+  return found == solver().world().shapes.end() ? "" : drawing_json(found->second);
+}
+
+std::string LoadedPlane::brief_json(const RegionAnswers& answers) const {
+  const auto sample = answers.sample();
+  const std::string at =
+      sample ? io::json_point(distance::coordinates(distance::times(solver().world().step, *sample))) : "null";
+  std::string out = fmt::format(R"({{"empty": {}, "sample": {}, "drawing": {})", io::truth(!sample), at,
+                                drawing_json(answers.region()));
+  if (answers.outer()) out += ", \"outer_drawing\": " + drawing_json(*answers.outer());
+  return out + "}";
+}
+
+std::string LoadedPlane::map_json(const RegionWish& wish) const {
+  require_moving();
+  const Rotated& world = rotated(wish.angle);
+  const formula::Formula other = wish.where ? parsed(*wish.where) : formula::Formula{};
+  const formula::Formula& wanted = wish.where ? other : formula();
+  const bool plain = scene().minimize.empty() && scene().maximize.empty() && wish.apply.empty();
+  if (wish.brief && plain) return brief_json(wish.where ? *solved(*world.solver, wanted) : answers(world));
+  Options options;
+  options.apply = wish.apply;
+  return with_session(options, [&](const Session& session) {
+    std::optional<formula::RegionBounds> known;
+    if (!wish.where) {
+      const RegionAnswers& all = answers(world);
+      known = {all.in_order(), all.outer() ? plane::in_order(*all.outer()) : plane::Region{}};
+    }
+    PlanarMap map = planar_map(session, *world.solver, wanted, known ? &*known : nullptr);
+    if (wish.brief) {
+      return brief_json(RegionAnswers(std::move(map.region), std::move(map.outer), solver().world().step));
+    }
+    std::string out = planar_map_json(session, map);
+    if (!wish.drawing) return out;
+    out.resize(out.rfind('}'));
+    out += ", \"drawing\": " + drawing_json(map.region);
+    if (map.outer) out += ", \"outer_drawing\": " + drawing_json(*map.outer);
+    return out + "}";
+  });
+}
+
+std::optional<formula::NearestFeasible> LoadedPlane::nearest(const Rotated& rotated, const RealPoint& at) const {
+  const Real& step = solver().world().step;
+  const auto near = answers(rotated).nearest({at.x / step, at.y / step});
+  if (!near) return std::nullopt;
+  return formula::NearestFeasible{distance::coordinates(distance::times(step, near->at)), near->distance * step,
+                                  near->attained};
+}
+
+formula::Check LoadedPlane::check(const Spot& spot, const RealPoint& at) const {
+  if (spot.time) {
+    formula::World world = solver().world();
+    if (!world.motion.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"motion\"", scene().file);
+    if (*spot.time < world.motion.start || world.motion.end < *spot.time)
+      throw Error(ErrorCode::kBadValue, "that instant lies outside the motion", scene().file);
+    world.instant = *spot.time;
+    return formula::Solver(std::move(world)).check(formula(), at);
+  }
+  if (!has_rotations(formula())) return rotated(spot.angle).solver->check(formula(), at);
+  formula::Pose pose{at, spot.angle.value_or(Real()), std::nullopt};
+  const Real& step = solver().world().step;
+  if (scene().free.kind == Kind::kAngle || scene().free.kind == Kind::kPose)
+    pose.about = distance::times(step, about());
+  return formula::RotationSolver(solver(), pose).check(formula());
+}
+
+std::string LoadedPlane::check_json(const Spot& spot, const CheckWish& wish) const {
+  require_moving();
+  RealPoint at = point_of(spot);
+  const Rotated& world = rotated(spot.angle);
+  if (wish.snap.sign() > 0) {
+    const Real& step = solver().world().step;
+    const auto near = answers(world).snapped({at.x / step, at.y / step}, wish.snap / step);
+    if (near) at = distance::times(step, *near);
+  }
+  const formula::Check found = check(spot, at);
+  const auto near = wish.nearest && !found.holds && !spot.time ? nearest(world, at) : std::nullopt;
+  const bool turns = spot.angle || scene().free.kind == Kind::kAngle || scene().free.kind == Kind::kPose;
+  return io::check_json(found, distance::coordinates(at), unit(),
+                        turns ? std::optional(spot.angle.value_or(Real()).to_double()) : std::nullopt,
+                        near ? &*near : nullptr);
+}
+
+std::string LoadedPlane::nearest_json(const Spot& spot) const {
+  const auto near = nearest(rotated(spot.angle), point_of(spot));
+  if (!near) return R"({"nearest_feasible": null})";
+  return fmt::format(R"({{"nearest_feasible": {{"at": {}, "distance": {}, "attained": {}}}}})",
+                     io::json_point(near->at), io::json_number(near->distance.to_double()), io::truth(near->attained));
+}
+
+std::string LoadedPlane::measure_json(const Spot& spot) const {
+  require_moving();
+  const RealPoint at = point_of(spot);
+  return io::measure_json(rotated(spot.angle).solver->measure(at, formula()), distance::coordinates(at), unit());
+}
+
+std::string LoadedPlane::explain_json(const std::optional<Spot>& spot) const {
+  require_moving();
+  const formula::Solver& world = *rotated(spot ? spot->angle : std::nullopt).solver;
+  const formula::Explanation explanation = formula::explain(world, formula());
+  std::optional<formula::PositionExplanation> here;
+  RealPoint at;
+  if (spot && !spot->at.empty()) {
+    at = point_of(*spot);
+    here = formula::explain_at(world, formula(), at);
+  }
+  return io::explanation_json({formula(), explanation, here ? &*here : nullptr, at, solver().world().step, unit()});
+}
+
+std::string LoadedPlane::angles_json(const Spot& spot) const {
+  require_moving();
+  if (scene().motion.given()) refuse("a map of angles in a scene with \"motion\"");
+  const Real& step = solver().world().step;
+  const formula::RotationSolver rotation(solver(), {point_of(spot), {}, distance::times(step, about())});
+  const formula::RotationMaps maps = rotation.maps(formula());
+  if (!maps.rotations_twice(formula())) return io::rotations_json(maps.feasible(formula()));
+  const formula::RotationBounds bounds = formula::rotation_bounds(maps, formula());
+  return bounded_json(io::rotations_json(bounds.inner), io::rotations_json(bounds.outer));
+}
+
+std::string LoadedPlane::instants_json(const Spot& spot) const {
+  require_moving();
+  if (!scene().motion.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"motion\"", scene().file);
+  return planar_instants(solver(), formula(), point_of(spot)).json();
+}
+
+std::string LoadedPlane::between_json(const Spot& spot, const std::array<RealPoint, 2>& places) const {
+  const Rotated& world = rotated(spot.angle);
+  return features_between(world.solver->world(), spot.at.empty() ? RealPoint{} : point_of(spot), places, unit());
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "serve/loaded_space.h"
+
+#include <fmt/format.h>
+
+#include "findspace/error.h"
+#include "io/mesh/space_surface.h"
+#include "io/write/json_text.h"
+#include "io/write/write_position.h"
+#include "io/write/write_witness.h"
+#include "ray_outcome.h"
+#include "space_commands.h"
+
+namespace findspace::app {
+namespace {
+
+using exact::Real;
+using space::RealVector;
+
+/// Lines each way where none are asked for: of a region, and of a shape that has no surface of flat faces.
+constexpr int kLines = 64, kShapeLines = 48;
+
+RealVector vector_of(const Spot& spot) { return {spot.at[0], spot.at[1], spot.at[2]}; }
+
+}  // namespace
+
+LoadedSpace::LoadedSpace(io::Scene given) : Loaded(std::move(given)) {
+  read_formula();
+  with_session([&](const Session& session) {
+    if (!scene().moving.empty()) session.require_positions_in_space(true);
+    solver_ = std::make_shared<const formula::SpaceSolver>(space_world(session));
+  });
+}
+
+std::string LoadedSpace::drawing_of(const std::string& name) const {
+  const plane::Shape& shape = *scene().shape(name);
+  return with_session([&](const Session& session) {
+    SpaceDrawing out;
+    if (const auto boundary = formula::shape_boundary(shape))
+      out.solid = io::surface_of(*boundary, session.step());
+    else
+      out.solid = shape_on_lines(session, shape, kShapeLines);
+    return out.json();
+  });
+}
+
+SpaceMap LoadedSpace::solved(const formula::Formula& formula, const std::string& apply) const {
+  Options options;
+  options.apply = apply;
+  return with_session(options, [&](const Session& session) { return space_map(session, *solver_, formula, true); });
+}
+
+std::string LoadedSpace::map_of_line(const RegionWish& wish, const formula::Formula& wanted) const {
+  return with_session([&](const Session& session) {
+    const SpaceLineMap map = space_line_map(session, *solver_, wanted);
+    std::string out = space_line_json(session, map);
+    if (!wish.drawing) return out;
+    SpacePlace through{}, direction{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      through[k] = double(scene().free.through[k]) * step();
+      direction[k] = double(scene().free.direction[k]);
+    }
+    std::vector<plane::LineInterval> lengths = map.intervals;
+    for (plane::LineInterval& i : lengths) {
+      if (i.from) i.from = *i.from * session.step();
+      if (i.to) i.to = *i.to * session.step();
+    }
+    out.resize(out.rfind('}'));
+    return out + ", \"drawing\": " + drawing_of_line(lengths, through, direction, window()).json() + "}";
+  });
+}
+
+SpaceWindow LoadedSpace::window() const {
+  if (!window_) {
+    SpaceWindow all;
+    with_session([&](const Session& session) {
+      for (const plane::ShapePtr& shape : scene().shapes) {
+        const auto boundary = formula::shape_boundary(*shape);
+        if (boundary) all.include(io::surface_of(*boundary, session.step()));
+      }
+    });
+    window_ = all.wider();
+  }
+  return *window_;
+}
+
+std::string LoadedSpace::map_json(const RegionWish& asked) const {
+  require_moving();
+  RegionWish wish = asked;
+  wish.drawing = wish.drawing || wish.brief;
+  if (wish.angle) refuse("an angle in space");
+  const formula::Formula other = wish.where ? parsed(*wish.where) : formula::Formula{};
+  const formula::Formula& wanted = wish.where ? other : formula();
+  if (scene().free.kind == io::Free::Kind::kLine) return map_of_line(wish, wanted);
+  SpaceMap made;
+  const SpaceMap* map = &made;
+  if (wish.where || !wish.apply.empty())
+    made = solved(wanted, wish.apply);
+  else
+    map = &region();
+  return with_session([&](const Session& session) {
+    if (map->way == distance::Way::kLines) {
+      if (!wish.apply.empty()) refuse("an operation on a region that only lines give");
+      LineChoice lines;
+      lines.count = wish.resolution > 0 ? wish.resolution : kLines;
+      lines.axes = true;
+      RaysDrawn drawn = draw_rays(session, lines, wanted);
+      if (!wish.drawing) return drawn.json;
+      drawn.json.resize(drawn.json.rfind('}'));
+      return drawn.json + ", \"drawing\": " + SpaceDrawing{std::move(drawn.surface), {}, {}, {}}.json() + "}";
+    }
+    std::string out = space_map_json(session, *map);
+    if (!wish.drawing) return out;
+    const SpaceDrawing drawing = map->way == distance::Way::kConvex
+                                     ? drawing_of_convex(*map->convex, map->step)
+                                     : drawing_of_boxes(map->boxes, session.step(), window());
+    out.resize(out.rfind('}'));
+    return out + ", \"drawing\": " + drawing.json() + "}";
+  });
+}
+
+const SpaceMap& LoadedSpace::region() const {
+  if (!region_) region_ = solved(formula(), "");
+  return *region_;
+}
+
+std::optional<formula::NearestFeasible> LoadedSpace::nearest(const RealVector& at) const {
+  if (scene().free.kind == io::Free::Kind::kLine || region().way == distance::Way::kLines) return std::nullopt;
+  return formula::nearest_feasible(*solver_, formula(), at);
+}
+
+std::string LoadedSpace::check_json(const Spot& spot, const CheckWish& wish) const {
+  require_moving();
+  if (spot.angle || spot.time) refuse("an angle or an instant in space");
+  RealVector at = vector_of(spot);
+  formula::Check check = solver_->check(formula(), at);
+  std::optional<formula::NearestFeasible> near;
+  if (!check.holds && (wish.nearest || wish.snap.sign() > 0)) near = nearest(at);
+  if (near && near->attained && near->distance <= wish.snap) {
+    at = {near->at[0], near->at[1], near->at[2]};
+    check = solver_->check(formula(), at);
+    near.reset();
+  }
+  return io::check_json(check, distance::coordinates(at), unit(), std::nullopt,
+                        near && wish.nearest ? &*near : nullptr);
+}
+
+std::string LoadedSpace::nearest_json(const Spot& spot) const {
+  require_moving();
+  const auto near = nearest(vector_of(spot));
+  if (!near) return R"({"nearest_feasible": null})";
+  return fmt::format(R"({{"nearest_feasible": {{"at": {}, "distance": {}, "attained": {}}}}})",
+                     io::json_point(near->at), io::json_number(near->distance.to_double()), io::truth(near->attained));
+}
+
+std::string LoadedSpace::measure_json(const Spot& spot) const {
+  require_moving();
+  const RealVector at = vector_of(spot);
+  return io::measure_json(solver_->measure(at), distance::coordinates(at), unit());
+}
+
+std::string LoadedSpace::explain_json(const std::optional<Spot>&) const { refuse("an explanation in space"); }
+std::string LoadedSpace::angles_json(const Spot&) const { refuse("a map of angles in space"); }
+std::string LoadedSpace::instants_json(const Spot&) const { refuse("a motion in space"); }
+std::string LoadedSpace::between_json(const Spot&, const std::array<exact::RealPoint, 2>&) const {
+  refuse("the distance between features in space");
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "serve/scene_source.h"
+
+#include <algorithm>
+
+#include "io/text/json_tree.h"
+#include "io/write/json_text.h"
+
+namespace findspace::app {
+namespace {
+
+std::size_t offset_of(const std::string& text, int line, int column) {
+  std::size_t at = 0;
+  for (int k = 1; k < line; ++k) at = text.find('\n', at) + 1;
+  return at + std::size_t(column) - 1;
+}
+
+/// Behind the string that begins at `at`.
+std::size_t end_of_string(const std::string& text, std::size_t at) {
+  for (++at; at < text.size() && text[at] != '"'; ++at)
+    if (text[at] == '\\') ++at;
+  return at + 1;
+}
+
+/// Behind the value that begins at `at`: a string, or a list of strings.
+std::size_t end_of_value(const std::string& text, std::size_t at) {
+  if (text[at] == '"') return end_of_string(text, at);
+  for (++at; at < text.size() && text[at] != ']';) {
+    if (text[at] == '"')
+      at = end_of_string(text, at);
+    else if (text.compare(at, 2, "//") == 0)
+      at = std::min(text.find('\n', at), text.size());
+    else if (text.compare(at, 2, "/*") == 0)
+      at = std::min(text.find("*/", at), text.size() - 2) + 2;
+    else
+      ++at;
+  }
+  return at + 1;
+}
+
+/// The text with `value` under a key of the scene, which may not have been there.
+std::string with_key(const std::string& text, const std::string& key, const std::string& value) {
+  plane::WorkBudget work;
+  const io::JsonValue scene = io::parse_json(text, "scene", work);
+  const io::JsonValue* old = scene.find(key);
+  if (old == nullptr) {
+    const std::size_t brace = offset_of(text, scene.line, scene.column) + 1;
+    return text.substr(0, brace) + "\n  \"" + key + "\": " + value + "," + text.substr(brace);
+  }
+  const std::size_t from = offset_of(text, old->line, old->column);
+  return text.substr(0, from) + value + text.substr(end_of_value(text, from));
+}
+
+}  // namespace
+
+std::string edited_scene(const std::string& text, const std::string& where, const std::vector<std::string>& moving) {
+  const std::string with_where = with_key(text, "where", io::json_string(where));
+  const std::string moves = moving.size() == 1 ? io::json_string(moving[0]) : io::list(moving, io::json_string);
+  return moving.empty() ? with_where : with_key(with_where, "moving", moves);
+}
+
+}  // namespace findspace::app

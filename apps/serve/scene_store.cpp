@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "serve/scene_store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "findspace/error.h"
+#include "io/text/json_tree.h"
+#include "io/text/read_text.h"
+#include "packing_report.h"
+#include "serve/methods.h"
+#include "serve/scene_source.h"
+
+namespace findspace::app {
+namespace {
+
+/// Whether a file is a packing problem: it lists items, and no shapes.
+bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
+  if (path.extension() != ".json") return false;
+  plane::WorkBudget work;
+  const io::JsonValue file = io::parse_json(io::read_text(path, most), path.string(), work);
+  return file.find("items") != nullptr && file.find("shapes") == nullptr;
+}
+
+/// Of a scene; nothing of a drawing or a board.
+std::string text_of(const std::filesystem::path& path, std::uint64_t most) {
+  return path.extension() == ".json" ? io::read_text(path, most) : std::string();
+}
+
+io::Scene read_scene(const Options& options) {
+  Reporter reporter(true);
+  return Session(options, reporter).scene();
+}
+
+}  // namespace
+
+SceneStore::SceneStore(const Options& options) : options_(options) {
+  const std::filesystem::path scene(options.scene);
+  if (options_.root.empty())
+    options_.root = scene.parent_path().empty() ? std::filesystem::current_path() : scene.parent_path();
+  options_.root = std::filesystem::weakly_canonical(options_.root);
+  if (scene.empty()) return;
+  if (is_problem(scene, options.input_limit)) {
+    keep_problem("scene", io::read_text(scene, options.input_limit), scene.string(),
+                 {options.height, options.gap, options.edge});
+    PackingJob& job = packing("scene");
+    if (options.start) job.begin_with(start_layout(job.problem(), *options.start, options.input_limit));
+    return;
+  }
+  Options first = options_;
+  if (options.no_files) first.root.clear();
+  keep("scene", read_scene(first), text_of(scene, options.input_limit));
+}
+
+Loaded& SceneStore::scene(const std::string& name) {
+  const auto found = scenes_.find(name);
+  if (found == scenes_.end()) throw RequestError{RequestError::kParams, fmt::format("no scene '{}' is loaded", name)};
+  return *found->second;
+}
+
+PackingJob& SceneStore::packing(const std::string& name) {
+  const auto found = packings_.find(name);
+  if (found == packings_.end())
+    throw RequestError{RequestError::kParams, fmt::format("no packing '{}' is loaded", name)};
+  return *found->second;
+}
+
+void SceneStore::keep(const std::string& name, io::Scene scene, std::string text) {
+  auto loaded = Loaded::make(std::move(scene));
+  packings_.erase(name);
+  scenes_[name] = std::move(loaded);
+  texts_[name] = std::move(text);
+}
+
+void SceneStore::copy(const std::string& name, const std::string& as) {
+  const Loaded& from = scene(name);
+  keep(as, from.scene(), texts_[name]);
+}
+
+std::string SceneStore::source(const std::string& name) {
+  const io::Scene& now = scene(name).scene();
+  if (texts_[name].empty()) throw Error(ErrorCode::kBadValue, "this scene has no text of its own", now.file);
+  return edited_scene(texts_[name], now.where.text, now.moving);
+}
+
+void SceneStore::keep_problem(const std::string& name, const std::string& text, const std::string& file,
+                              const PackingWishes& wishes) {
+  auto job = std::make_unique<PackingJob>(text, file, wishes);
+  scenes_.erase(name);
+  packings_[name] = std::move(job);
+}
+
+void SceneStore::forget(const std::string& name) {
+  if (packings_.erase(name) > 0) return;
+  scene(name);
+  scenes_.erase(name);
+  texts_.erase(name);
+}
+
+void SceneStore::load(const std::string& name, const std::string& path) {
+  Options options = options_;
+  const std::filesystem::path whole = within_root(path);
+  options.scene = whole.string();
+  options.move.clear();
+  options.where.clear();
+  options.minimize.clear();
+  options.maximize.clear();
+  options.free.clear();
+  keep(name, read_scene(options), text_of(whole, options.input_limit));
+}
+
+void SceneStore::load_text(const std::string& name, const std::string& text) {
+  io::ReadOptions without_files = reading(options_);
+  without_files.files = false;
+  keep(name, io::read_scene_text(text, options_.root, name, without_files), text);
+}
+
+std::string SceneStore::read_text_of(const std::string& path) const {
+  return io::read_text(within_root(path), options_.input_limit);
+}
+
+std::filesystem::path SceneStore::within_root(const std::string& path) const {
+  const std::filesystem::path& root = options_.root;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(root / path);
+  const auto [end, unused] = std::mismatch(root.begin(), root.end(), whole.begin(), whole.end());
+  if (end != root.end()) throw Error(ErrorCode::kFile, "lies outside the folder that is served", path);
+  return whole;
+}
+
+}  // namespace findspace::app

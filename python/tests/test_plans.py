@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""Placements, motions, poses, lines of space, surfaces, and their pickles."""
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import findspace as fs
+
+
+def again(value):
+    return pickle.loads(pickle.dumps(value))
+
+
+@pytest.fixture
+def passing():
+    world = fs.World({"cart": fs.Shape.disc((0, 0), 1), "post": fs.Shape.disc((0, 0), 1)}, moving="cart")
+    return world.in_motion({"post": [(0, (-5, 0)), (1, (5, 0))]})
+
+
+def test_place_one_after_another():
+    shapes = {"sheet": fs.Shape.box((0, 0), (30, 20)), "bar": fs.Shape.box((0, 0), (2, 25))}
+    found = fs.place(shapes, [fs.Body("bar", angles=[0, 90], count=2)], each="inside(self, sheet)",
+                     pairs=fs.clear("self", "other", 1), minimize=["y", "x"], unit="mm")
+    assert found.complete and found.unproven == ""
+    assert [(p.at, p.degrees, p.copy) for p in found.placed] == [([25, 0], 90, 1), ([25, 3], 90, 2)]
+    assert found.placed[0].exact_at == ["25", "0"]
+    index, degrees, region = found.positions[1]
+    assert (index, degrees, region.area) == (0, 90, 5 * 18)
+    assert json.loads(found.json)["unit"] == "mm"
+    assert "<svg" in found._repr_svg_()
+
+
+def test_place_says_what_is_wrong():
+    shapes = {"sheet": fs.Shape.box((0, 0), (30, 20)), "A": fs.Shape.box((0, 0), (40, 1))}
+    found = fs.place(shapes, ["A"], each="inside(self, sheet)")
+    assert not found.complete and found.placed[0].at is None
+    with pytest.raises(fs.Error) as caught:
+        fs.place(shapes, ["A"], each="inside(self, shet)")
+    assert caught.value.place.startswith("each") and "did you mean" in caught.value.message
+    with pytest.raises(fs.Error, match="body 'B'"):
+        fs.place(shapes, ["B"])
+
+
+def test_motion(passing):
+    assert passing.distance("inf gap(cart, post)", (0, 3)).value == 1
+    instants = passing.instants("gap(cart, post) <= 1", (0, 3))
+    assert instants.exact and [(i.start, i.end) for i in instants.certain] == [(0.5, 0.5)]
+    assert passing.at_time("0.9").distance("gap(cart, post)", (4, 3)).value == 1
+    with pytest.raises(fs.Error, match="post"):
+        passing.in_motion({"post": [(2, (0, 0))]})
+    with pytest.raises(ValueError, match="way point"):
+        passing.in_motion({"post": [(0,)]})
+
+
+def test_poses():
+    world = fs.World({"room": fs.Shape.box((0, 0), (5, 3)), "bar": fs.Shape.box((-2, -1), (2, 1))}, moving="bar")
+    poses = world.poses("inside(bar, room)", [0, 5])
+    assert [s.region.area for s in poses.slices][0] == 1
+    sector = poses.sectors[0]
+    assert (sector.start, sector.end) == (0, 5) and (sector.inner - poses.slices[1].region).empty
+    inner, outer = world.solve_bounds("inside(bar, room)")
+    assert inner == outer == poses.slices[0].region
+
+
+def test_lines_of_space():
+    world = fs.World({"room": fs.Shape.box((0, 0, 0), (10, 10, 10)), "ball": fs.Shape.ball((0, 0, 0), 1),
+                      "other": fs.Shape.ball((5, 5, 5), 2)}, moving="ball")
+    where = "inside(ball, room) and clear(ball, other)"
+    lines = world.on_lines(where, 16)
+    assert lines.exact and not lines.unbounded
+    through, intervals = lines.lines[0]
+    assert [(i.start, i.end) for i in intervals] == [(1, 9)] and through[2] == 0
+    lower, upper = world.volume(where, 48)
+    assert lower <= 512 - 36 * np.pi <= upper < 2 * lower
+    surface = world.surface(where, 24)
+    a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
+    assert abs(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 - (512 - 36 * np.pi)) < 12
+    with pytest.raises(ValueError, match="axis"):
+        world.on_lines(where, 16, "w")
+
+
+def test_surfaces_both_ways():
+    box = fs.Shape.box((0, 0, 0), (1, 2, 3))
+    surface = box.surface
+    assert surface.vertices.shape == (8, 3) and surface.faces.shape == (12, 3) and len(surface.polygons) == 6
+    world = fs.World({"a": fs.shape(surface), "b": box}, moving="a")
+    assert world.holds("inside(a, b)", (0, 0, 0)) and world.holds("covers(a, b)", (0, 0, 0))
+    assert surface.text(".obj").startswith(b"#") or b"v 0 0 0" in surface.text(".obj")
+    with pytest.raises(fs.Error):
+        surface.text(".doc")
+    with pytest.raises(fs.Error):
+        fs.Shape.ball((0, 0, 0), 1).surface
+    assert "<svg" in box._repr_svg_() and "<svg" in fs.Shape.ball((0, 0, 0), 1)._repr_svg_()
+
+
+def test_geojson_keeps_its_side():
+    ring = (fs.Shape.disc((0, 0), 2) - fs.Shape.disc((0, 0), 1)).region
+    areas = {}
+    for side in ("inside", "on_arcs", "outside"):
+        made = json.loads(ring.geojson(1e-3, side))
+        assert made["type"] == "Polygon" and len(made["coordinates"]) == 2
+        areas[side] = fs.shape(made).region.area
+    assert areas["inside"] < ring.area < areas["outside"] and areas["inside"] < areas["on_arcs"] < areas["outside"]
+    mixed = fs.Shape.unite([fs.Shape.box((0, 0), (1, 1)), fs.Shape.points([[5, 5]]),
+                            fs.Shape.polyline([[2, 0], [3, 0]])]).region
+    kinds = [g["type"] for g in json.loads(mixed.geojson(1e-3))["geometries"]]
+    assert sorted(kinds) == ["LineString", "Point", "Polygon"]
+    assert fs.shape(mixed).region == mixed
+    with pytest.raises(ValueError, match="side"):
+        ring.geojson(1e-3, "left")
+
+
+def test_collections_and_shapes_that_move_together():
+    board = fs.Shape.collection({"U1": fs.Shape.box((0, 0), (1, 1)), "U2": fs.Shape.box((5, 0), (6, 1))})
+    world = fs.World({"board": board, "chip": fs.Shape.box((0, 0), (1, 1)), "key": fs.Shape.box((0, 2), (1, 3))},
+                     moving=["chip", "key"])
+    value = world.distance("gap(chip, board)", (3, 0))
+    assert value.value == 1 and value.features[1].part == "U2" and "part U2" in value.witness
+    assert world.moving_together == ["chip", "key"]
+    assert world.distance("gap(key, board)", (0, 1)).value == 2
+    world.set("board", fs.Shape.box((0, 0), (1, 1)))
+    assert world.distance("gap(chip, board)", (3, 0)).features[1].part == ""
+
+
+def test_every_value_pickles(passing):
+    same = again(passing.at_time("0.5"))
+    assert same.distance("gap(cart, post)", (3, 0)).value == 1
+    assert again(passing).distance("inf gap(cart, post)", (0, 3)).value == 1
+    value = passing.distance("inf gap(cart, post)", (0, 3))
+    assert (again(value).value, again(value).witness) == (value.value, value.witness)
+    world = fs.World({"A": fs.Shape.disc((0, 0), 2), "B": fs.Shape.box((0, 0), (1, 1))}, moving="B")
+    check = world.check("gap(B, A) >= 1 and reach(B, A) <= 9", (2, 1))
+    assert [a.text for a in again(check).atoms] == [a.text for a in check.atoms] and bool(again(check)) == bool(check)
+    best = world.minimize("x", "inside(B, A)")
+    assert again(best).at == best.at and again(best).value == best.value
+    part = world.solve("gap(B, A) <= 1").components[0]
+    assert again(part).area == part.area
+    assert (again(part.rings[0]).vertices == part.rings[0].vertices).all()
+    assert again(part.rings[0].edges[0]).radius == part.rings[0].edges[0].radius
+    phi = fs.Phi(fs.Shape.box((0, 0), (4, 2)), fs.Shape.disc((0, 0), 1))
+    assert again(phi)((7, 1)).value == 2 and again(phi((5, 1))).state == "contact"
+    rooms = fs.World({"room": fs.Shape.box((0, 0, 0), (9, 9, 9)), "crate": fs.Shape.box((0, 0, 0), (2, 2, 2))}, "crate")
+    region = rooms.solve("inside(crate, room)")
+    assert again(region).boxes == region.boxes and again(region.surface).polygons == region.surface.polygons
+    assert "<svg" in region._repr_svg_()
+    lines = rooms.on_lines("inside(crate, room)", 8)
+    assert [t for t, _ in again(lines).lines] == [t for t, _ in lines.lines] and again(lines).bounds == lines.bounds
+    poses = world.poses("inside(B, A)", 2)
+    assert [s.region for s in again(poses).slices] == [s.region for s in poses.slices]
+    assert again(passing.instants("gap(cart, post) <= 1", (0, 3))).certain[0].start == 0.5
+    assert again(fs.Body("A", [0, "0.1"], 2)).count == 2
+
+
+def test_limits_of_input_have_a_code():
+    with pytest.raises(fs.Error) as caught:
+        fs.Shape.json(json.dumps({"union": [{"disc": {"center": [0, 0], "radius": "-1"}}]}))
+    assert caught.value.code in ("bad value", "syntax")

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What stands behind a public Placement: the problem, in the plane or in space, and what was found by one method.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "findspace/placement.h"
+#include "planning/outcome/outcome.h"
+
+namespace findspace {
+
+struct Placement::Data {
+  using Planar = std::variant<planning::SequentialPlacement, planning::SimultaneousPlacement>;
+  using Solid = std::variant<planning::SpacePlacement, planning::SpaceSimultaneous>;
+
+  std::string unit;
+  std::vector<std::string> names;  // of all shapes
+  planning::Problem planar{};      // one of these two
+  planning::SpaceProblem solid{};
+  std::optional<Planar> in_plane{};
+  std::optional<Solid> in_space{};
+
+  std::vector<Placed> placed{};
+  std::vector<Positions> positions{};
+  bool complete = false;
+  std::string unproven{};
+};
+
+}  // namespace findspace

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/planar_least/sum_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "distance/planar_least/sum_curve.h"
+#include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
+#include "plane/base/parallel.h"
+#include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using exact::RealPoint;
+using plane::CellComplex;
+using plane::Mark;
+using plane::PieceBox;
+
+namespace {
+
+constexpr std::size_t kFewForms = 16;
+constexpr Mark kOpen = 2, kNothing = 3;  // not known; not in the box
+
+/// A function nx * x + ny * y + c of positions relative to a box's middle.
+struct Plane {
+  double nx, ny, c;
+  double at(double x, double y) const { return nx * x + ny * y + c; }
+};
+
+struct Corner {
+  double x, y;
+};
+
+/// The part of a convex polygon where the plane is not negative.
+std::vector<Corner> clipped(const std::vector<Corner>& polygon, const Plane& f) {
+  std::vector<Corner> out;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Corner &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    const double a = f.at(p.x, p.y), b = f.at(q.x, q.y);
+    if (a >= 0) out.push_back(p);
+    if ((a < 0) != (b < 0)) out.push_back({p.x + a / (a - b) * (q.x - p.x), p.y + a / (a - b) * (q.y - p.y)});
+  }
+  return out;
+}
+
+class SumMap {
+ public:
+  SumMap(const DistanceSum& f, const Real& level, double width) : f_(f), level_(level), width_(width) {}
+
+  /// Marks: the sign, kOpen, or outside of the box kNothing.
+  CellComplex solve(const PieceBox& b) const {
+    const RealPoint middle{Real::from_double((b.x0 + b.x1) / 2), Real::from_double((b.y0 + b.y1) / 2)};
+    const double radius = std::hypot(b.x1 - b.x0, b.y1 - b.y0) / 2 * margin::kUpward;
+    const ValueRange range = f_.range(middle, radius);
+    const double level = near_value(level_), off = (std::abs(level) + 1) * margin::kMaxMinNoise;
+    if (range.low > level + off) return whole(b, 1);
+    if (range.high < level - off) return whole(b, -1);
+    if (const auto forms = f_.forms(middle, radius, kFewForms)) {
+      if (auto exact = exactly(*forms, b)) return *std::move(exact);
+      if (auto strip = certain(*forms, b, level, f_.noise(middle, radius))) return *std::move(strip);
+    }
+    if (b.x1 - b.x0 <= 1 && b.y1 - b.y0 <= 1) return whole(b, kOpen);
+    return of_parts(b);
+  }
+
+ private:
+  static CellComplex in_box(CellComplex signs, const PieceBox& b) {
+    const CellComplex box = filled_box(b);
+    return plane::overlay(std::array<const CellComplex*, 2>{&box, &signs},
+                          [](std::span<const Mark> m) { return m[0] > 0 ? m[1] : kNothing; });
+  }
+  static CellComplex whole(const PieceBox& b, Mark mark) {
+    return plane::remark(filled_box(b), [mark](Mark m) { return m > 0 ? mark : kNothing; });
+  }
+
+  /// Where all forms are one, and its level curve is a line or a circle.
+  std::optional<CellComplex> exactly(const DistanceSum::Forms& forms, const PieceBox& b) const {
+    std::vector<LevelCurve> curves;
+    for (const auto& of_one : forms.summands) {
+      std::optional<LevelCurve> one;
+      for (const SmoothForm& f : of_one) {
+        if (!f.curve) return std::nullopt;
+        LevelCurve curve = f.curve();
+        if (!one)
+          one = std::move(curve);
+        else if (!same(*one, curve))
+          return std::nullopt;
+      }
+      curves.push_back(*std::move(one));
+    }
+    auto signs = sign_of_forms(f_.summands(), curves, level_, b);
+    if (!signs) return std::nullopt;
+    return in_box(*std::move(signs), b);
+  }
+
+  static bool same(const LevelCurve& f, const LevelCurve& g) {
+    if (f.circle != g.circle) return false;
+    if (f.circle) return f.a == g.a && f.b == g.b && f.c == g.c && f.k == g.k;
+    return f.a * g.k == g.a * f.k && f.b * g.k == g.b * f.k && f.c * g.k == g.c * f.k;
+  }
+
+  /// Half planes on which the sign is certain, if the strip between them is narrow.
+  std::optional<CellComplex> certain(const DistanceSum::Forms& forms, const PieceBox& b, double level,
+                                     double noise) const {
+    double widest = 0;
+    std::vector<Plane> above, below;
+    for (const DistanceSum::Form& form : forms.all) {
+      const SmoothForm& s = form.sum;
+      const double slope = plain_length(s.gx, s.gy);
+      const double room = noise + 2 * (std::abs(s.gx) + std::abs(s.gy));  // corners are put on the grid
+      above.push_back({s.gx, s.gy, s.value - level + s.below - room});
+      below.push_back({-s.gx, -s.gy, level - s.value - s.above - room});
+      widest = std::max(widest, slope > 0 ? (s.above - s.below + 2 * room) / slope : exact::kInfinity);
+    }
+    const PieceBox at{b.x0 - (b.x0 + b.x1) / 2, b.y0 - (b.y0 + b.y1) / 2, b.x1 - (b.x0 + b.x1) / 2,
+                      b.y1 - (b.y0 + b.y1) / 2};
+    std::vector<Corner> plus{{at.x0, at.y0}, {at.x1, at.y0}, {at.x1, at.y1}, {at.x0, at.y1}}, minus = plus;
+    if (widest > width_ && std::max(b.x1 - b.x0, b.y1 - b.y0) > width_) return std::nullopt;
+    for (const Plane& p : above) plus = clipped(plus, p);
+    for (const Plane& p : below) minus = clipped(minus, p);
+    const CellComplex box = filled_box(b), high = on_grid(plus, b), low = on_grid(minus, b);
+    return plane::overlay(std::array<const CellComplex*, 3>{&box, &high, &low}, [](std::span<const Mark> m) {
+      return m[0] <= 0 ? kNothing : m[1] > 0 ? Mark(1) : m[2] > 0 ? Mark(-1) : kOpen;
+    });
+  }
+
+  static CellComplex on_grid(const std::vector<Corner>& polygon, const PieceBox& b) {
+    plane::Contour ring;
+    for (const Corner& c : polygon) {
+      const plane::GridPoint p{std::llround(c.x + (b.x0 + b.x1) / 2), std::llround(c.y + (b.y0 + b.y1) / 2)};
+      if (ring.empty() || (!(ring.back().start == p) && !(ring.front().start == p))) ring.push_back({p});
+    }
+    double area = 0;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const plane::GridPoint &p = ring[k].start, &q = ring[(k + 1) % ring.size()].start;
+      area += (double(p.x) - b.x0) * (double(q.y) - b.y0) - (double(q.x) - b.x0) * (double(p.y) - b.y0);
+    }
+    if (ring.size() < 3 || area < 2) return CellComplex::uniform(0);
+    return plane::region_of_rings({&ring, 1});
+  }
+
+  CellComplex of_parts(const PieceBox& b) const {
+    const double x = std::floor((b.x0 + b.x1) / 2), y = std::floor((b.y0 + b.y1) / 2);
+    std::vector<PieceBox> boxes;
+    for (const auto& [x0, x1] : {std::pair{b.x0, x}, {x, b.x1}})
+      for (const auto& [y0, y1] : {std::pair{b.y0, y}, {y, b.y1}})
+        if (x0 < x1 && y0 < y1) boxes.push_back({x0, y0, x1, y1});
+    std::vector<CellComplex> parts(boxes.size());
+    plane::parallel_for(boxes.size(), [&](std::size_t k) { parts[k] = solve(boxes[k]); });
+    std::vector<const CellComplex*> operands;
+    for (const CellComplex& p : parts) operands.push_back(&p);
+    return plane::overlay(operands, [](std::span<const Mark> marks) {
+      Mark out = kNothing;
+      for (const Mark m : marks)
+        if (m < kOpen || out == kNothing) out = m == kNothing ? out : m;
+      return out;
+    });
+  }
+
+  const DistanceSum& f_;
+  const Real& level_;
+  double width_;
+};
+
+}  // namespace
+
+SumSigns sum_map(const DistanceSum& f, const Real& level, const PieceBox& window, double width) {
+  const auto infinite = f.infinite();
+  if (infinite && *infinite != 0) {
+    const CellComplex all = CellComplex::uniform(Mark(*infinite));
+    return {all, all};
+  }
+  const CellComplex signs = SumMap(f, level, width).solve(window);
+  return {plane::remark(signs, [](Mark m) { return m >= kOpen ? Mark(-1) : m; }),
+          plane::remark(signs, [](Mark m) { return m >= kOpen ? Mark(1) : m; })};
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The margins of searches in doubles whose results are proved exactly afterwards (src/packing). All but the last are
+// relative to the size of the strip. They search: too large or too small, they cost density or time, never a proof.
+#pragma once
+
+namespace findspace::margin {
+
+/// A shallower overlap counts as none; a linear program moves the parts out of it before the proof.
+inline constexpr double kNoOverlap = 1e-9;
+/// Boxes in single precision are this much larger on each side: four roundings of 2^-24 of the longer side.
+inline constexpr double kBoxRounding = 0x1p-22;
+/// What a linear program may leave of a violated row.
+inline constexpr double kProgramTolerance = 1e-9;
+/// The grid on which finished layouts stand is no coarser than this.
+inline constexpr double kLayoutGrid = 1e-9;
+/// A part of an edge this short or this near behind a half-plane needs no half-plane of its own.
+inline constexpr double kPieceLeft = 1e-10;
+/// A compaction ends where it gains less than this.
+inline constexpr double kCompactionGain = 1e-5;
+
+}  // namespace findspace::margin

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "planning/order/demands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "findspace/error.h"
+#include "formula/language/text.h"
+
+namespace findspace::planning {
+namespace {
+
+class DemandMaker {
+ public:
+  DemandMaker(const Asked& asked, const formula::Context& all) : asked_(asked), all_(all) {}
+
+  AskedDemands run() {
+    add_bodies();
+    add_each();
+    add_pairs();
+    add_constraints();
+    add_objectives();
+    return std::move(out_);
+  }
+
+ private:
+  void add_bodies() {
+    taken_.insert(all_.shapes.begin(), all_.shapes.end());
+    for (const AskedBody& placed : asked_.bodies) {
+      Body body{placed.name, 0, placed.shapes, placed.angles, {}};
+      for (const exact::Real& angle : placed.angles) body.variants.push_back(variant(placed, angle));
+      for (int copy = 1; copy <= placed.count; ++copy) {
+        body.copy = placed.count > 1 ? copy : 0;
+        demands_.bodies.push_back(body);
+      }
+      if (placed.count == 1) add_names(demands_.bodies.size() - 1);
+    }
+  }
+
+  std::vector<std::string> variant(const AskedBody& body, const exact::Real& angle) {
+    std::vector<std::string> names;
+    for (const std::string& shape : body.shapes) {
+      names.push_back(shape);
+      if (angle.sign() == 0) continue;
+      std::string name = fmt::format("{} rotated by {}", shape, formula::decimal_text(angle));
+      while (!taken_.insert(name).second) name += "'";
+      out_.rotated.push_back({name, shape, angle});
+      names.back() = name;
+    }
+    return names;
+  }
+
+  void add_names(std::size_t index) {
+    const Body& body = demands_.bodies[index];
+    demands_.names[body.name] = {index, std::nullopt};
+    for (std::size_t k = 0; body.shapes.size() > 1 && k < body.shapes.size(); ++k)
+      demands_.names[body.shapes[k]] = {index, k};
+  }
+
+  /// What stands still: all without the placed shapes.
+  formula::Context fixed_context() const {
+    formula::Context context = all_;
+    context.moving = {"self"};
+    context.shapes.clear();
+    for (const std::string& name : all_.shapes) {
+      const bool placed = std::any_of(asked_.bodies.begin(), asked_.bodies.end(), [&](const AskedBody& b) {
+        return std::find(b.shapes.begin(), b.shapes.end(), name) != b.shapes.end();
+      });
+      (placed ? context.placed : context.shapes).push_back(name);
+    }
+    return context;
+  }
+
+  formula::Context named_context() const {
+    formula::Context context = fixed_context();
+    context.moving.clear();
+    context.placed.clear();
+    context.independent = true;
+    for (const auto& [name, role] : demands_.names) context.moving.push_back(name);
+    return context;
+  }
+
+  using FormulaPointer = std::shared_ptr<const formula::Formula>;
+  static FormulaPointer read(const Unread<formula::Formula>& text, const formula::Context& context) {
+    return std::make_shared<const formula::Formula>(text.read(context));
+  }
+
+  void add_each() {
+    if (!asked_.each) return;
+    const FormulaPointer formula = read(asked_.each, fixed_context());
+    for (std::size_t i = 0; i < demands_.bodies.size(); ++i)
+      demands_.conditions.push_back({formula, {{"self", {i, {}}}}});
+  }
+
+  void add_pairs() {
+    if (!asked_.pairs) return;
+    formula::Context context = fixed_context();
+    context.extra = {"other"};
+    const FormulaPointer formula = read(asked_.pairs, context);
+    for (std::size_t i = 0; i < demands_.bodies.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        demands_.conditions.push_back({formula, {{"self", {i, {}}}, {"other", {j, {}}}}});
+  }
+
+  void add_constraints() {
+    for (const Unread<formula::Formula>& text : asked_.constraints) {
+      const FormulaPointer formula = read(text, named_context());
+      Roles roles;
+      for (const formula::Atom& atom : formula->atoms()) check_and_note(atom, text.place, roles);
+      demands_.conditions.push_back({formula, std::move(roles)});
+    }
+  }
+
+  void check_and_note(const formula::Atom& atom, const std::string& place, Roles& roles) const {
+    std::set<std::size_t> first, second;
+    for (const auto& [names, bodies] :
+         {std::pair(&atom.distance.first, &first), std::pair(&atom.distance.second, &second)})
+      for (const std::string& name : *names)
+        if (auto found = demands_.names.find(name); found != demands_.names.end()) {
+          roles.insert(*found);
+          bodies->insert(found->second.body);
+        }
+    if (!first.empty() && first == second) {
+      throw Error(ErrorCode::kBadValue,
+                  fmt::format("{}: the two move together, so their distance never changes", formula::written(atom)),
+                  place);
+    }
+  }
+
+  void add_objectives() {
+    formula::Context context = named_context();
+    context.moving.push_back("self");
+    for (const Unread<formula::Goal>& text : asked_.minimize) demands_.goals.push_back(text.read(context));
+  }
+
+  const Asked& asked_;
+  const formula::Context& all_;
+  AskedDemands out_;
+  Demands& demands_ = out_.demands;
+  std::set<std::string> taken_;
+};
+
+}  // namespace
+
+AskedDemands demands_of(const Asked& asked, const formula::Context& all) { return DemandMaker(asked, all).run(); }
+
+}  // namespace findspace::planning

@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""The verb `batch`: results for good and bad questions, and runs that are killed and begun again.
+
+usage: batch.py PROGRAM [--kills N] [--questions N]
+"""
+import argparse
+import json
+import os
+import random
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+PROGRAM = None
+KILLS, QUESTIONS = 6, 120
+
+
+def batch(folder, *options, jobs="jobs.jsonl", results="results.jsonl"):
+    return subprocess.run([PROGRAM, "batch", jobs, "-o", results, *options], cwd=folder, capture_output=True, text=True)
+
+
+def write(folder, questions, name="jobs.jsonl"):
+    lines = [q if isinstance(q, str) else json.dumps(q) for q in questions]
+    (Path(folder) / name).write_text("\n".join(lines) + "\n")
+
+
+def read(path):
+    return [json.loads(line) for line in Path(path).read_text().splitlines()]
+
+
+def without_time(results):
+    return [{k: v for k, v in r.items() if k != "seconds"} for r in results]
+
+
+def questions(count, seed):
+    rng = random.Random(seed)
+    scenes = [str(EXAMPLES / name) for name in ("peg.json", "first.json")]
+    out = []
+    for k in range(count):
+        verb = rng.choice(["check", "measure", "map"])
+        options = {} if verb == "map" else {"at": [round(rng.uniform(0, 100), 3), round(rng.uniform(0, 60), 3)]}
+        out.append({"id": f"q{k}", "verb": verb, "path": rng.choice(scenes), "options": options})
+    return out
+
+
+class Batch(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = Path(self.folder.name)
+
+    def ask(self, questions, *options):
+        write(self.path, questions)
+        run = batch(self.path, *options)
+        return run, read(self.path / "results.jsonl")
+
+    def test_results_are_those_of_the_verbs(self):
+        peg = str(EXAMPLES / "peg.json")
+        run, results = self.ask([{"id": 1, "verb": "map", "path": peg},
+                                 {"id": "two", "verb": "check", "path": peg, "options": {"at": [10, 10]}}])
+        self.assertEqual(run.returncode, 0, run.stderr)
+        alone = subprocess.run([PROGRAM, "map", peg, "--json"], capture_output=True, text=True)
+        self.assertEqual(results[0]["result"], json.loads(alone.stdout))
+        self.assertEqual([r["id"] for r in results], [1, "two"])
+        self.assertEqual([r["line"] for r in results], [1, 2])
+        self.assertEqual([r["status"] for r in results], ["done", "done"])
+
+    def test_a_scene_in_the_line(self):
+        box = {"box": {"min": [0, 0], "max": [1, 1]}}
+        scene = {"findspace": 1, "$schema": "}\"{", "shapes": {"plate": box, "peg": box}, "moving": "peg",
+                 "where": "clear(peg, plate) and not clear(peg, plate)"}
+        run, results = self.ask([{"verb": "map", "scene": scene}])
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual((results[0]["status"], results[0]["exit"]), ("empty", 1))
+
+    def test_each_bad_question_says_what_is_wrong_and_the_others_are_answered(self):
+        peg = str(EXAMPLES / "peg.json")
+        (self.path / "full.svg").symlink_to("/dev/full")
+        (self.path / "secret.json").write_text("{}")
+        rows = [
+            ("not json", "usage", "not JSON"),
+            ("[1]", "usage", "an object"),
+            ({"path": peg}, "usage", '"verb" is missing'),
+            ({"verb": "mpa", "path": peg}, "usage", "did you mean 'map'"),
+            ({"verb": "batch", "path": peg}, "usage", "no verb 'batch'"),
+            ({"verb": "map"}, "usage", 'either "scene" or "path"'),
+            ({"verb": "map", "path": peg, "option": {}}, "usage", "options"),
+            ({"verb": "map", "path": peg, "options": {"tat": 1}}, "usage", "not expected"),
+            ({"verb": "check", "path": peg, "options": {"at": {}}}, "usage", "option"),
+            ({"verb": "map", "path": "no.json"}, "bad input", "no such file"),
+            ({"verb": "map", "path": "secret.json"}, "bad input", "secret.json"),
+            ({"verb": "map", "path": peg, "options": {"output": str(self.path / "full.svg")}}, "bad input", "full.svg"),
+            ({"verb": "map", "path": str(EXAMPLES / "rooms.json"),
+              "options": {"resolution": 8192, "axes": True, "time-limit": 0.1}}, "limit", "time limit"),
+            ({"verb": "map", "path": str(EXAMPLES / "rooms.json"),
+              "options": {"resolution": 8192, "axes": True, "memory-limit": "250M"}}, "limit", "memory limit"),
+        ]
+        good = {"verb": "check", "path": peg, "options": {"at": [50, 30]}}
+        run, results = self.ask([q for row in rows for q in (row[0], good)])
+        self.assertEqual(run.returncode, 3)
+        for (question, status, why), result in zip(rows, results[::2]):
+            self.assertEqual(result["status"], status, result)
+            self.assertIn(why, result["error"], question)
+        self.assertEqual({r["status"] for r in results[1::2]}, {"done"})
+
+    def test_what_is_no_batch(self):
+        write(self.path, [{"id": 1, "verb": "map", "path": "a"}, {"id": 1, "verb": "map", "path": "b"}])
+        self.assertIn("lines 1 and 2 have the same id 1", batch(self.path).stderr)
+        (self.path / "jobs.jsonl").write_text("\n\n")
+        run = batch(self.path)
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("no question", run.stderr)
+        self.assertEqual(batch(self.path, jobs="none.jsonl").returncode, 3)
+        self.assertEqual(batch(self.path, results="r.txt").returncode, 2)
+
+    def test_the_folder_of_other_questions_is_refused(self):
+        write(self.path, questions(40, 1))
+        running = subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", "results.jsonl"], cwd=self.path,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not (self.path / "results.jsonl.parts").exists():
+            time.sleep(0.002)
+        running.kill()
+        running.wait()
+        if not (self.path / "results.jsonl.parts").exists():
+            self.skipTest("it had ended")
+        write(self.path, questions(41, 2))
+        run = batch(self.path)
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("other questions", run.stderr)
+
+    def test_killed_at_any_time_and_begun_again(self):
+        write(self.path, questions(QUESTIONS, 3))
+        self.assertEqual(batch(self.path, results="whole.jsonl").returncode, 0)
+        whole = without_time(read(self.path / "whole.jsonl"))
+        rng = random.Random(4)
+        for round_ in range(KILLS):
+            name = f"r{round_}.jsonl"
+            for _ in range(3):
+                running = [subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", name, "--workers", "2"], cwd=self.path,
+                                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+                           for _ in range(2)]
+                time.sleep(rng.uniform(0.01, 0.15))
+                for process in running:
+                    if rng.random() < 0.5:
+                        process.kill()  # its workers end with it
+                    else:
+                        os.killpg(process.pid, signal.SIGKILL)
+                    process.wait()
+            if not (self.path / name).exists() or (self.path / f"{name}.parts").exists():
+                self.assertEqual(batch(self.path, results=name).returncode, 0)
+            self.assertEqual(without_time(read(self.path / name)), whole)
+            self.assertFalse((self.path / f"{name}.parts").exists())
+
+    def test_two_processes_share_the_questions(self):
+        write(self.path, questions(QUESTIONS, 5))
+        two = [subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", "results.jsonl", "--workers", "1", "--as-they-come"],
+                                cwd=self.path, stdout=subprocess.PIPE, text=True) for _ in range(2)]
+        lines = [line for process in two for line in process.communicate()[0].splitlines() if line.startswith("{")]
+        self.assertEqual([process.returncode for process in two], [0, 0])
+        answered = [json.loads(line)["line"] for line in lines]
+        self.assertEqual(sorted(answered), sorted(r["line"] for r in read(self.path / "results.jsonl")))
+        self.assertEqual(len(answered), QUESTIONS)
+
+    def test_a_killed_worker_costs_no_question(self):
+        write(self.path, questions(QUESTIONS, 6))
+        running = subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", "results.jsonl"], cwd=self.path,
+                                   stdout=subprocess.DEVNULL)
+        for _ in range(5):
+            time.sleep(0.02)
+            children = subprocess.run(["ps", "-o", "pid=", "--ppid", str(running.pid)], capture_output=True, text=True)
+            for pid in children.stdout.split()[:1]:
+                try:
+                    os.kill(int(pid), signal.SIGKILL)
+                except ProcessLookupError:
+                    pass
+        self.assertEqual(running.wait(), 0)
+        self.assertEqual(len(read(self.path / "results.jsonl")), QUESTIONS)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--kills", type=int, default=KILLS)
+    parser.add_argument("--questions", type=int, default=QUESTIONS)
+    arguments, rest = parser.parse_known_args()
+    PROGRAM, KILLS, QUESTIONS = os.path.abspath(arguments.program), arguments.kills, arguments.questions
+    unittest.main(argv=["batch.py", *rest])

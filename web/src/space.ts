@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The picture of space, by three.js: shapes, the region as surfaces, sheets, curves and points, the moving solid with a
+// handle along each axis, dimension lines, a plane that cuts all open. A script of its own (space.js): pages of the plane
+// do without it.
+import {
+  AmbientLight, BackSide, Box3, BufferGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
+  LineSegments, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial, Object3D, PerspectiveCamera, Plane, Points, PointsMaterial, Raycaster, Scene,
+  Side, Vector2, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+import type { AnyDrawing, Atom, Corner, Place, SpaceDrawing, Summary } from "./engine";
+import { arrowGeometry, dot, ofSheets, surface } from "./forms";
+import { roundLength, shortDecimals, shown } from "./picture";
+import type { Picture, Pose } from "./picture";
+
+const kAxes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
+const kAxisColours = ["#d0453a", "#2f8f4e", "#3a6fd0"];
+
+const colour = (name: string): Color => new Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim().slice(0, 7));
+
+interface Style { fill: string; opacity: number; edges: string; side?: Side }
+
+export class SpaceStage implements Picture {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(35, 1, 0.01, 1e6);
+  private readonly controls: OrbitControls;
+  private readonly fixed = new Group();
+  private readonly region = new Group();
+  private readonly own = new Group();
+  private readonly part = new Group();
+  private readonly ghost = new Group();
+  private readonly marks = new Group();
+  private readonly handles: Mesh[] = [];
+  private readonly labels: { e: HTMLElement; at: Vector3 }[] = [];
+  private readonly cut = new Plane(new Vector3(-1, 0, 0), 0);
+  private summary: Summary | null = null;
+  private hidden = new Set<string>();
+  private drawings: { region: SpaceDrawing | null; own: SpaceDrawing | null } = { region: null, own: null };
+  private good = true;
+  private atoms: Atom[] = [];
+  private size = 1;
+  private dirty = false;
+  at: Place = [0, 0, 0];
+  onDrag: (at: Place) => void = () => {};
+  onDragged: () => void = () => {};
+  onPick: (at: Place) => void = () => {};
+
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly bar: HTMLElement, private readonly unitName: string) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.localClippingEnabled = true;
+    this.camera.up.set(0, 0, 1);
+    this.scene.add(new AmbientLight(0xffffff, 1.6), this.fixed, this.region, this.own, this.part, this.ghost, this.marks, this.camera);
+    const lamp = new DirectionalLight(0xffffff, 2);
+    lamp.position.set(0.4, 0.8, 1);
+    this.camera.add(lamp);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => this.draw());
+    this.follow();
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    this.resize();
+  }
+
+  get unit(): number {
+    const far = this.camera.position.distanceTo(this.controls.target);
+    return (2 * far * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(1, this.canvas.clientHeight);
+  }
+
+  private resize(): void {
+    const { clientWidth: w, clientHeight: h } = this.canvas.parentElement!;
+    if (!w || !h) return;
+    this.renderer.setSize(w, h, false);
+    this.camera.aspect = w / h;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  private draw(): void {
+    if (this.dirty) return;
+    this.dirty = true;
+    requestAnimationFrame(() => this.render());
+  }
+
+  private render(): void {
+    this.dirty = false;
+    const length = 70 * this.unit;
+    for (const handle of this.handles) handle.parent!.scale.setScalar(length);
+    this.renderer.render(this.scene, this.camera);
+    this.drawBar();
+    const { clientWidth: w, clientHeight: h } = this.canvas;
+    for (const { e, at } of this.labels) {
+      const p = at.clone().project(this.camera);
+      e.style.transform = `translate(${((p.x + 1) * w) / 2}px, ${((1 - p.y) * h) / 2}px) translate(-50%, -130%)`;
+      e.style.visibility = p.z < 1 ? "" : "hidden";
+    }
+  }
+
+  /// As long as it is at the middle of the scene.
+  private drawBar(): void {
+    const length = roundLength(140 * this.unit);
+    this.bar.style.width = `${length / this.unit}px`;
+    this.bar.firstElementChild!.textContent = `${shown(length)} ${this.unitName}`;
+  }
+
+  private material<T extends Material>(made: T): T {
+    made.clippingPlanes = this.cut.normal.lengthSq() && this.cutting ? [this.cut] : [];
+    made.clipShadows = false;
+    return made;
+  }
+
+  private cutting = false;
+
+  /// Faces, edges and all below them, in one style.
+  private show(into: Object3D, d: SpaceDrawing, style: Style): void {
+    const fill = colour(style.fill), edge = colour(style.edges);
+    const add = (geometry: BufferGeometry, opacity: number, side: Side) => {
+      const clear = opacity < 1;
+      const mesh = new Mesh(geometry, this.material(new MeshLambertMaterial({ color: fill, transparent: clear, opacity, depthWrite: !clear, side, flatShading: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 })));
+      into.add(mesh);
+      if (geometry.attributes["position"]!.count > 60000) return;
+      into.add(new LineSegments(new EdgesGeometry(geometry, 25), this.material(new LineBasicMaterial({ color: edge, transparent: clear, opacity: clear ? 0.85 : 1 }))));
+    };
+    if (d.faces.length) add(surface(d.vertices, d.faces), style.opacity, style.side ?? DoubleSide);
+    if (d.sheets.length) add(ofSheets(d.sheets), Math.min(1, style.opacity + 0.25), DoubleSide);
+    if (d.curves.length) {
+      const lines = new LineSegmentsGeometry();
+      lines.setPositions(d.curves.flatMap((c) => [...c[0]!, ...c[1]!]));
+      into.add(new LineSegments2(lines, this.material(new LineMaterial({ color: edge, linewidth: 4 }))));
+    }
+    if (d.points.length) {
+      const geometry = new BufferGeometry();
+      geometry.setAttribute("position", new Float32BufferAttribute(d.points.flat(), 3));
+      into.add(new Points(geometry, this.material(new PointsMaterial({ color: edge, size: 11, sizeAttenuation: false, map: dot(), alphaTest: 0.5, transparent: true }))));
+    }
+  }
+
+  setScene(summary: Summary, hidden: Set<string>): void {
+    this.summary = summary;
+    this.hidden = hidden;
+    this.build();
+  }
+
+  /// All objects anew, in the colours of now.
+  private build(): void {
+    if (!this.summary) return;
+    for (const group of [this.fixed, this.part, this.ghost]) group.clear();
+    const shapes = this.summary.shapes.filter((s) => s.drawing);
+    const boxes = new Map(shapes.map((s) => [s.name, new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat())]));
+    for (const s of shapes) {
+      const drawing = s.drawing as SpaceDrawing;
+      if (s.moving) {
+        this.show(this.part, drawing, { fill: this.good ? "--part" : "--bad", opacity: 0.75, edges: this.good ? "--part" : "--bad" });
+        this.show(this.ghost, drawing, { fill: "--ghost", opacity: 0.15, edges: "--ghost" });
+      } else if (!this.hidden.has(s.name)) {
+        const box = boxes.get(s.name)!;
+        const around = shapes.some((o) => o !== s && !this.hidden.has(o.name) && box.containsBox(boxes.get(o.name)!));
+        this.show(this.fixed, drawing, around ? { fill: "--shape", opacity: 0.16, edges: "--edge", side: BackSide } : { fill: "--shape", opacity: 0.5, edges: "--edge" });
+      }
+    }
+    this.addHandles(boxes);
+    this.showRegions();
+    this.drawMarks();
+    this.place(this.at);
+  }
+
+  private addHandles(boxes: Map<string, Box3>): void {
+    this.handles.length = 0;
+    const box = new Box3();
+    for (const name of this.summary!.moving) if (boxes.has(name)) box.union(boxes.get(name)!);
+    if (box.isEmpty()) return;
+    const grip = new Group();
+    grip.position.copy(box.getCenter(new Vector3()));
+    this.part.add(grip);
+    kAxes.forEach((axis, k) => {
+      const material = new MeshBasicMaterial({ color: kAxisColours[k]!, depthTest: false, transparent: true });
+      const arrow = new Mesh(arrowGeometry(axis), material);
+      arrow.renderOrder = 10;
+      arrow.userData["axis"] = k;
+      grip.add(arrow);
+      this.handles.push(arrow);
+    });
+  }
+
+  setRegion(drawing: AnyDrawing | null, own = false): void {
+    this.drawings[own ? "own" : "region"] = drawing as SpaceDrawing | null;
+    this.showRegions();
+    this.draw();
+  }
+
+  private showRegions(): void {
+    this.region.clear();
+    this.own.clear();
+    if (this.drawings.region) this.show(this.region, this.drawings.region, { fill: "--region", opacity: 0.32, edges: "--region" });
+    if (this.drawings.own) this.show(this.own, this.drawings.own, { fill: "--ghost", opacity: 0.12, edges: "--ghost" });
+  }
+
+  place(at: Place): void {
+    this.at = at;
+    this.part.position.set(at[0]!, at[1]!, at[2]!);
+    this.draw();
+  }
+
+  setPose(_pose: Pose): void {}
+
+  setGhost(at: Place | null): void {
+    this.ghost.visible = !!at;
+    if (at) this.ghost.position.set(at[0]!, at[1]!, at[2]!);
+    this.draw();
+  }
+
+  setPlaced(placed: { shape: string; at: Place; angle: number }[]): void {
+    this.own.clear();
+    for (const p of placed) {
+      const drawing = this.summary?.shapes.find((s) => s.name === p.shape)?.drawing as SpaceDrawing | undefined;
+      if (!drawing) continue;
+      const group = new Group();
+      this.show(group, drawing, { fill: "--part", opacity: 0.6, edges: "--part" });
+      group.position.set(p.at[0]!, p.at[1]!, p.at[2]!);
+      group.rotation.z = (p.angle * Math.PI) / 180;
+      this.own.add(group);
+    }
+    this.draw();
+  }
+
+  setAtoms(good: boolean, atoms: Atom[]): void {
+    this.atoms = atoms;
+    const turned = good !== this.good;
+    this.good = good;
+    if (turned) this.build();
+    else this.drawMarks();
+    this.draw();
+  }
+
+  private addLabel(text: string, at: Vector3, style = ""): void {
+    const e = document.createElement("span");
+    e.textContent = text;
+    e.className = style;
+    this.overlay.append(e);
+    this.labels.push({ e, at });
+  }
+
+  private drawMarks(): void {
+    this.marks.clear();
+    this.overlay.replaceChildren();
+    this.labels.length = 0;
+    for (const a of this.atoms) {
+      const [p, q] = a.witness.points ?? [];
+      if (!p || !q) continue;
+      const lines = new LineSegmentsGeometry();
+      lines.setPositions([...p, ...q]);
+      this.marks.add(new LineSegments2(lines, new LineMaterial({ color: colour(a.true ? "--ink" : "--bad"), linewidth: 2, depthTest: false })));
+      if (typeof a.value !== "number" || a.value === 0) continue;
+      this.addLabel(`${shown(a.value)} ${this.unitName}`.trim(), new Vector3(p[0]! + q[0]!, p[1]! + q[1]!, p[2]! + q[2]!).divideScalar(2), a.true ? "" : "no");
+    }
+    for (const s of this.summary?.shapes ?? []) {
+      if (!s.drawing || s.moving || this.hidden.has(s.name)) continue;
+      const box = new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat());
+      this.addLabel(s.name, new Vector3((box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z), "name");
+    }
+  }
+
+  /// Cuts everything open: what lies beyond `at` along the axis is not drawn. No axis, no cut.
+  setSection(axis: number | null, at: number): void {
+    this.cutting = axis !== null;
+    if (axis !== null) {
+      this.cut.normal.copy(kAxes[axis]!).negate();
+      this.cut.constant = at;
+    }
+    this.build();
+  }
+
+  /// From least to greatest, of what is drawn.
+  range(axis: number): [number, number] {
+    const box = this.bounds();
+    return [box.min.getComponent(axis), box.max.getComponent(axis)];
+  }
+
+  private bounds(): Box3 {
+    const box = new Box3();
+    for (const s of this.summary?.shapes ?? []) {
+      if (!s.drawing || this.hidden.has(s.name)) continue;
+      const own = new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat());
+      if (s.moving) own.translate(new Vector3(...(this.at as Corner)));
+      box.union(own);
+    }
+    return box.isEmpty() ? new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)) : box;
+  }
+
+  fit(): void {
+    const box = this.bounds(), middle = box.getCenter(new Vector3());
+    this.size = box.getSize(new Vector3()).length();
+    this.controls.target.copy(middle);
+    const far = (0.62 * this.size) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1, this.camera.aspect);
+    this.camera.position.copy(middle).add(new Vector3(0.55, -0.75, 0.5).normalize().multiplyScalar(far));
+    this.camera.near = this.size * 1e-3;
+    this.camera.far = this.size * 100;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.draw();
+  }
+
+  zoom(by: number): void {
+    const target = this.controls.target;
+    this.camera.position.sub(target).multiplyScalar(by).add(target);
+    this.controls.update();
+    this.draw();
+  }
+
+  rounded(at: Place): Place { return shortDecimals(at, this.unit); }
+
+  recolour(): void { this.build(); }
+
+  private follow(): void {
+    const ray = new Raycaster();
+    let hold: { axis: number; from: Vector3; at: Place } | null = null;
+    const aim = (e: PointerEvent) => {
+      const b = this.canvas.getBoundingClientRect();
+      ray.setFromCamera(new Vector2(((e.clientX - b.left) / b.width) * 2 - 1, 1 - ((e.clientY - b.top) / b.height) * 2), this.camera);
+    };
+    // Along an axis: the point of the axis nearest to the ray; otherwise in the horizontal plane.
+    const reach = (axis: number, through: Vector3): Vector3 | null => {
+      if (axis < 0) return ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -through.z), new Vector3());
+      const normal = kAxes[axis]!.clone().cross(ray.ray.direction).cross(kAxes[axis]!);
+      if (normal.lengthSq() === 0) return null;
+      const hit = ray.ray.intersectPlane(new Plane().setFromNormalAndCoplanarPoint(normal.normalize(), through), new Vector3());
+      return hit && through.clone().add(kAxes[axis]!.clone().multiplyScalar(hit.sub(through).dot(kAxes[axis]!)));
+    };
+    this.canvas.addEventListener("pointerdown", (e) => {
+      aim(e);
+      const arrow = ray.intersectObjects(this.handles, false)[0];
+      const body = arrow ?? ray.intersectObjects(this.part.children.filter((c) => c instanceof Mesh), false)[0];
+      if (!body) return;
+      const from = reach(arrow ? (arrow.object.userData["axis"] as number) : -1, body.point.clone());
+      if (!from) return;
+      hold = { axis: arrow ? (arrow.object.userData["axis"] as number) : -1, from, at: this.at };
+      this.controls.enabled = false;
+      this.canvas.setPointerCapture(e.pointerId);
+    }, { capture: true });
+    this.canvas.addEventListener("pointermove", (e) => {
+      if (!hold) return;
+      aim(e);
+      const to = reach(hold.axis, hold.from.clone());
+      if (!to) return;
+      const by = to.sub(hold.from);
+      const free = hold.axis < 0 ? [0, 1] : [hold.axis];
+      const moved = this.rounded(hold.at.map((x, k) => x + by.getComponent(k)));
+      this.onDrag(hold.at.map((x, k) => (free.includes(k) ? moved[k]! : x)));
+    });
+    const release = () => {
+      if (hold) this.onDragged();
+      hold = null;
+      this.controls.enabled = true;
+    };
+    this.canvas.addEventListener("pointerup", release);
+    this.canvas.addEventListener("pointercancel", release);
+  }
+
+  /// A picture of pixels in an SVG.
+  svg(): string {
+    this.render();
+    const { clientWidth: w, clientHeight: h } = this.canvas;
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${w}" height="${h}"><image width="${w}" height="${h}" href="${this.canvas.toDataURL("image/png")}"/></svg>`;
+  }
+
+  png(): Promise<Blob> {
+    this.render();
+    return new Promise((done, fail) => this.canvas.toBlob((b) => (b ? done(b) : fail(new Error("no picture"))), "image/png"));
+  }
+}
+
+(globalThis as { findspaceSpace?: typeof SpaceStage }).findspaceSpace = SpaceStage;
