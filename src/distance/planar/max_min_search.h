@@ -53,6 +53,7 @@ class MaxMinSearch {
   double least(const List& list, Spot at) const;
   Close close_to(const List& list, Spot at, double radius) const;
   bool agree(const List& list, Spot at) const;
+  bool unnamed(const SearchRange& part, Spot at) const;
   bool in_a(Spot at);
   bool in_b(Spot at);
   double height(const List& list, Spot at);
